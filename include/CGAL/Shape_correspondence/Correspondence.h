@@ -1,0 +1,82 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CORRESPONDENCE_H
+#define CGAL_SHAPE_CORRESPONDENCE_CORRESPONDENCE_H
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// The three terms of the deformation energy (paper, Eq. 1), before weighting.
+struct Energy_terms
+{
+  double distortion = 0;    ///< E_d, Eq. 2 and 3
+  double connectedness = 0; ///< E_c, Eq. 4 with its sign turned
+  double split = 0;         ///< E_s, Eq. 5
+};
+
+/// What the GeoTopo transform does to the parts of a group, seen in the direction of the search (paper, section 4.1).
+enum class Operation {
+  MATCH,     ///< as many parts as before, one to one
+  SPLIT,     ///< one part becomes many
+  DUPLICATE, ///< some parts of several are cloned
+  MERGE      ///< many parts become fewer
+};
+
+enum class Direction { SOURCE_TO_TARGET, TARGET_TO_SOURCE };
+
+/// A group of the shape that was deformed and what it became.
+struct Group_match
+{
+  std::vector<std::size_t> source; ///< part indices in the source shape
+  std::vector<std::size_t> target; ///< part indices in the target shape
+  Operation operation = Operation::MATCH;
+  double energy = 0; ///< its share of the energy: half of each of its contacts, all of those inside it
+};
+
+/// The energy of one pair of connected parts of the shape that was deformed.
+struct Contact_energy
+{
+  std::array<std::size_t, 2> parts;
+  double distortion = 0;
+  double connectedness = 0;
+};
+
+/// How the search went.
+struct Search_summary
+{
+  std::string method = "beam";
+  std::size_t states = 0;      ///< search states kept
+  std::size_t evaluations = 0; ///< energies of states computed
+  double lower_bound = 0;      ///< no correspondence of these labels costs less, over both directions
+};
+
+/// A part-to-part correspondence between a source and a target shape.
+struct Correspondence
+{
+  std::vector<std::pair<std::size_t, std::size_t>> pairs; ///< (source part, target part), sorted, each once
+  std::vector<Group_match> groups;                        ///< by group of the shape that was deformed
+  std::vector<Contact_energy> contacts;                   ///< by contact of the shape that was deformed
+  std::vector<std::size_t> unmatched_source;
+  std::vector<std::size_t> unmatched_target;
+  double energy = 0; ///< E of Eq. 1
+  Energy_terms terms;
+  Direction direction = Direction::SOURCE_TO_TARGET; ///< which shape was deformed into which
+  bool complete = false;                             ///< every group of the deformed shape is assigned
+  bool optimal = false;                              ///< the energy is proven minimal over the labels
+  Search_summary search;
+  std::vector<std::string> warnings;
+};
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_CORRESPONDENCE_H

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_CORRESPONDENCE_JSON_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_CORRESPONDENCE_JSON_H
+
+#include <CGAL/Shape_correspondence/Correspondence.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <iosfwd>
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// Seconds per phase of a match, as the result file reports them.
+struct Match_seconds
+{
+  double read = 0;
+  double abstraction = 0;
+  double structure = 0;
+  double search = 0;
+};
+
+/// Writes a correspondence in the JSON format `shape_correspondence/match`, version 1.
+/// \param source_file,target_file the inputs as the user named them
+void write_correspondence_json(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
+                               const Structural_graph& target, const std::string& source_file,
+                               const std::string& target_file, const Match_seconds& seconds);
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_CORRESPONDENCE_JSON_H

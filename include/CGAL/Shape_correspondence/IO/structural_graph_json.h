@@ -1,0 +1,33 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_STRUCTURAL_GRAPH_JSON_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_STRUCTURAL_GRAPH_JSON_H
+
+#include <CGAL/Shape_correspondence/build_structural_graph.h>
+
+#include <iosfwd>
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// Writes a structural graph in the JSON format `shape_correspondence/graph`, version 1. What is read back is the same
+/// graph to the bit, but for the surface samples and hulls of the parts, which are not saved.
+/// Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
+void write_structural_graph_json(std::ostream& out, const Structural_graph& graph);
+
+/// Reads a structural graph; groups, contacts and the frame are detected where the file has none.
+/// \param file_name names the input in messages
+/// \throw Invalid_input if the text is not JSON, not a structural graph, or not a valid one; says where and what
+Structural_graph read_structural_graph_json(std::istream& in, const std::string& file_name,
+                                            const Structure_options& options = {});
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_STRUCTURAL_GRAPH_JSON_H

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_WRITE_GLB_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_WRITE_GLB_H
+
+#include <CGAL/Shape_correspondence/Correspondence.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <iosfwd>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// Writes a picture of a correspondence as binary glTF 2.0: both shapes in their common frame side by side, source on
+/// the left, parts that correspond in one colour, unmatched parts grey, a node a part with the part's name. Shapes that
+/// have no meshes (read from a graph) are drawn by their curves and sheets: pass null. Needs nlohmann-json: link
+/// `CGAL::Shape_correspondence_IO`.
+void write_correspondence_glb(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
+                              const Structural_graph& target, const Segmented_shape* source_shape = nullptr,
+                              const Segmented_shape* target_shape = nullptr);
+
+/// Writes a picture of a structural graph: surfaces faint, curves as tubes and sheets as patches, a colour a group, a
+/// small sphere a contact.
+void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph,
+                                const Segmented_shape* shape = nullptr);
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_WRITE_GLB_H

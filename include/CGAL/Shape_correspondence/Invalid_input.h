@@ -1,0 +1,26 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INVALID_INPUT_H
+#define CGAL_SHAPE_CORRESPONDENCE_INVALID_INPUT_H
+
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// Thrown, in Release as in Debug, when input data cannot be used. The message names the file and the
+/// part where there is one, says what is wrong and what to do.
+class Invalid_input : public std::runtime_error
+{
+public:
+  explicit Invalid_input(const std::string& message) : std::runtime_error(message) {}
+};
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INVALID_INPUT_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_PART_ABSTRACTION_H
+#define CGAL_SHAPE_CORRESPONDENCE_PART_ABSTRACTION_H
+
+#include <CGAL/Shape_correspondence/Points.h>
+#include <CGAL/Shape_correspondence/config.h>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// The abstraction of an elongated part: a polyline with parameter t in [0, 1], the fraction of its length.
+struct Curve
+{
+  Points points; ///< at least 2 control points; a closed curve does not repeat its first one
+  bool closed = false;
+
+  /// The point at parameter `t`, linear in between control points. O(number of points).
+  Point operator()(double t) const;
+};
+
+/// The abstraction of a plate-like part: a grid of control points, bilinear in between, with parameters
+/// (u, v) in [0, 1]²; u runs over the rows, v over the columns.
+struct Sheet
+{
+  Points points; ///< control point (row i, column j) is column i * cols + j
+  int rows = 0;  ///< at least 2
+  int cols = 0;  ///< at least 2
+
+  Point operator()(double u, double v) const;
+};
+
+/// How an abstraction was made and how far to trust it.
+struct Abstraction_report
+{
+  enum class Method { SKELETON, MESO_SKELETON, BOUNDING_BOX, COPY, GIVEN };
+  enum class Repair { NONE, SOUP, HOLES, WRAP };
+
+  Method method = Method::GIVEN;
+  Repair repair = Repair::NONE;
+  bool tube = false;               ///< a hollow tube: a closed sheet stands for it best
+  bool blob = false;               ///< neither elongated nor flat: a curve along its longest axis
+  bool branching = false;          ///< a curve that leaves more than a fifth of the skeleton out
+  bool several_components = false; ///< the part's surface is not connected
+  bool time_limit = false;         ///< the flow was stopped by the time limit
+  double residual = 0;     ///< root mean square distance of the skeleton from the abstraction over the part's diagonal
+  double coverage = 1;     ///< length of the curve over the length of the skeleton it was taken from
+  int iterations = 0;      ///< steps of the flow
+  double milliseconds = 0; ///< never part of a saved file
+};
+
+/// A part, as everything past the meshes sees it: a curve or a sheet, and its solidity.
+struct Part_abstraction
+{
+  std::string name;
+  std::variant<Curve, Sheet> geometry;
+  double volume = 0;      ///< of the enclosed solid; 0 where unknown
+  double hull_volume = 0; ///< of the convex hull; 0 where unknown or flat
+  double area = 0;        ///< of the surface; 0 where unknown
+  Points surface;         ///< points spread evenly over the surface; empty where unknown
+  Points hull;            ///< vertices of the convex hull; empty where unknown
+  Abstraction_report report;
+
+  bool is_sheet() const { return std::holds_alternative<Sheet>(geometry); }
+  bool is_closed_curve() const { return !is_sheet() && std::get<Curve>(geometry).closed; }
+  /// The control points of the curve or sheet.
+  const Points& control_points() const;
+};
+
+/// Samples of a curve at e uniform parameters (0, 1/(e-1), …, 1; closed: 0, 1/e, …, (e-1)/e), of a sheet at e × e,
+/// row by row (paper, section 4.3, "Sampling").
+/// \pre `e >= 2`
+Points sample(const Curve& curve, int e);
+Points sample(const Sheet& sheet, int e);
+Points sample(const Part_abstraction& part, int e);
+
+/// The parameters of the point of the abstraction nearest to `p`: (t, 0) on a curve, (u, v) on a sheet.
+Eigen::Vector2d nearest_parameter(const Part_abstraction& part, const Point& p);
+
+/// The point of the abstraction at a parameter, as `nearest_parameter()` returns them.
+Point evaluate(const Part_abstraction& part, const Eigen::Vector2d& parameter);
+
+/// Solidity (paper, section 4.3): volume over volume of the convex hull, at most 1; 1 where either is unknown or the
+/// hull is flat.
+double solidity(double volume, double hull_volume);
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/Part_abstraction_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_PART_ABSTRACTION_H

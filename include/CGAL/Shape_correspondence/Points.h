@@ -1,0 +1,22 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_POINTS_H
+#define CGAL_SHAPE_CORRESPONDENCE_POINTS_H
+
+#include <Eigen/Core>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// Past the input meshes the package computes with plain `double` numbers on Eigen types.
+using Point = Eigen::Vector3d;
+/// A point a column.
+using Points = Eigen::Matrix3Xd;
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_POINTS_H

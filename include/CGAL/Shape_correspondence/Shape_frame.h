@@ -1,0 +1,43 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SHAPE_FRAME_H
+#define CGAL_SHAPE_CORRESPONDENCE_SHAPE_FRAME_H
+
+#include <CGAL/Shape_correspondence/Points.h>
+#include <CGAL/Shape_correspondence/config.h>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// A shape's own frame (paper, section 5, "Initial alignment"): in it the shape stands on the ground, is centred above
+/// the origin, has height 1, and its dominant vertical mirror plane, where it has one, is x = 0. It moves with the
+/// shape under translation, uniform scaling and turning about the up axis, up to a quarter turn that `align_shapes()`
+/// settles.
+struct Shape_frame
+{
+  Point origin = Point::Zero();                       ///< on the ground, in world coordinates
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< columns: side x, up y, front z, a rotation
+  double height = 1;                                  ///< extent along up; of a flat shape its largest extent
+  bool mirror_x = false;                              ///< x = 0 is a mirror plane of the shape
+  bool mirror_z = false;                              ///< z = 0 is a mirror plane of the shape
+
+  Points to_frame(const Points& world) const { return (axes.transpose() * (world.colwise() - origin)) / height; }
+  Points to_world(const Points& local) const { return (axes * local * height).colwise() + origin; }
+};
+
+/// Finds the frame of a shape from points spread evenly over its surface. O(n log n) in the number of points.
+/// \param surface points, any number above 0
+/// \param up the upright direction, a unit vector
+Shape_frame compute_shape_frame(const Points& surface, const Point& up);
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/Shape_frame_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SHAPE_FRAME_H

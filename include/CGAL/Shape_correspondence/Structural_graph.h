@@ -1,0 +1,93 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURAL_GRAPH_H
+#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURAL_GRAPH_H
+
+#include <CGAL/Shape_correspondence/Part_abstraction.h>
+#include <CGAL/Shape_correspondence/Shape_frame.h>
+#include <CGAL/Shape_correspondence/config.h>
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+enum class Symmetry_type { SELF, REFLECTION, ROTATION, TRANSLATION };
+
+/// The generator of a symmetry group, in world coordinates.
+struct Symmetry
+{
+  Symmetry_type type = Symmetry_type::SELF;
+  Point point = Point::Zero();     ///< on the mirror plane or the rotation axis
+  Point direction = Point::Zero(); ///< unit normal of the plane; unit axis; the translation from member to member
+  int order = 1;                   ///< of a rotation: n of n-fold
+  double residual = 0;             ///< how far members are from their images, over the shape's height
+};
+
+/// A vertex of the structural graph: a symmetry group of parts (paper, section 3).
+struct Part_group
+{
+  std::vector<std::size_t> parts; ///< indices into `Shape_structure::parts`, in the order along the generator
+  Symmetry symmetry;
+  double volume = 0;      ///< summed over the parts
+  double hull_volume = 0; ///< of the hull of their union
+};
+
+/// Two parts that touch, by index into `Shape_structure::parts`, and where, as parameters on both abstractions.
+struct Contact
+{
+  std::array<std::size_t, 2> parts;
+  std::array<Eigen::Vector2d, 2> parameters;
+};
+
+/// An edge of the structural graph: two groups with parts in contact.
+struct Group_contact
+{
+  std::vector<std::size_t> contacts; ///< indices into `Shape_structure::contacts`
+};
+
+/// What belongs to the shape as a whole.
+struct Shape_structure
+{
+  std::string name;
+  Shape_frame frame;
+  std::vector<Part_abstraction> parts;
+  std::vector<Contact> contacts;     ///< between parts of one group, too; those have no edge
+  std::vector<std::string> warnings; ///< what was approximated on the way, in whole sentences
+};
+
+/// The structural graph (paper, section 3), a Boost graph: vertices are symmetry groups, edges are contacts between
+/// groups; `graph[boost::graph_bundle]`, or `structure(graph)`, is the shape.
+using Structural_graph =
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Part_group, Group_contact, Shape_structure>;
+
+inline const Shape_structure& structure(const Structural_graph& graph) { return graph[boost::graph_bundle]; }
+inline Shape_structure& structure(Structural_graph& graph) { return graph[boost::graph_bundle]; }
+
+/// The vertex of every part's group, by part.
+std::vector<std::size_t> group_of_parts(const Structural_graph& graph);
+
+/// Builds the graph: a vertex a group, an edge for every two groups with contacts between them.
+/// \pre the groups partition the parts
+Structural_graph make_structural_graph(Shape_structure shape, std::vector<Part_group> groups);
+
+/// Checks that the groups partition the parts, that edges and contacts agree, that all numbers are finite and that
+/// every group but a lone one has an edge. With `verbose`, says on `std::cerr` what is wrong.
+bool is_valid_structural_graph(const Structural_graph& graph, bool verbose = false);
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/Structural_graph_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURAL_GRAPH_H

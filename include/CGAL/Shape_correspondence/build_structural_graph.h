@@ -1,0 +1,51 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_BUILD_STRUCTURAL_GRAPH_H
+#define CGAL_SHAPE_CORRESPONDENCE_BUILD_STRUCTURAL_GRAPH_H
+
+#include <CGAL/Shape_correspondence/abstract_part.h>
+#include <CGAL/Shape_correspondence/detect_contacts.h>
+#include <CGAL/Shape_correspondence/detect_symmetry_groups.h>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// Options of `build_structural_graph()`, those of its three steps.
+struct Structure_options
+{
+  Abstraction_options abstraction;
+  Symmetry_options symmetry;
+  Contact_options contacts;
+};
+
+/// Seconds of the steps of `build_structural_graph()`.
+struct Structure_times
+{
+  double abstraction = 0;
+  double structure = 0;
+};
+
+/// Builds the structural graph of a segmented shape: its frame, the abstraction of every part, symmetry groups and
+/// contacts. \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same to the bit \throw
+/// Invalid_input if the shape has fewer than two parts
+template <typename ConcurrencyTag = CGAL::Sequential_tag>
+Structural_graph build_structural_graph(const Segmented_shape& shape, const Structure_options& options = {},
+                                        Structure_times* times = nullptr);
+
+/// Builds the graph of a shape whose parts are abstracted already: detects what is missing, that is the groups if
+/// `groups` is empty, and the contacts if `shape.contacts` is empty. The frame is taken as it is.
+/// \throw Invalid_input if the shape has fewer than two parts
+Structural_graph complete_structural_graph(Shape_structure shape, std::vector<Part_group> groups,
+                                           const Structure_options& options = {});
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/build_structural_graph_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_BUILD_STRUCTURAL_GRAPH_H

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_DETECT_CONTACTS_H
+#define CGAL_SHAPE_CORRESPONDENCE_DETECT_CONTACTS_H
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// Options of `detect_contacts()`.
+struct Contact_options
+{
+  double tolerance = 0.02; ///< the widest gap that still is a contact, over the shape's bounding-box diagonal
+};
+
+/// Finds the pairs of parts whose surfaces touch, interpenetrate or nearly touch, and where (paper, section 3: "a point
+/// from each part with minimum distance"). A shape that falls into pieces is joined by its closest pairs; every such
+/// pair adds a sentence to `warnings`. Contacts are sorted by part indices.
+std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::vector<Part_abstraction>& parts,
+                                     const Contact_options& options, std::vector<std::string>& warnings);
+
+/// As above for parts without a mesh: surfaces are estimated by the abstractions and the parts' volumes.
+std::vector<Contact> detect_contacts(const std::vector<Part_abstraction>& parts, const Contact_options& options,
+                                     std::vector<std::string>& warnings);
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/detect_contacts_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_DETECT_CONTACTS_H
