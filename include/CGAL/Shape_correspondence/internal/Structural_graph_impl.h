@@ -1,0 +1,176 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_STRUCTURAL_GRAPH_IMPL_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_STRUCTURAL_GRAPH_IMPL_H
+
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace graph {
+
+constexpr std::size_t NO_GROUP = std::numeric_limits<std::size_t>::max();
+
+/// The contacts between every two groups, by the groups' indices, smaller first.
+using Contacts_of_pairs = std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>>;
+
+inline Contacts_of_pairs contacts_of_pairs(const std::vector<Contact>& contacts, const std::vector<std::size_t>& group)
+{
+  Contacts_of_pairs result;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const std::size_t a = group[contacts[c].parts[0]], b = group[contacts[c].parts[1]];
+    if (a != b) result[std::minmax(a, b)].push_back(c);
+  }
+  return result;
+}
+
+inline bool is_finite(const Part_abstraction& part)
+{
+  return part.control_points().allFinite() && part.surface.allFinite() && part.hull.allFinite() &&
+         std::isfinite(part.volume) && std::isfinite(part.hull_volume) && std::isfinite(part.area);
+}
+
+inline bool is_finite(const Part_group& group)
+{
+  const Symmetry& s = group.symmetry;
+  return s.point.allFinite() && s.direction.allFinite() && std::isfinite(s.residual) && std::isfinite(group.volume) &&
+         std::isfinite(group.hull_volume);
+}
+
+inline bool is_finite(const Shape_frame& frame)
+{
+  return frame.origin.allFinite() && frame.axes.allFinite() && std::isfinite(frame.height);
+}
+
+/// Runs the checks of `is_valid_structural_graph()`; stops at the first that fails.
+class Validity_check
+{
+public:
+  Validity_check(const Structural_graph& graph, bool verbose) : graph_(graph), shape_(structure(graph)), verbose_(verbose)
+  {
+  }
+
+  bool operator()() const
+  {
+    return numbers_are_finite() && groups_partition_parts() && contacts_name_parts() && edges_agree_with_contacts() &&
+           groups_have_edges();
+  }
+
+private:
+  bool fails(const std::string& what) const
+  {
+    if (verbose_) std::cerr << "structural graph of '" << shape_.name << "': " << what << std::endl;
+    return false;
+  }
+
+  bool numbers_are_finite() const
+  {
+    if (!is_finite(shape_.frame)) return fails("the frame is not finite");
+    if (!(shape_.frame.height > 0)) return fails("the frame's height is not positive");
+    for (const Part_abstraction& part : shape_.parts)
+      if (!is_finite(part)) return fails("part '" + part.name + "' is not finite");
+    for (const Contact& contact : shape_.contacts)
+      if (!contact.parameters[0].allFinite() || !contact.parameters[1].allFinite())
+        return fails("the parameters of a contact are not finite");
+    for (std::size_t v = 0; v < num_vertices(graph_); ++v)
+      if (!is_finite(graph_[v])) return fails("group " + std::to_string(v) + " is not finite");
+    return true;
+  }
+
+  bool groups_partition_parts() const
+  {
+    std::vector<int> uses(shape_.parts.size(), 0);
+    for (std::size_t v = 0; v < num_vertices(graph_); ++v) {
+      if (graph_[v].parts.empty()) return fails("group " + std::to_string(v) + " has no part");
+      for (std::size_t part : graph_[v].parts) {
+        if (part >= uses.size()) return fails("group " + std::to_string(v) + " has a part that does not exist");
+        ++uses[part];
+      }
+    }
+    for (std::size_t part = 0; part < uses.size(); ++part)
+      if (uses[part] != 1)
+        return fails("part '" + shape_.parts[part].name + "' is in " + std::to_string(uses[part]) + " groups");
+    return true;
+  }
+
+  bool contacts_name_parts() const
+  {
+    for (const Contact& contact : shape_.contacts)
+      if (contact.parts[0] >= shape_.parts.size() || contact.parts[1] >= shape_.parts.size() ||
+          contact.parts[0] == contact.parts[1])
+        return fails("a contact does not name two parts");
+    return true;
+  }
+
+  bool edges_agree_with_contacts() const
+  {
+    Contacts_of_pairs expected = contacts_of_pairs(shape_.contacts, group_of_parts(graph_));
+    for (auto [edge, last] = edges(graph_); edge != last; ++edge) {
+      const auto found = expected.find(std::minmax(source(*edge, graph_), target(*edge, graph_)));
+      if (found == expected.end()) return fails("two edges join the same groups, or one has no contact");
+      if (found->second != graph_[*edge].contacts) return fails("an edge does not have the contacts of its groups");
+      expected.erase(found);
+    }
+    return expected.empty() || fails("two groups in contact have no edge");
+  }
+
+  bool groups_have_edges() const
+  {
+    if (num_vertices(graph_) < 2) return true;
+    for (std::size_t v = 0; v < num_vertices(graph_); ++v)
+      if (out_degree(v, graph_) == 0) return fails("group " + std::to_string(v) + " touches no other");
+    return true;
+  }
+
+  const Structural_graph& graph_;
+  const Shape_structure& shape_;
+  bool verbose_;
+};
+
+} // namespace graph
+} // namespace internal
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE
+std::vector<std::size_t> group_of_parts(const Structural_graph& graph)
+{
+  std::vector<std::size_t> result(structure(graph).parts.size(), internal::graph::NO_GROUP);
+  for (std::size_t v = 0; v < num_vertices(graph); ++v)
+    for (std::size_t part : graph[v].parts) result[part] = v;
+  return result;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE
+Structural_graph make_structural_graph(Shape_structure shape, std::vector<Part_group> groups)
+{
+  Structural_graph graph(groups.size());
+  structure(graph) = std::move(shape);
+  for (std::size_t v = 0; v < groups.size(); ++v) graph[v] = std::move(groups[v]);
+  const std::vector<std::size_t> group = group_of_parts(graph);
+  CGAL_precondition(std::find(group.begin(), group.end(), internal::graph::NO_GROUP) == group.end());
+  for (auto& [pair, contacts] : internal::graph::contacts_of_pairs(structure(graph).contacts, group))
+    add_edge(pair.first, pair.second, Group_contact{std::move(contacts)}, graph);
+  return graph;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE
+bool is_valid_structural_graph(const Structural_graph& graph, bool verbose)
+{
+  return internal::graph::Validity_check(graph, verbose)();
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_STRUCTURAL_GRAPH_IMPL_H
