@@ -1,0 +1,186 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACT_PART_IMPL_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACT_PART_IMPL_H
+
+#include <CGAL/Shape_correspondence/abstract_part.h>
+#include <CGAL/Shape_correspondence/internal/Part_abstraction_impl.h>
+#include <CGAL/Shape_correspondence/internal/abstraction/abstract_mesh.h>
+#include <CGAL/Shape_correspondence/internal/abstraction/congruence.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#endif
+
+#include <mutex>
+#include <type_traits>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// Coordinates are rounded to this fraction of the height of the shape (or the size of a single part): the remeshing
+/// and the flow amplify rounding noise, so that it must not reach them.
+constexpr double coordinate_grid = 1e-7;
+
+inline void move_points(Part_abstraction& part, const std::function<Points(const Points&)>& motion)
+{
+  std::visit([&](auto& g) { g.points = motion(g.points); }, part.geometry);
+  part.surface = motion(part.surface);
+  part.hull = motion(part.hull);
+}
+
+inline void scale_measures(Part_abstraction& part, double factor)
+{
+  part.area *= factor * factor;
+  part.volume *= factor * factor * factor;
+  part.hull_volume *= factor * factor * factor;
+}
+
+inline void make_canonical(Part_abstraction& part)
+{
+  std::visit([](auto& g) { make_canonical(g); }, part.geometry);
+}
+
+inline Part_abstraction moved_copy(const Part_abstraction& original, const Motion& motion, const std::string& name)
+{
+  Part_abstraction result = original;
+  result.name = name;
+  result.report.method = Abstraction_report::Method::COPY;
+  result.report.milliseconds = 0;
+  move_points(result, motion);
+  make_canonical(result);
+  return result;
+}
+
+/// Calls `work` for 0, 1, …, n - 1, in parallel if the tag says so and the library is there.
+template <typename ConcurrencyTag, typename Work>
+void for_each_index(std::size_t n, const Work& work)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>) {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, n, 1),
+        [&](const auto& range) {
+          for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            work(i);
+          }
+        },
+        tbb::simple_partitioner());
+    return;
+  }
+#endif
+  for (std::size_t i = 0; i < n; ++i) {
+    work(i);
+  }
+}
+
+/// Counts parts that are done, for a caller who wants to know.
+class Progress
+{
+public:
+  Progress(const Abstraction_options& options, std::size_t total) : options_(&options), total_(total) {}
+
+  void one_done()
+  {
+    if (options_->progress) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      options_->progress(++done_, total_);
+    }
+  }
+
+private:
+  const Abstraction_options* options_;
+  std::size_t total_;
+  std::size_t done_ = 0;
+  std::mutex mutex_;
+};
+
+/// The parts' meshes in the shape's frame, in canonical form.
+inline std::vector<Part_mesh> meshes_in_frame(const Segmented_shape& shape, const Shape_frame& frame)
+{
+  std::vector<Part_mesh> result;
+  for (const Shape_part& part : shape.parts()) {
+    result.push_back(canonical_mesh({frame.to_frame(part.mesh.points), part.mesh.triangles}, coordinate_grid));
+  }
+  return result;
+}
+
+/// Indices of the meshes that are no copies, those with most triangles first: they are likely to take longest.
+inline std::vector<std::size_t> originals_by_size(const std::vector<Part_mesh>& meshes,
+                                                  const std::vector<Congruence>& congruences)
+{
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (congruences[i].original == i) {
+      result.push_back(i);
+    }
+  }
+  std::stable_sort(result.begin(), result.end(), [&](std::size_t a, std::size_t b) {
+    return meshes[a].triangles.cols() > meshes[b].triangles.cols();
+  });
+  return result;
+}
+
+} // namespace internal
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE
+Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options& options)
+{
+  const Point low = part.mesh.points.rowwise().minCoeff(), high = part.mesh.points.rowwise().maxCoeff();
+  Shape_frame frame;
+  frame.origin = 0.5 * (low + high);
+  frame.height = (high - low).norm();
+  const Part_mesh mesh =
+      internal::canonical_mesh({frame.to_frame(part.mesh.points), part.mesh.triangles}, internal::coordinate_grid);
+  Part_abstraction result = internal::abstract_mesh(part.name, mesh, options);
+  internal::move_points(result, [&](const Points& points) { return frame.to_world(points); });
+  internal::scale_measures(result, frame.height);
+  if (options.progress) {
+    options.progress(1, 1);
+  }
+  return result;
+}
+
+template <typename ConcurrencyTag>
+std::vector<Part_abstraction> abstract_parts(const Segmented_shape& shape, const Shape_frame& frame,
+                                             const Abstraction_options& options)
+{
+  const std::vector<Part_mesh> meshes = internal::meshes_in_frame(shape, frame);
+  const std::vector<internal::Congruence> congruences = internal::find_congruences(meshes);
+  const std::vector<std::size_t> originals = internal::originals_by_size(meshes, congruences);
+  std::vector<Part_abstraction> result(meshes.size());
+  internal::Progress progress(options, meshes.size());
+  internal::for_each_index<ConcurrencyTag>(originals.size(), [&](std::size_t k) {
+    const std::size_t i = originals[k];
+    result[i] = internal::abstract_mesh(shape.parts()[i].name, meshes[i], options);
+    progress.one_done();
+  });
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const internal::Congruence& congruence = congruences[i];
+    if (congruence.original != i) {
+      result[i] = internal::moved_copy(result[congruence.original], congruence.motion, shape.parts()[i].name);
+      progress.one_done();
+    }
+  }
+  for (Part_abstraction& part : result) {
+    internal::move_points(part, [&](const Points& points) { return frame.to_world(points); });
+    internal::scale_measures(part, frame.height);
+  }
+  return result;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE
+Points sample_surface(const Part_mesh& mesh, std::size_t n) { return internal::even_surface_points(mesh, n); }
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE
+double convex_hull_volume(const Points& points) { return internal::convex_hull(points).volume; }
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACT_PART_IMPL_H

@@ -1,0 +1,242 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_FIT_SHEET_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_FIT_SHEET_H
+
+#include <CGAL/Shape_correspondence/Part_abstraction.h>
+#include <CGAL/Shape_correspondence/internal/Nearest_points.h>
+#include <CGAL/Shape_correspondence/internal/Part_abstraction_impl.h>
+#include <CGAL/Shape_correspondence/internal/planar_hull.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+struct Fitted_sheet
+{
+  Sheet sheet;
+  double residual = 0; ///< root mean square distance of the meso-skeleton's vertices from it
+};
+
+/// The plane of a sheet: its centre and axes, the normal last.
+struct Sheet_plane
+{
+  Point centre;
+  Eigen::Matrix3d axes;
+
+  Points to_plane(const Points& points) const { return axes.transpose() * (points.colwise() - centre); }
+  Points to_space(const Points& points) const { return (axes * points).colwise() + centre; }
+};
+
+inline Sheet_plane principal_plane(const Points& points)
+{
+  Sheet_plane result;
+  result.centre = points.rowwise().mean();
+  const Points centred = points.colwise() - result.centre;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred * centred.transpose());
+  result.axes = solver.eigenvectors().rowwise().reverse();
+  return result;
+}
+
+inline Planar_points project(const Points& points)
+{
+  Planar_points result;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    result.push_back(points.col(i).head<2>());
+  }
+  return result;
+}
+
+/// Turns the plane's axes so that they lie along the rectangle of least area around the outline.
+inline void turn_to_rectangle(Sheet_plane& plane, const Points& surface)
+{
+  const Eigen::Vector2d side = least_rectangle_direction(planar_hull(project(plane.to_plane(surface))));
+  Eigen::Matrix3d turned = plane.axes;
+  turned.col(0) = side.x() * plane.axes.col(0) + side.y() * plane.axes.col(1);
+  turned.col(1) = -side.y() * plane.axes.col(0) + side.x() * plane.axes.col(1);
+  plane.axes = turned;
+}
+
+/// The four corners of an outline: its extreme points along the diagonals of its bounding rectangle, counter-clockwise
+/// from the lower left.
+inline std::array<std::size_t, 4> outline_corners(const Planar_points& outline)
+{
+  Eigen::Array2d low = outline[0], high = low;
+  for (const auto& p : outline) {
+    low = low.min(p.array());
+    high = high.max(p.array());
+  }
+  const Eigen::Array2d extent = (high - low).max(1e-300);
+  const Eigen::Array2d diagonals[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  std::array<std::size_t, 4> result{};
+  for (std::size_t c = 0; c < 4; ++c) {
+    const auto reach = [&](std::size_t i) { return (outline[i].array() / extent * diagonals[c]).sum(); };
+    for (std::size_t i = 1; i < outline.size(); ++i) {
+      if (reach(i) > reach(result[c]) + 1e-6) {
+        result[c] = i;
+      }
+    }
+  }
+  return result;
+}
+
+/// `n` points, evenly spaced, of a closed outline from one of its vertices on to another.
+inline Planar_points outline_side(const Planar_points& outline, std::size_t from, std::size_t to, int n)
+{
+  std::vector<Point> chain;
+  for (std::size_t i = from;; i = (i + 1) % outline.size()) {
+    chain.emplace_back(outline[i].x(), outline[i].y(), 0.);
+    if (i == to) {
+      break;
+    }
+  }
+  chain.push_back(chain.back()); // a side may be a single point
+  Curve curve;
+  curve.points.resize(3, static_cast<Eigen::Index>(chain.size()));
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    curve.points.col(static_cast<Eigen::Index>(i)) = chain[i];
+  }
+  return project(sample(curve, n));
+}
+
+/// A grid in the plane whose rim follows an outline (a Coons patch). Rows run along y.
+inline Sheet flat_grid(const Planar_points& outline, int n)
+{
+  const auto corners = outline_corners(outline);
+  const Planar_points bottom = outline_side(outline, corners[0], corners[1], n);
+  const Planar_points right = outline_side(outline, corners[1], corners[2], n);
+  const Planar_points top = outline_side(outline, corners[2], corners[3], n);
+  const Planar_points left = outline_side(outline, corners[3], corners[0], n);
+  Sheet result;
+  result.rows = result.cols = n;
+  result.points = Points::Zero(3, static_cast<Eigen::Index>(n) * n);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const double u = i / (n - 1.), v = j / (n - 1.);
+      const auto at = [n](const Planar_points& side, int k, bool backwards) -> Eigen::Vector2d {
+        return side[static_cast<std::size_t>(backwards ? n - 1 - k : k)];
+      };
+      const Eigen::Vector2d between_rows = (1 - u) * at(bottom, j, false) + u * at(top, j, true);
+      const Eigen::Vector2d between_cols = (1 - v) * at(left, i, true) + v * at(right, i, false);
+      const Eigen::Vector2d between_corners = (1 - u) * ((1 - v) * outline[corners[0]] + v * outline[corners[1]]) +
+                                              u * ((1 - v) * outline[corners[3]] + v * outline[corners[2]]);
+      result.points.col(i * n + j).head<2>() = between_rows + between_cols - between_corners;
+    }
+  }
+  return result;
+}
+
+/// Weights of the control points of a sheet at a parameter, as the bilinear map has them.
+inline Eigen::VectorXd bilinear_weights(const Sheet& sheet, const Eigen::Vector2d& parameter)
+{
+  const Cell_position row = locate_cell(parameter[0], sheet.rows - 1);
+  const Cell_position col = locate_cell(parameter[1], sheet.cols - 1);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(sheet.points.cols());
+  const int first = row.cell * sheet.cols + col.cell;
+  result[first] = (1 - row.fraction) * (1 - col.fraction);
+  result[first + 1] = (1 - row.fraction) * col.fraction;
+  result[first + sheet.cols] = row.fraction * (1 - col.fraction);
+  result[first + sheet.cols + 1] = row.fraction * col.fraction;
+  return result;
+}
+
+/// The squared second differences of a grid as a quadratic form; it lets heights go on straight where there are no
+/// data.
+inline Eigen::MatrixXd bending_form(int rows, int cols)
+{
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows * cols, rows * cols);
+  const auto add = [&](std::initializer_list<std::pair<int, double>> terms) {
+    for (const auto& [a, x] : terms) {
+      for (const auto& [b, y] : terms) {
+        result(a, b) += x * y;
+      }
+    }
+  };
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < cols; ++j) {
+      const int k = i * cols + j;
+      if (i > 0 && i + 1 < rows) {
+        add({{k - cols, 1.}, {k, -2.}, {k + cols, 1.}});
+      }
+      if (j > 0 && j + 1 < cols) {
+        add({{k - 1, 1.}, {k, -2.}, {k + 1, 1.}});
+      }
+      if (i + 1 < rows && j + 1 < cols) {
+        const double twist = std::sqrt(2.);
+        add({{k, twist}, {k + 1, -twist}, {k + cols, -twist}, {k + cols + 1, twist}});
+      }
+    }
+  }
+  return result;
+}
+
+/// Lifts a flat grid to the heights of points above it, smoothly.
+inline void lift(Sheet& grid, const Points& points)
+{
+  const double smoothness = 0.05, ridge = 1e-9;
+  const Eigen::Index n = grid.points.cols();
+  Eigen::MatrixXd form = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Point foot(points(0, i), points(1, i), 0.);
+    const Eigen::VectorXd weights = bilinear_weights(grid, nearest_parameter_on_sheet(grid, foot));
+    form += weights * weights.transpose();
+    right += points(2, i) * weights;
+  }
+  const double points_per_cell = static_cast<double>(points.cols()) / static_cast<double>(n);
+  form += smoothness * points_per_cell * bending_form(grid.rows, grid.cols);
+  form.diagonal().array() += ridge * points_per_cell;
+  grid.points.row(2) = form.ldlt().solve(right).transpose();
+}
+
+/// At most `limit` of some points, evenly picked.
+inline Points thin_out(const Points& points, Eigen::Index limit)
+{
+  if (points.cols() <= limit) {
+    return points;
+  }
+  Points result(3, limit);
+  for (Eigen::Index i = 0; i < limit; ++i) {
+    result.col(i) = points.col(i * points.cols() / limit);
+  }
+  return result;
+}
+
+/// Fits a sheet to a meso-skeleton: its rim follows the outline of the part, seen across the sheet, its height the
+/// meso-skeleton.
+/// \param surface points of the part's surface that span its hull
+inline Fitted_sheet fit_sheet(const Points& meso_skeleton, const Points& surface, int n)
+{
+  const Eigen::Index most_points = 600;
+  const Points medial = thin_out(meso_skeleton, most_points);
+  Sheet_plane plane = principal_plane(medial);
+  turn_to_rectangle(plane, surface);
+  Fitted_sheet result;
+  result.sheet = flat_grid(planar_hull(project(plane.to_plane(surface))), n);
+  lift(result.sheet, plane.to_plane(medial));
+  result.sheet.points = plane.to_space(result.sheet.points);
+  const Nearest_points on_sheet(sample(result.sheet, 4 * n));
+  double sum = 0;
+  for (Eigen::Index i = 0; i < medial.cols(); ++i) {
+    const double distance = on_sheet.distance(medial.col(i));
+    sum += distance * distance;
+  }
+  result.residual = std::sqrt(sum / static_cast<double>(medial.cols()));
+  return result;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_FIT_SHEET_H

@@ -1,0 +1,79 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_HULL_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_HULL_H
+
+#include <CGAL/Shape_correspondence/internal/abstraction/bounding_box.h>
+#include <CGAL/Shape_correspondence/internal/abstraction/meshes.h>
+#include <CGAL/Shape_correspondence/internal/planar_hull.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/convex_hull_3.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+struct Convex_hull
+{
+  Points vertices;
+  double volume = 0; ///< 0 of flat points
+};
+
+/// Hull vertices of points that lie in a plane: those of the rectangle or polygon in it.
+inline Convex_hull flat_hull(const Points& points, const Oriented_box& box)
+{
+  Planar_points flat;
+  const Points turned = box.axes.transpose() * (points.colwise() - box.centre);
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    flat.push_back(turned.col(i).head<2>());
+  }
+  const Planar_points outline = planar_hull(flat);
+  Convex_hull result;
+  result.vertices.resize(3, static_cast<Eigen::Index>(outline.size()));
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    result.vertices.col(static_cast<Eigen::Index>(i)) = box.centre + box.axes.leftCols<2>() * outline[i];
+  }
+  return result;
+}
+
+/// The thinnest direction of points decides whether they are flat: a hull of rounding noise has no volume.
+inline Oriented_box thinnest_box(const Points& points)
+{
+  const Points centred = points.colwise() - points.rowwise().mean();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred * centred.transpose());
+  return box_along(points, solver.eigenvectors());
+}
+
+inline Convex_hull convex_hull(const Points& points)
+{
+  const double thinnest = 1e-6;
+  if (points.cols() == 0) {
+    return {};
+  }
+  const Oriented_box box = thinnest_box(points);
+  if (box.extents[2] <= thinnest * box.extents[0]) {
+    return flat_hull(points, box);
+  }
+  std::vector<Mesh_point> input;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    input.push_back(to_mesh_point(points.col(i)));
+  }
+  Surface hull;
+  CGAL::convex_hull_3(input.begin(), input.end(), hull);
+  Convex_hull result;
+  result.vertices = vertex_positions(hull);
+  result.volume = std::abs(CGAL::Polygon_mesh_processing::volume(hull));
+  return result;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_HULL_H
