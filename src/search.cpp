@@ -11,4 +11,5 @@
 #include <CGAL/Shape_correspondence/internal/Matching_problem_impl.h>
 #include <CGAL/Shape_correspondence/internal/align_shapes_impl.h>
 #include <CGAL/Shape_correspondence/internal/beam_search_impl.h>
+#include <CGAL/Shape_correspondence/internal/exact_search_impl.h>
 #include <CGAL/Shape_correspondence/internal/find_correspondence_impl.h>

@@ -94,6 +94,15 @@ private:
   std::vector<Edge> edges_;
 };
 
+/// What a search found.
+struct Search_result
+{
+  Assignment assignment; ///< complete
+  double energy = 0;     ///< E of Eq. 1
+  bool optimal = false;  ///< no assignment has a lower energy
+  Search_summary summary;
+};
+
 } // namespace Shape_correspondence
 } // namespace CGAL
 

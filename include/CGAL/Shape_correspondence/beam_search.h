@@ -18,14 +18,6 @@ struct Beam_options
   int expansions = 4;  ///< k, the expansions kept of each partial solution
 };
 
-/// What a search found.
-struct Search_result
-{
-  Assignment assignment; ///< complete
-  double energy = 0;     ///< E of Eq. 1
-  Search_summary summary;
-};
-
 /// Pruned beam search (paper, section 5): groups are assigned one by one, from the best-connected one outwards. A
 /// partial solution is rated by the energy of the whole shape, in which parts of unassigned groups are moved by
 /// `propagate()`. Of every solution the k best expansions are kept, of all expansions at a level the K best; ties go to

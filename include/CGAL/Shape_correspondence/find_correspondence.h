@@ -8,14 +8,22 @@
 
 #include <CGAL/Shape_correspondence/Correspondence.h>
 #include <CGAL/Shape_correspondence/beam_search.h>
+#include <CGAL/Shape_correspondence/exact_search.h>
 
 namespace CGAL {
 namespace Shape_correspondence {
 
+enum class Search_method {
+  BEAM, ///< the paper's
+  EXACT ///< with a proof
+};
+
 /// Options of `find_correspondence()`.
 struct Search_options
 {
+  Search_method method = Search_method::BEAM;
   Beam_options beam;
+  Exact_options exact;
   Energy_weights weights;
   bool both_directions = true; ///< deform either shape into the other and keep the lower energy per connected pair
   int maximum_parts = 0;       ///< coarse correspondence: only the most prominent parts, at most so many; 0 takes all

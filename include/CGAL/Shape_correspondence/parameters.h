@@ -26,6 +26,7 @@ struct Named_parameters;
 
 // name, option structure, field
 #define CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(X)                                                                        \
+  X(search_method, Search_options, method)                                                                             \
   X(beam_width, Search_options, beam.beam_width)                                                                       \
   X(expansions, Search_options, beam.expansions)                                                                       \
   X(connectedness_weight, Search_options, weights.connectedness)                                                       \

@@ -192,6 +192,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Search_result beam_search(const Matching_proble
   }
   result.assignment = beam.front().assignment;
   result.energy = problem.energy(result.assignment);
+  result.optimal = result.energy <= result.summary.lower_bound;
   return result;
 }
 

@@ -24,7 +24,9 @@ struct Search_run
   Search_result result;
 
   Search_run(const Aligned_shape& deformed, const Aligned_shape& other, const Search_options& options)
-      : problem(deformed, other, options.weights, options.maximum_parts), result(beam_search(problem, options.beam))
+      : problem(deformed, other, options.weights, options.maximum_parts),
+        result(options.method == Search_method::EXACT ? exact_search(problem, options.exact)
+                                                      : beam_search(problem, options.beam))
   {}
 
   // Energy per pair of connected parts, which compares between directions
@@ -103,6 +105,7 @@ inline Correspondence correspondence_of(const Search_run& run, Direction directi
   correspondence.energy = run.result.energy;
   correspondence.terms = run.problem.terms(run.result.assignment);
   correspondence.complete = true;
+  correspondence.optimal = run.result.optimal;
   correspondence.search = run.result.summary;
   collect_groups(run, correspondence);
 
