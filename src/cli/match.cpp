@@ -67,7 +67,7 @@ po::options_description match_options(Match_options& match)
   po::options_description result("Options of match", 100, 68);
   auto add = result.add_options();
   add("search", po::value(&match.method)->value_name("METHOD")->default_value(match.method),
-      "how the least energy is searched: beam");
+      "how the least energy is searched: beam (the paper's pruned beam search) or exact (with a proof)");
   add("beam-width", po::value(&match.search.beam.beam_width)->value_name("K")->default_value(20),
       "partial solutions kept at every step, the paper's K");
   add("expansions", po::value(&match.search.beam.expansions)->value_name("k")->default_value(4),
@@ -123,13 +123,14 @@ int parse_alignments(const Match_options& match)
 
 Search_options search_options(const Match_options& match, const po::variables_map& values)
 {
-  check_word("search", match.method, {"beam"});
+  check_word("search", match.method, {"beam", "exact"});
   check_word("direction", match.direction, {"both", "forward"});
   check_word("front", match.front, {"given", "auto"});
   check_at_least("beam-width", match.search.beam.beam_width, 1);
   check_at_least("expansions", match.search.beam.expansions, 1);
   if (values.count("max-parts")) check_at_least("max-parts", match.search.maximum_parts, 1);
   Search_options search = match.search;
+  search.method = match.method == "exact" ? Search_method::EXACT : Search_method::BEAM;
   search.both_directions = match.direction == "both";
   search.alignments = parse_alignments(match);
   search.weights = parse_weights(match.weights);
