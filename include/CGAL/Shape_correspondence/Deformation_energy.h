@@ -49,8 +49,9 @@ public:
 private:
   Eigen::ArrayXd x_, y_, z_; // rod by rod, those of one first sample together
   Eigen::ArrayXd squared_length_;
-  double shortest_ = 0; // d, squared
-  double longest_ = 0;  // f
+  double directionless_ = 0; // number of rods of length zero
+  double shortest_ = 0;      // d, squared
+  double longest_ = 0;       // f
 };
 
 /// E_s (Eq. 5) of the vector S.
