@@ -22,14 +22,18 @@ struct Contact_options
 };
 
 /// Finds the pairs of parts whose surfaces touch, interpenetrate or nearly touch, and where (paper, section 3: "a point
-/// from each part with minimum distance"). A shape that falls into pieces is joined by its closest pairs; every such
-/// pair adds a sentence to `warnings`. Contacts are sorted by part indices.
+/// from each part with minimum distance"; of all such points, the middle). A part inside another touches it. One
+/// contact a pair of parts. A shape that falls into pieces is joined by its closest pairs; every such pair adds a
+/// sentence to `warnings`. Contacts are sorted by part indices.
+/// \param frame of the shape; measuring in it makes the result independent of the shape's pose
+/// \pre `parts` are the abstractions of `shape.parts()`
 std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::vector<Part_abstraction>& parts,
-                                     const Contact_options& options, std::vector<std::string>& warnings);
+                                     const Shape_frame& frame, const Contact_options& options,
+                                     std::vector<std::string>& warnings);
 
 /// As above for parts without a mesh: surfaces are estimated by the abstractions and the parts' volumes.
-std::vector<Contact> detect_contacts(const std::vector<Part_abstraction>& parts, const Contact_options& options,
-                                     std::vector<std::string>& warnings);
+std::vector<Contact> detect_contacts(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
+                                     const Contact_options& options, std::vector<std::string>& warnings);
 
 } // namespace Shape_correspondence
 } // namespace CGAL

@@ -16,12 +16,30 @@ struct Symmetry_options
 {
   double tolerance = 0.05; ///< how far a part may be from its image, over the part's diagonal
   bool enabled = true;     ///< false: every part is a group of its own (`--no-symmetry`)
+  bool reflection = true;  ///< whether to look for this kind; so the next ones
+  bool rotation = true;
+  bool translation = true;
 };
 
-/// Gathers parts into symmetry groups (paper, section 3): congruent parts that a rotation about a vertical axis, a
-/// translation, or a reflection carries into each other. Of several explanations the one that covers most parts wins,
-/// then the one that comes first in the list rotation (complete, order >= 3), translation (3 or more), reflection.
-/// Groups come in the order of their first part, volumes and hulls filled in. O(parts²).
+/// Gathers parts into symmetry groups (paper, section 3): congruent parts that one symmetry carries into each other.
+/// Parts are congruent if hull, surface points, area and volume of one's image and the other agree within the
+/// tolerance; their meshes need not. Where several explanations overlap, the one that covers most parts wins; of those
+/// that cover as many, the first in this list:
+/// 1. a star: a complete ring of 3 parts or more about a vertical or horizontal axis that reach in to the axis
+///    (the feet of an office chair, the blades of a propeller);
+/// 2. four parts that two orthogonal vertical mirror planes carry into each other (the legs of a table): a reflection,
+///    its plane the one at right angles to the frame's x, each of the pairs of that plane in a row, the front pair
+///    first;
+/// 3. any other complete ring of 3 parts or more about a vertical axis, of 5 or more about a horizontal one;
+/// 4. a row: 3 parts or more in a line, their steps within 30 % of the mean one: a translation;
+/// 5. a pair mirrored in a vertical plane that mirrors most of the shape (the arms of a chair);
+/// 6. a pair that a translation carries into each other (the wheels of a bicycle, one drawer above another);
+/// 7. a pair mirrored in the vertical plane half-way.
+///
+/// What is left is alone: `SELF`, its direction the normal of its own mirror plane, or zero if it has none. Members
+/// come in the order along the generator: of a pair, the one with the larger x (z) in the frame first; of a ring, by
+/// angle; of a row, along the vector. Groups come in the order of their first part, volumes and hulls filled in. The
+/// result does not depend on the order of the parts, nor on the shape's pose. O(parts²) tests of hulls.
 std::vector<Part_group> detect_symmetry_groups(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
                                                const Symmetry_options& options = {});
 

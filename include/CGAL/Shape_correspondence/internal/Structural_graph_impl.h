@@ -58,9 +58,9 @@ inline bool is_finite(const Shape_frame& frame)
 class Validity_check
 {
 public:
-  Validity_check(const Structural_graph& graph, bool verbose) : graph_(graph), shape_(structure(graph)), verbose_(verbose)
-  {
-  }
+  Validity_check(const Structural_graph& graph, bool verbose)
+      : graph_(graph), shape_(structure(graph)), verbose_(verbose)
+  {}
 
   bool operator()() const
   {
@@ -147,7 +147,8 @@ std::vector<std::size_t> group_of_parts(const Structural_graph& graph)
 {
   std::vector<std::size_t> result(structure(graph).parts.size(), internal::graph::NO_GROUP);
   for (std::size_t v = 0; v < num_vertices(graph); ++v)
-    for (std::size_t part : graph[v].parts) result[part] = v;
+    for (std::size_t part : graph[v].parts)
+      result[part] = v;
   return result;
 }
 
@@ -156,7 +157,8 @@ Structural_graph make_structural_graph(Shape_structure shape, std::vector<Part_g
 {
   Structural_graph graph(groups.size());
   structure(graph) = std::move(shape);
-  for (std::size_t v = 0; v < groups.size(); ++v) graph[v] = std::move(groups[v]);
+  for (std::size_t v = 0; v < groups.size(); ++v)
+    graph[v] = std::move(groups[v]);
   const std::vector<std::size_t> group = group_of_parts(graph);
   CGAL_precondition(std::find(group.begin(), group.end(), internal::graph::NO_GROUP) == group.end());
   for (auto& [pair, contacts] : internal::graph::contacts_of_pairs(structure(graph).contacts, group))

@@ -1,0 +1,204 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_CONTACTS_PART_SURFACE_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_CONTACTS_PART_SURFACE_H
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace contacts {
+
+using Box = Eigen::AlignedBox3d;
+
+inline Box widened(const Box& box, double by)
+{
+  return Box(box.min() - Point::Constant(by), box.max() + Point::Constant(by));
+}
+
+/// Points on a piece of surface and the area that each stands for.
+struct Surface_samples
+{
+  std::vector<Point> points;
+  std::vector<double> areas;
+};
+
+/// A convex polygon, as clipping a triangle makes them.
+using Polygon = std::vector<Point>;
+
+/// The part of the polygon on the side of `bound` where `sign` * coordinate is smaller.
+inline Polygon clipped(const Polygon& polygon, int axis, double bound, double sign)
+{
+  Polygon result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const double a = sign * (bound - p[axis]), b = sign * (bound - q[axis]);
+    if (a >= 0) result.push_back(p);
+    if ((a > 0 && b < 0) || (a < 0 && b > 0)) result.push_back(p + (a / (a - b)) * (q - p));
+  }
+  return result;
+}
+
+inline Polygon clipped(Polygon polygon, const Box& box)
+{
+  for (int axis = 0; axis < 3 && !polygon.empty(); ++axis) {
+    polygon = clipped(polygon, axis, box.max()[axis], 1);
+    polygon = clipped(polygon, axis, box.min()[axis], -1);
+  }
+  return polygon;
+}
+
+/// A triangle by its corner and two sides, with its area.
+struct Sampled_triangle
+{
+  Point corner, side_1, side_2;
+  double area;
+};
+
+inline void add_fan(const Polygon& polygon, std::vector<Sampled_triangle>& triangles)
+{
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Point u = polygon[i - 1] - polygon[0], v = polygon[i] - polygon[0];
+    const double area = u.cross(v).norm() / 2;
+    if (area > 0) triangles.push_back({polygon[0], u, v, area});
+  }
+}
+
+/// `n` points, evenly spread by area; the k-th takes its place in its triangle from a low-discrepancy sequence.
+inline Surface_samples sample_triangles(const std::vector<Sampled_triangle>& triangles, int n)
+{
+  constexpr double STEP_1 = 0.7548776662466927, STEP_2 = 0.5698402909980532; // powers of the plastic number
+  double total = 0;
+  for (const Sampled_triangle& t : triangles)
+    total += t.area;
+  Surface_samples samples;
+  std::size_t current = 0;
+  double passed = 0;
+  for (int k = 0; k < n && !triangles.empty(); ++k) {
+    const double target = (k + 0.5) / n * total;
+    while (current + 1 < triangles.size() && passed + triangles[current].area < target)
+      passed += triangles[current++].area;
+    double u = std::fmod((k + 1) * STEP_1, 1.0), v = std::fmod((k + 1) * STEP_2, 1.0);
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    const Sampled_triangle& t = triangles[current];
+    samples.points.push_back(t.corner + u * t.side_1 + v * t.side_2);
+    samples.areas.push_back(total / n);
+  }
+  return samples;
+}
+
+/// The surface of a part, ready for distance and intersection queries.
+class Part_surface
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Triangle = Kernel::Triangle_3;
+  using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Triangle>::const_iterator>;
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+public:
+  /// \param points of the mesh, in the coordinates that queries come in
+  Part_surface(const Points& points, const Eigen::Matrix3Xi& triangles)
+  {
+    for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+      std::array<Point, 3> corners;
+      for (int i = 0; i < 3; ++i)
+        corners[i] = points.col(triangles(i, t));
+      const Triangle triangle(to_cgal(corners[0]), to_cgal(corners[1]), to_cgal(corners[2]));
+      if (triangle.is_degenerate()) continue;
+      corners_.push_back(corners);
+      triangles_.push_back(triangle);
+      for (const Point& corner : corners)
+        box_.extend(corner);
+    }
+    tree_.rebuild(triangles_.begin(), triangles_.end());
+  }
+  Part_surface(const Part_surface&) = delete;
+  Part_surface& operator=(const Part_surface&) = delete;
+
+  bool empty() const { return triangles_.empty(); }
+  const Box& box() const { return box_; }
+  const Point& any_point() const { return corners_.front()[0]; }
+
+  Point nearest(const Point& p) const
+  {
+    const Kernel::Point_3 q = tree_.closest_point(to_cgal(p));
+    return Point(q.x(), q.y(), q.z());
+  }
+
+  bool intersects(const Part_surface& other) const
+  {
+    if (!box_.intersects(other.box_)) return false;
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      if (triangle_box(t).intersects(other.box_) && other.tree_.do_intersect(triangles_[t])) return true;
+    return false;
+  }
+
+  /// Whether `p` is inside, by the majority of three rays, so that a small hole does no harm.
+  bool encloses(const Point& p) const
+  {
+    const std::array<Point, 3> directions = {Point(1, 0.1234, 0.0567), Point(-0.0891, 1, 0.1417),
+                                             Point(0.1031, -0.0713, 1)};
+    int odd = 0;
+    for (const Point& d : directions) {
+      const Kernel::Ray_3 ray(to_cgal(p), Kernel::Vector_3(d.x(), d.y(), d.z()));
+      odd += tree_.number_of_intersected_primitives(ray) % 2;
+    }
+    return odd >= 2;
+  }
+
+  /// About `n` points on the surface inside `region`; where it has few corners, those, too, at no area.
+  Surface_samples sample(const Box& region, int n) const
+  {
+    std::vector<Sampled_triangle> pieces;
+    std::vector<Point> vertices;
+    for (std::size_t t = 0; t < corners_.size(); ++t) {
+      if (!triangle_box(t).intersects(region)) continue;
+      const Polygon polygon = clipped(Polygon(corners_[t].begin(), corners_[t].end()), region);
+      add_fan(polygon, pieces);
+      vertices.insert(vertices.end(), polygon.begin(), polygon.end());
+    }
+    Surface_samples samples = sample_triangles(pieces, n);
+    if (vertices.size() <= static_cast<std::size_t>(n)) {
+      samples.points.insert(samples.points.end(), vertices.begin(), vertices.end());
+      samples.areas.resize(samples.points.size(), 0.0);
+    }
+    return samples;
+  }
+
+private:
+  static Kernel::Point_3 to_cgal(const Point& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); }
+
+  Box triangle_box(std::size_t t) const
+  {
+    return Box(corners_[t][0].cwiseMin(corners_[t][1]).cwiseMin(corners_[t][2]),
+               corners_[t][0].cwiseMax(corners_[t][1]).cwiseMax(corners_[t][2]));
+  }
+
+  std::vector<std::array<Point, 3>> corners_;
+  std::vector<Triangle> triangles_;
+  Box box_;
+  Tree tree_;
+};
+
+} // namespace contacts
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_CONTACTS_PART_SURFACE_H

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_SYMMETRY_EXPLANATION_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_SYMMETRY_EXPLANATION_H
+
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+#include <CGAL/Shape_correspondence/internal/symmetry/Part_relations.h>
+
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace symmetry {
+
+/// Which kind of explanation is preferred where several cover as many parts.
+enum class Preference {
+  STAR,              ///< a ring whose members come from the axis
+  FOUR_MIRRORED,     ///< two orthogonal mirror planes
+  RING,              ///< any other ring
+  ROW,               ///< three or more along a vector
+  MIRRORED_IN_SHAPE, ///< a pair, in a mirror plane of the shape
+  TRANSLATED,        ///< a pair along a vector
+  MIRRORED_ANYHOW    ///< a pair, in the vertical plane half-way
+};
+
+/// A set of parts and the symmetry that carries each into the next, in frame coordinates.
+struct Explanation
+{
+  /// A map that must carry a member's surface into another's.
+  struct Link
+  {
+    std::size_t from, to; ///< indices into `members`
+    Eigen::Matrix3d map;
+  };
+
+  std::vector<std::size_t> members; ///< in the order along the generator
+  Symmetry symmetry;
+  Preference preference = Preference::MIRRORED_ANYHOW;
+  double cost = 0; ///< of explanations that are alike otherwise, the least is taken
+  std::vector<Link> links;
+
+  /// The better one is smaller; the order of parts, which is canonical, settles the rest.
+  auto rank() const { return std::make_tuple(-static_cast<long>(members.size()), preference, cost, members); }
+};
+
+inline bool operator<(const Explanation& a, const Explanation& b) { return a.rank() < b.rank(); }
+
+/// Costs are rounded so that noise in the last digits does not decide.
+inline double rounded(double cost) { return std::round(cost * 1e4) / 1e4; }
+
+/// The deviation of the members from their images by all links.
+inline double link_residual(const Part_relations& parts, const Explanation& explanation)
+{
+  double sum = 0;
+  for (const Explanation::Link& link : explanation.links)
+    sum += parts.deviation(explanation.members[link.from], explanation.members[link.to], link.map);
+  return explanation.links.empty() ? 0 : sum / explanation.links.size();
+}
+
+inline bool confirm(Part_relations& parts, const Explanation& explanation)
+{
+  for (const Explanation::Link& link : explanation.links)
+    if (!parts.confirm(explanation.members[link.from], explanation.members[link.to], link.map)) return false;
+  return true;
+}
+
+} // namespace symmetry
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_SYMMETRY_EXPLANATION_H

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_SYMMETRY_REFLECTIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_SYMMETRY_REFLECTIONS_H
+
+#include <CGAL/Shape_correspondence/internal/symmetry/Explanation.h>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace symmetry {
+
+inline Symmetry mirror(const Point& point, const Point& normal)
+{
+  Symmetry result;
+  result.type = Symmetry_type::REFLECTION;
+  result.point = point;
+  result.direction = normal;
+  return result;
+}
+
+/// How far a plane is from the shape's own one of that direction.
+inline double plane_distance(const Part_relations& parts, Basic_map map, double offset)
+{
+  return parts.plane(map) ? std::abs(offset - *parts.plane(map)) : 1;
+}
+
+/// Completes an orbit of two orthogonal mirror planes from a corner i, its image j in x and its image k in z.
+inline void add_four(const Part_relations& parts, std::size_t i, std::size_t j, std::size_t k,
+                     const std::vector<std::size_t>& free, std::vector<Explanation>& result)
+{
+  const Point expected = parts[j].centre + parts[k].centre - parts[i].centre;
+  for (std::size_t l : free) {
+    if (l == i || l == j || l == k || !parts.related(k, l, MIRRORED_X) || !parts.related(j, l, MIRRORED_Z)) continue;
+    if ((parts[l].centre - expected).norm() > 2 * parts.position_tolerance(i)) continue;
+    Explanation four;
+    four.members = {i, j, k, l};
+    four.preference = Preference::FOUR_MIRRORED;
+    const Point middle = (parts[i].centre + parts[j].centre + parts[k].centre + parts[l].centre) / 4;
+    four.symmetry = mirror(middle, Point::UnitX());
+    const double spread = (parts[i].centre - parts[l].centre).norm();
+    four.cost = rounded(plane_distance(parts, MIRRORED_X, middle.x()) + plane_distance(parts, MIRRORED_Z, middle.z()) +
+                        0.01 / (1 + spread));
+    four.links = {{0, 1, matrix_of(MIRRORED_X)}, {2, 3, matrix_of(MIRRORED_X)}, {0, 2, matrix_of(MIRRORED_Z)}};
+    result.push_back(four);
+  }
+}
+
+/// Orbits of four under mirroring in x and in z, such as the legs of a chair.
+inline void add_orbits_of_four(const Part_relations& parts, const std::vector<std::size_t>& free,
+                               std::vector<Explanation>& result)
+{
+  for (std::size_t i : free)
+    for (std::size_t j : free) {
+      if (!(parts[i].centre.x() > parts[j].centre.x())) continue;
+      if (!parts.related(i, j, MIRRORED_X) || !parts.displaced_along(i, j, 0)) continue;
+      for (std::size_t k : free)
+        if (parts[i].centre.z() > parts[k].centre.z() && parts.related(i, k, MIRRORED_Z) &&
+            parts.displaced_along(i, k, 2))
+          add_four(parts, i, j, k, free, result);
+    }
+}
+
+/// A pair mirrored in one of the shape's mirror planes.
+inline void add_pair_in_plane(const Part_relations& parts, std::size_t i, std::size_t j, Basic_map map,
+                              std::vector<Explanation>& result)
+{
+  const int axis = axis_of(map);
+  if (!parts.plane(map) || !parts.related(i, j, map) || !parts.displaced_along(i, j, axis)) return;
+  const Point middle = (parts[i].centre + parts[j].centre) / 2;
+  if (std::abs(middle[axis] - *parts.plane(map)) > PLANE_TOLERANCE) return;
+  Explanation pair;
+  pair.members = {i, j};
+  if (parts[i].centre[axis] < parts[j].centre[axis]) std::swap(pair.members[0], pair.members[1]);
+  pair.preference = Preference::MIRRORED_IN_SHAPE;
+  Point point = Point::Zero(), normal = Point::Zero();
+  point[axis] = middle[axis];
+  normal[axis] = 1;
+  pair.symmetry = mirror(point, normal);
+  const Point across = parts[i].centre - parts[j].centre;
+  pair.cost = rounded(std::abs(middle[axis] - *parts.plane(map)) + across.norm() - std::abs(across[axis]));
+  pair.links = {{0, 1, matrix_of(map)}};
+  result.push_back(pair);
+}
+
+inline void add_translated_pair(const Part_relations& parts, std::size_t i, std::size_t j,
+                                std::vector<Explanation>& result)
+{
+  Point vector = parts[j].centre - parts[i].centre;
+  if (!parts.related(i, j, TRANSLATED) || vector.norm() <= parts.position_tolerance(i)) return;
+  Explanation pair;
+  pair.members = {i, j};
+  Eigen::Index largest;
+  vector.cwiseAbs().maxCoeff(&largest);
+  if (vector[largest] < 0) {
+    std::swap(pair.members[0], pair.members[1]);
+    vector = -vector;
+  }
+  pair.preference = Preference::TRANSLATED;
+  pair.symmetry.type = Symmetry_type::TRANSLATION;
+  pair.symmetry.point = parts[pair.members[0]].centre;
+  pair.symmetry.direction = vector;
+  pair.cost = rounded(vector.norm());
+  pair.links = {{0, 1, matrix_of(TRANSLATED)}};
+  result.push_back(pair);
+}
+
+/// A pair mirrored in the vertical plane half-way between its centres.
+inline void add_pair_half_way(const Part_relations& parts, std::size_t i, std::size_t j,
+                              std::vector<Explanation>& result)
+{
+  Point across = parts[i].centre - parts[j].centre;
+  const double height = std::abs(across.y());
+  across.y() = 0;
+  if (height > parts.position_tolerance(i) || across.norm() <= parts.position_tolerance(i)) return;
+  Point normal = across.normalized();
+  if (normal.x() < -1e-9 || (std::abs(normal.x()) <= 1e-9 && normal.z() < 0)) normal = -normal;
+  if (!std::isfinite(parts.deviation(i, j, mirror_matrix(normal)))) return;
+  Explanation pair;
+  pair.members = {i, j};
+  if (normal.dot(across) < 0) std::swap(pair.members[0], pair.members[1]);
+  pair.preference = Preference::MIRRORED_ANYHOW;
+  pair.symmetry = mirror((parts[i].centre + parts[j].centre) / 2, normal);
+  pair.cost = rounded(across.norm());
+  pair.links = {{0, 1, mirror_matrix(normal)}};
+  result.push_back(pair);
+}
+
+/// The mirror plane of a part by itself, for what no other part is like.
+inline Symmetry self_symmetry(Part_relations& parts, std::size_t i)
+{
+  for (const Basic_map map : {MIRRORED_X, MIRRORED_Z}) {
+    if (!parts.related(i, i, map) || !parts.confirm(i, i, matrix_of(map))) continue;
+    Symmetry result = mirror(parts[i].centre, map == MIRRORED_X ? Point::UnitX() : Point::UnitZ());
+    result.type = Symmetry_type::SELF;
+    result.residual = parts.deviation(i, i, matrix_of(map));
+    return result;
+  }
+  Symmetry none;
+  none.point = parts[i].centre;
+  return none;
+}
+
+} // namespace symmetry
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_SYMMETRY_REFLECTIONS_H
