@@ -56,7 +56,7 @@ struct Search_summary
   std::string method = "beam";
   std::size_t states = 0;      ///< search states kept
   std::size_t evaluations = 0; ///< energies of states computed
-  double lower_bound = 0;      ///< no correspondence of these labels costs less, over both directions
+  double lower_bound = 0;      ///< no correspondence in the direction of the result costs less
 };
 
 /// A part-to-part correspondence between a source and a target shape.
@@ -72,6 +72,7 @@ struct Correspondence
   Direction direction = Direction::SOURCE_TO_TARGET; ///< which shape was deformed into which
   bool complete = false;                             ///< every group of the deformed shape is assigned
   bool optimal = false;                              ///< the energy is proven minimal over the labels
+  int target_quarter_turns = 0;                      ///< of the target about up, into the source's frame
   Search_summary search;
   std::vector<std::string> warnings;
 };

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_MODELS_H
+#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_MODELS_H
+
+#include "aeroplanes.h"
+#include "chairs.h"
+#include "furnishings.h"
+#include "tables.h"
+#include "tricycle.h"
+#include "velocipedes.h"
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace generator {
+
+/// A model by name.
+struct Model
+{
+  std::string name;
+  Assembly (*make)();
+};
+
+/// All models; the name is that of the shape that is made.
+inline const std::vector<Model>& models()
+{
+  static const std::vector<Model> all{{"airplane_propeller", airplane_propeller},
+                                      {"airplane_twin_engine", airplane_twin_engine},
+                                      {"bed_slatted", bed_slatted},
+                                      {"bicycle", bicycle},
+                                      {"chair_four_legged", chair_four_legged},
+                                      {"chair_slatted", chair_slatted},
+                                      {"chair_spindle", chair_spindle},
+                                      {"chair_swivel", chair_swivel},
+                                      {"lamp_desk", lamp_desk},
+                                      {"stool", stool},
+                                      {"table_four_legged", table_four_legged},
+                                      {"table_pedestal", table_pedestal},
+                                      {"table_trestle", table_trestle},
+                                      {"tricycle", tricycle}};
+  return all;
+}
+
+} // namespace generator
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_MODELS_H

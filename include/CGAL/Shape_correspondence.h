@@ -1,0 +1,16 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_H
+#define CGAL_SHAPE_CORRESPONDENCE_H
+
+/// \file Shape_correspondence.h
+/// The whole package, but for reading and writing files (`Shape_correspondence/IO/`).
+
+#include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+#include <CGAL/Shape_correspondence/parameters.h>
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_H

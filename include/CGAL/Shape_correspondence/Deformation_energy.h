@@ -1,0 +1,70 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_DEFORMATION_ENERGY_H
+#define CGAL_SHAPE_CORRESPONDENCE_DEFORMATION_ENERGY_H
+
+#include <CGAL/Shape_correspondence/Correspondence.h>
+#include <CGAL/Shape_correspondence/Points.h>
+#include <CGAL/Shape_correspondence/config.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// Weights of Eq. 1, E = E_d + w_c E_c + w_s E_s, with the paper's values.
+struct Energy_weights
+{
+  double connectedness = 0.6; ///< w_c
+  double split = 0.4;         ///< w_s
+};
+
+/// E_d and E_c of one pair of connected parts.
+struct Rod_energy
+{
+  double distortion = 0;
+  double connectedness = 0;
+};
+
+/// E_c of two connected parts that become one and the same part: the connection is lost, the parts are not apart. The
+/// paper is silent; this is the authors' charge.
+constexpr double collapsed_connectedness = 0.5;
+
+/// The structural rods of a pair of connected parts before the deformation (paper, section 4.3): all vectors from a
+/// sample of the first part to a sample of the second. Kept, since a pair meets many candidate deformations.
+class Structural_rods
+{
+public:
+  Structural_rods(const Points& first, const Points& second);
+
+  /// E_d (Eq. 2, 3) and E_c (Eq. 4) after the samples moved to `first` and `second`, as many as before. A rod of length
+  /// zero keeps its direction whatever happens; one that becomes zero loses it. E_c is min(1, d'/f) when the parts have
+  /// come apart (d' > d): the sign of the printed Eq. 4 is turned, it would fall as parts separate.
+  /// Exactly 0 and 0 when nothing moved. O(number of rods).
+  Rod_energy energy(const Points& first, const Points& second) const;
+
+private:
+  Eigen::ArrayXd x_, y_, z_; // rod by rod, those of one first sample together
+  Eigen::ArrayXd squared_length_;
+  double directionless_ = 0; // number of rods of length zero
+  double shortest_ = 0;      // d, squared
+  double longest_ = 0;       // f
+};
+
+/// E_s (Eq. 5) of the vector S.
+double split_energy(const std::vector<double>& solidity_ratios);
+
+/// E of Eq. 1.
+double weighted_sum(const Energy_terms& terms, const Energy_weights& weights);
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/Deformation_energy_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_DEFORMATION_ENERGY_H

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ALIGN_SHAPES_H
+#define CGAL_SHAPE_CORRESPONDENCE_ALIGN_SHAPES_H
+
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+#include <CGAL/Shape_correspondence/config.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// The paper's e: a curve has e samples, a sheet e × e (the authors' value).
+constexpr int samples_per_side = 6;
+
+/// A part as the search sees it: the samples of its abstraction in the common frame.
+struct Sampled_part
+{
+  enum class Kind { CURVE, CLOSED_CURVE, SHEET };
+
+  Kind kind = Kind::CURVE;
+  Points samples; ///< e, or e × e row by row
+  Point centroid; ///< mean of the samples
+};
+
+/// A shape in the common frame (paper, section 5, "Initial alignment"): it stands on the ground, centred, has height 1.
+/// Parts, groups and contacts are in an order that depends on their places alone, not on the file, so that whatever is
+/// settled by an index is settled alike for a shape that was moved or shuffled.
+struct Aligned_shape
+{
+  struct Group
+  {
+    std::vector<std::size_t> parts;
+    Symmetry symmetry;   ///< in the common frame
+    double solidity = 1; ///< summed volumes over the volume of the common hull
+    std::size_t vertex;  ///< of the structural graph
+  };
+  struct Contact
+  {
+    std::array<std::size_t, 2> parts;
+    std::array<std::size_t, 2> samples; ///< the sample of either part nearest to the contact
+  };
+
+  std::vector<Sampled_part> parts;
+  std::vector<std::size_t> original; ///< of every part, its index in the structural graph
+  std::vector<double> prominence;    ///< of every part, its volume (an estimate where unknown)
+  std::vector<Group> groups;
+  std::vector<std::size_t> group_of; ///< of every part
+  std::vector<Contact> contacts;
+};
+
+/// Samples a shape in its own frame, turned by quarter turns about the up axis (counter-clockwise seen from above).
+Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns = 0);
+
+/// The quarter turns of the target that bring it into the source's frame, best guess first: the one nearest to the
+/// orientation that the shapes were given in, then by angle. Where both shapes have one mirror plane, half turns only.
+std::vector<int> alignment_turns(const Shape_frame& source, const Shape_frame& target);
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/align_shapes_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ALIGN_SHAPES_H

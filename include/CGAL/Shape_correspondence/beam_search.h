@@ -1,0 +1,35 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_BEAM_SEARCH_H
+#define CGAL_SHAPE_CORRESPONDENCE_BEAM_SEARCH_H
+
+#include <CGAL/Shape_correspondence/Matching_problem.h>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// Options of `beam_search()`, with the paper's values.
+struct Beam_options
+{
+  int beam_width = 20; ///< K, the partial solutions kept at each level
+  int expansions = 4;  ///< k, the expansions kept of each partial solution
+};
+
+/// Pruned beam search (paper, section 5): groups are assigned one by one, from the best-connected one outwards. A
+/// partial solution is rated by the energy of the whole shape, in which parts of unassigned groups are moved by
+/// `propagate()`. Of every solution the k best expansions are kept, of all expansions at a level the K best; ties go to
+/// lower label indices. Every group may take every target group, so that the search always ends with a complete
+/// assignment. \throw Invalid_input if the width or the number of expansions is under 1
+Search_result beam_search(const Matching_problem& problem, const Beam_options& options = {});
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/beam_search_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_BEAM_SEARCH_H

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_FIND_CORRESPONDENCE_H
+#define CGAL_SHAPE_CORRESPONDENCE_FIND_CORRESPONDENCE_H
+
+#include <CGAL/Shape_correspondence/Correspondence.h>
+#include <CGAL/Shape_correspondence/beam_search.h>
+#include <CGAL/Shape_correspondence/exact_search.h>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+enum class Search_method {
+  BEAM, ///< the paper's
+  EXACT ///< with a proof
+};
+
+/// Options of `find_correspondence()`.
+struct Search_options
+{
+  Search_method method = Search_method::BEAM;
+  Beam_options beam;
+  Exact_options exact;
+  Energy_weights weights;
+  bool both_directions = true; ///< deform either shape into the other and keep the lower energy per connected pair
+  int maximum_parts = 0;       ///< coarse correspondence: only the most prominent parts, at most so many; 0 takes all
+  /// How many of `alignment_turns()` are tried, the best-scoring one wins; 1 is the one nearest to the given
+  /// orientation, 0 all of them.
+  int alignments = 1;
+};
+
+/// Finds the part correspondence of two shapes that costs the least deformation energy (paper, sections 4 and 5).
+///
+/// The source is deformed into the target and, by default, the target into the source; the direction with the lower
+/// energy per pair of connected parts is taken, so that the simpler shape does not win for having fewer pairs.
+/// Deterministic; no result depends on part order, position, scale or a turn of less than 45° about the up axis.
+/// \pre both graphs are valid (`is_valid_structural_graph()`)
+/// \throw Invalid_input if an option is out of its range
+Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,
+                                   const Search_options& options = {});
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/find_correspondence_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_FIND_CORRESPONDENCE_H

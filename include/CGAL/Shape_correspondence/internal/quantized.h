@@ -1,0 +1,25 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_QUANTIZED_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_QUANTIZED_H
+
+#include <cmath>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+// Numbers that a motion of the shape changes by rounding alone are compared after rounding to this grid, so that ties
+// stay ties and are settled by index.
+constexpr double comparison_grid = 1e-6;
+
+inline long quantized(double value) { return std::lround(value / comparison_grid); }
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,117 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_PARAMETERS_H
+#define CGAL_SHAPE_CORRESPONDENCE_PARAMETERS_H
+
+#include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// CGAL named parameters of this package, an alternative to the option structures; a name is a field of theirs, and
+/// what is not named keeps its default. Chain them: `parameters::beam_width(40).expansions(8)`.
+namespace parameters {
+
+/// A parameter pack of CGAL that can be chained with the parameters of this package.
+template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
+struct Named_parameters;
+
+// name, option structure, field
+#define CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(X)                                                                        \
+  X(search_method, Search_options, method)                                                                             \
+  X(beam_width, Search_options, beam.beam_width)                                                                       \
+  X(expansions, Search_options, beam.expansions)                                                                       \
+  X(connectedness_weight, Search_options, weights.connectedness)                                                       \
+  X(split_weight, Search_options, weights.split)                                                                       \
+  X(both_directions, Search_options, both_directions)                                                                  \
+  X(maximum_parts, Search_options, maximum_parts)                                                                      \
+  X(alignments, Search_options, alignments)                                                                            \
+  X(edge_length, Structure_options, abstraction.edge_length)                                                           \
+  X(stop_volume, Structure_options, abstraction.stop_volume)                                                           \
+  X(time_limit, Structure_options, abstraction.time_limit)                                                             \
+  X(progress, Structure_options, abstraction.progress)                                                                 \
+  X(detect_symmetry, Structure_options, symmetry.enabled)                                                              \
+  X(symmetry_tolerance, Structure_options, symmetry.tolerance)                                                         \
+  X(contact_tolerance, Structure_options, contacts.tolerance)
+
+#define CGAL_SHAPE_CORRESPONDENCE_TAG(name, options, field)                                                            \
+  struct name##_t                                                                                                      \
+  {};
+CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(CGAL_SHAPE_CORRESPONDENCE_TAG)
+#undef CGAL_SHAPE_CORRESPONDENCE_TAG
+
+template <typename T, typename Tag, typename Base>
+struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
+{
+  using Pack = CGAL::Named_function_parameters<T, Tag, Base>;
+  using Pack::Pack;
+
+#define CGAL_SHAPE_CORRESPONDENCE_CHAIN(name, options, field)                                                          \
+  template <typename K>                                                                                                \
+  Named_parameters<K, name##_t, Pack> name(const K& value) const                                                       \
+  {                                                                                                                    \
+    return {value, *this};                                                                                             \
+  }
+  CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(CGAL_SHAPE_CORRESPONDENCE_CHAIN)
+#undef CGAL_SHAPE_CORRESPONDENCE_CHAIN
+};
+
+#define CGAL_SHAPE_CORRESPONDENCE_START(name, options, field)                                                          \
+  template <typename K>                                                                                                \
+  Named_parameters<K, name##_t> name(const K& value)                                                                   \
+  {                                                                                                                    \
+    return {value};                                                                                                    \
+  }
+CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(CGAL_SHAPE_CORRESPONDENCE_START)
+#undef CGAL_SHAPE_CORRESPONDENCE_START
+
+/// The option structure (`Search_options` or `Structure_options`) that a parameter pack describes.
+template <typename Options, typename NamedParameters>
+Options options_from(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Options result;
+  const auto set = [&](auto& options, auto tag, auto field) {
+    field(options) = choose_parameter(get_parameter(np, tag), field(options));
+  };
+#define CGAL_SHAPE_CORRESPONDENCE_READ(name, Structure, member)                                                        \
+  if constexpr (std::is_same<Options, Structure>::value)                                                               \
+    set(result, name##_t(), [](auto& o) -> decltype((o.member)) { return o.member; });
+  CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(CGAL_SHAPE_CORRESPONDENCE_READ)
+#undef CGAL_SHAPE_CORRESPONDENCE_READ
+  return result;
+}
+
+#undef CGAL_SHAPE_CORRESPONDENCE_PARAMETERS
+
+} // namespace parameters
+
+/// `build_structural_graph()` with named parameters.
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename T, typename Tag, typename Base>
+Structural_graph build_structural_graph(const Segmented_shape& shape,
+                                        const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return build_structural_graph<ConcurrencyTag>(shape, parameters::options_from<Structure_options>(np));
+}
+
+/// `find_correspondence()` with named parameters.
+template <typename T, typename Tag, typename Base>
+Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,
+                                   const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return find_correspondence(source, target, parameters::options_from<Search_options>(np));
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_PARAMETERS_H

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_IO_ATOMIC_FILE_H
+#define CGAL_SHAPE_CORRESPONDENCE_SRC_IO_ATOMIC_FILE_H
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// Throws `Invalid_input` if `path` cannot be written; to be called before long work, leaves nothing behind.
+/// `-` is standard output.
+void check_writable(const std::string& path);
+
+/// Calls `write` and puts what it writes into the file `path`, all of it or nothing: under a temporary name in the same
+/// folder first, which is then renamed. Devices and pipes are written directly; `-` is standard output.
+/// \throw Invalid_input if that fails; names the file
+void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write);
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_IO_ATOMIC_FILE_H

@@ -1,0 +1,111 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Shape_correspondence/IO/correspondence_json.h>
+
+#include "json_text.h"
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+namespace {
+
+const char* name_of(Operation operation)
+{
+  switch (operation) {
+  case Operation::MATCH:
+    return "match";
+  case Operation::SPLIT:
+    return "split";
+  case Operation::DUPLICATE:
+    return "duplicate";
+  case Operation::MERGE:
+    return "merge";
+  }
+  return "match";
+}
+
+const char* name_of(Direction direction)
+{
+  return direction == Direction::SOURCE_TO_TARGET ? "source_to_target" : "target_to_source";
+}
+
+Json names(const std::vector<std::size_t>& parts, const Structural_graph& graph)
+{
+  Json result = Json::array();
+  for (std::size_t part : parts)
+    result.push_back(structure(graph).parts[part].name);
+  return result;
+}
+
+Json pairs(const Correspondence& correspondence, const Structural_graph& source, const Structural_graph& target)
+{
+  Json result = Json::array();
+  for (const auto& [s, t] : correspondence.pairs)
+    result.push_back({structure(source).parts[s].name, structure(target).parts[t].name});
+  return result;
+}
+
+Json groups(const Correspondence& correspondence, const Structural_graph& source, const Structural_graph& target)
+{
+  Json result = Json::array();
+  for (const Group_match& group : correspondence.groups) {
+    result.push_back({{"source", names(group.source, source)},
+                      {"target", names(group.target, target)},
+                      {"operation", name_of(group.operation)},
+                      {"energy", group.energy}});
+  }
+  return result;
+}
+
+Json contacts(const Correspondence& correspondence, const Structural_graph& deformed)
+{
+  Json result = Json::array();
+  for (const Contact_energy& contact : correspondence.contacts) {
+    result.push_back({{"parts", names({contact.parts[0], contact.parts[1]}, deformed)},
+                      {"distortion", contact.distortion},
+                      {"connectedness", contact.connectedness}});
+  }
+  return result;
+}
+
+} // namespace
+
+void write_correspondence_json(std::ostream& out, const Correspondence& c, const Structural_graph& source,
+                               const Structural_graph& target, const std::string& source_file,
+                               const std::string& target_file, const Match_seconds& seconds)
+{
+  const bool forward = c.direction == Direction::SOURCE_TO_TARGET;
+  Json result;
+  result["format"] = "shape_correspondence/match";
+  result["version"] = 1;
+  result["source"] = source_file;
+  result["target"] = target_file;
+  result["energy"] = c.energy;
+  result["terms"] = {
+      {"distortion", c.terms.distortion}, {"connectedness", c.terms.connectedness}, {"split", c.terms.split}};
+  result["direction"] = name_of(c.direction);
+  result["complete"] = c.complete;
+  result["optimal"] = c.optimal;
+  result["pairs"] = pairs(c, source, target);
+  result["groups"] = groups(c, source, target);
+  result["contacts"] = contacts(c, forward ? source : target);
+  result["unmatched_source"] = names(c.unmatched_source, source);
+  result["unmatched_target"] = names(c.unmatched_target, target);
+  result["seconds"] = {{"read", seconds.read},
+                       {"abstraction", seconds.abstraction},
+                       {"structure", seconds.structure},
+                       {"search", seconds.search}};
+  result["search"] = {{"method", c.search.method},
+                      {"states", c.search.states},
+                      {"evaluations", c.search.evaluations},
+                      {"lower_bound", c.search.lower_bound}};
+  result["warnings"] = c.warnings;
+  write_json(out, result);
+}
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL

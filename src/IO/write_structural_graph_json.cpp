@@ -1,0 +1,183 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+
+#include "json_text.h"
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+namespace {
+
+Json point(const Point& p) { return {p.x(), p.y(), p.z()}; }
+
+Json frame(const Shape_frame& frame)
+{
+  return {{"origin", point(frame.origin)},     {"side", point(frame.axes.col(0))}, {"up", point(frame.axes.col(1))},
+          {"front", point(frame.axes.col(2))}, {"height", frame.height},           {"mirror_side", frame.mirror_x},
+          {"mirror_front", frame.mirror_z}};
+}
+
+Json points(const Points& points, Eigen::Index begin, Eigen::Index end)
+{
+  Json result = Json::array();
+  for (Eigen::Index i = begin; i < end; ++i)
+    result.push_back(point(points.col(i)));
+  return result;
+}
+
+void set_geometry(Json& part, const Curve& curve)
+{
+  part["type"] = "curve";
+  part["closed"] = curve.closed;
+  part["points"] = points(curve.points, 0, curve.points.cols());
+}
+
+void set_geometry(Json& part, const Sheet& sheet)
+{
+  part["type"] = "sheet";
+  Json rows = Json::array();
+  for (int i = 0; i < sheet.rows; ++i)
+    rows.push_back(points(sheet.points, i * sheet.cols, (i + 1) * sheet.cols));
+  part["grid"] = rows;
+}
+
+const char* name_of(Abstraction_report::Method method)
+{
+  using Method = Abstraction_report::Method;
+  switch (method) {
+  case Method::SKELETON:
+    return "skeleton";
+  case Method::MESO_SKELETON:
+    return "meso_skeleton";
+  case Method::BOUNDING_BOX:
+    return "bounding_box";
+  case Method::COPY:
+    return "copy";
+  case Method::GIVEN:
+    return "given";
+  }
+  return "given";
+}
+
+const char* name_of(Abstraction_report::Repair repair)
+{
+  using Repair = Abstraction_report::Repair;
+  switch (repair) {
+  case Repair::NONE:
+    return "none";
+  case Repair::SOUP:
+    return "soup";
+  case Repair::HOLES:
+    return "holes";
+  case Repair::WRAP:
+    return "wrap";
+  }
+  return "none";
+}
+
+Json flags(const Abstraction_report& report)
+{
+  Json result = Json::array();
+  if (report.tube) result.push_back("tube");
+  if (report.blob) result.push_back("blob");
+  if (report.branching) result.push_back("branching");
+  if (report.several_components) result.push_back("several_components");
+  if (report.time_limit) result.push_back("time_limit");
+  return result;
+}
+
+Json part(const Part_abstraction& part)
+{
+  Json result;
+  result["name"] = part.name;
+  std::visit([&](const auto& geometry) { set_geometry(result, geometry); }, part.geometry);
+  result["volume"] = part.volume;
+  result["hull_volume"] = part.hull_volume;
+  result["area"] = part.area;
+  result["abstraction"] = {{"method", name_of(part.report.method)}, {"repair", name_of(part.report.repair)},
+                           {"residual", part.report.residual},      {"coverage", part.report.coverage},
+                           {"iterations", part.report.iterations},  {"flags", flags(part.report)}};
+  return result;
+}
+
+void set_symmetry(Json& group, const Symmetry& symmetry)
+{
+  switch (symmetry.type) {
+  case Symmetry_type::SELF:
+    group["symmetry"] = "self";
+    return;
+  case Symmetry_type::REFLECTION:
+    group["symmetry"] = "reflection";
+    group["plane"] = {{"point", point(symmetry.point)}, {"normal", point(symmetry.direction)}};
+    break;
+  case Symmetry_type::ROTATION:
+    group["symmetry"] = "rotation";
+    group["axis"] = point(symmetry.direction);
+    group["point"] = point(symmetry.point);
+    group["order"] = symmetry.order;
+    break;
+  case Symmetry_type::TRANSLATION:
+    group["symmetry"] = "translation";
+    group["vector"] = point(symmetry.direction);
+    group["point"] = point(symmetry.point);
+    break;
+  }
+  group["residual"] = symmetry.residual;
+}
+
+Json group(const Part_group& group, const Shape_structure& shape)
+{
+  Json result;
+  result["parts"] = Json::array();
+  for (std::size_t i : group.parts)
+    result["parts"].push_back(shape.parts[i].name);
+  set_symmetry(result, group.symmetry);
+  result["volume"] = group.volume;
+  result["hull_volume"] = group.hull_volume;
+  return result;
+}
+
+Json parameter(const Part_abstraction& part, const Eigen::Vector2d& parameter)
+{
+  if (part.is_sheet()) return {parameter.x(), parameter.y()};
+  return Json::array({parameter.x()});
+}
+
+Json contact(const Contact& contact, const Shape_structure& shape)
+{
+  const Part_abstraction &first = shape.parts[contact.parts[0]], &second = shape.parts[contact.parts[1]];
+  return {{"parts", {first.name, second.name}},
+          {"parameters", {parameter(first, contact.parameters[0]), parameter(second, contact.parameters[1])}}};
+}
+
+} // namespace
+
+void write_structural_graph_json(std::ostream& out, const Structural_graph& graph)
+{
+  const Shape_structure& shape = structure(graph);
+  Json result;
+  result["format"] = "shape_correspondence/graph";
+  result["version"] = 1;
+  result["name"] = shape.name;
+  result["up"] = point(shape.frame.axes.col(1));
+  result["frame"] = frame(shape.frame);
+  result["parts"] = Json::array();
+  for (const Part_abstraction& p : shape.parts)
+    result["parts"].push_back(part(p));
+  result["groups"] = Json::array();
+  for (std::size_t v = 0; v < num_vertices(graph); ++v)
+    result["groups"].push_back(group(graph[v], shape));
+  result["contacts"] = Json::array();
+  for (const Contact& c : shape.contacts)
+    result["contacts"].push_back(contact(c, shape));
+  result["warnings"] = shape.warnings;
+  write_json(out, result);
+}
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL

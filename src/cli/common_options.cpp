@@ -1,0 +1,102 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "common_options.h"
+
+#include "../IO/atomic_file.h"
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+
+namespace po = boost::program_options;
+
+namespace {
+
+// Names that a user is not to write
+constexpr const char* inputs_key = "INPUT";
+
+constexpr int help_width = 100, description_width = 68;
+
+} // namespace
+
+Point Common_options::up_vector() const
+{
+  return up == "x" ? Point::UnitX() : up == "y" ? Point::UnitY() : Point::UnitZ();
+}
+
+po::options_description common_options(Common_options& options)
+{
+  po::options_description result("Options of all commands", help_width, description_width);
+  auto add = result.add_options();
+  add("up", po::value(&options.up)->value_name("AXIS")->default_value(options.up),
+      "the upright axis of model files: x, y or z. COLLADA files say it themselves and are turned to y up; a graph "
+      "file says it, too");
+  add("no-symmetry", po::bool_switch(&options.no_symmetry), "take every part as a group of its own");
+  add("threads", po::value(&options.threads)->value_name("N"),
+      "threads to use; default: all of the machine. The result is the same for any number");
+  add("seed", po::value(&options.seed)->value_name("N"),
+      "seed of random choices; there are none yet, every result is reproducible");
+  add("quiet", po::bool_switch(&options.quiet), "print nothing but errors");
+  add("progress", po::value(&options.progress)->value_name("WHEN")->default_value(options.progress),
+      "a progress bar on standard error: auto (when it is a terminal), always, never");
+  add("help,h", "this text");
+  return result;
+}
+
+Arguments parse(const std::vector<std::string>& arguments, const po::options_description& options, std::size_t inputs)
+{
+  po::options_description all;
+  all.add(options).add_options()(inputs_key, po::value<std::vector<std::string>>());
+  po::positional_options_description positional;
+  positional.add(inputs_key, -1);
+  Arguments result;
+  try {
+    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+    po::store(po::command_line_parser(arguments).options(all).positional(positional).style(style).run(), result.values);
+    result.help = result.values.count("help") > 0;
+    if (result.help) return result;
+    po::notify(result.values);
+  } catch (const po::error& error) {
+    throw Usage_error(error.what());
+  }
+  if (result.values.count(inputs_key)) result.inputs = result.values[inputs_key].as<std::vector<std::string>>();
+  if (result.inputs.size() != inputs)
+    throw Usage_error("it takes " + std::to_string(inputs) + (inputs == 1 ? " input" : " inputs") + ", not " +
+                      std::to_string(result.inputs.size()));
+  return result;
+}
+
+void check(const Common_options& options)
+{
+  check_word("up", options.up, {"x", "y", "z"});
+  check_word("progress", options.progress, {"auto", "always", "never"});
+  if (!options.json.empty() && options.json == options.glb)
+    throw Usage_error("--json and --glb are the same file, " + options.json);
+  for (const std::string& output : {options.json, options.glb}) {
+    if (!output.empty()) IO::check_writable(output);
+  }
+}
+
+void check_word(const std::string& option, const std::string& value, const std::vector<std::string>& known)
+{
+  if (std::find(known.begin(), known.end(), value) != known.end()) return;
+  std::string list;
+  for (const std::string& word : known)
+    list += (list.empty() ? "" : ", ") + word;
+  throw Usage_error("--" + option + " cannot be '" + value + "'; known are: " + list);
+}
+
+void check_at_least(const std::string& option, int value, int least)
+{
+  if (value < least)
+    throw Usage_error("--" + option + " must be at least " + std::to_string(least) + ", not " + std::to_string(value));
+}
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL

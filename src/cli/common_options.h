@@ -1,0 +1,74 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COMMON_OPTIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COMMON_OPTIONS_H
+
+#include <CGAL/Shape_correspondence/Points.h>
+
+#include <boost/program_options.hpp>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+
+/// The command line is not one that the program understands: exit status 2.
+class Usage_error : public std::runtime_error
+{
+public:
+  explicit Usage_error(const std::string& message) : std::runtime_error(message) {}
+};
+
+/// What every command knows.
+struct Common_options
+{
+  std::string json;              ///< empty: none
+  std::string glb;               ///< empty: none
+  std::string up = "y";          ///< x, y or z
+  std::string progress = "auto"; ///< auto, always or never
+  bool no_symmetry = false;
+  bool quiet = false;
+  int threads = 0; ///< 0: all
+  long seed = 0;
+
+  Point up_vector() const;
+  /// Whether a table belongs on standard output: not where the JSON goes.
+  bool prints_table() const { return !quiet && json != "-"; }
+};
+
+/// The options that all commands share.
+boost::program_options::options_description common_options(Common_options& options);
+
+/// The arguments of a command, parsed.
+struct Arguments
+{
+  boost::program_options::variables_map values;
+  std::vector<std::string> inputs;
+  bool help = false;
+};
+
+/// Parses the arguments of a command and fills the variables that the options are bound to.
+/// \param inputs how many inputs the command takes \throw Usage_error
+Arguments parse(const std::vector<std::string>& arguments, const boost::program_options::options_description& options,
+                std::size_t inputs);
+
+/// Checks the values of common options. \throw Usage_error, or Invalid_input if an output cannot be written
+void check(const Common_options& options);
+
+/// Throws `Usage_error` if `value` is none of `known`.
+void check_word(const std::string& option, const std::string& value, const std::vector<std::string>& known);
+
+/// Throws `Usage_error` if `value` is less than `least`.
+void check_at_least(const std::string& option, int value, int least);
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COMMON_OPTIONS_H

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+#include "common_options.h"
+#include "load_shape.h"
+#include "text_table.h"
+#include "thread_limit.h"
+
+#include "../IO/atomic_file.h"
+
+#include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+#include <CGAL/Shape_correspondence/IO/write_glb.h>
+
+#include <iostream>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+
+namespace po = boost::program_options;
+
+namespace {
+
+const char* const help_text =
+    R"(Usage: shape_correspondence graph MODEL [options]
+
+Builds the structural graph of a segmented shape: a curve or a sheet for every part, groups of parts that
+are symmetric, and contacts between parts.
+
+MODEL is a file (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA: one node is one part), a folder of part
+meshes (one file is one part, its stem the part's name), or a structural graph (.json).
+
+Example: shape_correspondence graph chair.obj -o chair.json --glb chair.glb
+
+)";
+
+po::options_description graph_options(Common_options& common)
+{
+  po::options_description result("Options of graph", 100, 68);
+  auto add = result.add_options();
+  add("json,o", po::value(&common.json)->value_name("FILE"),
+      "write the graph as JSON, which match reads in place of the model; - is standard output");
+  add("glb", po::value(&common.glb)->value_name("FILE"),
+      "write a picture as binary glTF: surfaces faint, curves as tubes, sheets as patches, a colour a group, a dot a "
+      "contact");
+  return result;
+}
+
+std::string type_of(const Part_abstraction& part)
+{
+  return part.is_sheet() ? "sheet" : part.is_closed_curve() ? "closed curve" : "curve";
+}
+
+std::string name_of(const Symmetry& symmetry)
+{
+  switch (symmetry.type) {
+  case Symmetry_type::REFLECTION:
+    return "reflection";
+  case Symmetry_type::ROTATION:
+    return "rotation, " + std::to_string(symmetry.order) + "-fold";
+  case Symmetry_type::TRANSLATION:
+    return "translation";
+  case Symmetry_type::SELF:
+    break;
+  }
+  return "self";
+}
+
+std::string touched_parts(const Shape_structure& shape, std::size_t part)
+{
+  std::vector<std::string> names;
+  for (const Contact& contact : shape.contacts) {
+    for (int side = 0; side < 2; ++side) {
+      if (contact.parts[side] == part) names.push_back(shape.parts[contact.parts[1 - side]].name);
+    }
+  }
+  return listed(names);
+}
+
+void print_graph(const std::string& path, const Structural_graph& graph)
+{
+  const Shape_structure& shape = structure(graph);
+  std::vector<std::vector<std::string>> rows{{"group", "symmetry", "part", "type", "solidity", "touches"}};
+  for (std::size_t v = 0; v < num_vertices(graph); ++v) {
+    for (std::size_t part : graph[v].parts) {
+      const Part_abstraction& p = shape.parts[part];
+      const bool first = part == graph[v].parts[0];
+      rows.push_back({first ? std::to_string(v + 1) : "", first ? name_of(graph[v].symmetry) : "", p.name, type_of(p),
+                      short_number(solidity(p.volume, p.hull_volume)), touched_parts(shape, part)});
+    }
+  }
+  std::cout << path << ": " << shape.parts.size() << " parts, " << num_vertices(graph) << " groups, "
+            << shape.contacts.size() << " contacts\n\n";
+  write_table(std::cout, rows);
+  for (const std::string& warning : shape.warnings)
+    std::cout << "\nwarning: " << warning << '\n';
+}
+
+} // namespace
+
+void run_graph(const std::vector<std::string>& arguments)
+{
+  Common_options common;
+  po::options_description options;
+  options.add(graph_options(common)).add(common_options(common));
+  const Arguments parsed = parse(arguments, options, 1);
+  if (parsed.help) {
+    std::cout << help_text << options;
+    return;
+  }
+  check(common);
+  const Thread_limit limit(common.threads);
+  const Loaded_shape shape = load_shape(parsed.inputs[0], common);
+  if (!common.json.empty())
+    IO::write_atomically(common.json, [&](std::ostream& out) { IO::write_structural_graph_json(out, shape.graph); });
+  if (!common.glb.empty())
+    IO::write_atomically(common.glb, [&](std::ostream& out) {
+      IO::write_structural_graph_glb(out, shape.graph, shape.model_pointer());
+    });
+  if (common.prints_table()) print_graph(parsed.inputs[0], shape.graph);
+}
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "load_shape.h"
+
+#include "progress_bar.h"
+
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/build_structural_graph.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_graph_file(const std::string& path)
+{
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return extension == ".json" && !fs::is_directory(path);
+}
+
+void load_graph(const std::string& path, const Structure_options& options, Loaded_shape& shape)
+{
+  const double begin = now();
+  if (!fs::exists(path)) throw Invalid_input(path + ": there is no such file or folder");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw Invalid_input(path + ": it cannot be opened for reading; check its permissions");
+  shape.graph = IO::read_structural_graph_json(in, path, options);
+  shape.read_seconds = now() - begin;
+}
+
+void load_model(const std::string& path, const Common_options& common, const Structure_options& options,
+                Loaded_shape& shape)
+{
+  const double begin = now();
+  shape.model = IO::read_segmented_shape(path, common.up_vector());
+  shape.read_seconds = now() - begin;
+  Structure_times times;
+  shape.graph = common.threads == 1
+                    ? build_structural_graph<CGAL::Sequential_tag>(*shape.model, options, &times)
+                    : build_structural_graph<CGAL::Parallel_if_available_tag>(*shape.model, options, &times);
+  shape.abstraction_seconds = times.abstraction;
+  shape.structure_seconds = times.structure;
+}
+
+} // namespace
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+Loaded_shape load_shape(const std::string& path, const Common_options& common)
+{
+  Progress_bar bar(common, path);
+  Structure_options options;
+  options.symmetry.enabled = !common.no_symmetry;
+  options.abstraction.progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
+  Loaded_shape shape;
+  try {
+    if (is_graph_file(path))
+      load_graph(path, options, shape);
+    else
+      load_model(path, common, options, shape);
+  } catch (const Invalid_input& error) {
+    const std::string message = error.what();
+    throw Invalid_input(message.rfind(path, 0) == 0 ? message : path + ": " + message);
+  }
+  return shape;
+}
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_LOAD_SHAPE_H
+#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_LOAD_SHAPE_H
+
+#include "common_options.h"
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <optional>
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+
+/// An input of a command: its structural graph, its model where it is one, and the seconds that it took.
+struct Loaded_shape
+{
+  Structural_graph graph;
+  std::optional<Segmented_shape> model;
+  double read_seconds = 0;
+  double abstraction_seconds = 0;
+  double structure_seconds = 0;
+
+  const Segmented_shape* model_pointer() const { return model ? &*model : nullptr; }
+};
+
+/// Reads a model, or a structural graph from a file that ends in `.json`, and builds what is missing of its graph.
+/// \throw Invalid_input; the message names `path`
+Loaded_shape load_shape(const std::string& path, const Common_options& options);
+
+/// Seconds on the wall since some moment.
+double now();
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_LOAD_SHAPE_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "match_table.h"
+
+#include "text_table.h"
+
+#include <algorithm>
+#include <ostream>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+const char* name_of(Operation operation)
+{
+  switch (operation) {
+  case Operation::MATCH:
+    return "match";
+  case Operation::SPLIT:
+    return "split";
+  case Operation::DUPLICATE:
+    return "duplicate";
+  case Operation::MERGE:
+    return "merge";
+  }
+  return "match";
+}
+
+bool contains(const std::vector<std::size_t>& parts, std::size_t part)
+{
+  return std::find(parts.begin(), parts.end(), part) != parts.end();
+}
+
+std::string names(const std::vector<std::size_t>& parts, const Structural_graph& graph)
+{
+  std::vector<std::string> result;
+  for (std::size_t part : parts)
+    result.push_back(structure(graph).parts[part].name);
+  return listed(result);
+}
+
+/// The pairs of one group of the deformed shape; operation and energy stand in the first line.
+void add_rows(const Group_match& group, const Correspondence& correspondence, const Structural_graph& source,
+              const Structural_graph& target, Rows& rows)
+{
+  std::string operation = name_of(group.operation), energy = short_number(group.energy);
+  for (const auto& [s, t] : correspondence.pairs) {
+    if (!contains(group.source, s) || !contains(group.target, t)) continue;
+    rows.push_back({structure(source).parts[s].name, structure(target).parts[t].name, operation, energy});
+    operation = energy = "";
+  }
+  if (!operation.empty()) rows.push_back({names(group.source, source), names(group.target, target), "-", energy});
+}
+
+} // namespace
+
+void write_match_table(std::ostream& out, const Correspondence& c, const Structural_graph& source,
+                       const Structural_graph& target)
+{
+  Rows rows{{"source", "target", "operation", "energy"}};
+  for (const Group_match& group : c.groups)
+    add_rows(group, c, source, target, rows);
+  write_table(out, rows);
+  out << "\nunmatched in the source: " << names(c.unmatched_source, source)
+      << "\nunmatched in the target: " << names(c.unmatched_target, target) << "\nenergy: " << short_number(c.energy)
+      << " (distortion " << short_number(c.terms.distortion) << ", connectedness "
+      << short_number(c.terms.connectedness) << ", split " << short_number(c.terms.split) << "), the "
+      << (c.direction == Direction::SOURCE_TO_TARGET ? "source deformed into the target"
+                                                     : "target deformed into the source")
+      << (c.complete ? "" : ", incomplete") << (c.optimal ? ", proven minimal" : "") << '\n';
+  for (const std::string& warning : c.warnings)
+    out << "warning: " << warning << '\n';
+}
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_PROGRESS_BAR_H
+#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_PROGRESS_BAR_H
+
+#include "common_options.h"
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+
+/// A progress bar on standard error; it vanishes at the end.
+class Progress_bar
+{
+public:
+  Progress_bar(const Common_options& options, std::string label);
+  ~Progress_bar();
+  Progress_bar(const Progress_bar&) = delete;
+  Progress_bar& operator=(const Progress_bar&) = delete;
+
+  void show(std::size_t done, std::size_t total);
+
+private:
+  bool enabled_;
+  bool shown_ = false;
+  std::string label_;
+};
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_PROGRESS_BAR_H

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "text_table.h"
+
+#include <algorithm>
+#include <ostream>
+#include <sstream>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+namespace {
+
+/// Characters of a UTF-8 text.
+std::size_t width(const std::string& text)
+{
+  return std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; });
+}
+
+} // namespace
+
+void write_table(std::ostream& out, const std::vector<std::vector<std::string>>& rows)
+{
+  std::vector<std::size_t> widths;
+  for (const std::vector<std::string>& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()), 0);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], width(row[i]));
+  }
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    std::string line = " ";
+    for (std::size_t i = 0; i < rows[r].size(); ++i)
+      line += " " + rows[r][i] + std::string(widths[i] - width(rows[r][i]) + 1, ' ');
+    line.erase(line.find_last_not_of(' ') + 1);
+    out << line << '\n';
+    if (r > 0) continue;
+    std::string rule = " ";
+    for (std::size_t w : widths)
+      rule += " " + std::string(w, '-') + " ";
+    rule.pop_back();
+    out << rule << '\n';
+  }
+}
+
+std::string short_number(double number)
+{
+  std::ostringstream out;
+  out.precision(4);
+  out << number;
+  return out.str();
+}
+
+std::string listed(const std::vector<std::string>& words)
+{
+  std::string result;
+  for (const std::string& word : words)
+    result += (result.empty() ? "" : ", ") + word;
+  return result.empty() ? "-" : result;
+}
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL

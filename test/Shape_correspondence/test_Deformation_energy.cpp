@@ -1,0 +1,80 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Shape_correspondence/Deformation_energy.h>
+
+#include "hand_made_graphs.h"
+
+#include <catch2/catch.hpp>
+
+using namespace CGAL::Shape_correspondence;
+using hand_made::points;
+
+TEST_CASE("Eq. 2 and 3: two rods, one turned by 60 degrees")
+{
+  const Structural_rods rods(points({{0, 0, 0}}), points({{2, 0, 0}, {0, 3, 0}}));
+  const double c = 0.5, s = std::sqrt(3) / 2;
+  // Lengths change, too: directions alone count
+  const Rod_energy energy = rods.energy(points({{0, 0, 0}}), points({{4 * c, 4 * s, 0}, {0, 5, 0}}));
+  // D = (1/2, 1), J = (1, 1): 1 - sqrt(1/4 + 1) / sqrt(2)
+  CHECK(energy.distortion == Approx(1 - std::sqrt(1.25 / 2)));
+}
+
+TEST_CASE("Eq. 2: a rod turned by more than a right angle counts as much as by a right angle")
+{
+  const Structural_rods rods(points({{0, 0, 0}}), points({{1, 0, 0}}));
+  CHECK(rods.energy(points({{0, 0, 0}}), points({{-1, 0.5, 0}})).distortion == 1);
+  CHECK(rods.energy(points({{0, 0, 0}}), points({{0, 7, 0}})).distortion == 1);
+}
+
+TEST_CASE("Eq. 4 with its sign turned: the penalty grows with the distance")
+{
+  // d = 1, f = 4
+  const Structural_rods rods(points({{0, 0, 0}}), points({{1, 0, 0}, {4, 0, 0}}));
+  const auto moved = [&](double x) { return rods.energy(points({{0, 0, 0}}), points({{x, 0, 0}, {x + 3, 0, 0}})); };
+  CHECK(moved(0.5).connectedness == 0);
+  CHECK(moved(1).connectedness == 0);
+  CHECK(moved(2).connectedness == Approx(0.5));
+  CHECK(moved(3).connectedness == Approx(0.75));
+  CHECK(moved(9).connectedness == 1);
+}
+
+TEST_CASE("Touching samples: a rod of length zero is not broken")
+{
+  const Points a = points({{0, 0, 0}, {1, 1, 1}}), b = points({{0, 0, 0}, {0.1, 0.7, 0.3}});
+  const Structural_rods rods(a, b);
+  const Rod_energy same = rods.energy(a, b);
+  CHECK(same.distortion == 0);
+  CHECK(same.connectedness == 0);
+  // One of four rods becomes zero, the others keep their directions: 1 - sqrt(3/4)
+  const Structural_rods apart(points({{0, 0, 0}, {0, 1, 0}}), points({{1, 0, 0}, {1, 0, 0}}));
+  CHECK(apart.energy(points({{0, 0, 0}, {0, 0, 0}}), points({{1, 0, 0}, {0, 0, 0}})).distortion ==
+        Approx(1 - std::sqrt((1 + 0 + 0.5 + 0) / 4)));
+}
+
+TEST_CASE("Unmoved rods cost exactly nothing, whatever the numbers")
+{
+  std::srand(7);
+  for (int n : {6, 36}) {
+    const Points a = Points::Random(3, n), b = Points::Random(3, 36);
+    const Rod_energy energy = Structural_rods(a, b).energy(a, b);
+    CHECK(energy.distortion == 0);
+    CHECK(energy.connectedness == 0);
+    // nor does a translation of both; scaling neither bends nor breaks
+    const Points shift = Points::Constant(3, 1, 0.25);
+    CHECK(Structural_rods(a, b).energy(a.colwise() + shift.col(0), b.colwise() + shift.col(0)).distortion ==
+          Approx(0).margin(1e-12));
+    CHECK(Structural_rods(a, b).energy(3 * a, 3 * b).distortion == Approx(0).margin(1e-12));
+  }
+}
+
+TEST_CASE("Eq. 5 and Eq. 1 by hand")
+{
+  CHECK(split_energy({1, 1, 1}) == 0);
+  CHECK(split_energy({1, 0.5}) == Approx(1 - std::sqrt(1.25 / 2)));
+  CHECK(split_energy({}) == 0);
+  CHECK(weighted_sum({1, 10, 100}, {}) == Approx(1 + 0.6 * 10 + 0.4 * 100));
+  CHECK(weighted_sum({1, 10, 100}, {0, 0}) == 1);
+}

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Shape_correspondence/align_shapes.h>
+
+#include "hand_made_graphs.h"
+
+#include <catch2/catch.hpp>
+
+using namespace CGAL::Shape_correspondence;
+
+TEST_CASE("Aligned shapes do not depend on position, scale, turning and part order")
+{
+  const Aligned_shape shape = align_shape(hand_made::chair());
+  const Aligned_shape moved = align_shape(hand_made::moved(hand_made::chair(), 0.5, 3.7, {5, -2, 8}));
+  REQUIRE(moved.parts.size() == shape.parts.size());
+  CHECK(moved.original == shape.original);
+  for (std::size_t i = 0; i < shape.parts.size(); ++i)
+    CHECK((moved.parts[i].samples - shape.parts[i].samples).cwiseAbs().maxCoeff() < 1e-12);
+}
+
+TEST_CASE("Samples: e on a curve, e x e on a sheet; contacts know their nearest samples")
+{
+  const Aligned_shape shape = align_shape(hand_made::chair());
+  for (std::size_t i = 0; i < shape.parts.size(); ++i)
+    CHECK(shape.parts[i].samples.cols() == (shape.original[i] < 2 ? 36 : 6));
+  REQUIRE(shape.contacts.size() == 5);
+  for (const Aligned_shape::Contact& c : shape.contacts) {
+    const Point a = shape.parts[c.parts[0]].samples.col(Eigen::Index(c.samples[0]));
+    const Point b = shape.parts[c.parts[1]].samples.col(Eigen::Index(c.samples[1]));
+    CHECK((a - b).norm() < 0.15); // at most one step of either grid away
+    CHECK(c.parts[0] < c.parts[1]);
+  }
+}
+
+TEST_CASE("Quarter turns: four of them lead back, to the bit")
+{
+  const Aligned_shape once = align_shape(hand_made::chair(), 1), none = align_shape(hand_made::chair());
+  const auto find = [](const Aligned_shape& shape, std::size_t original) {
+    for (std::size_t i = 0; i < shape.original.size(); ++i)
+      if (shape.original[i] == original) return shape.parts[i].samples;
+    return Points();
+  };
+  // counter-clockwise seen from above: front +z goes to +x
+  CHECK(find(once, 2).col(0).isApprox(Point(.25, 0, -.25)));
+  CHECK(find(align_shape(hand_made::chair(), 4), 2) == find(none, 2));
+}
+
+TEST_CASE("Alignments: nearest to the given orientation first")
+{
+  Shape_frame one_plane, no_plane;
+  one_plane.mirror_x = true;
+  CHECK(alignment_turns(one_plane, one_plane) == std::vector<int>{0, 2});
+  CHECK(alignment_turns(one_plane, no_plane).size() == 4);
+
+  for (int q = 0; q < 4; ++q) {
+    Shape_frame turned = no_plane; // the frame was found a quarter turn off, the shape given as it is
+    turned.axes = Eigen::AngleAxisd(q * EIGEN_PI / 2 + 0.3, Point::UnitY()).toRotationMatrix();
+    CHECK(alignment_turns(no_plane, turned).front() == q);
+  }
+}

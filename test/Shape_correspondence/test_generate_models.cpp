@@ -1,0 +1,274 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "generator/models.h"
+#include "generator/writer.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace gen = CGAL::Shape_correspondence::generator;
+namespace fs = std::filesystem;
+
+namespace {
+
+using gen::Mesh;
+using gen::Point;
+using Box = Eigen::AlignedBox3d;
+
+const fs::path data_folder = SHAPE_CORRESPONDENCE_DATA_DIR;
+
+std::string content_of(const fs::path& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+bool is_closed(const Mesh& mesh)
+{
+  std::map<std::pair<int, int>, int> uses;
+  for (const auto& f : mesh.faces)
+    for (int i = 0; i < 3; ++i)
+      ++uses[{f[i], f[(i + 1) % 3]}];
+  for (const auto& [edge, n] : uses) {
+    const auto opposite = uses.find({edge.second, edge.first});
+    if (n != 1 || opposite == uses.end() || opposite->second != 1) return false;
+  }
+  return true;
+}
+
+/// The volume of each connected component.
+std::vector<double> component_volumes(const Mesh& mesh)
+{
+  std::vector<int> root(mesh.points.size());
+  std::iota(root.begin(), root.end(), 0);
+  auto find = [&](int i) {
+    while (root[i] != i)
+      i = root[i] = root[root[i]];
+    return i;
+  };
+  for (const auto& f : mesh.faces) {
+    root[find(f[1])] = find(f[0]);
+    root[find(f[2])] = find(f[0]);
+  }
+  std::map<int, Mesh> components;
+  for (const auto& f : mesh.faces) {
+    Mesh& component = components[find(f[0])];
+    component.points = mesh.points;
+    component.faces.push_back(f);
+  }
+  std::vector<double> volumes;
+  for (const auto& component : components)
+    volumes.push_back(gen::volume(component.second));
+  return volumes;
+}
+
+bool self_intersects(const Mesh& mesh)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  CGAL::Surface_mesh<Kernel::Point_3> surface;
+  using Vertex = CGAL::SM_Vertex_index;
+  for (const Point& p : mesh.points)
+    surface.add_vertex({p.x(), p.y(), p.z()});
+  for (const auto& f : mesh.faces)
+    surface.add_face(Vertex(f[0]), Vertex(f[1]), Vertex(f[2]));
+  return CGAL::Polygon_mesh_processing::does_self_intersect(surface);
+}
+
+double squared_distance_to_segment(const Point& p, const Point& a, const Point& b)
+{
+  const double t = (p - a).dot(b - a) / (b - a).squaredNorm();
+  return (p - gen::between(a, b, std::min(1., std::max(0., t)))).squaredNorm();
+}
+
+double squared_distance(const Point& p, const Point& a, const Point& b, const Point& c)
+{
+  const Point normal = (b - a).cross(c - a);
+  auto inside = [&](const Point& from, const Point& to) { return normal.dot((to - from).cross(p - from)) >= 0; };
+  if (inside(a, b) && inside(b, c) && inside(c, a)) return std::pow(normal.dot(p - a), 2) / normal.squaredNorm();
+  return std::min({squared_distance_to_segment(p, a, b), squared_distance_to_segment(p, b, c),
+                   squared_distance_to_segment(p, c, a)});
+}
+
+bool crosses(const Point& p, const Point& q, const Point& a, const Point& b, const Point& c)
+{
+  auto side = [](const Point& u, const Point& v, const Point& w, const Point& x) {
+    return (v - u).cross(w - u).dot(x - u) > 0;
+  };
+  return side(a, b, c, p) != side(a, b, c, q) && side(p, q, a, b) == side(p, q, b, c) &&
+         side(p, q, b, c) == side(p, q, c, a);
+}
+
+Box box_of(const std::vector<Point>& points)
+{
+  Box box;
+  for (const Point& p : points)
+    box.extend(p);
+  return box;
+}
+
+/// Whether a point or an edge of `one` comes nearer than `tolerance` to a face of `other`, or goes through it.
+bool reaches(const Mesh& one, const Mesh& other, const Box& overlap, double tolerance)
+{
+  for (const auto& g : other.faces) {
+    const Point &a = other.points[g[0]], &b = other.points[g[1]], &c = other.points[g[2]];
+    Box around = box_of({a, b, c});
+    if (!around.intersects(overlap)) continue;
+    around.extend(around.min() - Point::Constant(tolerance));
+    around.extend(around.max() + Point::Constant(tolerance));
+    for (const auto& f : one.faces)
+      for (int i = 0; i < 3; ++i) {
+        const Point &p = one.points[f[i]], &q = one.points[f[(i + 1) % 3]];
+        if (!box_of({p, q}).intersects(around)) continue;
+        if (squared_distance(p, a, b, c) < tolerance * tolerance || crosses(p, q, a, b, c)) return true;
+      }
+  }
+  return false;
+}
+
+bool touch(const Mesh& one, const Mesh& other, double tolerance)
+{
+  const Point margin = Point::Constant(tolerance);
+  const Box a = box_of(one.points), b = box_of(other.points);
+  const Box wide_a(a.min() - margin, a.max() + margin), wide_b(b.min() - margin, b.max() + margin);
+  if (!wide_a.intersects(wide_b)) return false;
+  const Box overlap = wide_a.intersection(wide_b);
+  return reaches(one, other, overlap, tolerance) || reaches(other, one, overlap, tolerance);
+}
+
+/// Mirrored copies are exact; others differ by the rounding of both, the first one's turned along.
+constexpr double copy_tolerance = 1.25 * gen::grid_step;
+
+/// Parts closer than this part of the shape's diagonal count as touching.
+constexpr double touch_tolerance = 5e-4;
+
+double diagonal(const gen::Assembly& shape)
+{
+  Box box;
+  for (const gen::Part& part : shape.parts)
+    box.extend(box_of(part.solid.mesh.points));
+  return box.diagonal().norm();
+}
+
+const gen::Part& part_of(const gen::Assembly& shape, const std::string& name) { return shape.parts[shape.index(name)]; }
+
+} // namespace
+
+TEST_CASE("the models in data/ are what the generator makes", "[generate_models]")
+{
+  std::set<fs::path> expected;
+  for (const gen::Model& model : gen::models()) {
+    const gen::Assembly shape = model.make();
+    CHECK(shape.name == model.name);
+    for (const auto& [path, content] : gen::folder_files(shape)) {
+      INFO(path);
+      CHECK(content_of(data_folder / path) == content);
+      expected.insert(data_folder / path);
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(data_folder / model.name)) {
+      INFO(entry.path());
+      CHECK((entry.is_directory() || expected.count(entry.path()) == 1));
+    }
+  }
+}
+
+TEST_CASE("every part is a closed outward mesh without self-intersections", "[generate_models]")
+{
+  for (const gen::Model& model : gen::models())
+    for (const gen::Part& part : model.make().parts) {
+      const Mesh& mesh = part.solid.mesh;
+      INFO(model.name << ": " << part.name);
+      CHECK(is_closed(mesh));
+      CHECK(mesh.faces.size() >= 50);
+      CHECK(mesh.faces.size() <= 1500);
+      for (double volume : component_volumes(mesh))
+        CHECK(volume > 0);
+      CHECK_FALSE(self_intersects(mesh));
+    }
+}
+
+TEST_CASE("labels are complete and parts have names of their own", "[generate_models]")
+{
+  for (const gen::Model& model : gen::models()) {
+    const gen::Assembly shape = model.make();
+    INFO(model.name);
+    CHECK(shape.parts.size() >= 6);
+    CHECK(shape.parts.size() <= 30);
+    CHECK_FALSE(shape.category.empty());
+    std::set<std::string> names;
+    for (const gen::Part& part : shape.parts) {
+      CHECK_FALSE(part.label.coarse.empty());
+      CHECK(names.insert(part.name).second);
+    }
+  }
+}
+
+TEST_CASE("every part is in one group", "[generate_models]")
+{
+  for (const gen::Model& model : gen::models()) {
+    const gen::Assembly shape = model.make();
+    std::multiset<std::string> grouped;
+    for (const gen::Part_group& group : shape.groups)
+      grouped.insert(group.parts.begin(), group.parts.end());
+    INFO(model.name);
+    CHECK(grouped.size() == shape.parts.size());
+    for (const gen::Part& part : shape.parts)
+      CHECK(grouped.count(part.name) == 1);
+  }
+}
+
+TEST_CASE("groups are what they say", "[generate_models]")
+{
+  for (const gen::Model& model : gen::models()) {
+    const gen::Assembly shape = model.make();
+    for (const gen::Part_group& group : shape.groups) {
+      const Mesh& first = part_of(shape, group.parts[0]).solid.mesh;
+      for (std::size_t k = 1; k < group.parts.size(); ++k) {
+        INFO(model.name << ": " << group.parts[k]);
+        const Mesh& copy = part_of(shape, group.parts[k]).solid.mesh;
+        REQUIRE(copy.points.size() == first.points.size());
+        const bool mirror = group.symmetry == gen::Symmetry::reflection;
+        const Eigen::Isometry3d turn =
+            group.symmetry == gen::Symmetry::rotation
+                ? gen::rotation_about(group.point, group.direction, 2 * gen::pi * k / group.parts.size())
+                : Eigen::Isometry3d::Identity();
+        const Point shift =
+            group.symmetry == gen::Symmetry::translation ? Point(double(k) * group.direction) : Point(0, 0, 0);
+        double error = 0;
+        for (std::size_t i = 0; i < first.points.size(); ++i) {
+          const Point& p = first.points[i];
+          const Point image = mirror ? Point(-p.x(), p.y(), p.z()) : Point(turn * p + shift);
+          error = std::max(error, (copy.points[i] - image).cwiseAbs().maxCoeff());
+        }
+        CHECK(error <= (mirror ? 0. : copy_tolerance));
+      }
+    }
+  }
+}
+
+TEST_CASE("the stated contacts are the parts that touch", "[generate_models]")
+{
+  for (const gen::Model& model : gen::models()) {
+    const gen::Assembly shape = model.make();
+    const double tolerance = touch_tolerance * diagonal(shape);
+    const std::set<std::array<int, 2>> stated(shape.contacts.begin(), shape.contacts.end());
+    CHECK(stated.size() == shape.contacts.size());
+    for (int i = 0; i < int(shape.parts.size()); ++i)
+      for (int j = i + 1; j < int(shape.parts.size()); ++j) {
+        INFO(model.name << ": " << shape.parts[i].name << " and " << shape.parts[j].name);
+        CHECK(touch(shape.parts[i].solid.mesh, shape.parts[j].solid.mesh, tolerance) == (stated.count({i, j}) == 1));
+      }
+  }
+}

@@ -1,0 +1,198 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// `match` through the program on models of data/: complete results, the file format, invariance, reproducibility.
+#include <nlohmann/json.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+const fs::path data = SHAPE_CORRESPONDENCE_DATA_DIR;
+
+fs::path scratch()
+{
+  static const fs::path folder = [] {
+    const fs::path path = fs::temp_directory_path() / "shape_correspondence_test_match";
+    fs::remove_all(path);
+    fs::create_directories(path);
+    return path;
+  }();
+  return folder;
+}
+
+std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+
+json match(const fs::path& source, const fs::path& target, const std::string& options = "")
+{
+  const fs::path out = scratch() / "result.json";
+  fs::remove(out);
+  const std::string command = quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " match " + quoted(source) + " " + quoted(target) +
+                              " --quiet --json " + quoted(out) + " " + options;
+  REQUIRE(std::system(command.c_str()) == 0);
+  return json::parse(std::ifstream(out));
+}
+
+using Names = std::set<std::pair<std::string, std::string>>;
+
+Names pairs_of(const json& result)
+{
+  Names pairs;
+  for (const json& pair : result["pairs"])
+    pairs.emplace(pair[0], pair[1]);
+  return pairs;
+}
+
+// Copies a model with its vertices moved and its parts renamed.
+fs::path changed_copy(const std::string& model, const std::string& name,
+                      const std::function<void(double&, double&, double&)>& move,
+                      const std::function<std::string(const std::string&)>& rename)
+{
+  const fs::path folder = scratch() / name / "parts";
+  fs::create_directories(folder);
+  for (const auto& entry : fs::directory_iterator(data / model / "parts")) {
+    std::ifstream in(entry.path());
+    std::ofstream out(folder / (rename(entry.path().stem().string()) + ".obj"));
+    out.precision(17);
+    for (std::string line; std::getline(in, line);) {
+      if (line.rfind("v ", 0) == 0) {
+        std::istringstream numbers(line.substr(2));
+        double x, y, z;
+        numbers >> x >> y >> z;
+        move(x, y, z);
+        out << "v " << x << ' ' << y << ' ' << z << '\n';
+      } else
+        out << line << '\n';
+    }
+  }
+  return folder;
+}
+
+std::string same(const std::string& name) { return name; }
+void stay(double&, double&, double&) {}
+
+void turn_by_30_degrees(double& x, double&, double& z)
+{
+  const double a = std::acos(-1.0) / 6, turned = std::cos(a) * x + std::sin(a) * z;
+  z = -std::sin(a) * x + std::cos(a) * z;
+  x = turned;
+}
+
+} // namespace
+
+TEST_CASE("Pairs of models of a kind: complete, in the format, every part accounted for")
+{
+  const std::vector<std::pair<std::string, std::string>> models = {{"chair_four_legged", "chair_swivel"},
+                                                                   {"table_trestle", "table_pedestal"},
+                                                                   {"bicycle", "tricycle"},
+                                                                   {"airplane_propeller", "airplane_twin_engine"}};
+  for (const auto& pair : models) {
+    INFO(pair.first << " and " << pair.second);
+    const json result = match(data / pair.first, data / pair.second);
+    CHECK(result["format"] == "shape_correspondence/match");
+    CHECK(result["version"] == 1);
+    CHECK(result["complete"] == true);
+    CHECK(result["source"] == (data / pair.first).string());
+    CHECK(result["energy"].get<double>() ==
+          Approx(result["terms"]["distortion"].get<double>() + 0.6 * result["terms"]["connectedness"].get<double>() +
+                 0.4 * result["terms"]["split"].get<double>()));
+    for (const char* phase : {"read", "abstraction", "structure", "search"})
+      CHECK(result["seconds"][phase] >= 0);
+    CHECK(result["search"]["lower_bound"].get<double>() <= result["energy"].get<double>());
+
+    for (int side : {0, 1}) {
+      std::set<std::string> parts, seen;
+      const fs::path model = data / (side == 0 ? pair.first : pair.second) / "parts";
+      for (const auto& entry : fs::directory_iterator(model))
+        parts.insert(entry.path().stem().string());
+      for (const auto& names : pairs_of(result))
+        seen.insert(side == 0 ? names.first : names.second);
+      for (const json& name : result[side == 0 ? "unmatched_source" : "unmatched_target"])
+        CHECK(seen.insert(name).second);
+      CHECK(seen == parts);
+    }
+    // The shape that was deformed has no part left over
+    const char* deformed = result["direction"] == "source_to_target" ? "unmatched_source" : "unmatched_target";
+    CHECK(result[deformed].empty());
+  }
+}
+
+TEST_CASE("A model matches itself at no cost, part by part")
+{
+  for (const char* model : {"chair_slatted", "bicycle", "table_pedestal"}) {
+    INFO(model);
+    const json result = match(data / model, data / model);
+    CHECK(result["energy"] == 0);
+    for (const auto& pair : pairs_of(result))
+      CHECK(pair.first == pair.second);
+    CHECK(result["unmatched_source"].empty());
+  }
+}
+
+TEST_CASE("Moving, scaling, turning by 30 degrees and shuffling parts changes no pair")
+{
+  const std::string source = "chair_slatted", target = "chair_swivel";
+  const Names expected = pairs_of(match(data / source, data / target));
+
+  const auto move = [](double& x, double& y, double& z) { x += 3.3, y -= 17.1, z += 0.7; };
+  const auto scale = [](double& x, double& y, double& z) { x *= 39.37, y *= 39.37, z *= 39.37; };
+  CHECK(pairs_of(match(data / source, changed_copy(target, "moved", move, same))) == expected);
+  CHECK(pairs_of(match(data / source, changed_copy(target, "scaled", scale, same))) == expected);
+  CHECK(pairs_of(match(data / source, changed_copy(target, "turned", turn_by_30_degrees, same))) == expected);
+  CHECK(pairs_of(match(changed_copy(source, "turned_source", turn_by_30_degrees, same), data / target)) == expected);
+
+  // Names reversed letter by letter come in another order
+  const auto reversed = [](const std::string& name) { return std::string(name.rbegin(), name.rend()); };
+  Names restored;
+  for (const auto& pair : pairs_of(match(data / source, changed_copy(target, "shuffled", stay, reversed))))
+    restored.emplace(pair.first, reversed(pair.second));
+  CHECK(restored == expected);
+}
+
+TEST_CASE("Two runs, and runs with one and two threads, give the same file but for the seconds")
+{
+  const auto without_seconds = [](json result) {
+    result.erase("seconds");
+    return result.dump();
+  };
+  const auto run = [&](const std::string& threads) {
+    return without_seconds(match(data / "chair_swivel", data / "chair_spindle", "--threads " + threads));
+  };
+  const std::string first = run("1");
+  CHECK(run("1") == first);
+  CHECK(run("2") == first);
+}
+
+TEST_CASE("A saved graph matches as its model does")
+{
+  const fs::path graph = scratch() / "graph.json";
+  const std::string command = quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " graph " + quoted(data / "chair_four_legged") +
+                              " -o " + quoted(graph) + " --quiet";
+  REQUIRE(std::system(command.c_str()) == 0);
+  const json from_model = match(data / "chair_four_legged", data / "stool"), from_graph = match(graph, data / "stool");
+  CHECK(from_graph["pairs"] == from_model["pairs"]);
+  CHECK(from_graph["energy"] == from_model["energy"]);
+}
+
+TEST_CASE("The exact search costs no more than the beam, and proves it")
+{
+  const json beam = match(data / "bicycle", data / "tricycle", "--search beam --direction forward");
+  const json exact = match(data / "bicycle", data / "tricycle", "--search exact --direction forward");
+  CHECK(exact["energy"].get<double>() <= beam["energy"].get<double>() + 1e-9);
+  CHECK(exact["optimal"] == true);
+  CHECK(exact["search"]["lower_bound"] == exact["energy"]);
+}
