@@ -34,6 +34,7 @@ struct Totals
 {
   std::size_t shapes = 0, parts = 0, groups = 0, large_groups = 0, mixed_groups = 0, contacts = 0, pieces = 0,
               joins = 0;
+  std::size_t stated_contacts = 0, stated_contacts_found = 0, comparable_contacts = 0;
   std::size_t equal_sets = 0, gathered_sets = 0;
   double symmetry_seconds = 0, contact_seconds = 0;
 };
@@ -50,6 +51,22 @@ std::map<std::string, Label> read_labels(const std::string& folder)
     labels[text("name")] = {text("coarse"), text("fine")};
   }
   return labels;
+}
+
+using Name_pair = std::pair<std::string, std::string>;
+
+/// The contacts that structure.json states, if the folder has one.
+std::set<Name_pair> stated_contacts(const std::string& folder)
+{
+  std::set<Name_pair> result;
+  std::ifstream file(folder + "/structure.json");
+  if (!file) return result;
+  const nlohmann::json document = nlohmann::json::parse(file);
+  for (const auto& contact : document.at("contacts")) {
+    const auto names = contact.at("parts").get<std::vector<std::string>>();
+    result.insert(std::minmax(names[0], names[1]));
+  }
+  return result;
 }
 
 double mesh_area(const SC::Part_mesh& mesh)
@@ -191,6 +208,12 @@ void measure(const std::string& folder, bool quiet, Totals& totals)
       std::cout << "\n";
     }
   }
+  const std::set<Name_pair> stated = stated_contacts(folder);
+  for (const SC::Contact& contact : contacts)
+    totals.stated_contacts_found +=
+        stated.count(std::minmax(parts[contact.parts[0]].name, parts[contact.parts[1]].name));
+  totals.stated_contacts += stated.size();
+  if (!stated.empty()) totals.comparable_contacts += contacts.size();
   for (const std::string& warning : warnings)
     if (!quiet) std::cout << "  " << warning << "\n";
   ++totals.shapes;
@@ -212,7 +235,11 @@ void print(const Totals& t)
             << "\nsets of equal parts in one group or in mirrored pairs: " << t.gathered_sets << " of " << t.equal_sets
             << " (" << 100.0 * t.gathered_sets / std::max<std::size_t>(1, t.equal_sets) << " %)\ncontacts "
             << t.contacts << "; shapes in pieces before joining: " << t.pieces << ", joined by " << t.joins
-            << " pairs\nseconds: symmetry " << t.symmetry_seconds << ", contacts " << t.contact_seconds << "\n";
+            << " pairs\n";
+  if (t.stated_contacts > 0)
+    std::cout << "contacts stated " << t.stated_contacts << ", found of those " << t.stated_contacts_found
+              << ", found where stated " << t.comparable_contacts << "\n";
+  std::cout << "seconds: symmetry " << t.symmetry_seconds << ", contacts " << t.contact_seconds << "\n";
 }
 
 } // namespace
