@@ -20,6 +20,7 @@ namespace internal {
 namespace contacts {
 
 constexpr double SLACK = 1 + 1e-9;   ///< so that a gap of exactly the tolerance is a contact in every pose
+constexpr double BRIDGE_GAP = 0.1;   ///< over the tolerance: gaps up to this are contacts whatever is between
 constexpr double NEAR_BAND = 0.5;    ///< over the tolerance: what is this much farther than the least distance is near
 constexpr int DISTANCE_SAMPLES = 64; ///< a part, to find the least distance
 constexpr int REGION_SAMPLES = 128;  ///< a part, to find the middle of the contact
@@ -128,10 +129,11 @@ public:
 
   std::vector<Contact> operator()(std::vector<std::string>& warnings) const
   {
-    std::vector<Contact> contacts;
+    std::vector<Proximity> near;
     for (std::size_t a = 0; a < parts_.size(); ++a)
       for (std::size_t b = a + 1; b < parts_.size(); ++b)
-        add_if_touching(a, b, contacts);
+        add_if_touching(a, b, near);
+    std::vector<Contact> contacts = without_bridged_gaps(near, parts_.size(), BRIDGE_GAP * tolerance_);
     join_pieces(
         parts_, diagonal_, [this](std::size_t a, std::size_t b) { return box_distance(a, b); },
         [this](std::size_t a, std::size_t b) { return proximity(a, b); }, contacts, warnings);
@@ -158,15 +160,17 @@ private:
            (a.box().contains(b.box()) && a.encloses(b.any_point()));
   }
 
-  void add_if_touching(std::size_t a, std::size_t b, std::vector<Contact>& contacts) const
+  void add_if_touching(std::size_t a, std::size_t b, std::vector<Proximity>& near) const
   {
     if (box_distance(a, b) > tolerance_ * SLACK) return;
     const Part_surface &surface_a = *surfaces_[a], &surface_b = *surfaces_[b];
     Near_region region = near_region(surface_a, surface_b, tolerance_ * SLACK);
     if (!std::isfinite(region.distance)) return;
     if (region.distance > NEAR_BAND * tolerance_ && surface_a.intersects(surface_b)) region.distance = 0;
-    if (region.distance <= tolerance_ * SLACK || one_encloses_the_other(surface_a, surface_b))
-      contacts.push_back(contact(a, b, region));
+    if (region.distance <= tolerance_ * SLACK)
+      near.push_back({region.distance, contact(a, b, region)});
+    else if (one_encloses_the_other(surface_a, surface_b))
+      near.push_back({0, contact(a, b, region)});
   }
 
   /// The distance of two parts however far they are: what is found within the reach is the least.
@@ -244,12 +248,13 @@ public:
 
   std::vector<Contact> operator()(std::vector<std::string>& warnings) const
   {
-    std::vector<Contact> contacts;
+    std::vector<Proximity> near;
     for (std::size_t a = 0; a < parts_.size(); ++a)
       for (std::size_t b = a + 1; b < parts_.size(); ++b) {
         const Proximity pair = proximity(a, b);
-        if (pair.distance <= tolerance_ * SLACK) contacts.push_back(pair.contact);
+        if (pair.distance <= tolerance_ * SLACK) near.push_back(pair);
       }
+    std::vector<Contact> contacts = without_bridged_gaps(near, parts_.size(), BRIDGE_GAP * tolerance_);
     join_pieces(
         parts_, diagonal_, [](std::size_t, std::size_t) { return 0.0; },
         [this](std::size_t a, std::size_t b) { return proximity(a, b); }, contacts, warnings);

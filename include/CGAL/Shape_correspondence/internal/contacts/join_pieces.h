@@ -60,6 +60,31 @@ struct Proximity
   Contact contact;
 };
 
+constexpr double BRIDGE_FRACTION = 0.5; ///< how much nearer than the gap a part that bridges it must be to both sides
+
+/// The contacts of near pairs but for gaps that a third part bridges: if it is much nearer to either part than they are
+/// to each other, they are held together by it and do not touch. Gaps up to `negligible` stay.
+inline std::vector<Contact> without_bridged_gaps(const std::vector<Proximity>& near, std::size_t parts,
+                                                 double negligible)
+{
+  std::vector<std::vector<std::pair<std::size_t, double>>> neighbours(parts);
+  for (const Proximity& pair : near) {
+    neighbours[pair.contact.parts[0]].emplace_back(pair.contact.parts[1], pair.distance);
+    neighbours[pair.contact.parts[1]].emplace_back(pair.contact.parts[0], pair.distance);
+  }
+  const auto is_bridged = [&](const Proximity& pair) {
+    const double limit = BRIDGE_FRACTION * pair.distance;
+    for (const auto& [bridge, distance] : neighbours[pair.contact.parts[0]])
+      for (const auto& [other, other_distance] : neighbours[bridge])
+        if (other == pair.contact.parts[1] && std::max(distance, other_distance) < limit) return true;
+    return false;
+  };
+  std::vector<Contact> result;
+  for (const Proximity& pair : near)
+    if (pair.distance <= negligible || !is_bridged(pair)) result.push_back(pair.contact);
+  return result;
+}
+
 inline std::string join_warning(const std::vector<Part_abstraction>& parts, const Proximity& pair, double diagonal)
 {
   const double percent = std::round(1000 * pair.distance / diagonal) / 10;
