@@ -10,6 +10,11 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
 #include <utility>
 
 namespace CGAL {
