@@ -11,12 +11,12 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/internal/contacts/sample_triangles.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -31,13 +31,6 @@ inline Box widened(const Box& box, double by)
 {
   return Box(box.min() - Point::Constant(by), box.max() + Point::Constant(by));
 }
-
-/// Points on a piece of surface and the area that each stands for.
-struct Surface_samples
-{
-  std::vector<Point> points;
-  std::vector<double> areas;
-};
 
 /// A convex polygon, as clipping a triangle makes them.
 using Polygon = std::vector<Point>;
@@ -64,13 +57,6 @@ inline Polygon clipped(Polygon polygon, const Box& box)
   return polygon;
 }
 
-/// A triangle by its corner and two sides, with its area.
-struct Sampled_triangle
-{
-  Point corner, side_1, side_2;
-  double area;
-};
-
 inline void add_fan(const Polygon& polygon, std::vector<Sampled_triangle>& triangles)
 {
   for (std::size_t i = 2; i < polygon.size(); ++i) {
@@ -78,29 +64,6 @@ inline void add_fan(const Polygon& polygon, std::vector<Sampled_triangle>& trian
     const double area = u.cross(v).norm() / 2;
     if (area > 0) triangles.push_back({polygon[0], u, v, area});
   }
-}
-
-/// `n` points, evenly spread by area; the k-th takes its place in its triangle from a low-discrepancy sequence.
-inline Surface_samples sample_triangles(const std::vector<Sampled_triangle>& triangles, int n)
-{
-  constexpr double STEP_1 = 0.7548776662466927, STEP_2 = 0.5698402909980532; // powers of the plastic number
-  double total = 0;
-  for (const Sampled_triangle& t : triangles)
-    total += t.area;
-  Surface_samples samples;
-  std::size_t current = 0;
-  double passed = 0;
-  for (int k = 0; k < n && !triangles.empty(); ++k) {
-    const double target = (k + 0.5) / n * total;
-    while (current + 1 < triangles.size() && passed + triangles[current].area < target)
-      passed += triangles[current++].area;
-    double u = std::fmod((k + 1) * STEP_1, 1.0), v = std::fmod((k + 1) * STEP_2, 1.0);
-    if (u + v > 1) u = 1 - u, v = 1 - v;
-    const Sampled_triangle& t = triangles[current];
-    samples.points.push_back(t.corner + u * t.side_1 + v * t.side_2);
-    samples.areas.push_back(total / n);
-  }
-  return samples;
 }
 
 /// The surface of a part, ready for distance and intersection queries.
