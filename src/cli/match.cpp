@@ -131,7 +131,6 @@ Search_options search_options(const Match_options& match, const po::variables_ma
   if (values.count("max-parts")) check_at_least("max-parts", match.search.maximum_parts, 1);
   Search_options search = match.search;
   search.method = match.method == "exact" ? Search_method::EXACT : Search_method::BEAM;
-  search.method = match.method == "exact" ? Search_method::EXACT : Search_method::BEAM;
   search.both_directions = match.direction == "both";
   search.alignments = parse_alignments(match);
   search.weights = parse_weights(match.weights);

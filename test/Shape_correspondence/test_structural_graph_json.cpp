@@ -170,7 +170,6 @@ TEST_CASE("Malformed graphs are refused with the place and the reason")
   CHECK_THAT(complaint_after([](json& d) { d["version"] = 2; }), Contains("version") && Contains("2"));
   CHECK_THAT(complaint_after([](json& d) { d.erase("parts"); }), Contains("\"parts\""));
   CHECK_THAT(complaint_after([](json& d) { d = json::array(); }), Contains("not an object"));
-  CHECK_THAT(complaint_after([](json& d) { d["parts"].erase(1, 6); }), Contains("parts") || Contains("json"));
   CHECK_THAT(complaint_after([](json& d) { d["parts"] = json::array({d["parts"][0]}); }), Contains("fewer than two"));
   CHECK_THAT(complaint_after([](json& d) { d["parts"][2]["points"][1][0] = "x"; }),
              Contains("parts[2].points[1][0] is not a number"));
