@@ -5,3 +5,14 @@
 
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/internal/build_structural_graph_impl.h>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+template Structural_graph build_structural_graph<CGAL::Sequential_tag>(const Segmented_shape&, const Structure_options&,
+                                                                       Structure_times*);
+template Structural_graph build_structural_graph<CGAL::Parallel_tag>(const Segmented_shape&, const Structure_options&,
+                                                                     Structure_times*);
+
+} // namespace Shape_correspondence
+} // namespace CGAL
