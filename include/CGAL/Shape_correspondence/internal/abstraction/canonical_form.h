@@ -8,7 +8,7 @@
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
-#include <CGAL/Shape_correspondence/internal/Part_abstraction_impl.h>
+#include <CGAL/Shape_correspondence/internal/curve_and_sheet_geometry.h>
 
 #include <Eigen/Geometry>
 

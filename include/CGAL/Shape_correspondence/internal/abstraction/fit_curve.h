@@ -9,6 +9,7 @@
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/internal/Nearest_points.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/spatial_graph.h>
+#include <CGAL/Shape_correspondence/internal/curve_and_sheet_geometry.h>
 
 #include <algorithm>
 #include <limits>

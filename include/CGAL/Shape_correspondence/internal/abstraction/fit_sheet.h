@@ -8,7 +8,7 @@
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/internal/Nearest_points.h>
-#include <CGAL/Shape_correspondence/internal/Part_abstraction_impl.h>
+#include <CGAL/Shape_correspondence/internal/curve_and_sheet_geometry.h>
 #include <CGAL/Shape_correspondence/internal/planar_hull.h>
 
 #include <Eigen/Cholesky>
