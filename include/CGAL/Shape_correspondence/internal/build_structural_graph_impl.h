@@ -10,6 +10,8 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 
+#include <Eigen/Geometry>
+
 #include <utility>
 
 namespace CGAL {
