@@ -88,8 +88,8 @@ Eigen::Matrix3Xi grid_triangles(int rows, int cols, bool ring_rows, bool ring_co
   for (int i = 0; i < row_steps; ++i) {
     for (int j = 0; j < col_steps; ++j) {
       const int i1 = (i + 1) % rows, j1 = (j + 1) % cols;
-      triangles.col(t++) << i * cols + j, i1 * cols + j, i1 * cols + j1;
-      triangles.col(t++) << i * cols + j, i1 * cols + j1, i * cols + j1;
+      triangles.col(t++) << i * cols + j, i1 * cols + j1, i1 * cols + j;
+      triangles.col(t++) << i * cols + j, i * cols + j1, i1 * cols + j1;
     }
   }
   return triangles;

@@ -21,13 +21,12 @@ using Soup_point = Exact_predicates_inexact_constructions_kernel::Point_3;
 using Soup_points = std::vector<Soup_point>;
 using Soup_polygons = std::vector<std::vector<std::size_t>>;
 
-bool read_soup(const std::string& file, Soup_points& points, Soup_polygons& polygons)
+bool is_ply(const std::string& file)
 {
   std::ifstream in(file, std::ios::binary);
-  const std::string magic{static_cast<char>(in.get()), static_cast<char>(in.get()), static_cast<char>(in.get())};
-  in.seekg(0);
-  if (magic == "ply") return CGAL::IO::read_PLY(in, points, polygons);
-  return CGAL::IO::read_OFF(in, points, polygons);
+  std::string magic(3, ' ');
+  in.read(magic.data(), 3);
+  return magic == "ply";
 }
 
 } // namespace
@@ -36,8 +35,15 @@ std::vector<Model_part> read_soup_part(const std::string& file)
 {
   Soup_points points;
   Soup_polygons polygons;
-  // assimp knows more dialects, at single precision
-  if (!read_soup(file, points, polygons) || polygons.empty()) return read_parts_with_assimp(file);
+  std::ifstream in(file, std::ios::binary);
+  const auto silent = parameters::verbose(false);
+  if (is_ply(file)) {
+    // assimp knows more dialects, at single precision
+    if (!CGAL::IO::read_PLY(in, points, polygons, silent)) return read_parts_with_assimp(file);
+  } else if (!CGAL::IO::read_OFF(in, points, polygons, silent))
+    throw Invalid_input(file + ": it cannot be read as an OFF model; it is another kind of file or damaged (a number "
+                               "that is none, a face that uses a missing vertex)");
+  if (polygons.empty()) throw Invalid_input(file + ": there is no face in it; a model needs a mesh for every part");
   Model_part part;
   std::vector<Point> polygon;
   for (const std::vector<std::size_t>& indices : polygons) {

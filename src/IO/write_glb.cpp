@@ -17,9 +17,9 @@ namespace Shape_correspondence {
 namespace IO {
 namespace {
 
-constexpr double gap = 0.15;             // between the shapes, over the wider one's width
-constexpr double tube_radius = 0.012;    // over the shape's diagonal
-constexpr double contact_radius = 0.018; // over the shape's diagonal
+constexpr double gap = 0.25;             // between the shapes, over the wider one's width
+constexpr double tube_radius = 0.009;    // over the shape's diagonal
+constexpr double contact_radius = 0.014; // over the shape's diagonal
 constexpr double surface_alpha = 0.25;
 
 Eigen::Matrix3d quarter_turns(int turns)

@@ -37,7 +37,7 @@ po::options_description common_options(Common_options& options)
       "the upright axis of model files: x, y or z. COLLADA files say it themselves and are turned to y up; a graph "
       "file says it, too");
   add("no-symmetry", po::bool_switch(&options.no_symmetry), "take every part as a group of its own");
-  add("threads", po::value(&options.threads)->value_name("N"),
+  add("threads", po::value(&options.threads)->value_name("N")->notifier([](int n) { check_at_least("threads", n, 1); }),
       "threads to use; default: all of the machine. The result is the same for any number");
   add("seed", po::value(&options.seed)->value_name("N"),
       "seed of random choices; there are none yet, every result is reproducible");

@@ -65,7 +65,7 @@ public:
         result = plane;
       }
     }
-    return refined(result);
+    return refined(tightest_alternative(result));
   }
 
   /// The best plane of a given normal: through the middle of the extent along it or through the centroid.
@@ -84,7 +84,7 @@ public:
   }
 
   /// A mirror image of points that are spread evenly but independently lies about one spacing away.
-  bool is_mirror(const Mirror_plane& plane) const { return plane.residual < spacing_ + 0.008 * extent_; }
+  bool is_mirror(const Mirror_plane& plane) const { return plane.residual < spacing_ + 0.01 * extent_; }
 
 private:
   static std::vector<Eigen::Index> sorted_indices(Eigen::Index n, Eigen::Index limit)
@@ -112,7 +112,9 @@ private:
       const Point p = points_.col(queries_[i]);
       plane.residual += nearest_.distance(p - 2 * (normal.dot(p) - plane.offset) * normal);
     }
-    plane.residual /= static_cast<double>(queries_.size());
+    // Exact symmetry up to rounding noise is no better than exact symmetry.
+    const double noise = 0.02;
+    plane.residual = std::max(plane.residual / static_cast<double>(queries_.size()), noise * spacing_);
     return plane;
   }
 
@@ -161,10 +163,32 @@ private:
     }
   }
 
+  double rectangle_area(const Eigen::Vector2d& side) const
+  {
+    Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const Eigen::Vector2d& p : hull_) {
+      const Eigen::Array2d x(side.dot(p), quarter_turn(side).dot(p));
+      low = low.min(x);
+      high = high.max(x);
+    }
+    return (high - low).prod();
+  }
+
+  /// What has two mirror planes along its sides and two along its diagonals, like a square table, is seen along its
+  /// sides.
+  Mirror_plane tightest_alternative(const Mirror_plane& plane) const
+  {
+    const double as_good = 1.3, tighter = 0.99;
+    const Mirror_plane diagonal = score(Eigen::Rotation2Dd(0.25 * EIGEN_PI) * plane.normal);
+    const bool better = is_mirror(plane) && diagonal.residual < as_good * plane.residual &&
+                        rectangle_area(diagonal.normal) < tighter * rectangle_area(plane.normal);
+    return better ? diagonal : plane;
+  }
+
   /// Searches nearby directions if a plane is no good as it is.
   Mirror_plane refined(Mirror_plane plane) const
   {
-    const double clearly = 0.85;
+    const double clearly = 0.98;
     if (plane.residual < 0.5 * spacing_) {
       return plane;
     }

@@ -7,9 +7,9 @@
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACT_PART_IMPL_H
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
-#include <CGAL/Shape_correspondence/internal/Part_abstraction_impl.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/abstract_mesh.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/congruence.h>
+#include <CGAL/Shape_correspondence/internal/curve_and_sheet_geometry.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>

@@ -117,7 +117,9 @@ private:
     flow.run_to_volume(options_.stop_volume);
     const Spatial_graph meso = flow.meso_skeleton();
     const double area_kept = flow.area_kept();
-    const Intrinsic_layout layout = intrinsic_layout(Spatial_graph_view(meso));
+    Spatial_graph_view layer(meso);
+    layer.connect_near(options_.edge_length * diagonal(solid_points));
+    const Intrinsic_layout layout = intrinsic_layout(layer);
     const Intrinsic_kind kind = intrinsic_kind(layout.extents, area_kept);
     if (kind == Intrinsic_kind::FLAT && !has_handle) {
       use_sheet(meso);

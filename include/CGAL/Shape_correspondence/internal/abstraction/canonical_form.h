@@ -8,7 +8,7 @@
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
-#include <CGAL/Shape_correspondence/internal/Part_abstraction_impl.h>
+#include <CGAL/Shape_correspondence/internal/curve_and_sheet_geometry.h>
 
 #include <Eigen/Geometry>
 
@@ -59,6 +59,11 @@ inline Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
         known->second = std::min(known->second, corners);
       }
     }
+  }
+  if (triangles.empty()) {
+    // Thinner than the grid.
+    const double finer = 1e-4, finest = 1e-20;
+    return grid > finest ? canonical_mesh(mesh, finer * grid) : mesh;
   }
   result.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
   Eigen::Index t = 0;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -39,6 +40,25 @@ public:
       if (a != b && std::find(neighbours(a).begin(), neighbours(a).end(), b) == neighbours(a).end()) {
         neighbours_[static_cast<std::size_t>(a)].push_back(b);
         neighbours_[static_cast<std::size_t>(b)].push_back(a);
+      }
+    }
+  }
+
+  /// Joins all vertices that are nearer to each other than a radius. The two sides of a flattened meso-skeleton are
+  /// connected at its rim only; this makes them one layer.
+  void connect_near(double radius)
+  {
+    std::vector<int> order(neighbours_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(),
+              [this](int a, int b) { return point(a).x() != point(b).x() ? point(a).x() < point(b).x() : a < b; });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      for (std::size_t j = i + 1; j < order.size() && point(order[j]).x() - point(order[i]).x() < radius; ++j) {
+        const int a = order[i], b = order[j];
+        if (length(a, b) < radius && std::find(neighbours(a).begin(), neighbours(a).end(), b) == neighbours(a).end()) {
+          neighbours_[static_cast<std::size_t>(a)].push_back(b);
+          neighbours_[static_cast<std::size_t>(b)].push_back(a);
+        }
       }
     }
   }

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hand_made_graphs.h"
+
+#include <CGAL/Shape_correspondence/IO/correspondence_json.h>
+
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <sstream>
+
+using namespace CGAL::Shape_correspondence;
+using nlohmann::json;
+
+namespace {
+
+Correspondence back_splits()
+{
+  Correspondence c;
+  c.pairs = {{0, 0}, {1, 1}, {1, 2}};
+  c.groups = {{{0}, {0}, Operation::MATCH, 0.1}, {{1}, {1, 2}, Operation::SPLIT, 1.0 / 3}};
+  c.contacts = {{{0, 1}, 0.25, 0.5}};
+  c.unmatched_source = {2, 3, 4, 5};
+  c.unmatched_target = {3};
+  c.energy = 0.1 + 0.2; // not 0.3
+  c.terms = {0.1, 0.2, 0.7};
+  c.complete = true;
+  c.search = {"beam", 7, 11, 0.05};
+  c.warnings = {"A \"quoted\" warning."};
+  return c;
+}
+
+json written(const Correspondence& c)
+{
+  std::ostringstream out;
+  IO::write_correspondence_json(out, c, hand_made::chair(), hand_made::slatted_chair(), "a.obj", "b.obj",
+                                {0.5, 1.5, 2.5, 3.5});
+  return json::parse(out.str());
+}
+
+} // namespace
+
+TEST_CASE("A correspondence is written as the format says")
+{
+  const json result = written(back_splits());
+  CHECK(result["format"] == "shape_correspondence/match");
+  CHECK(result["version"] == 1);
+  CHECK(result["source"] == "a.obj");
+  CHECK(result["target"] == "b.obj");
+  CHECK(result["energy"].get<double>() == 0.1 + 0.2);
+  CHECK(result["terms"] == json({{"distortion", 0.1}, {"connectedness", 0.2}, {"split", 0.7}}));
+  CHECK(result["direction"] == "source_to_target");
+  CHECK(result["complete"] == true);
+  CHECK(result["optimal"] == false);
+  CHECK(result["pairs"] == json::parse(R"([["seat", "seat"], ["back", "slat 1"], ["back", "slat 2"]])"));
+  REQUIRE(result["groups"].size() == 2);
+  CHECK(result["groups"][1]["source"] == json::array({"back"}));
+  CHECK(result["groups"][1]["target"] == json::parse(R"(["slat 1", "slat 2"])"));
+  CHECK(result["groups"][1]["operation"] == "split");
+  CHECK(result["groups"][1]["energy"].get<double>() == 1.0 / 3);
+  CHECK(result["contacts"][0]["parts"] == json::parse(R"(["seat", "back"])"));
+  CHECK(result["unmatched_source"].size() == 4);
+  CHECK(result["unmatched_target"] == json::array({"slat 3"}));
+  CHECK(result["seconds"] == json({{"read", 0.5}, {"abstraction", 1.5}, {"structure", 2.5}, {"search", 3.5}}));
+  CHECK(result["search"] == json({{"method", "beam"}, {"states", 7}, {"evaluations", 11}, {"lower_bound", 0.05}}));
+  CHECK(result["warnings"] == json::array({"A \"quoted\" warning."}));
+}
+
+TEST_CASE("Seen from the target, contacts are the target's and pairs stay source first")
+{
+  Correspondence c = back_splits();
+  c.direction = Direction::TARGET_TO_SOURCE;
+  const json result = written(c);
+  CHECK(result["direction"] == "target_to_source");
+  CHECK(result["contacts"][0]["parts"] == json::parse(R"(["seat", "slat 1"])"));
+  CHECK(result["pairs"][1] == json::parse(R"(["back", "slat 1"])"));
+}
+
+TEST_CASE("An empty correspondence has empty lists")
+{
+  const json result = written(Correspondence());
+  for (const char* key : {"pairs", "groups", "unmatched_source", "unmatched_target", "warnings"}) {
+    INFO(key);
+    CHECK(result[key] == json::array());
+  }
+}

@@ -1,0 +1,222 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hand_made_graphs.h"
+#include "model_files.h"
+
+#include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <sys/wait.h>
+
+// The program from outside: exit status, messages, and what it leaves behind.
+
+using namespace CGAL::Shape_correspondence;
+using namespace model_files;
+using Catch::Matchers::Contains;
+using nlohmann::json;
+
+namespace {
+
+struct Run
+{
+  int status;
+  std::string out;
+  std::string error;
+};
+
+std::string quoted(const std::string& word) { return "'" + word + "'"; }
+
+/// Runs the program. \param arguments as a shell takes them
+Run run(const std::string& arguments)
+{
+  const Temporary_folder folder;
+  const int status = std::system((quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " " + arguments + " >" +
+                                  quoted(folder.path("out")) + " 2>" + quoted(folder.path("error")))
+                                     .c_str());
+  REQUIRE(WIFEXITED(status));
+  return {WEXITSTATUS(status), text_of(folder.path("out")), text_of(folder.path("error"))};
+}
+
+std::string graph_file(const Temporary_folder& folder, const std::string& name, const Structural_graph& graph)
+{
+  std::ostringstream text;
+  IO::write_structural_graph_json(text, graph);
+  return folder.write(name, text.str());
+}
+
+/// An input that must be refused: status 1, one message on standard error that names the file, nothing left behind.
+std::string refused(const Temporary_folder& folder, const std::string& input)
+{
+  const std::size_t files = folder.number_of_files();
+  const std::string good = graph_file(folder, "good.json", hand_made::chair());
+  const std::string outputs = " --json " + quoted(folder.path("r.json")) + " --glb " + quoted(folder.path("r.glb"));
+  std::string message;
+  for (const std::string& command : {"graph " + quoted(input), "match " + quoted(good) + " " + quoted(input),
+                                     "match " + quoted(input) + " " + quoted(good)}) {
+    const Run result = run(command + outputs);
+    INFO(command + "\n" + result.error);
+    CHECK(result.status == 1);
+    CHECK(result.out.empty());
+    CHECK_THAT(result.error, Contains(input));
+    CHECK(folder.number_of_files() == files + 1);
+    message = result.error;
+  }
+  fs::remove(good);
+  return message;
+}
+
+} // namespace
+
+TEST_CASE("Help at both levels and the version")
+{
+  const Run help = run("--help");
+  CHECK(help.status == 0);
+  CHECK_THAT(help.out, Contains("graph") && Contains("match") && Contains("Example"));
+  for (const char* command : {"graph", "match"}) {
+    const Run of_command = run(std::string(command) + " --help");
+    CHECK(of_command.status == 0);
+    CHECK_THAT(of_command.out, Contains("Usage") && Contains("Example") && Contains("--json") && Contains("--threads"));
+  }
+  CHECK_THAT(run("match --help").out, Contains("the paper's K") && Contains("=20"));
+  CHECK_THAT(run("--version").out, Contains(CGAL_SHAPE_CORRESPONDENCE_VERSION));
+}
+
+TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
+{
+  const Temporary_folder folder;
+  const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair()));
+  for (const std::string& arguments : {std::string(),
+                                       std::string("paint"),
+                                       std::string("--nonsense"),
+                                       std::string("match"),
+                                       "match " + a,
+                                       "match " + a + " " + a + " " + a,
+                                       "graph " + a + " " + a,
+                                       "match " + a + " " + a + " --nonsense",
+                                       "match " + a + " " + a + " --beam 3",
+                                       "match " + a + " " + a + " --html r.html",
+                                       "match " + a + " " + a + " --solutions 3",
+                                       "match " + a + " " + a + " --beam-width 0",
+                                       "match " + a + " " + a + " --beam-width many",
+                                       "match " + a + " " + a + " --expansions -1",
+                                       "match " + a + " " + a + " --direction backward",
+                                       "match " + a + " " + a + " --search luck",
+                                       "match " + a + " " + a + " --weights 1",
+                                       "match " + a + " " + a + " --weights 1,x",
+                                       "match " + a + " " + a + " --weights -1,1",
+                                       "match " + a + " " + a + " --alignments 0",
+                                       "match " + a + " " + a + " --front left",
+                                       "match " + a + " " + a + " --max-parts 0",
+                                       "match " + a + " " + a + " --threads 0",
+                                       "match " + a + " " + a + " --json - --glb -",
+                                       "graph " + a + " --up up",
+                                       "graph " + a + " --progress sometimes",
+                                       "graph " + a + " --json"}) {
+    INFO(arguments);
+    const Run result = run(arguments);
+    CHECK(result.status == 2);
+    CHECK(result.out.empty());
+    CHECK_THAT(result.error, Contains("--help"));
+  }
+}
+
+TEST_CASE("Inputs that cannot be used end with status 1, a message and nothing left behind")
+{
+  const Temporary_folder folder;
+  const std::string box = obj_box("o leg", 0, 0, 0, 0, 1, 1, 1);
+  CHECK_THAT(refused(folder, folder.path("missing.obj")), Contains("no such file"));
+  CHECK_THAT(refused(folder, folder.path("missing.json")), Contains("no such file"));
+  CHECK_THAT(refused(folder, folder.write("empty.obj", "")), Contains("empty"));
+  CHECK_THAT(refused(folder, folder.write("text.obj", "Dear reader,\nno model.\n")), Contains("no face"));
+  CHECK_THAT(refused(folder, folder.write("one.obj", box)), Contains("two"));
+  CHECK_THAT(refused(folder, folder.write("nan.obj", box + "o seat\nv nan 0 0\nv 1 0 0\nv 0 1 0\nf 9 10 11\n")),
+             Contains("'seat'"));
+  CHECK_THAT(refused(folder, folder.write("flat.obj", box + "o seat\nv 0 0 0\nv 1 0 0\nv 2 0 0\nf 9 10 11\n")),
+             Contains("'seat'"));
+  CHECK_THAT(refused(folder, folder.write("twice.obj", box + obj_box("o leg", 1, 3, 0, 0, 1, 1, 1))),
+             Contains("'leg'"));
+  CHECK_THAT(refused(folder, folder.write("a.txt", box)), Contains(".txt"));
+  CHECK_THAT(refused(folder, folder.write("b.json", "{\"format\": 1}")), Contains("format"));
+  fs::create_directories(folder.path("none"));
+  CHECK_THAT(refused(folder, folder.path("none")), Contains("no part"));
+}
+
+TEST_CASE("Outputs that cannot be written end with status 1 before any work")
+{
+  const Temporary_folder folder;
+  const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair()));
+  fs::create_directories(folder.path("folder"));
+  for (const std::string& output : {folder.path("none/r.json"), folder.path("folder"), folder.path("a.json/r.json")}) {
+    for (const char* option : {" --json ", " --glb "}) {
+      INFO(output);
+      const Run result = run("match " + a + " " + a + option + quoted(output));
+      CHECK(result.status == 1);
+      CHECK_THAT(result.error, Contains(output) && Contains("cannot be written"));
+      CHECK(folder.number_of_files() == 1);
+    }
+  }
+  const Run full = run("graph " + a + " --json /dev/full");
+  CHECK(full.status == 1);
+  CHECK_THAT(full.error, Contains("/dev/full"));
+}
+
+TEST_CASE("match writes a table, a JSON and a picture")
+{
+  const Temporary_folder folder;
+  const std::string a = graph_file(folder, "a.json", hand_made::chair());
+  const std::string b = graph_file(folder, "b.json", hand_made::slatted_chair());
+  const std::string inputs = "match " + quoted(a) + " " + quoted(b);
+  const Run table = run(inputs);
+  CHECK(table.status == 0);
+  CHECK(table.error.empty());
+  CHECK_THAT(table.out, Contains("slat 1") && Contains("unmatched") && Contains("energy"));
+
+  const Run quiet =
+      run(inputs + " --quiet --json " + quoted(folder.path("r.json")) + " --glb " + quoted(folder.path("r.glb")));
+  CHECK(quiet.status == 0);
+  CHECK(quiet.out.empty());
+  CHECK(quiet.error.empty());
+  CHECK(folder.number_of_files() == 4);
+  const json result = json::parse(text_of(folder.path("r.json")));
+  CHECK(result["source"] == a);
+  CHECK(result["target"] == b);
+  CHECK(result["complete"] == true);
+  CHECK(text_of(folder.path("r.glb")).substr(0, 4) == "glTF");
+
+  const Run piped = run(inputs + " --json -");
+  CHECK(piped.status == 0);
+  CHECK(json::parse(piped.out)["pairs"] == result["pairs"]);
+}
+
+TEST_CASE("graph reads what it writes, over an older output")
+{
+  const Temporary_folder folder;
+  const std::string a = graph_file(folder, "a.json", hand_made::chair()), b = folder.write("b.json", "old");
+  CHECK(run("graph " + quoted(a) + " -o " + quoted(b)).status == 0);
+  CHECK(text_of(a) == text_of(b));
+  CHECK(folder.number_of_files() == 2);
+}
+
+TEST_CASE("A model of one file through the program")
+{
+  const Temporary_folder folder;
+  const std::string table = folder.write("table.obj", obj_table());
+  const std::string graph = folder.path("table.json");
+  const Run written = run("graph " + quoted(table) + " -o " + quoted(graph) + " --progress always --threads 2");
+  INFO(written.error);
+  REQUIRE(written.status == 0);
+  CHECK_THAT(written.error, Contains("part 5 of 5"));
+  CHECK_THAT(written.out, Contains("leg_1"));
+  const Run single = run("graph " + quoted(table) + " --json - --threads 1");
+  CHECK(single.out == text_of(graph));
+  const Run self = run("match " + quoted(table) + " " + quoted(graph) + " --json -");
+  REQUIRE(self.status == 0);
+  CHECK(json::parse(self.out)["energy"].get<double>() == Approx(0).margin(1e-9));
+  CHECK(json::parse(self.out)["pairs"].size() == 5);
+}

@@ -1,0 +1,238 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "model_files.h"
+
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+
+#include <catch2/catch.hpp>
+
+#include <Eigen/Geometry>
+
+using namespace CGAL::Shape_correspondence;
+using namespace model_files;
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::vector<std::string> names(const Segmented_shape& shape)
+{
+  std::vector<std::string> result;
+  for (const Shape_part& part : shape.parts())
+    result.push_back(part.name);
+  return result;
+}
+
+using Names = std::vector<std::string>;
+
+double volume(const Part_mesh& mesh)
+{
+  double sum = 0;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    sum += mesh.points.col(mesh.triangles(0, t))
+               .dot(mesh.points.col(mesh.triangles(1, t)).cross(mesh.points.col(mesh.triangles(2, t))));
+  return sum / 6;
+}
+
+std::string read_complaint(const std::string& path)
+{
+  return complaint([&] { IO::read_segmented_shape(path); });
+}
+
+const std::string off_box = "OFF\n8 6 0\n" + box_vertices(0, 0, 0, 1, 2, 3, "") + box_faces(0, "4 ");
+
+std::string ply_box(const std::string& list = "property list uchar int vertex_indices")
+{
+  return "ply\nformat ascii 1.0\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\n"
+         "element face 6\n" +
+         list + "\nend_header\n" + box_vertices(0, 0, 0, 1, 2, 3, "") + box_faces(0, "4 ");
+}
+
+std::string stl_solid(const std::string& name, double x)
+{
+  std::ostringstream out;
+  out << "solid " << name << "\n";
+  const double p[4][3] = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x, 0, 1}};
+  const int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  for (const auto& face : faces) {
+    out << "facet normal 0 0 0\nouter loop\n";
+    for (int v : face)
+      out << "vertex " << p[v][0] << ' ' << p[v][1] << ' ' << p[v][2] << '\n';
+    out << "endloop\nendfacet\n";
+  }
+  out << "endsolid " << name << "\n";
+  return out.str();
+}
+
+const std::string collada = R"(<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><up_axis>Z_UP</up_axis></asset>
+<library_geometries><geometry id="g" name="g"><mesh>
+<source id="p"><float_array id="pa" count="12">0 0 0 1 0 0 0 1 0 0 0 1</float_array><technique_common>
+<accessor source="#pa" count="4" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+<param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s">
+<node id="low" name="low"><instance_geometry url="#g"/></node>
+<node id="high" name="high"><translate>0 0 5</translate><instance_geometry url="#g"/></node>
+</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+
+} // namespace
+
+TEST_CASE("Objects and groups of an OBJ file are parts")
+{
+  const Temporary_folder folder;
+  const Names expected{"top", "leg_1", "leg_2", "leg_3", "leg_4"};
+  for (const char* keyword : {"o ", "g "}) {
+    const Segmented_shape shape = IO::read_segmented_shape(folder.write("table.obj", obj_table(keyword)));
+    CHECK(shape.name() == "table");
+    CHECK(names(shape) == expected);
+    for (const Shape_part& part : shape.parts()) {
+      CHECK(part.mesh.points.cols() == 8);
+      CHECK(part.mesh.triangles.cols() == 12);
+    }
+    CHECK(volume(shape.parts()[0].mesh) == Approx(0.05));
+  }
+}
+
+TEST_CASE("Groups inside objects are parts, by both names where groups share one")
+{
+  const Temporary_folder folder;
+  const std::string inside = obj_box("o chair\ng seat", 0, 0, 0, 0, 1, 1, 1) + obj_box("g back", 1, 0, 1, 0, 1, 1, 1);
+  CHECK(names(IO::read_segmented_shape(folder.write("a.obj", inside))) == Names{"seat", "back"});
+  const std::string shared = obj_box("o left\ng wood", 0, 0, 0, 0, 1, 1, 1) +
+                             obj_box("o right\ng wood", 1, 2, 0, 0, 1, 1, 1) + obj_box("g top", 2, 0, 1, 0, 3, 1, 1);
+  CHECK(names(IO::read_segmented_shape(folder.write("b.obj", shared))) == Names{"left/wood", "right/wood", "top"});
+}
+
+TEST_CASE("An OBJ file without objects is one part with the file's name")
+{
+  const Temporary_folder folder;
+  CHECK(names(IO::read_segmented_shape(folder.write("leg.obj", obj_box("# no name", 0, 0, 0, 0, 1, 1, 1)))) ==
+        Names{"leg"});
+}
+
+TEST_CASE("OBJ dialects: line ends, texture and normal indices, negative indices, names with blanks")
+{
+  const Temporary_folder folder;
+  const std::string text = "mtllib a.mtl\r\no front leg \r\nv 0 0 0 1 0 0\r\nv +1 0 0\r\nv 0 1e0 0\r\nvt 0 0\r\n"
+                           "usemtl wood\r\nf 1/1 2/1 \\\r\n3/1\r\nf -3//1 -2//1 -1//1 # again\r\n";
+  const Segmented_shape shape = IO::read_segmented_shape(folder.write("a.OBJ", text));
+  REQUIRE(names(shape) == Names{"front leg"});
+  CHECK(shape.parts()[0].mesh.triangles.cols() == 2);
+  CHECK(shape.parts()[0].mesh.points.col(2) == Point(0, 1, 0));
+}
+
+TEST_CASE("Coordinates keep double precision")
+{
+  const Temporary_folder folder;
+  const double far = 123456.789012345;
+  const std::string vertices = box_vertices(far, 0, 0, 1, 1, 1, "v ") + box_faces(1, "f ");
+  CHECK(IO::read_segmented_shape(folder.write("a.obj", vertices)).parts()[0].mesh.points.row(0).minCoeff() == far);
+  const std::string off = "OFF\n8 6 0\n" + box_vertices(far, 0, 0, 1, 1, 1, "") + box_faces(0, "4 ");
+  CHECK(IO::read_segmented_shape(folder.write("a.off", off)).parts()[0].mesh.points.row(0).minCoeff() == far);
+}
+
+TEST_CASE("Concave faces are triangulated, vertices at the same place welded")
+{
+  const Temporary_folder folder;
+  // An L of area 3; its last vertex repeats the first
+  const std::string text = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\n"
+                           "f 1 2 3 4 5 6\nf 4 3 2 7 6 5\n";
+  const Part_mesh mesh = IO::read_segmented_shape(folder.write("l.obj", text)).parts()[0].mesh;
+  CHECK(mesh.points.cols() == 6);
+  REQUIRE(mesh.triangles.cols() == 8);
+  double area = 0, signed_area = 0;
+  for (int t = 0; t < 8; ++t) {
+    const Point a = mesh.points.col(mesh.triangles(0, t));
+    const double z = (mesh.points.col(mesh.triangles(1, t)) - a).cross(mesh.points.col(mesh.triangles(2, t)) - a).z();
+    area += std::abs(z) / 2;
+    signed_area += z / 2;
+  }
+  CHECK(area == Approx(6));
+  CHECK(signed_area == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("OFF, PLY, STL and COLLADA")
+{
+  const Temporary_folder folder;
+  for (const std::string& file : {folder.write("box.off", off_box), folder.write("box.ply", ply_box()),
+                                  folder.write("other.ply", ply_box("property list uchar ushort vertex_indices"))}) {
+    INFO(file);
+    const Segmented_shape shape = IO::read_segmented_shape(file);
+    REQUIRE(shape.parts().size() == 1);
+    CHECK(shape.parts()[0].mesh.points.cols() == 8);
+    CHECK(volume(shape.parts()[0].mesh) == Approx(6));
+  }
+  const Segmented_shape stl = IO::read_segmented_shape(folder.write("a.stl", stl_solid("a", 0) + stl_solid("b", 9)));
+  CHECK(names(stl) == Names{"a", "b"});
+  CHECK(stl.parts()[1].mesh.points.cols() == 4);
+  const Segmented_shape dae = IO::read_segmented_shape(folder.write("a.dae", collada));
+  REQUIRE(names(dae) == Names{"low", "high"});
+  // Turned to y up
+  CHECK(dae.parts()[1].mesh.points.row(1).minCoeff() == Approx(5));
+  CHECK(dae.parts()[1].mesh.points.row(1).maxCoeff() == Approx(6));
+}
+
+TEST_CASE("A folder of part meshes")
+{
+  const Temporary_folder folder;
+  folder.write("chair/parts/b.obj", obj_box("o x", 0, 0, 0, 0, 1, 1, 1) + obj_box("o y", 1, 2, 0, 0, 1, 1, 1));
+  folder.write("chair/parts/a.off", off_box);
+  folder.write("chair/parts/a.mtl", "newmtl wood");
+  folder.write("chair/labels.json", "{}");
+  for (const char* name : {"chair", "chair/", "chair/parts", "chair/parts/"}) {
+    const Segmented_shape shape = IO::read_segmented_shape(folder.path(name), Point::UnitZ());
+    CHECK(shape.name() == "chair");
+    CHECK(shape.up() == Point::UnitZ());
+    REQUIRE(names(shape) == Names{"a", "b"});
+    CHECK(shape.parts()[1].mesh.points.cols() == 16);
+  }
+}
+
+TEST_CASE("Bad models are refused with file, part and reason")
+{
+  const Temporary_folder folder;
+  const auto refused = [&](const std::string& name, const std::string& text) {
+    const std::string file = folder.write(name, text), message = read_complaint(file);
+    CHECK_THAT(message, Contains(file));
+    return message;
+  };
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  CHECK_THAT(refused("empty.obj", ""), Contains("empty"));
+  CHECK_THAT(refused("empty.glb", ""), Contains("empty"));
+  CHECK_THAT(refused("text.obj", "Dear reader,\nthis is no model.\n"), Contains("not a Wavefront OBJ"));
+  CHECK_THAT(refused("points.obj", triangle), Contains("no face"));
+  for (const char* name : {"t.ply", "t.off", "t.stl", "t.glb", "t.gltf", "t.dae"})
+    CHECK_THAT(refused(name, "Dear reader,\nthis is no model.\n"),
+               Contains("cannot be read") || Contains("no triangle") || Contains("no face"));
+  CHECK_THAT(refused("a.docx", "text"), Contains(".docx") && Contains("OBJ"));
+  CHECK_THAT(refused("nan.obj", "o leg\nv nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), Contains("'leg'"));
+  CHECK_THAT(refused("nan.off", "OFF\n3 1 0\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), Contains("nan.off"));
+  CHECK_THAT(refused("range.obj", "o leg\n" + triangle + "f 1 2 4\n"), Contains("line 5") && Contains("'leg'"));
+  CHECK_THAT(refused("zero.obj", triangle + "f 0 1 2\n"), Contains("line 4"));
+  CHECK_THAT(refused("range.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"), Contains("range.off"));
+  CHECK_THAT(refused("flat.obj", "o leg\n" + triangle + "f 1 2 2\n"), Contains("'leg'"));
+  CHECK_THAT(refused("thin.obj", "o leg\nv 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), Contains("'leg'"));
+  CHECK_THAT(refused("twice.obj", obj_box("o leg", 0, 0, 0, 0, 1, 1, 1) + obj_box("o leg", 1, 2, 0, 0, 1, 1, 1)),
+             Contains("two parts are named 'leg'"));
+  CHECK_THAT(refused("number.obj", "v 0 zero 0\n"), Contains("line 1") && Contains("'zero'"));
+  CHECK_THAT(read_complaint(folder.path("missing.obj")), Contains("missing.obj") && Contains("no such file"));
+}
+
+TEST_CASE("Bad folders are refused")
+{
+  const Temporary_folder folder;
+  fs::create_directories(folder.path("none"));
+  CHECK_THAT(read_complaint(folder.path("none")), Contains("none") && Contains("no part"));
+  folder.write("twice/leg.obj", obj_box("o leg", 0, 0, 0, 0, 1, 1, 1));
+  folder.write("twice/leg.off", off_box);
+  CHECK_THAT(read_complaint(folder.path("twice")), Contains("two parts are named 'leg'"));
+  folder.write("bad/leg.obj", obj_box("o leg", 0, 0, 0, 0, 1, 1, 1));
+  folder.write("bad/seat.obj", "");
+  CHECK_THAT(read_complaint(folder.path("bad")), Contains("seat.obj"));
+}

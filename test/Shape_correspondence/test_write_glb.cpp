@@ -1,0 +1,233 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hand_made_graphs.h"
+#include "model_files.h"
+
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/IO/write_glb.h>
+
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <cstring>
+#include <set>
+
+using namespace CGAL::Shape_correspondence;
+using namespace model_files;
+using nlohmann::json;
+
+namespace {
+
+std::uint32_t number_at(const std::string& bytes, std::size_t offset)
+{
+  std::uint32_t result = 0;
+  for (int i = 3; i >= 0; --i)
+    result = result << 8 | static_cast<unsigned char>(bytes.at(offset + i));
+  return result;
+}
+
+float float_at(const std::string& bytes, std::size_t offset)
+{
+  const std::uint32_t bits = number_at(bytes, offset);
+  float result;
+  std::memcpy(&result, &bits, sizeof(result));
+  return result;
+}
+
+struct Glb
+{
+  json document;
+  std::string buffer;
+};
+
+/// Takes a GLB apart, checking what the specification demands of its chunks.
+Glb opened(const std::string& bytes)
+{
+  REQUIRE(bytes.substr(0, 4) == "glTF");
+  REQUIRE(number_at(bytes, 4) == 2);
+  REQUIRE(number_at(bytes, 8) == bytes.size());
+  const std::uint32_t json_size = number_at(bytes, 12);
+  REQUIRE(json_size % 4 == 0);
+  REQUIRE(bytes.substr(16, 4) == "JSON");
+  const std::size_t binary = 20 + json_size;
+  REQUIRE(bytes.substr(binary + 4, 4) == std::string("BIN\0", 4));
+  REQUIRE(number_at(bytes, binary) % 4 == 0);
+  REQUIRE(binary + 8 + number_at(bytes, binary) == bytes.size());
+  return {json::parse(bytes.substr(20, json_size)), bytes.substr(binary + 8)};
+}
+
+/// Checks that every accessor lies in the buffer, its bounds hold, and indices are in range.
+void check_accessors(const Glb& glb)
+{
+  REQUIRE(glb.document["buffers"][0]["byteLength"] == glb.buffer.size());
+  for (const json& accessor : glb.document["accessors"]) {
+    const json& view = glb.document["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+    const std::size_t offset = view["byteOffset"], count = accessor["count"];
+    const std::size_t components = accessor["type"] == "VEC3" ? 3 : 1;
+    REQUIRE(view["byteLength"] == count * components * 4);
+    REQUIRE(offset + count * components * 4 <= glb.buffer.size());
+    if (!accessor.contains("min")) continue;
+    for (std::size_t i = 0; i < 3 * count; ++i) {
+      const float value = float_at(glb.buffer, offset + 4 * i);
+      REQUIRE(value >= accessor["min"][i % 3].get<float>());
+      REQUIRE(value <= accessor["max"][i % 3].get<float>());
+    }
+  }
+}
+
+Point vector_at(const Glb& glb, int accessor, std::uint32_t index)
+{
+  const json& view = glb.document["bufferViews"][glb.document["accessors"][accessor]["bufferView"].get<int>()];
+  const std::size_t offset = view["byteOffset"].get<std::size_t>() + 12 * index;
+  return Point(float_at(glb.buffer, offset), float_at(glb.buffer, offset + 4), float_at(glb.buffer, offset + 8));
+}
+
+/// Normals are unit vectors on the side of their triangles' front.
+void check_normals(const Glb& glb)
+{
+  for (const json& mesh : glb.document["meshes"]) {
+    for (const json& primitive : mesh["primitives"]) {
+      const int positions = primitive["attributes"]["POSITION"], normals = primitive["attributes"]["NORMAL"];
+      const json& indices = glb.document["accessors"][primitive["indices"].get<int>()];
+      const std::size_t offset = glb.document["bufferViews"][indices["bufferView"].get<int>()]["byteOffset"];
+      for (std::size_t t = 0; t < indices["count"].get<std::size_t>(); t += 3) {
+        std::uint32_t v[3];
+        for (std::size_t k = 0; k < 3; ++k)
+          v[k] = number_at(glb.buffer, offset + 4 * (t + k));
+        const Point a = vector_at(glb, positions, v[0]);
+        const Point face = (vector_at(glb, positions, v[1]) - a).cross(vector_at(glb, positions, v[2]) - a);
+        for (std::uint32_t i : v) {
+          REQUIRE(vector_at(glb, normals, i).norm() == Approx(1));
+          REQUIRE(face.dot(vector_at(glb, normals, i)) > -1e-9);
+        }
+      }
+    }
+  }
+}
+
+json colour_of(const Glb& glb, int parent, const std::string& name)
+{
+  const json& roots = glb.document["scenes"][0]["nodes"];
+  for (const json& child : glb.document["nodes"][roots[parent].get<int>()]["children"]) {
+    const json& node = glb.document["nodes"][child.get<int>()];
+    if (node["name"] != name) continue;
+    const json& primitive = glb.document["meshes"][node["mesh"].get<int>()]["primitives"][0];
+    return glb.document["materials"][primitive["material"].get<int>()]["pbrMetallicRoughness"]["baseColorFactor"];
+  }
+  return nullptr;
+}
+
+Correspondence some_match()
+{
+  Correspondence c;
+  c.pairs = {{0, 0}, {1, 1}, {1, 2}, {1, 3}, {2, 4}, {3, 5}};
+  c.groups = {
+      {{0}, {0}, Operation::MATCH, 0}, {{1}, {1, 2, 3}, Operation::SPLIT, 0}, {{2, 3}, {4, 5}, Operation::MATCH, 0}};
+  c.unmatched_source = {4, 5};
+  c.unmatched_target = {6, 7};
+  return c;
+}
+
+std::string picture(const Correspondence& c)
+{
+  std::ostringstream out;
+  IO::write_correspondence_glb(out, c, hand_made::chair(), hand_made::slatted_chair());
+  return out.str();
+}
+
+} // namespace
+
+TEST_CASE("A picture of a correspondence is a sound GLB with the parts as nodes")
+{
+  const Glb glb = opened(picture(some_match()));
+  check_accessors(glb);
+  check_normals(glb);
+  CHECK(glb.document["asset"]["version"] == "2.0");
+  const json& roots = glb.document["scenes"][0]["nodes"];
+  REQUIRE(roots.size() == 2);
+  CHECK(glb.document["nodes"][roots[0].get<int>()]["name"] == "chair");
+  CHECK(glb.document["nodes"][roots[0].get<int>()]["children"].size() == 6);
+  CHECK(glb.document["nodes"][roots[1].get<int>()]["name"] == "slatted chair");
+  CHECK(glb.document["nodes"][roots[1].get<int>()]["children"].size() == 8);
+}
+
+TEST_CASE("What corresponds has one colour, the rest is grey")
+{
+  const Glb glb = opened(picture(some_match()));
+  const json grey = colour_of(glb, 0, "leg hind left");
+  CHECK(grey[0] == grey[1]);
+  CHECK(grey[1] == grey[2]);
+  CHECK(colour_of(glb, 1, "leg hind right") == grey);
+  CHECK(colour_of(glb, 0, "seat") == colour_of(glb, 1, "seat"));
+  CHECK(colour_of(glb, 0, "back") == colour_of(glb, 1, "slat 1"));
+  CHECK(colour_of(glb, 0, "back") == colour_of(glb, 1, "slat 3"));
+  CHECK(colour_of(glb, 0, "leg front left") == colour_of(glb, 1, "leg front right"));
+  const std::set<json> colours{grey, colour_of(glb, 0, "seat"), colour_of(glb, 0, "back"),
+                               colour_of(glb, 0, "leg front left")};
+  CHECK(colours.size() == 4);
+}
+
+TEST_CASE("assimp reads the picture back: the source left, both upright")
+{
+  const Temporary_folder folder;
+  Correspondence c = some_match();
+  const auto bounds = [&](const std::string& part) {
+    for (const Shape_part& p : IO::read_segmented_shape(folder.path("a.glb")).parts()) {
+      if (p.name == part)
+        return Eigen::AlignedBox3d(p.mesh.points.rowwise().minCoeff(), p.mesh.points.rowwise().maxCoeff());
+    }
+    return Eigen::AlignedBox3d();
+  };
+  // Names must differ to be read as one model
+  Structural_graph source = hand_made::chair(), target = hand_made::chair();
+  for (Part_abstraction& part : structure(target).parts)
+    part.name += " of target";
+  c = Correspondence();
+  std::ostringstream out;
+  IO::write_correspondence_glb(out, c, source, target);
+  folder.write("a.glb", out.str());
+  CHECK(bounds("leg front left").max().x() < bounds("leg front right of target").min().x());
+  CHECK(bounds("back").min().y() > bounds("leg front left").min().y());
+  CHECK(bounds("leg front left").center().z() > 0);
+
+  c.target_quarter_turns = 1; // front (+z) goes to +x
+  std::ostringstream turned;
+  IO::write_correspondence_glb(turned, c, source, target);
+  folder.write("a.glb", turned.str());
+  CHECK(bounds("leg front left of target").center().x() > bounds("leg hind left of target").center().x());
+}
+
+TEST_CASE("A picture of a graph: faint surfaces, an abstraction a part, contacts")
+{
+  const Temporary_folder folder;
+  const Segmented_shape shape = IO::read_segmented_shape(folder.write("table.obj", obj_table()));
+  Shape_structure structure;
+  structure.name = "table";
+  for (const Shape_part& part : shape.parts())
+    structure.parts.push_back(hand_made::curve(part.name, part.mesh.points.col(0), part.mesh.points.col(7)));
+  for (std::size_t leg = 1; leg < 5; ++leg)
+    structure.contacts.push_back({{0, leg}, {Eigen::Vector2d(0.5, 0), Eigen::Vector2d(1, 0)}});
+  const Structural_graph graph =
+      make_structural_graph(structure, {hand_made::group({0}), hand_made::group({1, 2, 3, 4})});
+  std::ostringstream out;
+  IO::write_structural_graph_glb(out, graph, &shape);
+  const Glb glb = opened(out.str());
+  check_accessors(glb);
+  check_normals(glb);
+  std::set<std::string> names;
+  for (const json& node : glb.document["nodes"])
+    names.insert(node["name"].get<std::string>());
+  CHECK(names == std::set<std::string>{"table", "top", "leg_1", "leg_2", "leg_3", "leg_4", "contacts"});
+  int faint = 0;
+  for (const json& material : glb.document["materials"])
+    faint += material.value("alphaMode", "OPAQUE") == "BLEND";
+  CHECK(faint == 2);
+  std::ostringstream bare;
+  IO::write_structural_graph_glb(bare, graph);
+  check_accessors(opened(bare.str()));
+}
