@@ -23,7 +23,7 @@ constexpr double SLACK = 1 + 1e-9;   ///< so that a gap of exactly the tolerance
 constexpr double BRIDGE_GAP = 0.1;   ///< over the tolerance: gaps up to this are contacts whatever is between
 constexpr double NEAR_BAND = 0.5;    ///< over the tolerance: what is this much farther than the least distance is near
 constexpr int DISTANCE_SAMPLES = 64; ///< a part, to find the least distance
-constexpr int REGION_SAMPLES = 96;   ///< a part, to find the middle of the contact
+constexpr int REGION_SAMPLES = 64;   ///< a part, to find the middle of the contact
 constexpr int PROJECTIONS = 6;       ///< from surface to surface, to refine the least distance
 constexpr int ABSTRACTION_SAMPLES = 16; ///< of a curve, or along each side of a sheet
 
@@ -32,6 +32,8 @@ struct Near_region
 {
   double distance = std::numeric_limits<double>::infinity(); ///< the least found
   Point witness = Point::Zero();                             ///< half-way where it was found
+  double limit = 0;                                          ///< up to this distance, points are near
+  Box box;                                                   ///< of the near points
 };
 
 /// Samples of one surface and their distances from the other.
@@ -66,20 +68,27 @@ inline void refine(const Measured_samples& samples, const Part_surface& own, con
   region.witness = (p + q) / 2;
 }
 
-/// The least distance of the surfaces, looked for where either is within `reach` of the other's box.
-inline Near_region near_region(const Part_surface& a, const Part_surface& b, double reach)
-{
-  Near_region region;
-  refine(Measured_samples(a, widened(b.box(), reach), DISTANCE_SAMPLES, b), a, b, region);
-  refine(Measured_samples(b, widened(a.box(), reach), DISTANCE_SAMPLES, a), b, a, region);
-  return region;
-}
-
-/// The box of the samples that are within `limit`.
+/// The box of the samples that are within a limit.
 inline void extend_by_near(const Measured_samples& samples, double limit, Box& box)
 {
   for (std::size_t i = 0; i < samples.distances.size(); ++i)
     if (samples.distances[i] <= limit) box.extend(samples.samples.points[i]);
+}
+
+/// The least distance of the surfaces and what is at most by `band` farther, looked for where either is within `reach`
+/// of the other's box.
+inline Near_region near_region(const Part_surface& a, const Part_surface& b, double reach, double band)
+{
+  Near_region region;
+  const Measured_samples on_a(a, widened(b.box(), reach), DISTANCE_SAMPLES, b);
+  const Measured_samples on_b(b, widened(a.box(), reach), DISTANCE_SAMPLES, a);
+  refine(on_a, a, b, region);
+  refine(on_b, b, a, region);
+  region.limit = region.distance + band;
+  region.box.extend(region.witness);
+  extend_by_near(on_a, region.limit, region.box);
+  extend_by_near(on_b, region.limit, region.box);
+  return region;
 }
 
 /// The middle of the samples that are within `limit`, by area.
@@ -97,16 +106,13 @@ inline bool middle(const Measured_samples& samples, double limit, Point& result)
   return true;
 }
 
-/// The middle of where the surfaces are within `limit` of each other: looked for coarsely, then finely.
-inline Point contact_point(const Part_surface& a, const Part_surface& b, const Point& witness, double limit)
+/// The middle of the near region, from samples that are denser than those it was found with.
+inline Point middle(const Part_surface& a, const Part_surface& b, const Near_region& region)
 {
-  Box box(witness, witness);
-  extend_by_near(Measured_samples(a, widened(b.box(), limit), DISTANCE_SAMPLES, b), limit, box);
-  extend_by_near(Measured_samples(b, widened(a.box(), limit), DISTANCE_SAMPLES, a), limit, box);
-  box = widened(box, limit);
-  Point on_a = witness, on_b = witness;
-  const bool has_a = middle(Measured_samples(a, box, REGION_SAMPLES, b), limit, on_a);
-  const bool has_b = middle(Measured_samples(b, box, REGION_SAMPLES, a), limit, on_b);
+  const Box box = widened(region.box, region.limit);
+  Point on_a = region.witness, on_b = region.witness;
+  const bool has_a = middle(Measured_samples(a, box, REGION_SAMPLES, b), region.limit, on_a);
+  const bool has_b = middle(Measured_samples(b, box, REGION_SAMPLES, a), region.limit, on_b);
   return has_a && has_b ? Point((on_a + on_b) / 2) : has_a ? on_a : on_b;
 }
 
@@ -127,7 +133,7 @@ public:
     tolerance_ = options.tolerance * diagonal_;
   }
 
-  std::vector<Contact> operator()(std::vector<std::string>& warnings) const
+  std::vector<Contact> operator()(std::vector<std::string>& warnings)
   {
     std::vector<Near_pair> near;
     for (std::size_t a = 0; a < parts_.size(); ++a)
@@ -153,9 +159,14 @@ private:
   Contact contact(const Near_pair& pair) const
   {
     const auto [a, b] = pair.parts;
-    const double limit = pair.surface_distance + NEAR_BAND * tolerance_;
-    const Point p = frame_.to_world(contact_point(*surfaces_[a], *surfaces_[b], pair.witness, limit));
+    const Point p = frame_.to_world(middle(*surfaces_[a], *surfaces_[b], regions_[pair.region]));
     return {pair.parts, {nearest_parameter(parts_[a], p), nearest_parameter(parts_[b], p)}};
+  }
+
+  Near_pair keep(std::size_t a, std::size_t b, double distance, const Near_region& region)
+  {
+    regions_.push_back(region);
+    return {{a, b}, distance, regions_.size() - 1};
   }
 
   bool one_encloses_the_other(const Part_surface& a, const Part_surface& b) const
@@ -164,34 +175,35 @@ private:
            (a.box().contains(b.box()) && a.encloses(b.any_point()));
   }
 
-  void add_if_touching(std::size_t a, std::size_t b, std::vector<Near_pair>& near) const
+  void add_if_touching(std::size_t a, std::size_t b, std::vector<Near_pair>& near)
   {
     if (box_distance(a, b) > tolerance_ * SLACK) return;
     const Part_surface &surface_a = *surfaces_[a], &surface_b = *surfaces_[b];
-    Near_region region = near_region(surface_a, surface_b, tolerance_ * SLACK);
+    const Near_region region = near_region(surface_a, surface_b, tolerance_ * SLACK, NEAR_BAND * tolerance_);
     if (!std::isfinite(region.distance)) return;
-    if (region.distance > NEAR_BAND * tolerance_ && surface_a.intersects(surface_b)) region.distance = 0;
-    if (region.distance <= tolerance_ * SLACK)
-      near.push_back({{a, b}, region.distance, region.distance, region.witness});
-    else if (one_encloses_the_other(surface_a, surface_b))
-      near.push_back({{a, b}, 0, region.distance, region.witness});
+    const bool close = region.distance <= NEAR_BAND * tolerance_;
+    if (!close && (surface_a.intersects(surface_b) || one_encloses_the_other(surface_a, surface_b)))
+      near.push_back(keep(a, b, 0, region));
+    else if (region.distance <= tolerance_ * SLACK)
+      near.push_back(keep(a, b, region.distance, region));
   }
 
   /// The distance of two parts however far they are: what is found within the reach is the least.
-  Near_pair near_pair(std::size_t a, std::size_t b) const
+  Near_pair near_pair(std::size_t a, std::size_t b)
   {
     double reach = std::max(tolerance_, box_distance(a, b)) * SLACK;
-    Near_region region = near_region(*surfaces_[a], *surfaces_[b], reach);
+    Near_region region = near_region(*surfaces_[a], *surfaces_[b], reach, NEAR_BAND * tolerance_);
     while (region.distance > reach) {
       reach *= 2;
-      region = near_region(*surfaces_[a], *surfaces_[b], reach);
+      region = near_region(*surfaces_[a], *surfaces_[b], reach, NEAR_BAND * tolerance_);
     }
-    return {{a, b}, region.distance, region.distance, region.witness};
+    return keep(a, b, region.distance, region);
   }
 
   const std::vector<Part_abstraction>& parts_;
   const Shape_frame& frame_;
   std::vector<std::unique_ptr<Part_surface>> surfaces_;
+  std::vector<Near_region> regions_;
   double diagonal_;
   double tolerance_;
 };
@@ -250,7 +262,7 @@ public:
     tolerance_ = options.tolerance * diagonal_;
   }
 
-  std::vector<Contact> operator()(std::vector<std::string>& warnings) const
+  std::vector<Contact> operator()(std::vector<std::string>& warnings)
   {
     std::vector<Near_pair> near;
     for (std::size_t a = 0; a < parts_.size(); ++a)
@@ -285,20 +297,22 @@ private:
   Contact contact(const Near_pair& pair) const
   {
     const auto [a, b] = pair.parts;
-    return {pair.parts, {nearest_parameter(parts_[a], pair.witness), nearest_parameter(parts_[b], pair.witness)}};
+    const Point& p = witnesses_[pair.region];
+    return {pair.parts, {nearest_parameter(parts_[a], p), nearest_parameter(parts_[b], p)}};
   }
 
-  Near_pair near_pair(std::size_t a, std::size_t b) const
+  Near_pair near_pair(std::size_t a, std::size_t b)
   {
     const auto from_a = nearest_sample(a, b), from_b = nearest_sample(b, a);
     const auto& nearest = from_a.first <= from_b.first ? from_a : from_b;
-    const double distance = std::max(0.0, nearest.first - radii_[a] - radii_[b]);
-    return {{a, b}, distance, distance, nearest.second};
+    witnesses_.push_back(nearest.second);
+    return {{a, b}, std::max(0.0, nearest.first - radii_[a] - radii_[b]), witnesses_.size() - 1};
   }
 
   const std::vector<Part_abstraction>& parts_;
   std::vector<Points> samples_;
   std::vector<double> radii_;
+  std::vector<Point> witnesses_;
   double diagonal_;
   double tolerance_;
 };

@@ -53,13 +53,12 @@ private:
   std::size_t count_;
 };
 
-/// Two parts, how near they are (0 where they overlap), and where their surfaces are nearest.
+/// Two parts and how near they are, 0 where they overlap.
 struct Near_pair
 {
   std::array<std::size_t, 2> parts;
   double distance;
-  double surface_distance;
-  Point witness;
+  std::size_t region; ///< where; an index that means something to who made it
 };
 
 constexpr double BRIDGE_FRACTION = 0.5; ///< how much nearer than the gap a part that bridges it must be to both sides
