@@ -86,7 +86,7 @@ TEST_CASE("The nearest parameter is where the nearest point is")
   CHECK(nearest_parameter(part(square()), Point(-1, 0.5, 0))[0] == Approx(0.875));
   const Part_abstraction sheet = part(saddle());
   CHECK(nearest_parameter(sheet, Point(-4, -4, 0)).isApprox(Eigen::Vector2d(0, 0)));
-  for (const Eigen::Vector2d x : {Eigen::Vector2d(0.3, 0.8), Eigen::Vector2d(0.7, 0.2), Eigen::Vector2d(0.5, 0.5)}) {
+  for (const Eigen::Vector2d& x : {Eigen::Vector2d(0.3, 0.8), Eigen::Vector2d(0.7, 0.2), Eigen::Vector2d(0.5, 0.5)}) {
     CHECK((nearest_parameter(sheet, evaluate(sheet, x)) - x).norm() < 1e-6);
   }
 }

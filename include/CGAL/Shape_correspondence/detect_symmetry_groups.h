@@ -23,8 +23,9 @@ struct Symmetry_options
 
 /// Gathers parts into symmetry groups (paper, section 3): congruent parts that one symmetry carries into each other.
 /// Parts are congruent if hull, surface points, area and volume of one's image and the other agree within the
-/// tolerance; their meshes need not. Where several explanations overlap, the one that covers most parts wins; of those
-/// that cover as many, the first in this list:
+/// tolerance; their meshes need not; the copies that rings, rows and translated pairs consist of must agree more
+/// closely. Where several explanations overlap, the one that covers most parts wins; of those that cover as many, the
+/// first in this list:
 /// 1. a star: a complete ring of 3 parts or more about a vertical or horizontal axis that reach in to the axis
 ///    (the feet of an office chair, the blades of a propeller);
 /// 2. four parts that two orthogonal vertical mirror planes carry into each other (the legs of a table): a reflection,

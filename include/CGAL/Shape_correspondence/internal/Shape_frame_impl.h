@@ -112,7 +112,9 @@ private:
       const Point p = points_.col(queries_[i]);
       plane.residual += nearest_.distance(p - 2 * (normal.dot(p) - plane.offset) * normal);
     }
-    plane.residual /= static_cast<double>(queries_.size());
+    // Exact symmetry up to rounding noise is no better than exact symmetry.
+    const double noise = 0.02;
+    plane.residual = std::max(plane.residual / static_cast<double>(queries_.size()), noise * spacing_);
     return plane;
   }
 
@@ -258,9 +260,7 @@ inline void orient(Shape_frame& frame, const Points& points, Eigen::Vector2d& of
   const Mirror_plane crossing = finder.score(quarter_turn(best.normal));
   Eigen::Vector2d side;
   if (!finder.is_mirror(best)) {
-    // Nearly symmetric, as a bicycle with its chain on one side, is better than not at all.
-    const bool one_sided = best.residual < 0.5 * crossing.residual;
-    side = one_sided ? side_with_front(best.normal) : side_nearest_to_x(finder.rectangle_direction());
+    side = side_nearest_to_x(finder.rectangle_direction());
   } else if (finder.is_mirror(crossing)) {
     side = side_nearest_to_x(best.normal);
     frame.mirror_x = frame.mirror_z = true;

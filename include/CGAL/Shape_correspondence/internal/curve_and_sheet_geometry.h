@@ -13,8 +13,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -120,7 +122,8 @@ inline Eigen::Vector2d refine_in_cell(const Sheet& sheet, Eigen::Vector2d parame
   const Eigen::Array2d low = Eigen::Array2d(row, col) / cells;
   const Eigen::Array2d high = Eigen::Array2d(row + 1, col + 1) / cells;
   const auto corner = [&](int i, int j) -> Point { return sheet.points.col((row + i) * sheet.cols + col + j); };
-  for (int step = 0; step < 4; ++step) {
+  const int most_rounds = 8;
+  for (int round = 0; round < most_rounds; ++round) {
     const Eigen::Array2d f = (parameter.array() - low) * cells;
     Eigen::Matrix<double, 3, 2> derivative;
     derivative.col(0) = ((1 - f[1]) * (corner(1, 0) - corner(0, 0)) + f[1] * (corner(1, 1) - corner(0, 1))) * cells[0];
@@ -130,22 +133,33 @@ inline Eigen::Vector2d refine_in_cell(const Sheet& sheet, Eigen::Vector2d parame
       return parameter;
     }
     const Point offset = p - sheet(parameter[0], parameter[1]);
-    const Eigen::Vector2d next = parameter + gram.inverse() * (derivative.transpose() * offset);
-    const Eigen::Vector2d inside = next.array().max(low).min(high);
-    if (!((p - sheet(inside[0], inside[1])).squaredNorm() < offset.squaredNorm())) {
+    const Eigen::Vector2d step = gram.inverse() * (derivative.transpose() * offset);
+    const auto stepped = [&](double fraction) -> Eigen::Vector2d {
+      return (parameter + fraction * step).array().max(low).min(high);
+    };
+    double reach = 1;
+    while (reach > 0.1 && !((p - sheet(stepped(reach)[0], stepped(reach)[1])).squaredNorm() < offset.squaredNorm())) {
+      reach *= 0.5;
+    }
+    if (reach < 0.1) {
       return parameter;
     }
-    parameter = inside;
+    parameter = stepped(reach);
   }
   return parameter;
 }
 
-/// Splits every cell in two triangles for a start, then refines in the best cell.
-inline Eigen::Vector2d nearest_parameter_on_sheet(const Sheet& sheet, const Point& p)
+/// The nearest point of a cell's two triangles, as a start.
+struct Cell_candidate
 {
-  double best = std::numeric_limits<double>::infinity();
-  Eigen::Vector2d parameter(0., 0.);
-  int best_row = 0, best_col = 0;
+  double distance;
+  Eigen::Vector2d parameter;
+  int row, col;
+};
+
+inline std::vector<Cell_candidate> cell_candidates(const Sheet& sheet, const Point& p)
+{
+  std::vector<Cell_candidate> result;
   const auto corner = [&](int i, int j) -> Point { return sheet.points.col(i * sheet.cols + j); };
   for (int i = 0; i + 1 < sheet.rows; ++i) {
     for (int j = 0; j + 1 < sheet.cols; ++j) {
@@ -153,18 +167,29 @@ inline Eigen::Vector2d nearest_parameter_on_sheet(const Sheet& sheet, const Poin
         const int i0 = far_half ? i + 1 : i, j0 = far_half ? j + 1 : j;
         const int sign = far_half ? -1 : 1;
         const Eigen::Vector2d x = nearest_on_triangle(corner(i0, j0), corner(i0 + sign, j0), corner(i0, j0 + sign), p);
-        const Eigen::Vector2d candidate((i0 + sign * x[0]) / (sheet.rows - 1), (j0 + sign * x[1]) / (sheet.cols - 1));
-        const double distance = (sheet(candidate[0], candidate[1]) - p).squaredNorm();
-        if (distance < best) {
-          best = distance;
-          parameter = candidate;
-          best_row = i;
-          best_col = j;
-        }
+        const Eigen::Vector2d at((i0 + sign * x[0]) / (sheet.rows - 1), (j0 + sign * x[1]) / (sheet.cols - 1));
+        result.push_back({(sheet(at[0], at[1]) - p).squaredNorm(), at, i, j});
       }
     }
   }
-  return refine_in_cell(sheet, parameter, best_row, best_col, p);
+  return result;
+}
+
+/// Refines the best candidates: in a twisted cell the best start need not lead to the nearest point.
+inline Eigen::Vector2d nearest_parameter_on_sheet(const Sheet& sheet, const Point& p)
+{
+  const std::ptrdiff_t most_refined = 4;
+  std::vector<Cell_candidate> candidates = cell_candidates(sheet, p);
+  const auto end = candidates.begin() + std::min<std::ptrdiff_t>(most_refined, std::ptrdiff_t(candidates.size()));
+  std::partial_sort(candidates.begin(), end, candidates.end(), [](const Cell_candidate& a, const Cell_candidate& b) {
+    return std::tie(a.distance, a.row, a.col, a.parameter[0]) < std::tie(b.distance, b.row, b.col, b.parameter[0]);
+  });
+  for (auto c = candidates.begin(); c != end; ++c) {
+    c->parameter = refine_in_cell(sheet, c->parameter, c->row, c->col, p);
+    c->distance = (sheet(c->parameter[0], c->parameter[1]) - p).squaredNorm();
+  }
+  return std::min_element(candidates.begin(), end, [](const auto& a, const auto& b) { return a.distance < b.distance; })
+      ->parameter;
 }
 
 } // namespace internal

@@ -59,7 +59,7 @@ public:
     measure();
     try {
       skeletonize();
-    } catch (const std::exception& e) { if(getenv("ABSDBG")) fprintf(stderr,"DBG %s %s\n",name.c_str(),e.what());
+    } catch (const std::exception&) {
       use_bounding_box();
     }
     if (!result_.control_points().allFinite()) {
@@ -120,7 +120,6 @@ private:
     Spatial_graph_view layer(meso);
     layer.connect_near(options_.edge_length * diagonal(solid_points));
     const Intrinsic_layout layout = intrinsic_layout(layer);
-    if(getenv("ABSDBG")) fprintf(stderr,"DBG %s ext %g %g %g kept %g it %d v0 %d meso %d euler %d t %g\n", result_.name.c_str(), layout.extents[0],layout.extents[1],layout.extents[2],area_kept,flow.iterations(),int(solid_points.cols()),int(meso.points.cols()),euler_characteristic(solid),watch_.seconds());
     const Intrinsic_kind kind = intrinsic_kind(layout.extents, area_kept);
     if (kind == Intrinsic_kind::FLAT && !has_handle) {
       use_sheet(meso);

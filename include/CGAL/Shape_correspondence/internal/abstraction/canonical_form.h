@@ -60,6 +60,11 @@ inline Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
       }
     }
   }
+  if (triangles.empty()) {
+    // Thinner than the grid.
+    const double finer = 1e-4, finest = 1e-20;
+    return grid > finest ? canonical_mesh(mesh, finer * grid) : mesh;
+  }
   result.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
   Eigen::Index t = 0;
   for (const auto& [sorted, corners] : triangles) {

@@ -185,7 +185,7 @@ inline Curve to_curve(const Spatial_graph_view& graph, const std::vector<int>& p
 inline Curve finish_curve(Curve curve, int control_points, const Points& surface_points, const Nearest_points& surface)
 {
   const int rounds = 3;
-  curve.points = sample(curve, 2 * control_points);
+  curve.points = sample(curve, 4 * control_points);
   smooth(curve, rounds);
   if (!curve.closed) {
     extend_end(curve, false, surface_points, surface);
@@ -217,11 +217,11 @@ inline Fitted_curve fit_curve(const Spatial_graph& skeleton, const Points& surfa
   const Curve raw = to_curve(graph, path, closed);
   result.coverage = std::min(1., arc_lengths(raw).back() / graph.total_length());
   result.curve = finish_curve(raw, control_points, surface_points, surface);
-  const Nearest_points on_curve(sample(result.curve, 8 * control_points));
   double sum = 0;
   for (const auto& [a, b] : graph.edges()) {
-    const double distance = on_curve.distance(0.5 * (graph.point(a) + graph.point(b)));
-    sum += graph.length(a, b) * distance * distance;
+    const Point middle = 0.5 * (graph.point(a) + graph.point(b));
+    const Point nearest = result.curve(nearest_parameter_on_curve(result.curve, middle)[0]);
+    sum += graph.length(a, b) * (nearest - middle).squaredNorm();
   }
   result.residual = std::sqrt(sum / graph.total_length());
   return result;

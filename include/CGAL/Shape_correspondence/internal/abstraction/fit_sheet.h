@@ -7,15 +7,18 @@
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_FIT_SHEET_H
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
-#include <CGAL/Shape_correspondence/internal/Nearest_points.h>
 #include <CGAL/Shape_correspondence/internal/curve_and_sheet_geometry.h>
 #include <CGAL/Shape_correspondence/internal/planar_hull.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -67,9 +70,45 @@ inline void turn_to_rectangle(Sheet_plane& plane, const Points& surface)
   plane.axes = turned;
 }
 
-/// The four corners of an outline: its extreme points along the diagonals of its bounding rectangle, counter-clockwise
-/// from the lower left.
-inline std::array<std::size_t, 4> outline_corners(const Planar_points& outline)
+using Outline_corners = std::array<std::size_t, 4>;
+
+inline double quadrilateral_area(const Planar_points& outline, const Outline_corners& c)
+{
+  return 0.5 * std::abs(cross(outline[c[2]] - outline[c[0]], outline[c[3]] - outline[c[1]]));
+}
+
+/// The largest quadrilateral of an outline's vertices, found by its first diagonal.
+inline Outline_corners largest_quadrilateral(const Planar_points& outline)
+{
+  // Every so many vertices are enough of a smooth outline.
+  const std::size_t most_vertices = 60;
+  const std::size_t n = outline.size(), step = 1 + n / most_vertices;
+  Outline_corners result{0, 0, 0, 0};
+  for (std::size_t a = 0; a < n; a += step) {
+    for (std::size_t c = a + step; c < n; c += step) {
+      Outline_corners corners{a, a, c, c};
+      double right = 0, left = 0;
+      for (std::size_t k = 0; k < n; k += step) {
+        const double side = cross(outline[c] - outline[a], outline[k] - outline[a]);
+        if (side < right) {
+          right = side;
+          corners[1] = k;
+        } else if (side > left) {
+          left = side;
+          corners[3] = k;
+        }
+      }
+      if (quadrilateral_area(outline, corners) > (1 + 1e-6) * quadrilateral_area(outline, result)) {
+        result = corners;
+      }
+    }
+  }
+  return result;
+}
+
+/// The extreme points of an outline along the diagonals of its bounding rectangle, counter-clockwise from the lower
+/// left.
+inline Outline_corners diagonal_corners(const Planar_points& outline)
 {
   Eigen::Array2d low = outline[0], high = low;
   for (const auto& p : outline) {
@@ -78,7 +117,7 @@ inline std::array<std::size_t, 4> outline_corners(const Planar_points& outline)
   }
   const Eigen::Array2d extent = (high - low).max(1e-300);
   const Eigen::Array2d diagonals[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  std::array<std::size_t, 4> result{};
+  Outline_corners result{};
   for (std::size_t c = 0; c < 4; ++c) {
     const auto reach = [&](std::size_t i) { return (outline[i].array() / extent * diagonals[c]).sum(); };
     for (std::size_t i = 1; i < outline.size(); ++i) {
@@ -88,6 +127,24 @@ inline std::array<std::size_t, 4> outline_corners(const Planar_points& outline)
     }
   }
   return result;
+}
+
+/// The four corners of an outline: those along its diagonals, or of a skew one, like that of a swept wing, those of its
+/// largest quadrilateral, from the one nearest to the lower left on.
+inline Outline_corners outline_corners(const Planar_points& outline)
+{
+  const double clearly = 1.03;
+  const Outline_corners along_diagonals = diagonal_corners(outline);
+  Outline_corners largest = largest_quadrilateral(outline);
+  if (quadrilateral_area(outline, largest) < clearly * quadrilateral_area(outline, along_diagonals)) {
+    return along_diagonals;
+  }
+  const Eigen::Vector2d start = outline[along_diagonals[0]];
+  const auto nearer = [&](std::size_t a, std::size_t b) {
+    return (outline[a] - start).norm() < (outline[b] - start).norm();
+  };
+  std::rotate(largest.begin(), std::min_element(largest.begin(), largest.end(), nearer), largest.end());
+  return largest;
 }
 
 /// `n` points, evenly spaced, of a closed outline from one of its vertices on to another.
@@ -225,13 +282,14 @@ inline Fitted_sheet fit_sheet(const Points& meso_skeleton, const Points& surface
   result.sheet = flat_grid(planar_hull(project(plane.to_plane(surface))), n);
   lift(result.sheet, plane.to_plane(medial));
   result.sheet.points = plane.to_space(result.sheet.points);
-  const Nearest_points on_sheet(sample(result.sheet, 4 * n));
+  const Eigen::Index most_measured = 150;
+  const Points measured = thin_out(medial, most_measured);
   double sum = 0;
-  for (Eigen::Index i = 0; i < medial.cols(); ++i) {
-    const double distance = on_sheet.distance(medial.col(i));
-    sum += distance * distance;
+  for (Eigen::Index i = 0; i < measured.cols(); ++i) {
+    const Eigen::Vector2d nearest = nearest_parameter_on_sheet(result.sheet, measured.col(i));
+    sum += (result.sheet(nearest[0], nearest[1]) - measured.col(i)).squaredNorm();
   }
-  result.residual = std::sqrt(sum / static_cast<double>(medial.cols()));
+  result.residual = std::sqrt(sum / static_cast<double>(measured.cols()));
   return result;
 }
 

@@ -50,9 +50,8 @@ public:
   {
     std::vector<int> order(neighbours_.size());
     std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [this](int a, int b) {
-      return point(a).x() != point(b).x() ? point(a).x() < point(b).x() : a < b;
-    });
+    std::sort(order.begin(), order.end(),
+              [this](int a, int b) { return point(a).x() != point(b).x() ? point(a).x() < point(b).x() : a < b; });
     for (std::size_t i = 0; i < order.size(); ++i) {
       for (std::size_t j = i + 1; j < order.size() && point(order[j]).x() - point(order[i]).x() < radius; ++j) {
         const int a = order[i], b = order[j];

@@ -18,6 +18,9 @@ namespace Shape_correspondence {
 namespace internal {
 namespace symmetry {
 
+constexpr double COPY_TOLERANCE = 0.4;   ///< over the tolerance
+constexpr double COPY_AREA_RATIO = 1.15; ///< how much the areas of copies may differ
+
 /// Which kind of explanation is preferred where several cover as many parts.
 enum class Preference {
   STAR,              ///< a ring whose members come from the axis
@@ -63,10 +66,27 @@ inline double link_residual(const Part_relations& parts, const Explanation& expl
   return explanation.links.empty() ? 0 : sum / explanation.links.size();
 }
 
+/// Members of rings, rows and translated pairs are copies of each other: they are held to a part of the tolerance, or
+/// rails, shelves and cushions that are just alike would be gathered. Mirrored parts may be bent differently.
+inline bool consists_of_copies(const Explanation& explanation)
+{
+  return explanation.symmetry.type != Symmetry_type::REFLECTION;
+}
+
+inline bool is_copy(const Part_relations& parts, std::size_t i, std::size_t j, const Eigen::Matrix3d& map)
+{
+  const double limit = COPY_TOLERANCE * parts.tolerance() * std::max(parts[i].diagonal, parts[j].diagonal);
+  return parts.deviation(i, j, map) <= limit && ratio_within(parts[i].area, parts[j].area, COPY_AREA_RATIO);
+}
+
+/// Whether the explanation stands a closer look.
 inline bool confirm(Part_relations& parts, const Explanation& explanation)
 {
-  for (const Explanation::Link& link : explanation.links)
-    if (!parts.confirm(explanation.members[link.from], explanation.members[link.to], link.map)) return false;
+  for (const Explanation::Link& link : explanation.links) {
+    const std::size_t from = explanation.members[link.from], to = explanation.members[link.to];
+    if (consists_of_copies(explanation) && !is_copy(parts, from, to, link.map)) return false;
+    if (!parts.confirm(from, to, link.map)) return false;
+  }
   return true;
 }
 

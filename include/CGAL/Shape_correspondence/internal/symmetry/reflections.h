@@ -13,6 +13,8 @@ namespace Shape_correspondence {
 namespace internal {
 namespace symmetry {
 
+constexpr double PLANE_SHARE = 0.1; ///< how far from a mirror plane a pair may be centred, over its distance
+
 inline Symmetry mirror(const Point& point, const Point& normal)
 {
   Symmetry result;
@@ -71,7 +73,8 @@ inline void add_pair_in_plane(const Part_relations& parts, std::size_t i, std::s
   const int axis = axis_of(map);
   if (!parts.plane(map) || !parts.related(i, j, map) || !parts.displaced_along(i, j, axis)) return;
   const Point middle = (parts[i].centre + parts[j].centre) / 2;
-  if (std::abs(middle[axis] - *parts.plane(map)) > PLANE_TOLERANCE) return;
+  const double apart = std::abs(parts[i].centre[axis] - parts[j].centre[axis]);
+  if (std::abs(middle[axis] - *parts.plane(map)) > std::max(PLANE_TOLERANCE, PLANE_SHARE * apart)) return;
   Explanation pair;
   pair.members = {i, j};
   if (parts[i].centre[axis] < parts[j].centre[axis]) std::swap(pair.members[0], pair.members[1]);
