@@ -9,17 +9,23 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include <CGAL/Shape_correspondence/internal/contacts/sample_triangles.h>
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-constexpr std::size_t FRAME_SAMPLES = 4096;    ///< of a whole shape, to find its frame
-constexpr std::size_t LEAST_FRAME_SAMPLES = 4; ///< of every part, however small
+constexpr int FRAME_SAMPLES = 4096;    ///< of a whole shape, to find its frame
+constexpr int LEAST_FRAME_SAMPLES = 4; ///< of every part, however small
 
 inline void check_number_of_parts(const std::string& name, std::size_t parts)
 {
@@ -28,33 +34,43 @@ inline void check_number_of_parts(const std::string& name, std::size_t parts)
                         "; correspondences need a shape that is segmented into two parts or more");
 }
 
-inline double surface_area(const Part_mesh& mesh)
+inline std::vector<contacts::Sampled_triangle> triangles_of(const Part_mesh& mesh)
 {
-  double sum = 0;
+  std::vector<contacts::Sampled_triangle> result;
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     const Point p = mesh.points.col(mesh.triangles(0, t));
-    const Point u = Point(mesh.points.col(mesh.triangles(1, t))) - p;
-    const Point v = Point(mesh.points.col(mesh.triangles(2, t))) - p;
-    sum += u.cross(v).norm() / 2;
+    const Point u = mesh.points.col(mesh.triangles(1, t)) - p, v = mesh.points.col(mesh.triangles(2, t)) - p;
+    result.push_back({p, u, v, u.cross(v).norm() / 2});
   }
+  return result;
+}
+
+inline double total_area(const std::vector<contacts::Sampled_triangle>& triangles)
+{
+  double sum = 0;
+  for (const contacts::Sampled_triangle& t : triangles)
+    sum += t.area;
   return sum;
 }
 
-/// Points spread over the whole shape, each part with its share of the area.
+/// Points spread over the whole shape, each part with its share of the area, whatever the order of the parts.
 inline Points sample_shape(const Segmented_shape& shape)
 {
   double total = 0;
-  for (const Shape_part& part : shape.parts())
-    total += surface_area(part.mesh);
-  Points result(3, 0);
+  std::vector<std::vector<contacts::Sampled_triangle>> parts;
   for (const Shape_part& part : shape.parts()) {
-    const double share = FRAME_SAMPLES * surface_area(part.mesh) / total;
-    const std::size_t n = std::max(LEAST_FRAME_SAMPLES, static_cast<std::size_t>(share + 0.5));
-    const Points samples = sample_surface(part.mesh, n);
-    const Eigen::Index before = result.cols();
-    result.conservativeResize(3, before + samples.cols());
-    result.rightCols(samples.cols()) = samples;
+    parts.push_back(triangles_of(part.mesh));
+    total += total_area(parts.back());
   }
+  std::vector<Point> points;
+  for (const auto& triangles : parts) {
+    const int share = static_cast<int>(std::lround(FRAME_SAMPLES * total_area(triangles) / total));
+    const auto samples = contacts::sample_triangles(triangles, std::max(LEAST_FRAME_SAMPLES, share)).points;
+    points.insert(points.end(), samples.begin(), samples.end());
+  }
+  Points result(3, points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result.col(i) = points[i];
   return result;
 }
 

@@ -20,9 +20,10 @@ namespace internal {
 namespace contacts {
 
 constexpr double SLACK = 1 + 1e-9;   ///< so that a gap of exactly the tolerance is a contact in every pose
+constexpr double BRIDGE_GAP = 0.1;   ///< over the tolerance: gaps up to this are contacts whatever is between
 constexpr double NEAR_BAND = 0.5;    ///< over the tolerance: what is this much farther than the least distance is near
 constexpr int DISTANCE_SAMPLES = 64; ///< a part, to find the least distance
-constexpr int REGION_SAMPLES = 128;  ///< a part, to find the middle of the contact
+constexpr int REGION_SAMPLES = 96;   ///< a part, to find the middle of the contact
 constexpr int PROJECTIONS = 6;       ///< from surface to surface, to refine the least distance
 constexpr int ABSTRACTION_SAMPLES = 16; ///< of a curve, or along each side of a sheet
 
@@ -100,8 +101,8 @@ inline bool middle(const Measured_samples& samples, double limit, Point& result)
 inline Point contact_point(const Part_surface& a, const Part_surface& b, const Point& witness, double limit)
 {
   Box box(witness, witness);
-  extend_by_near(Measured_samples(a, widened(b.box(), limit), REGION_SAMPLES, b), limit, box);
-  extend_by_near(Measured_samples(b, widened(a.box(), limit), REGION_SAMPLES, a), limit, box);
+  extend_by_near(Measured_samples(a, widened(b.box(), limit), DISTANCE_SAMPLES, b), limit, box);
+  extend_by_near(Measured_samples(b, widened(a.box(), limit), DISTANCE_SAMPLES, a), limit, box);
   box = widened(box, limit);
   Point on_a = witness, on_b = witness;
   const bool has_a = middle(Measured_samples(a, box, REGION_SAMPLES, b), limit, on_a);
@@ -128,14 +129,18 @@ public:
 
   std::vector<Contact> operator()(std::vector<std::string>& warnings) const
   {
-    std::vector<Contact> contacts;
+    std::vector<Near_pair> near;
     for (std::size_t a = 0; a < parts_.size(); ++a)
       for (std::size_t b = a + 1; b < parts_.size(); ++b)
-        add_if_touching(a, b, contacts);
+        add_if_touching(a, b, near);
+    near = without_bridged_gaps(near, parts_.size(), BRIDGE_GAP * tolerance_);
     join_pieces(
         parts_, diagonal_, [this](std::size_t a, std::size_t b) { return box_distance(a, b); },
-        [this](std::size_t a, std::size_t b) { return proximity(a, b); }, contacts, warnings);
-    sort_contacts(contacts);
+        [this](std::size_t a, std::size_t b) { return near_pair(a, b); }, near, warnings);
+    sort_by_parts(near);
+    std::vector<Contact> contacts;
+    for (const Near_pair& pair : near)
+      contacts.push_back(contact(pair));
     return contacts;
   }
 
@@ -145,11 +150,12 @@ private:
     return surfaces_[a]->box().exteriorDistance(surfaces_[b]->box());
   }
 
-  Contact contact(std::size_t a, std::size_t b, const Near_region& region) const
+  Contact contact(const Near_pair& pair) const
   {
-    const double limit = region.distance + NEAR_BAND * tolerance_;
-    const Point p = frame_.to_world(contact_point(*surfaces_[a], *surfaces_[b], region.witness, limit));
-    return {{a, b}, {nearest_parameter(parts_[a], p), nearest_parameter(parts_[b], p)}};
+    const auto [a, b] = pair.parts;
+    const double limit = pair.surface_distance + NEAR_BAND * tolerance_;
+    const Point p = frame_.to_world(contact_point(*surfaces_[a], *surfaces_[b], pair.witness, limit));
+    return {pair.parts, {nearest_parameter(parts_[a], p), nearest_parameter(parts_[b], p)}};
   }
 
   bool one_encloses_the_other(const Part_surface& a, const Part_surface& b) const
@@ -158,19 +164,21 @@ private:
            (a.box().contains(b.box()) && a.encloses(b.any_point()));
   }
 
-  void add_if_touching(std::size_t a, std::size_t b, std::vector<Contact>& contacts) const
+  void add_if_touching(std::size_t a, std::size_t b, std::vector<Near_pair>& near) const
   {
     if (box_distance(a, b) > tolerance_ * SLACK) return;
     const Part_surface &surface_a = *surfaces_[a], &surface_b = *surfaces_[b];
     Near_region region = near_region(surface_a, surface_b, tolerance_ * SLACK);
     if (!std::isfinite(region.distance)) return;
     if (region.distance > NEAR_BAND * tolerance_ && surface_a.intersects(surface_b)) region.distance = 0;
-    if (region.distance <= tolerance_ * SLACK || one_encloses_the_other(surface_a, surface_b))
-      contacts.push_back(contact(a, b, region));
+    if (region.distance <= tolerance_ * SLACK)
+      near.push_back({{a, b}, region.distance, region.distance, region.witness});
+    else if (one_encloses_the_other(surface_a, surface_b))
+      near.push_back({{a, b}, 0, region.distance, region.witness});
   }
 
   /// The distance of two parts however far they are: what is found within the reach is the least.
-  Proximity proximity(std::size_t a, std::size_t b) const
+  Near_pair near_pair(std::size_t a, std::size_t b) const
   {
     double reach = std::max(tolerance_, box_distance(a, b)) * SLACK;
     Near_region region = near_region(*surfaces_[a], *surfaces_[b], reach);
@@ -178,7 +186,7 @@ private:
       reach *= 2;
       region = near_region(*surfaces_[a], *surfaces_[b], reach);
     }
-    return {region.distance, contact(a, b, region)};
+    return {{a, b}, region.distance, region.distance, region.witness};
   }
 
   const std::vector<Part_abstraction>& parts_;
@@ -244,16 +252,20 @@ public:
 
   std::vector<Contact> operator()(std::vector<std::string>& warnings) const
   {
-    std::vector<Contact> contacts;
+    std::vector<Near_pair> near;
     for (std::size_t a = 0; a < parts_.size(); ++a)
       for (std::size_t b = a + 1; b < parts_.size(); ++b) {
-        const Proximity pair = proximity(a, b);
-        if (pair.distance <= tolerance_ * SLACK) contacts.push_back(pair.contact);
+        const Near_pair pair = near_pair(a, b);
+        if (pair.distance <= tolerance_ * SLACK) near.push_back(pair);
       }
+    near = without_bridged_gaps(near, parts_.size(), BRIDGE_GAP * tolerance_);
     join_pieces(
         parts_, diagonal_, [](std::size_t, std::size_t) { return 0.0; },
-        [this](std::size_t a, std::size_t b) { return proximity(a, b); }, contacts, warnings);
-    sort_contacts(contacts);
+        [this](std::size_t a, std::size_t b) { return near_pair(a, b); }, near, warnings);
+    sort_by_parts(near);
+    std::vector<Contact> contacts;
+    for (const Near_pair& pair : near)
+      contacts.push_back(contact(pair));
     return contacts;
   }
 
@@ -270,12 +282,18 @@ private:
     return best;
   }
 
-  Proximity proximity(std::size_t a, std::size_t b) const
+  Contact contact(const Near_pair& pair) const
+  {
+    const auto [a, b] = pair.parts;
+    return {pair.parts, {nearest_parameter(parts_[a], pair.witness), nearest_parameter(parts_[b], pair.witness)}};
+  }
+
+  Near_pair near_pair(std::size_t a, std::size_t b) const
   {
     const auto from_a = nearest_sample(a, b), from_b = nearest_sample(b, a);
-    const Point p = from_a.first <= from_b.first ? from_a.second : from_b.second;
-    const double distance = std::min(from_a.first, from_b.first) - radii_[a] - radii_[b];
-    return {std::max(0.0, distance), {{a, b}, {nearest_parameter(parts_[a], p), nearest_parameter(parts_[b], p)}}};
+    const auto& nearest = from_a.first <= from_b.first ? from_a : from_b;
+    const double distance = std::max(0.0, nearest.first - radii_[a] - radii_[b]);
+    return {{a, b}, distance, distance, nearest.second};
   }
 
   const std::vector<Part_abstraction>& parts_;

@@ -11,12 +11,13 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/internal/contacts/sample_triangles.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -31,13 +32,6 @@ inline Box widened(const Box& box, double by)
 {
   return Box(box.min() - Point::Constant(by), box.max() + Point::Constant(by));
 }
-
-/// Points on a piece of surface and the area that each stands for.
-struct Surface_samples
-{
-  std::vector<Point> points;
-  std::vector<double> areas;
-};
 
 /// A convex polygon, as clipping a triangle makes them.
 using Polygon = std::vector<Point>;
@@ -64,13 +58,6 @@ inline Polygon clipped(Polygon polygon, const Box& box)
   return polygon;
 }
 
-/// A triangle by its corner and two sides, with its area.
-struct Sampled_triangle
-{
-  Point corner, side_1, side_2;
-  double area;
-};
-
 inline void add_fan(const Polygon& polygon, std::vector<Sampled_triangle>& triangles)
 {
   for (std::size_t i = 2; i < polygon.size(); ++i) {
@@ -80,72 +67,67 @@ inline void add_fan(const Polygon& polygon, std::vector<Sampled_triangle>& trian
   }
 }
 
-/// `n` points, evenly spread by area; the k-th takes its place in its triangle from a low-discrepancy sequence.
-inline Surface_samples sample_triangles(const std::vector<Sampled_triangle>& triangles, int n)
+/// Triangles of a kernel in a tree.
+template <typename Kernel>
+class Triangle_tree
 {
-  constexpr double STEP_1 = 0.7548776662466927, STEP_2 = 0.5698402909980532; // powers of the plastic number
-  double total = 0;
-  for (const Sampled_triangle& t : triangles)
-    total += t.area;
-  Surface_samples samples;
-  std::size_t current = 0;
-  double passed = 0;
-  for (int k = 0; k < n && !triangles.empty(); ++k) {
-    const double target = (k + 0.5) / n * total;
-    while (current + 1 < triangles.size() && passed + triangles[current].area < target)
-      passed += triangles[current++].area;
-    double u = std::fmod((k + 1) * STEP_1, 1.0), v = std::fmod((k + 1) * STEP_2, 1.0);
-    if (u + v > 1) u = 1 - u, v = 1 - v;
-    const Sampled_triangle& t = triangles[current];
-    samples.points.push_back(t.corner + u * t.side_1 + v * t.side_2);
-    samples.areas.push_back(total / n);
+  using Triangle = typename Kernel::Triangle_3;
+  using Primitive = CGAL::AABB_triangle_primitive<Kernel, typename std::vector<Triangle>::const_iterator>;
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+public:
+  static typename Kernel::Point_3 to_cgal(const Point& p) { return {p.x(), p.y(), p.z()}; }
+  static Triangle to_cgal(const std::array<Point, 3>& t) { return {to_cgal(t[0]), to_cgal(t[1]), to_cgal(t[2])}; }
+
+  explicit Triangle_tree(const std::vector<std::array<Point, 3>>& triangles)
+  {
+    for (const std::array<Point, 3>& triangle : triangles)
+      triangles_.push_back(to_cgal(triangle));
+    tree_.rebuild(triangles_.begin(), triangles_.end());
   }
-  return samples;
-}
+  Triangle_tree(const Triangle_tree&) = delete;
+  Triangle_tree& operator=(const Triangle_tree&) = delete;
+
+  const Tree& tree() const { return tree_; }
+
+private:
+  std::vector<Triangle> triangles_;
+  Tree tree_;
+};
 
 /// The surface of a part, ready for distance and intersection queries.
 class Part_surface
 {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Triangle = Kernel::Triangle_3;
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Triangle>::const_iterator>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+  using Fast = CGAL::Simple_cartesian<double>;                       // for distances
+  using Exact = CGAL::Exact_predicates_inexact_constructions_kernel; // for intersections, which are seldom asked for
 
 public:
   /// \param points of the mesh, in the coordinates that queries come in
   Part_surface(const Points& points, const Eigen::Matrix3Xi& triangles)
+      : corners_(proper_triangles(points, triangles)), distances_(corners_)
   {
-    for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-      std::array<Point, 3> corners;
-      for (int i = 0; i < 3; ++i)
-        corners[i] = points.col(triangles(i, t));
-      const Triangle triangle(to_cgal(corners[0]), to_cgal(corners[1]), to_cgal(corners[2]));
-      if (triangle.is_degenerate()) continue;
-      corners_.push_back(corners);
-      triangles_.push_back(triangle);
-      for (const Point& corner : corners)
+    for (const std::array<Point, 3>& triangle : corners_)
+      for (const Point& corner : triangle)
         box_.extend(corner);
-    }
-    tree_.rebuild(triangles_.begin(), triangles_.end());
   }
-  Part_surface(const Part_surface&) = delete;
-  Part_surface& operator=(const Part_surface&) = delete;
 
-  bool empty() const { return triangles_.empty(); }
   const Box& box() const { return box_; }
   const Point& any_point() const { return corners_.front()[0]; }
 
   Point nearest(const Point& p) const
   {
-    const Kernel::Point_3 q = tree_.closest_point(to_cgal(p));
+    const Fast::Point_3 q = distances_.tree().closest_point(Triangle_tree<Fast>::to_cgal(p));
     return Point(q.x(), q.y(), q.z());
   }
 
   bool intersects(const Part_surface& other) const
   {
     if (!box_.intersects(other.box_)) return false;
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
-      if (triangle_box(t).intersects(other.box_) && other.tree_.do_intersect(triangles_[t])) return true;
+    const Triangle_tree<Exact> others(other.corners_);
+    for (std::size_t t = 0; t < corners_.size(); ++t)
+      if (triangle_box(t).intersects(other.box_) &&
+          others.tree().do_intersect(Triangle_tree<Exact>::to_cgal(corners_[t])))
+        return true;
     return false;
   }
 
@@ -156,8 +138,8 @@ public:
                                              Point(0.1031, -0.0713, 1)};
     int odd = 0;
     for (const Point& d : directions) {
-      const Kernel::Ray_3 ray(to_cgal(p), Kernel::Vector_3(d.x(), d.y(), d.z()));
-      odd += tree_.number_of_intersected_primitives(ray) % 2;
+      const Fast::Ray_3 ray(Triangle_tree<Fast>::to_cgal(p), Fast::Vector_3(d.x(), d.y(), d.z()));
+      odd += distances_.tree().number_of_intersected_primitives(ray) % 2;
     }
     return odd >= 2;
   }
@@ -182,7 +164,18 @@ public:
   }
 
 private:
-  static Kernel::Point_3 to_cgal(const Point& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); }
+  /// The triangles that are not degenerate.
+  static std::vector<std::array<Point, 3>> proper_triangles(const Points& points, const Eigen::Matrix3Xi& triangles)
+  {
+    std::vector<std::array<Point, 3>> result;
+    for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+      std::array<Point, 3> corners;
+      for (int i = 0; i < 3; ++i)
+        corners[i] = points.col(triangles(i, t));
+      if (!Triangle_tree<Exact>::to_cgal(corners).is_degenerate()) result.push_back(corners);
+    }
+    return result;
+  }
 
   Box triangle_box(std::size_t t) const
   {
@@ -191,9 +184,8 @@ private:
   }
 
   std::vector<std::array<Point, 3>> corners_;
-  std::vector<Triangle> triangles_;
+  Triangle_tree<Fast> distances_;
   Box box_;
-  Tree tree_;
 };
 
 } // namespace contacts

@@ -53,34 +53,61 @@ private:
   std::size_t count_;
 };
 
-/// How near two parts are, and where, as parameters on both.
-struct Proximity
+/// Two parts, how near they are (0 where they overlap), and where their surfaces are nearest.
+struct Near_pair
 {
+  std::array<std::size_t, 2> parts;
   double distance;
-  Contact contact;
+  double surface_distance;
+  Point witness;
 };
 
-inline std::string join_warning(const std::vector<Part_abstraction>& parts, const Proximity& pair, double diagonal)
+constexpr double BRIDGE_FRACTION = 0.5; ///< how much nearer than the gap a part that bridges it must be to both sides
+
+/// Near pairs but for gaps that a third part bridges: if it is much nearer to either part than they are
+/// to each other, they are held together by it and do not touch. Gaps up to `negligible` stay.
+inline std::vector<Near_pair> without_bridged_gaps(const std::vector<Near_pair>& near, std::size_t parts,
+                                                   double negligible)
+{
+  std::vector<std::vector<std::pair<std::size_t, double>>> neighbours(parts);
+  for (const Near_pair& pair : near) {
+    neighbours[pair.parts[0]].emplace_back(pair.parts[1], pair.distance);
+    neighbours[pair.parts[1]].emplace_back(pair.parts[0], pair.distance);
+  }
+  const auto is_bridged = [&](const Near_pair& pair) {
+    const double limit = BRIDGE_FRACTION * pair.distance;
+    for (const auto& [bridge, distance] : neighbours[pair.parts[0]])
+      for (const auto& [other, other_distance] : neighbours[bridge])
+        if (other == pair.parts[1] && std::max(distance, other_distance) < limit) return true;
+    return false;
+  };
+  std::vector<Near_pair> result;
+  for (const Near_pair& pair : near)
+    if (pair.distance <= negligible || !is_bridged(pair)) result.push_back(pair);
+  return result;
+}
+
+inline std::string join_warning(const std::vector<Part_abstraction>& parts, const Near_pair& pair, double diagonal)
 {
   const double percent = std::round(1000 * pair.distance / diagonal) / 10;
   std::string digits = std::to_string(percent);
   digits.resize(digits.find_first_of(".,") + 2);
-  return "Parts '" + parts[pair.contact.parts[0]].name + "' and '" + parts[pair.contact.parts[1]].name +
+  return "Parts '" + parts[pair.parts[0]].name + "' and '" + parts[pair.parts[1]].name +
          "' are taken to be in contact across a gap of " + digits +
          " % of the shape's diagonal, since the shape would fall into pieces otherwise.";
 }
 
-/// Joins what the contacts leave in pieces by the closest pairs (Kruskal's minimum spanning forest). Distances are
+/// Joins what the near pairs leave in pieces by the closest pairs (Kruskal's minimum spanning forest). Distances are
 /// computed only where the lower bound asks for it.
 /// \tparam LowerBound (part, part) to a bound of their distance
-/// \tparam Measure (part, part) to a `Proximity`
+/// \tparam Measure (part, part) to a `Near_pair`
 template <typename LowerBound, typename Measure>
 void join_pieces(const std::vector<Part_abstraction>& parts, double diagonal, const LowerBound& lower_bound,
-                 const Measure& measure, std::vector<Contact>& contacts, std::vector<std::string>& warnings)
+                 const Measure& measure, std::vector<Near_pair>& near, std::vector<std::string>& warnings)
 {
   Pieces pieces(parts.size());
-  for (const Contact& contact : contacts)
-    pieces.join(contact.parts[0], contact.parts[1]);
+  for (const Near_pair& pair : near)
+    pieces.join(pair.parts[0], pair.parts[1]);
   if (pieces.count() == 1) return;
 
   // (distance or its bound, the two parts, whether measured); the smallest first
@@ -93,20 +120,20 @@ void join_pieces(const std::vector<Part_abstraction>& parts, double diagonal, co
     const auto [distance, a, b, measured] = queue.top();
     queue.pop();
     if (pieces.find(a) == pieces.find(b)) continue;
-    const Proximity pair = measure(a, b);
+    const Near_pair pair = measure(a, b);
     if (!measured && pair.distance > distance) {
       queue.emplace(pair.distance, a, b, true);
       continue;
     }
     pieces.join(a, b);
-    contacts.push_back(pair.contact);
+    near.push_back(pair);
     warnings.push_back(join_warning(parts, pair, diagonal));
   }
 }
 
-inline void sort_contacts(std::vector<Contact>& contacts)
+inline void sort_by_parts(std::vector<Near_pair>& near)
 {
-  std::sort(contacts.begin(), contacts.end(), [](const Contact& a, const Contact& b) { return a.parts < b.parts; });
+  std::sort(near.begin(), near.end(), [](const Near_pair& a, const Near_pair& b) { return a.parts < b.parts; });
 }
 
 } // namespace contacts

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "box_shapes.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include <catch2/catch.hpp>
+
+using namespace box_shapes;
+
+namespace {
+
+std::set<Names> group_names(const Structural_graph& graph)
+{
+  std::set<Names> result;
+  for (std::size_t v = 0; v < num_vertices(graph); ++v) {
+    Names names;
+    for (std::size_t part : graph[v].parts)
+      names.insert(structure(graph).parts[part].name);
+    result.insert(names);
+  }
+  return result;
+}
+
+const std::set<Names> TABLE_GROUPS = {{"plate"}, {"leg_1", "leg_2", "leg_3", "leg_4"}};
+
+} // namespace
+
+TEST_CASE("The graph of a table")
+{
+  Structure_times times;
+  const Structural_graph graph = build_structural_graph(table(), {}, &times);
+  CHECK(is_valid_structural_graph(graph, true));
+  CHECK(group_names(graph) == TABLE_GROUPS);
+  REQUIRE(num_edges(graph) == 1);
+  CHECK(graph[*edges(graph).first].contacts.size() == 4);
+  CHECK(structure(graph).name == "table");
+  CHECK_FALSE(structure(graph).parts[1].is_sheet());
+  CHECK(structure(graph).frame.height == Approx(1.0).epsilon(0.02));
+  CHECK(times.abstraction > 0);
+  CHECK(times.structure > 0);
+  CHECK(times.structure < 0.5); // some 0.05 on an idle machine
+}
+
+TEST_CASE("Sequential and parallel building agree to the bit")
+{
+  const Structural_graph a = build_structural_graph<CGAL::Sequential_tag>(star_stool());
+  const Structural_graph b = build_structural_graph<CGAL::Parallel_tag>(star_stool());
+  CHECK(group_names(a) == group_names(b));
+  REQUIRE(structure(a).contacts.size() == structure(b).contacts.size());
+  for (std::size_t i = 0; i < structure(a).contacts.size(); ++i) {
+    CHECK(structure(a).contacts[i].parts == structure(b).contacts[i].parts);
+    CHECK(structure(a).contacts[i].parameters[0] == structure(b).contacts[i].parameters[0]);
+    CHECK(structure(a).contacts[i].parameters[1] == structure(b).contacts[i].parameters[1]);
+  }
+  for (std::size_t i = 0; i < structure(a).parts.size(); ++i)
+    CHECK(structure(a).parts[i].control_points() == structure(b).parts[i].control_points());
+}
+
+TEST_CASE("The graph does not depend on pose and order")
+{
+  std::mt19937 random(5);
+  const Segmented_shape shape = table();
+  const Structural_graph graph =
+      build_structural_graph(moved(shape, random_motion(random), random_order(shape.parts().size(), random)));
+  CHECK(group_names(graph) == TABLE_GROUPS);
+  CHECK(structure(graph).contacts.size() == 4);
+}
+
+TEST_CASE("A shape needs two parts")
+{
+  Segmented_shape shape("lonely");
+  CHECK_THROWS_AS(build_structural_graph(shape), Invalid_input);
+  shape.add_part("only", box({0, 0, 0}, {1, 1, 1}));
+  CHECK_THROWS_WITH(build_structural_graph(shape), Catch::Contains("'lonely'") && Catch::Contains("only one part"));
+  Shape_structure structure;
+  CHECK_THROWS_AS(complete_structural_graph(structure, {}), Invalid_input);
+}
+
+TEST_CASE("Completing keeps what is given")
+{
+  Shape_structure shape;
+  shape.name = "table";
+  shape.parts = quick_parts(table());
+  shape.frame = frame_of(shape.parts);
+  SECTION("nothing given: groups and contacts are detected")
+  {
+    const Structural_graph graph = complete_structural_graph(shape, {});
+    CHECK(group_names(graph) == TABLE_GROUPS);
+    CHECK(is_valid_structural_graph(graph, true));
+  }
+  SECTION("groups and a contact given")
+  {
+    std::vector<Part_group> groups(2);
+    groups[0].parts = {0, 1, 2};
+    groups[1].parts = {3, 4};
+    shape.contacts = {{{0, 3}, {Eigen::Vector2d(0.5, 0), Eigen::Vector2d(1, 0)}}};
+    const Structural_graph graph = complete_structural_graph(shape, groups);
+    CHECK(num_vertices(graph) == 2);
+    CHECK(structure(graph).contacts.size() == 1);
+  }
+}

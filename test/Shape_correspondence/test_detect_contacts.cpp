@@ -1,0 +1,177 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "box_shapes.h"
+
+#include <CGAL/Shape_correspondence/detect_contacts.h>
+#include <catch2/catch.hpp>
+
+using namespace box_shapes;
+
+namespace {
+
+struct Found
+{
+  std::set<Names> pairs;
+  std::vector<Contact> contacts;
+  std::vector<Part_abstraction> parts;
+  std::vector<std::string> warnings;
+};
+
+Found contacts_of(const Segmented_shape& shape, double tolerance = 0.02)
+{
+  Found found;
+  found.parts = quick_parts(shape);
+  Contact_options options;
+  options.tolerance = tolerance;
+  found.contacts = detect_contacts(shape, found.parts, frame_of(found.parts), options, found.warnings);
+  for (const Contact& contact : found.contacts)
+    found.pairs.insert({found.parts[contact.parts[0]].name, found.parts[contact.parts[1]].name});
+  return found;
+}
+
+const std::set<Names> TABLE_PAIRS = {{"leg_1", "plate"}, {"leg_2", "plate"}, {"leg_3", "plate"}, {"leg_4", "plate"}};
+const std::set<Names> CHAIR_PAIRS = {{"seat", "front_leg_l"},
+                                     {"seat", "front_leg_r"},
+                                     {"seat", "back_leg_l"},
+                                     {"seat", "back_leg_r"},
+                                     {"stretcher_l", "back_leg_l"},
+                                     {"stretcher_r", "back_leg_r"},
+                                     {"stretcher_l", "front_leg_l"},
+                                     {"stretcher_r", "front_leg_r"},
+                                     {"rail", "back_leg_l"},
+                                     {"rail", "back_leg_r"},
+                                     {"rail", "slat_0"},
+                                     {"rail", "slat_1"},
+                                     {"rail", "slat_2"},
+                                     {"rail", "slat_3"},
+                                     {"rail", "slat_4"},
+                                     {"seat", "slat_0"},
+                                     {"seat", "slat_1"},
+                                     {"seat", "slat_2"},
+                                     {"seat", "slat_3"},
+                                     {"seat", "slat_4"}};
+
+/// Two boxes of side 1 with a gap between them.
+Segmented_shape two_boxes(double gap)
+{
+  Segmented_shape shape("boxes");
+  shape.add_part("a", box({0, 0.5, 0}, {1, 1, 1}));
+  shape.add_part("b", box({1 + gap, 0.5, 0}, {1, 1, 1}));
+  return shape;
+}
+
+} // namespace
+
+TEST_CASE("Contacts of shapes made of boxes")
+{
+  const Found on_table = contacts_of(table());
+  CHECK(on_table.pairs == TABLE_PAIRS);
+  CHECK(on_table.contacts.size() == TABLE_PAIRS.size());
+  CHECK(on_table.warnings.empty());
+  CHECK(contacts_of(chair()).pairs == CHAIR_PAIRS);
+}
+
+TEST_CASE("Contacts are where the parts touch")
+{
+  const Found found = contacts_of(table());
+  for (const Contact& contact : found.contacts) {
+    CHECK(contact.parts[0] == 0);
+    const Part_abstraction& leg = found.parts[contact.parts[1]];
+    const Point on_leg = evaluate(leg, contact.parameters[1]),
+                on_plate = evaluate(found.parts[0], contact.parameters[0]);
+    CHECK(on_leg.y() == Approx(0.95).margin(0.02));
+    CHECK(on_plate.x() == Approx(on_leg.x()).margin(0.02));
+  }
+}
+
+TEST_CASE("Contacts do not depend on pose, scale and order of parts")
+{
+  std::mt19937 random(4);
+  for (int i = 0; i < 5; ++i) {
+    CAPTURE(i);
+    const Segmented_shape shape = chair();
+    CHECK(contacts_of(moved(shape, random_motion(random), random_order(shape.parts().size(), random))).pairs ==
+          CHAIR_PAIRS);
+  }
+}
+
+TEST_CASE("Contacts are sorted")
+{
+  const std::vector<Contact> contacts = contacts_of(chair()).contacts;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    CHECK(contacts[i].parts[0] < contacts[i].parts[1]);
+    if (i > 0) CHECK(contacts[i - 1].parts < contacts[i].parts);
+  }
+}
+
+TEST_CASE("A gap within the tolerance is a contact, a wider one is joined with a warning")
+{
+  CHECK(contacts_of(two_boxes(0.03)).warnings.empty());
+  const Found joined = contacts_of(two_boxes(0.1));
+  REQUIRE(joined.contacts.size() == 1);
+  REQUIRE(joined.warnings.size() == 1);
+  CHECK(joined.warnings[0].find("'a'") != std::string::npos);
+  CHECK(joined.warnings[0].find("'b'") != std::string::npos);
+  CHECK(joined.warnings[0].find("3.9 %") != std::string::npos); // 0.1 over the root of 2.1² + 1 + 1
+  CHECK(contacts_of(two_boxes(0.1), 0.05).warnings.empty());
+  CHECK(contacts_of(two_boxes(-0.3)).warnings.empty());
+}
+
+TEST_CASE("Pieces are joined by their closest pairs")
+{
+  Segmented_shape shape("three boxes");
+  shape.add_part("a", box({0, 0.5, 0}, {1, 1, 1}));
+  shape.add_part("c", box({3, 0.5, 0}, {1, 1, 1}));
+  shape.add_part("b", box({1.4, 0.5, 0}, {1, 1, 1}));
+  const Found found = contacts_of(shape);
+  CHECK(found.pairs == std::set<Names>{{"a", "b"}, {"b", "c"}});
+  CHECK(found.warnings.size() == 2);
+}
+
+TEST_CASE("A part inside another touches it")
+{
+  Segmented_shape shape("box in a box");
+  shape.add_part("outer", box({0, 0.5, 0}, {1, 1, 1}));
+  shape.add_part("inner", box({0, 0.5, 0}, {0.4, 0.4, 0.4}));
+  const Found found = contacts_of(shape);
+  CHECK(found.contacts.size() == 1);
+  CHECK(found.warnings.empty());
+}
+
+TEST_CASE("A part that bridges a gap is touched in its place")
+{
+  Segmented_shape shape("two boxes on a board");
+  shape.add_part("board", box({0.5, -0.05, 0}, {2.2, 0.1, 1}));
+  shape.add_part("a", box({0, 0.5, 0}, {1, 1, 1}));
+  shape.add_part("b", box({1.03, 0.5, 0}, {1, 1, 1}));
+  CHECK(contacts_of(shape).pairs == std::set<Names>{{"board", "a"}, {"board", "b"}});
+}
+
+TEST_CASE("Contacts without meshes")
+{
+  std::vector<Part_abstraction> parts = quick_parts(chair());
+  for (Part_abstraction& part : parts) {
+    const Point size = part.hull.rowwise().maxCoeff() - part.hull.rowwise().minCoeff();
+    part.volume = size.prod();
+  }
+  const Point u(0.5, 0, 0), v(0, 0, 0.46), corner(-0.25, 0.45, -0.23);
+  Sheet seat;
+  seat.rows = seat.cols = 2;
+  seat.points.resize(3, 4);
+  seat.points << corner, corner + v, corner + u, corner + u + v;
+  parts[0].geometry = seat;
+  std::vector<std::string> warnings;
+  std::set<Names> pairs;
+  for (const Contact& contact : detect_contacts(parts, frame_of(parts), {}, warnings))
+    pairs.insert({parts[contact.parts[0]].name, parts[contact.parts[1]].name});
+  CHECK(warnings.empty());
+  for (const Names& expected : CHAIR_PAIRS) {
+    CAPTURE(*expected.begin(), *expected.rbegin());
+    CHECK(pairs.count(expected) == 1);
+  }
+  CHECK(pairs.count({"front_leg_l", "front_leg_r"}) == 0);
+  CHECK(pairs.count({"stretcher_l", "rail"}) == 0);
+}

@@ -1,0 +1,187 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "box_shapes.h"
+
+#include <CGAL/Shape_correspondence/detect_symmetry_groups.h>
+#include <catch2/catch.hpp>
+
+#include <map>
+
+using namespace box_shapes;
+
+namespace {
+
+/// The groups of two parts or more, by names, with their kinds.
+std::map<Names, Symmetry_type> named(const std::vector<Part_abstraction>& parts, const std::vector<Part_group>& groups)
+{
+  std::map<Names, Symmetry_type> result;
+  for (const Part_group& group : groups) {
+    Names names;
+    for (std::size_t part : group.parts)
+      names.insert(parts[part].name);
+    if (names.size() > 1) result[names] = group.symmetry.type;
+  }
+  return result;
+}
+
+std::map<Names, Symmetry_type> groups_of(const Segmented_shape& shape)
+{
+  const std::vector<Part_abstraction> parts = quick_parts(shape);
+  return named(parts, detect_symmetry_groups(parts, frame_of(parts)));
+}
+
+const Part_group& group_with(const std::vector<Part_abstraction>& parts, const std::vector<Part_group>& groups,
+                             const std::string& name)
+{
+  for (const Part_group& group : groups)
+    for (std::size_t part : group.parts)
+      if (parts[part].name == name) return group;
+  throw std::logic_error("no group has " + name);
+}
+
+const std::map<Names, Symmetry_type> TABLE_GROUPS = {{{"leg_1", "leg_2", "leg_3", "leg_4"}, Symmetry_type::REFLECTION}};
+const std::map<Names, Symmetry_type> CHAIR_GROUPS = {
+    {{"front_leg_l", "front_leg_r"}, Symmetry_type::REFLECTION},
+    {{"back_leg_l", "back_leg_r"}, Symmetry_type::REFLECTION},
+    {{"stretcher_l", "stretcher_r"}, Symmetry_type::REFLECTION},
+    {{"slat_0", "slat_1", "slat_2", "slat_3", "slat_4"}, Symmetry_type::TRANSLATION}};
+const std::map<Names, Symmetry_type> STAR_GROUPS = {
+    {{"foot_0", "foot_1", "foot_2", "foot_3", "foot_4"}, Symmetry_type::ROTATION}};
+
+} // namespace
+
+TEST_CASE("Groups of shapes made of boxes")
+{
+  CHECK(groups_of(table()) == TABLE_GROUPS);
+  CHECK(groups_of(chair()) == CHAIR_GROUPS);
+  CHECK(groups_of(star_stool()) == STAR_GROUPS);
+}
+
+TEST_CASE("Groups do not depend on pose, scale and order of parts")
+{
+  std::mt19937 random(1);
+  for (int i = 0; i < 8; ++i) {
+    CAPTURE(i);
+    const auto again = [&](const Segmented_shape& shape) {
+      return groups_of(moved(shape, random_motion(random), random_order(shape.parts().size(), random)));
+    };
+    CHECK(again(table()) == TABLE_GROUPS);
+    CHECK(again(chair()) == CHAIR_GROUPS);
+    CHECK(again(star_stool()) == STAR_GROUPS);
+  }
+}
+
+TEST_CASE("Noise of half a percent changes no group")
+{
+  std::mt19937 random(2);
+  for (int i = 0; i < 4; ++i) {
+    CAPTURE(i);
+    CHECK(groups_of(noisy(table(), 0.005, random)) == TABLE_GROUPS);
+    CHECK(groups_of(noisy(star_stool(), 0.005, random)) == STAR_GROUPS);
+  }
+}
+
+TEST_CASE("The generator carries each member into the next")
+{
+  std::mt19937 random(3);
+  const Motion motion = random_motion(random);
+  const auto check = [&](const Segmented_shape& original, const std::string& name) {
+    const Segmented_shape shape = moved(original, motion, random_order(original.parts().size(), random));
+    const std::vector<Part_abstraction> parts = quick_parts(shape);
+    const std::vector<Part_group> groups = detect_symmetry_groups(parts, frame_of(parts));
+    const Part_group& group = group_with(parts, groups, name);
+    const Symmetry& s = group.symmetry;
+    for (std::size_t k = 0; k + 1 < group.parts.size(); ++k) {
+      if (s.type == Symmetry_type::REFLECTION && k % 2 == 1) continue; // of four, the pairs of the plane
+      const Point from = shape.parts()[group.parts[k]].mesh.points.rowwise().mean();
+      const Point to = shape.parts()[group.parts[k + 1]].mesh.points.rowwise().mean();
+      Point image = from + s.direction;
+      if (s.type == Symmetry_type::REFLECTION) image = from - 2 * s.direction.dot(from - s.point) * s.direction;
+      if (s.type == Symmetry_type::ROTATION)
+        image = Eigen::AngleAxisd(2 * 3.14159265358979 / s.order, s.direction) * (from - s.point) + s.point;
+      CHECK((image - to).norm() < 0.01 * motion.scale);
+    }
+    CHECK(s.residual < 0.005);
+  };
+  check(table(), "leg_1");
+  check(chair(), "slat_0");
+  check(chair(), "stretcher_l");
+  check(star_stool(), "foot_0");
+}
+
+TEST_CASE("Order, volume and hull of groups")
+{
+  std::vector<Part_abstraction> parts = quick_parts(table());
+  for (Part_abstraction& part : parts)
+    part.volume = 0.01;
+  const std::vector<Part_group> groups = detect_symmetry_groups(parts, frame_of(parts));
+  REQUIRE(groups.size() == 2);
+  CHECK(groups[0].parts == std::vector<std::size_t>{0});
+  CHECK(groups[0].symmetry.type == Symmetry_type::SELF);
+  CHECK(groups[0].hull_volume == Approx(1.6 * 0.05 * 0.9));
+  CHECK(groups[1].volume == Approx(0.04));
+  CHECK(groups[1].hull_volume == Approx(1.48 * 0.95 * 0.78));
+  CHECK(groups[1].parts.size() == 4);
+}
+
+TEST_CASE("Parts that differ are not gathered")
+{
+  const Segmented_shape original = table();
+  Segmented_shape shape("table with one thick leg");
+  for (const Shape_part& part : original.parts())
+    shape.add_part(part.name, part.name == "leg_4" ? box({-0.7, 0.475, -0.35}, {0.2, 0.95, 0.2}) : part.mesh);
+  const auto groups = groups_of(shape);
+  for (const auto& [names, type] : groups)
+    CHECK(names.count("leg_4") == 0);
+  CHECK(groups.size() == 1);
+}
+
+TEST_CASE("A copy with another mesh is a copy")
+{
+  const Segmented_shape original = table();
+  Segmented_shape shape("table with a fine leg");
+  for (const Shape_part& part : original.parts())
+    shape.add_part(part.name, part.name == "leg_4" ? box({-0.7, 0.475, -0.35}, {0.08, 0.95, 0.08}, 0, 7) : part.mesh);
+  CHECK(groups_of(shape) == TABLE_GROUPS);
+}
+
+TEST_CASE("Three unevenly spaced parts are no row, slightly uneven ones are")
+{
+  const auto shelf = [](double middle) {
+    Segmented_shape shape("shelf");
+    shape.add_part("side", box({0, 0.5, 0}, {0.02, 1, 0.3}));
+    for (const double y : {0.1, middle, 0.9})
+      shape.add_part("board_" + std::to_string(y), box({0.26, y, 0}, {0.5, 0.02, 0.28}));
+    return shape;
+  };
+  CHECK(groups_of(shelf(0.53)).begin()->first.size() == 3);
+  CHECK(groups_of(shelf(0.25)).begin()->first.size() == 2);
+}
+
+TEST_CASE("Kinds can be switched off")
+{
+  const std::vector<Part_abstraction> parts = quick_parts(chair());
+  Symmetry_options options;
+  options.enabled = false;
+  CHECK(detect_symmetry_groups(parts, frame_of(parts), options).size() == parts.size());
+  options.enabled = true;
+  options.translation = false;
+  for (const Part_group& group : detect_symmetry_groups(parts, frame_of(parts), options))
+    CHECK(group.symmetry.type != Symmetry_type::TRANSLATION);
+}
+
+TEST_CASE("Parts without surface are judged by their abstractions")
+{
+  std::vector<Part_abstraction> parts = quick_parts(chair());
+  const Shape_frame frame = frame_of(parts);
+  for (Part_abstraction& part : parts) {
+    part.surface.resize(3, 0);
+    part.hull.resize(3, 0);
+  }
+  const auto groups = named(parts, detect_symmetry_groups(parts, frame));
+  CHECK(groups.count({"stretcher_l", "stretcher_r"}) == 1);
+  CHECK(groups.count({"slat_0", "slat_1", "slat_2", "slat_3", "slat_4"}) == 1);
+}
