@@ -8,10 +8,10 @@
 
 #include <CGAL/Shape_correspondence/internal/abstraction/bounding_box.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/meshes.h>
+#include <CGAL/Shape_correspondence/internal/abstraction/reproducible_hull.h>
 #include <CGAL/Shape_correspondence/internal/planar_hull.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/convex_hull_3.h>
 
 #include <vector>
 
@@ -65,7 +65,7 @@ inline Convex_hull convex_hull(const Points& points)
     input.push_back(to_mesh_point(points.col(i)));
   }
   Surface hull;
-  CGAL::convex_hull_3(input.begin(), input.end(), hull);
+  CGAL::convex_hull_3(input.begin(), input.end(), hull, Hull_traits());
   Convex_hull result;
   result.vertices = vertex_positions(hull);
   result.volume = std::abs(CGAL::Polygon_mesh_processing::volume(hull));
