@@ -177,11 +177,12 @@ TEST_CASE("assimp reads the picture back: the source left, both upright")
   const Temporary_folder folder;
   Correspondence c = some_match();
   const auto bounds = [&](const std::string& part) {
-    for (const Shape_part& p : IO::read_segmented_shape(folder.path("a.glb")).parts()) {
+    const Segmented_shape shape = IO::read_segmented_shape(folder.path("a.glb"));
+    for (const Shape_part& p : shape.parts()) {
       if (p.name == part)
         return Eigen::AlignedBox3d(p.mesh.points.rowwise().minCoeff(), p.mesh.points.rowwise().maxCoeff());
     }
-    return Eigen::AlignedBox3d();
+    throw std::runtime_error("no part " + part);
   };
   // Names must differ to be read as one model
   Structural_graph source = hand_made::chair(), target = hand_made::chair();

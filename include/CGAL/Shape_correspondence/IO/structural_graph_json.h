@@ -20,7 +20,8 @@ namespace IO {
 /// Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
 void write_structural_graph_json(std::ostream& out, const Structural_graph& graph);
 
-/// Reads a structural graph; groups, contacts and the frame are detected where the file has none.
+/// Reads a structural graph; groups, contacts and the frame are detected where the file has none. Parts that the given
+/// groups leave out are groups of their own. With `options.symmetry.enabled` false all parts are.
 /// \param file_name names the input in messages
 /// \throw Invalid_input if the text is not JSON, not a structural graph, or not a valid one; says where and what
 Structural_graph read_structural_graph_json(std::istream& in, const std::string& file_name,

@@ -8,11 +8,15 @@
 
 #include <CGAL/Shape_correspondence/internal/abstraction/bounding_box.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/meshes.h>
+#include <CGAL/Shape_correspondence/internal/abstraction/reproducible_hull.h>
 #include <CGAL/Shape_correspondence/internal/planar_hull.h>
 
-#include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/convex_hull_3.h>
+#include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -50,6 +54,45 @@ inline Oriented_box thinnest_box(const Points& points)
   return box_along(points, solver.eigenvectors());
 }
 
+/// The vertices of a hull and its volume, both from a sorted mesh: the algorithm's output is ordered by addresses.
+inline Convex_hull measured_hull(const Surface& mesh)
+{
+  using Key = std::array<double, 3>;
+  const auto key = [&](Surface::Vertex_index v) {
+    return Key{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
+  };
+  std::map<Key, int> order;
+  for (auto v : mesh.vertices()) {
+    order[key(v)] = 0;
+  }
+  Convex_hull result;
+  result.vertices.resize(3, static_cast<Eigen::Index>(order.size()));
+  int count = 0;
+  for (auto& [position, index] : order) {
+    result.vertices.col(count) << position[0], position[1], position[2];
+    index = count++;
+  }
+  std::vector<std::vector<int>> faces;
+  for (auto f : mesh.faces()) {
+    faces.emplace_back();
+    for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
+      faces.back().push_back(order.at(key(v)));
+    }
+    std::rotate(faces.back().begin(), std::min_element(faces.back().begin(), faces.back().end()), faces.back().end());
+  }
+  std::sort(faces.begin(), faces.end());
+  const Point apex = result.vertices.col(0);
+  for (const auto& face : faces) {
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      const Point a = result.vertices.col(face[0]) - apex, b = result.vertices.col(face[k - 1]) - apex,
+                  c = result.vertices.col(face[k]) - apex;
+      result.volume += a.dot(b.cross(c)) / 6;
+    }
+  }
+  result.volume = std::abs(result.volume);
+  return result;
+}
+
 inline Convex_hull convex_hull(const Points& points)
 {
   const double thinnest = 1e-6;
@@ -65,11 +108,8 @@ inline Convex_hull convex_hull(const Points& points)
     input.push_back(to_mesh_point(points.col(i)));
   }
   Surface hull;
-  CGAL::convex_hull_3(input.begin(), input.end(), hull);
-  Convex_hull result;
-  result.vertices = vertex_positions(hull);
-  result.volume = std::abs(CGAL::Polygon_mesh_processing::volume(hull));
-  return result;
+  CGAL::convex_hull_3(input.begin(), input.end(), hull, Hull_traits());
+  return measured_hull(hull);
 }
 
 } // namespace internal

@@ -32,7 +32,6 @@ using Flow_edge = boost::graph_traits<Flow_mesh>::edge_descriptor;
 /// The flow collapses short edges in the order of a `std::set` of edges. By default that is the order of their
 /// addresses, which differs from run to run, and so does the skeleton. The flow numbers all halfedges before each
 /// collapse, in the order of its mesh; comparing numbers makes its result a function of the input.
-#ifndef CGAL_SHAPE_CORRESPONDENCE_TEST_ADDRESS_ORDER
 template <>
 struct std::less<CGAL::Shape_correspondence::internal::Flow_edge>
 {
@@ -47,6 +46,5 @@ private:
     return (std::min)(edge.halfedge()->id(), edge.halfedge()->opposite()->id());
   }
 };
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_REPRODUCIBLE_FLOW_H
