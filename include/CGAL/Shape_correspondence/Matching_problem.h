@@ -9,6 +9,7 @@
 #include <CGAL/Shape_correspondence/Deformation_energy.h>
 #include <CGAL/Shape_correspondence/Geotopo_transform.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -18,6 +19,9 @@ namespace Shape_correspondence {
 /// A label index by group; `unassigned` where a group has none yet.
 using Assignment = std::vector<int>;
 constexpr int unassigned = -1;
+
+/// The most labels that a group has, which bounds time and memory for shapes of hundreds of groups.
+constexpr std::size_t maximum_labels = 64;
 
 /// The matching graph of a source and a target shape (paper, section 5) with its energies as tables. Once every group
 /// has a label, a matched part is its target part up to resampling, so that E is a sum over groups and over pairs of
@@ -41,7 +45,10 @@ public:
   const Aligned_shape& source() const { return source_; }
   const Aligned_shape& target() const { return target_; }
   const Energy_weights& weights() const { return weights_; }
-  std::size_t number_of_labels() const { return target_.groups.size(); }
+  /// As many for every group.
+  std::size_t number_of_labels() const { return std::min(target_.groups.size(), maximum_labels); }
+  /// Whether the labels of a group are fewer than the target groups, so that no search proves an optimum.
+  bool has_shortlists() const { return target_.groups.size() > maximum_labels; }
   /// The groups that take part, ascending.
   const std::vector<std::size_t>& active_groups() const { return active_groups_; }
   /// The contacts between parts that take part, ascending.
@@ -75,6 +82,7 @@ public:
 
 private:
   void choose_groups(int maximum_parts);
+  void choose_labels();
   void fit_parts();
   void fill_contact_energies(std::size_t contact);
   void add_up_tables();

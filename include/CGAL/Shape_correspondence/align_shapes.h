@@ -37,9 +37,9 @@ struct Aligned_shape
   struct Group
   {
     std::vector<std::size_t> parts;
-    Symmetry symmetry;   ///< in the common frame
-    double solidity = 1; ///< summed volumes over the volume of the common hull
-    std::size_t vertex;  ///< of the structural graph
+    Symmetry symmetry;                 ///< in the common frame
+    double solidity = 1;               ///< summed volumes over the volume of the common hull
+    std::vector<std::size_t> contacts; ///< those of its parts, ascending
   };
   struct Contact
   {

@@ -22,8 +22,7 @@ struct Contact_options
 };
 
 /// Finds the pairs of parts whose surfaces touch, interpenetrate or nearly touch, and where (paper, section 3: "a point
-/// from each part with minimum distance"; of all such points, the middle). A part inside another touches it. Two
-/// parts with a gap between them are not in contact if a third part, less than half as far from either, bridges it. One
+/// from each part with minimum distance"; of all such points, the middle). A part inside another touches it. One
 /// contact a pair of parts. A shape that falls into pieces is joined by its closest pairs; every such pair adds a
 /// sentence to `warnings`. Contacts are sorted by part indices.
 /// \param frame of the shape; measuring in it makes the result independent of the shape's pose

@@ -229,26 +229,26 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void propagate(const Aligned_shape& shape, cons
           shape.groups[group].symmetry, moved, shape.parts[representative].centroid, shape.parts[part].centroid);
   };
 
-  // Breadth-first, a layer of groups at a time
-  for (bool any = true; any;) {
-    any = false;
-    std::fill(count.begin(), count.end(), 0);
-    std::fill(sum.begin(), sum.end(), Point::Zero());
-    for (std::size_t c = 0; c < shape.contacts.size(); ++c)
-      for (int side : {0, 1}) {
-        const std::size_t mover = shape.contacts[c].parts[side], part = shape.contacts[c].parts[1 - side];
-        const std::size_t group = shape.group_of[mover];
-        if (!placed[group] || placed[shape.group_of[part]]) continue;
-        sum[part] += matched[group] ? contact_displacement[c][side] : Point(displacement.col(mover));
-        ++count[part];
-        any = true;
-      }
-    if (!any) break;
-    std::vector<std::size_t> layer;
-    for (std::size_t part = 0; part < count.size(); ++part)
-      if (count[part]) layer.push_back(shape.group_of[part]);
+  // Breadth-first, a layer of groups at a time: what touches the last layer is the next one
+  std::vector<std::size_t> layer, next;
+  for (std::size_t group = 0; group < matched.size(); ++group)
+    if (matched[group]) layer.push_back(group);
+  while (!layer.empty()) {
+    next.clear();
     for (std::size_t group : layer)
-      if (!placed[group]) place(group), placed[group] = 1;
+      for (std::size_t c : shape.groups[group].contacts)
+        for (int side : {0, 1}) {
+          const std::size_t mover = shape.contacts[c].parts[side], part = shape.contacts[c].parts[1 - side];
+          if (shape.group_of[mover] != group || placed[shape.group_of[part]]) continue;
+          sum[part] += matched[group] ? contact_displacement[c][side] : Point(displacement.col(mover));
+          ++count[part];
+          next.push_back(shape.group_of[part]);
+        }
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    for (std::size_t group : next)
+      place(group), placed[group] = 1;
+    layer.swap(next);
   }
   for (std::size_t group = 0; group < placed.size(); ++group)
     if (!placed[group])

@@ -7,6 +7,9 @@
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MATCHING_PROBLEM_IMPL_H
 
 #include <CGAL/Shape_correspondence/Matching_problem.h>
+#include <CGAL/Shape_correspondence/internal/quantized.h>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +18,31 @@
 
 namespace CGAL {
 namespace Shape_correspondence {
+namespace internal {
+
+// Least and greatest coordinates of every group.
+inline Eigen::Matrix<double, 6, Eigen::Dynamic> group_boxes(const Aligned_shape& shape)
+{
+  Eigen::Matrix<double, 6, Eigen::Dynamic> boxes(6, shape.groups.size());
+  for (std::size_t g = 0; g < shape.groups.size(); ++g) {
+    Eigen::AlignedBox3d box;
+    for (std::size_t part : shape.groups[g].parts) {
+      box.extend(Point(shape.parts[part].samples.rowwise().minCoeff()));
+      box.extend(Point(shape.parts[part].samples.rowwise().maxCoeff()));
+    }
+    boxes.col(Eigen::Index(g)) << box.min(), box.max();
+  }
+  return boxes;
+}
+
+} // namespace internal
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Matching_problem(Aligned_shape source, Aligned_shape target,
                                                                     const Energy_weights& weights, int maximum_parts)
     : source_(std::move(source)), target_(std::move(target)), weights_(weights)
 {
   choose_groups(maximum_parts);
+  choose_labels();
   fit_parts();
   rods_.resize(source_.contacts.size());
   contact_energies_.resize(source_.contacts.size());
@@ -60,6 +82,25 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::choose_groups(int maximu
   }
 }
 
+CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::choose_labels()
+{
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> from = internal::group_boxes(source_),
+                                                 to = internal::group_boxes(target_);
+  labels_.resize(source_.groups.size());
+  for (std::size_t g : active_groups_) {
+    std::vector<std::pair<long, std::size_t>> candidates;
+    for (std::size_t h = 0; h < target_.groups.size(); ++h)
+      candidates.emplace_back(internal::quantized((from.col(g) - to.col(h)).norm()), h);
+    if (has_shortlists()) {
+      std::sort(candidates.begin(), candidates.end());
+      candidates.resize(maximum_labels);
+      std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    }
+    for (const auto& candidate : candidates)
+      labels_[g].push_back(match_members(source_, g, target_, candidate.second));
+  }
+}
+
 CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fit_parts()
 {
   const std::size_t n = source_.parts.size(), m = target_.parts.size();
@@ -77,11 +118,6 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fit_parts()
         least = std::min(least, (b.colwise() - target_.parts[q].samples.col(i)).colwise().squaredNorm().minCoeff());
       target_distance_(q, s) = target_distance_(s, q) = std::sqrt(least);
     }
-
-  labels_.resize(source_.groups.size());
-  for (std::size_t g : active_groups_)
-    for (std::size_t h = 0; h < target_.groups.size(); ++h)
-      labels_[g].push_back(match_members(source_, g, target_, h));
 }
 
 // Curves have two sets of samples: their own, and those lifted to a sheet's number. The rods of a contact are kept for

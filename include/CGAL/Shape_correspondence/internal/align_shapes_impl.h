@@ -118,7 +118,6 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape align_shape(const Structural_grap
     std::sort(group.parts.begin(), group.parts.end());
     group.symmetry = in_common_frame(graph[v].symmetry, shape.frame, turn);
     group.solidity = solidity(graph[v].volume, graph[v].hull_volume);
-    group.vertex = v;
     result.groups.push_back(std::move(group));
   }
   std::sort(result.groups.begin(), result.groups.end(),
@@ -141,6 +140,12 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape align_shape(const Structural_grap
   }
   std::sort(result.contacts.begin(), result.contacts.end(),
             [](const Aligned_shape::Contact& a, const Aligned_shape::Contact& b) { return a.parts < b.parts; });
+  for (std::size_t c = 0; c < result.contacts.size(); ++c) {
+    const std::size_t g = result.group_of[result.contacts[c].parts[0]],
+                      h = result.group_of[result.contacts[c].parts[1]];
+    result.groups[g].contacts.push_back(c);
+    if (h != g) result.groups[h].contacts.push_back(c);
+  }
   return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/beam_search.h>
+#include <CGAL/Shape_correspondence/internal/Deformation_energy_impl.h>
 #include <CGAL/Shape_correspondence/internal/quantized.h>
 
 #include <algorithm>
@@ -116,6 +117,10 @@ private:
     if (matched_[g] && matched_[h])
       return problem_.contact_energy(contact, std::size_t(assignment[g]), std::size_t(assignment[h]));
 
+    // Parts that move alike keep their rods
+    const bool alike = (displacement_.col(parts[0]) - displacement_.col(parts[1])).squaredNorm() < zero_squared_length;
+    if (!matched_[g] && !matched_[h] && alike) return {};
+
     const Points moved_first = shape.parts[parts[0]].samples.colwise() + displacement_.col(parts[0]);
     const Points moved_second = shape.parts[parts[1]].samples.colwise() + displacement_.col(parts[1]);
     if (!matched_[g] && !matched_[h])
@@ -192,7 +197,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Search_result beam_search(const Matching_proble
   }
   result.assignment = beam.front().assignment;
   result.energy = problem.energy(result.assignment);
-  result.optimal = result.energy <= result.summary.lower_bound;
+  result.optimal = result.energy <= result.summary.lower_bound && !problem.has_shortlists();
   return result;
 }
 

@@ -20,7 +20,6 @@ namespace internal {
 namespace contacts {
 
 constexpr double SLACK = 1 + 1e-9;   ///< so that a gap of exactly the tolerance is a contact in every pose
-constexpr double BRIDGE_GAP = 0.1;   ///< over the tolerance: gaps up to this are contacts whatever is between
 constexpr double NEAR_BAND = 0.5;    ///< over the tolerance: what is this much farther than the least distance is near
 constexpr int DISTANCE_SAMPLES = 64; ///< a part, to find the least distance
 constexpr int REGION_SAMPLES = 64;   ///< a part, to find the middle of the contact
@@ -139,7 +138,6 @@ public:
     for (std::size_t a = 0; a < parts_.size(); ++a)
       for (std::size_t b = a + 1; b < parts_.size(); ++b)
         add_if_touching(a, b, near);
-    near = without_bridged_gaps(near, parts_.size(), BRIDGE_GAP * tolerance_);
     join_pieces(
         parts_, diagonal_, [this](std::size_t a, std::size_t b) { return box_distance(a, b); },
         [this](std::size_t a, std::size_t b) { return near_pair(a, b); }, near, warnings);
@@ -270,7 +268,6 @@ public:
         const Near_pair pair = near_pair(a, b);
         if (pair.distance <= tolerance_ * SLACK) near.push_back(pair);
       }
-    near = without_bridged_gaps(near, parts_.size(), BRIDGE_GAP * tolerance_);
     join_pieces(
         parts_, diagonal_, [](std::size_t, std::size_t) { return 0.0; },
         [this](std::size_t a, std::size_t b) { return near_pair(a, b); }, near, warnings);

@@ -192,7 +192,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Search_result exact_search(const Matching_probl
   }
   search.run(internal::Tangent_problem(problem, order, best_q0, options.table_limit), false, result);
 
-  result.optimal = search.finished();
+  result.optimal = search.finished() && !problem.has_shortlists();
   // Rounding in the bound must not put it above the energy it proves
   result.summary.lower_bound =
       result.optimal ? result.energy : std::min(result.energy, std::max(result.summary.lower_bound, best_bound));

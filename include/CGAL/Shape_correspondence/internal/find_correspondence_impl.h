@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -107,6 +108,10 @@ inline Correspondence correspondence_of(const Search_run& run, Direction directi
   correspondence.complete = true;
   correspondence.optimal = run.result.optimal;
   correspondence.search = run.result.summary;
+  if (run.problem.has_shortlists())
+    correspondence.warnings.push_back("There are " + std::to_string(run.problem.target().groups.size()) +
+                                      " groups to choose from; each was given the " + std::to_string(maximum_labels) +
+                                      " nearest in place and size to choose from.");
   collect_groups(run, correspondence);
 
   std::vector<char> source(source_parts, 0), target(target_parts, 0);

@@ -61,31 +61,6 @@ struct Near_pair
   std::size_t region; ///< where; an index that means something to who made it
 };
 
-constexpr double BRIDGE_FRACTION = 0.5; ///< how much nearer than the gap a part that bridges it must be to both sides
-
-/// Near pairs but for gaps that a third part bridges: if it is much nearer to either part than they are
-/// to each other, they are held together by it and do not touch. Gaps up to `negligible` stay.
-inline std::vector<Near_pair> without_bridged_gaps(const std::vector<Near_pair>& near, std::size_t parts,
-                                                   double negligible)
-{
-  std::vector<std::vector<std::pair<std::size_t, double>>> neighbours(parts);
-  for (const Near_pair& pair : near) {
-    neighbours[pair.parts[0]].emplace_back(pair.parts[1], pair.distance);
-    neighbours[pair.parts[1]].emplace_back(pair.parts[0], pair.distance);
-  }
-  const auto is_bridged = [&](const Near_pair& pair) {
-    const double limit = BRIDGE_FRACTION * pair.distance;
-    for (const auto& [bridge, distance] : neighbours[pair.parts[0]])
-      for (const auto& [other, other_distance] : neighbours[bridge])
-        if (other == pair.parts[1] && std::max(distance, other_distance) < limit) return true;
-    return false;
-  };
-  std::vector<Near_pair> result;
-  for (const Near_pair& pair : near)
-    if (pair.distance <= negligible || !is_bridged(pair)) result.push_back(pair);
-  return result;
-}
-
 inline std::string join_warning(const std::vector<Part_abstraction>& parts, const Near_pair& pair, double diagonal)
 {
   const double percent = std::round(1000 * pair.distance / diagonal) / 10;
