@@ -12,21 +12,6 @@ namespace Shape_correspondence {
 namespace IO {
 namespace {
 
-const char* name_of(Operation operation)
-{
-  switch (operation) {
-  case Operation::MATCH:
-    return "match";
-  case Operation::SPLIT:
-    return "split";
-  case Operation::DUPLICATE:
-    return "duplicate";
-  case Operation::MERGE:
-    return "merge";
-  }
-  return "match";
-}
-
 const char* name_of(Direction direction)
 {
   return direction == Direction::SOURCE_TO_TARGET ? "source_to_target" : "target_to_source";

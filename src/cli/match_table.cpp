@@ -17,21 +17,6 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-const char* name_of(Operation operation)
-{
-  switch (operation) {
-  case Operation::MATCH:
-    return "match";
-  case Operation::SPLIT:
-    return "split";
-  case Operation::DUPLICATE:
-    return "duplicate";
-  case Operation::MERGE:
-    return "merge";
-  }
-  return "match";
-}
-
 bool contains(const std::vector<std::size_t>& parts, std::size_t part)
 {
   return std::find(parts.begin(), parts.end(), part) != parts.end();

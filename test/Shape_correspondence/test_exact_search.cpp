@@ -6,6 +6,7 @@
 #include <CGAL/Shape_correspondence/beam_search.h>
 #include <CGAL/Shape_correspondence/exact_search.h>
 
+#include "brute_force.h"
 #include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
@@ -16,22 +17,6 @@ using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
 
 namespace {
-
-double brute_force(const Matching_problem& problem)
-{
-  const std::size_t n = problem.source().groups.size();
-  Assignment assignment(n, 0);
-  double best = problem.energy(assignment);
-  for (std::size_t g = 0; g < n;) {
-    if (++assignment[g] == int(problem.number_of_labels())) {
-      assignment[g++] = 0;
-      continue;
-    }
-    best = std::min(best, problem.energy(assignment));
-    g = 0;
-  }
-  return best;
-}
 
 // Random curves and sheets, random contacts, random groups of one or two parts with random solidity.
 Structural_graph random_graph(std::mt19937& random, std::size_t group_count)

@@ -31,6 +31,13 @@ enum class Operation {
   MERGE      ///< many parts become fewer
 };
 
+/// The operation's name in files and messages.
+inline const char* name_of(Operation operation)
+{
+  static constexpr const char* names[] = {"match", "split", "duplicate", "merge"};
+  return names[int(operation)];
+}
+
 enum class Direction { SOURCE_TO_TARGET, TARGET_TO_SOURCE };
 
 /// A group of the shape that was deformed and what it became.

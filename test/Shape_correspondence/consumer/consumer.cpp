@@ -3,7 +3,6 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-
 // The light rooms, header-only: two graphs written by hand.
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
@@ -13,8 +12,7 @@
 
 int main()
 {
-  const auto result =
-      CGAL::Shape_correspondence::find_correspondence(hand_made::chair(), hand_made::slatted_chair());
+  const auto result = CGAL::Shape_correspondence::find_correspondence(hand_made::chair(), hand_made::slatted_chair());
   std::cout << result.pairs.size() << " pairs\n";
   return result.pairs.size() == 8 ? 0 : 1;
 }
