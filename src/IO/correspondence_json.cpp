@@ -40,7 +40,9 @@ Json groups(const Correspondence& correspondence, const Structural_graph& source
     result.push_back({{"source", names(group.source, source)},
                       {"target", names(group.target, target)},
                       {"operation", name_of(group.operation)},
-                      {"energy", group.energy}});
+                      {"energy", group.energy},
+                      {"terms", {{"distortion", group.distortion}, {"connectedness", group.connectedness}}},
+                      {"solidity_ratio", group.solidity_ratio}});
   }
   return result;
 }

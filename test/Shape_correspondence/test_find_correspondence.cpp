@@ -62,8 +62,13 @@ TEST_CASE("The parts of the energy add up")
   CHECK(sum.distortion == Approx(c.terms.distortion));
   CHECK(sum.connectedness == Approx(c.terms.connectedness));
   double groups = 0;
-  for (const Group_match& match : c.groups)
+  std::vector<double> ratios;
+  for (const Group_match& match : c.groups) {
     groups += match.energy;
+    CHECK(match.energy == Approx(match.distortion + 0.6 * match.connectedness));
+    ratios.push_back(match.solidity_ratio);
+  }
+  CHECK(split_energy(ratios) == Approx(c.terms.split));
   CHECK(groups == Approx(c.energy - 0.4 * c.terms.split));
   CHECK(c.search.lower_bound <= c.energy);
 }

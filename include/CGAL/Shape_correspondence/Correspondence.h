@@ -46,7 +46,10 @@ struct Group_match
   std::vector<std::size_t> source; ///< part indices in the source shape
   std::vector<std::size_t> target; ///< part indices in the target shape
   Operation operation = Operation::MATCH;
-  double energy = 0; ///< its share of the energy: half of each of its contacts, all of those inside it
+  double energy = 0;         ///< its share of E_d + w_c E_c: half of each of its contacts, all of those inside it
+  double distortion = 0;     ///< its share of E_d
+  double connectedness = 0;  ///< its share of E_c, before weighting
+  double solidity_ratio = 1; ///< S_i of Eq. 5, its entry in E_s
 };
 
 /// The energy of one pair of connected parts of the shape that was deformed.

@@ -44,7 +44,7 @@ inline std::vector<std::size_t> original_parts(const Aligned_shape& shape, const
 }
 
 // Half of every contact's cost to either of its groups.
-inline void share_energy(const Search_run& run, std::vector<double>& group_energy, Correspondence& correspondence)
+inline void share_energy(const Search_run& run, std::vector<Rod_energy>& group_energy, Correspondence& correspondence)
 {
   const Matching_problem& problem = run.problem;
   const Aligned_shape& shape = problem.source();
@@ -53,9 +53,10 @@ inline void share_energy(const Search_run& run, std::vector<double>& group_energ
     const std::size_t g = shape.group_of[parts[0]], h = shape.group_of[parts[1]];
     const Rod_energy energy =
         problem.contact_energy(contact, std::size_t(run.result.assignment[g]), std::size_t(run.result.assignment[h]));
-    const double cost = energy.distortion + problem.weights().connectedness * energy.connectedness;
-    group_energy[g] += cost / 2;
-    group_energy[h] += cost / 2;
+    for (std::size_t group : {g, h}) {
+      group_energy[group].distortion += energy.distortion / 2;
+      group_energy[group].connectedness += energy.connectedness / 2;
+    }
     Contact_energy report{
         {shape.original[parts[0]], shape.original[parts[1]]}, energy.distortion, energy.connectedness};
     std::sort(report.parts.begin(), report.parts.end());
@@ -70,12 +71,18 @@ inline void collect_groups(const Search_run& run, Correspondence& correspondence
   const Matching_problem& problem = run.problem;
   const Aligned_shape &shape = problem.source(), &other = problem.target();
   const bool forward = correspondence.direction == Direction::SOURCE_TO_TARGET;
-  std::vector<double> group_energy(shape.groups.size(), 0);
+  std::vector<Rod_energy> group_energy(shape.groups.size());
   share_energy(run, group_energy, correspondence);
   for (std::size_t g : problem.active_groups()) {
     const Group_label& label = problem.label(g, std::size_t(run.result.assignment[g]));
-    Group_match match{original_parts(shape, shape.groups[g].parts),
-                      original_parts(other, other.groups[label.target_group].parts), label.operation, group_energy[g]};
+    Group_match match;
+    match.source = original_parts(shape, shape.groups[g].parts);
+    match.target = original_parts(other, other.groups[label.target_group].parts);
+    match.operation = label.operation;
+    match.distortion = group_energy[g].distortion;
+    match.connectedness = group_energy[g].connectedness;
+    match.energy = match.distortion + problem.weights().connectedness * match.connectedness;
+    match.solidity_ratio = label.solidity_ratio;
     for (std::size_t i = 0; i < label.images.size(); ++i)
       for (std::size_t image : label.images[i]) {
         const std::size_t part = shape.original[shape.groups[g].parts[i]], became = other.original[image];
