@@ -54,8 +54,19 @@ public:
       : problem_(problem),
         displacement_(3, problem.source().parts.size()),
         contact_displacement_(problem.source().contacts.size()),
-        matched_(problem.source().groups.size())
+        matched_(problem.source().groups.size()),
+        energies_(problem.source().contacts.size())
   {}
+
+  // The solution whose expansions are rated next.
+  void set_parent(const Assignment& assignment)
+  {
+    parent_.clear();
+    (*this)(assignment);
+    parent_ = assignment;
+    parent_displacement_ = displacement_;
+    parent_energies_ = energies_;
+  }
 
   double operator()(const Assignment& assignment)
   {
@@ -67,9 +78,10 @@ public:
 
     Energy_terms terms;
     for (std::size_t contact : problem_.active_contacts()) {
-      const Rod_energy energy = contact_energy(contact, assignment);
-      terms.distortion += energy.distortion;
-      terms.connectedness += energy.connectedness;
+      const bool known = same_as_parent(contact, assignment);
+      energies_[contact] = known ? parent_energies_[contact] : contact_energy(contact, assignment);
+      terms.distortion += energies_[contact].distortion;
+      terms.connectedness += energies_[contact].connectedness;
     }
     ratios_.clear();
     for (std::size_t g : problem_.active_groups())
@@ -79,6 +91,20 @@ public:
   }
 
 private:
+  // An expansion changes little: far from the new label, contacts keep their energies
+  bool same_as_parent(std::size_t contact, const Assignment& assignment) const
+  {
+    if (parent_.empty()) return false;
+    const Aligned_shape& shape = problem_.source();
+    for (std::size_t part : shape.contacts[contact].parts) {
+      const std::size_t group = shape.group_of[part];
+      if (assignment[group] != parent_[group]) return false;
+      if (!matched_[group] && displacement_.col(Eigen::Index(part)) != parent_displacement_.col(Eigen::Index(part)))
+        return false;
+    }
+    return true;
+  }
+
   const std::vector<std::size_t>& images(const Assignment& assignment, std::size_t part) const
   {
     const Aligned_shape& shape = problem_.source();
@@ -146,6 +172,10 @@ private:
   std::vector<std::array<Point, 2>> contact_displacement_;
   std::vector<char> matched_;
   std::vector<double> ratios_;
+  std::vector<Rod_energy> energies_;
+  Assignment parent_; // empty: none
+  Points parent_displacement_;
+  std::vector<Rod_energy> parent_energies_;
 };
 
 struct Beam_state
@@ -181,6 +211,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Search_result beam_search(const Matching_proble
     std::vector<Beam_state> level;
     for (const Beam_state& state : beam) {
       std::vector<Beam_state> expansions;
+      partial_energy.set_parent(state.assignment);
       for (std::size_t label = 0; label < problem.number_of_labels(); ++label) {
         Beam_state next{0, state.assignment};
         next.assignment[group] = int(label);
