@@ -7,6 +7,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_DEFORMATION_ENERGY_IMPL_H
 
 #include <CGAL/Shape_correspondence/Deformation_energy.h>
+#include <CGAL/Shape_correspondence/internal/quantized.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +16,6 @@
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
-
-// Squared length, in units of the shape's height, under which a rod has no direction
-constexpr double zero_squared_length = 1e-18;
 
 // Rods computed at a time: sample counts, e and e × e, are multiples of it
 constexpr int rod_lanes = 6;

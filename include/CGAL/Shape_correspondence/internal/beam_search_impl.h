@@ -8,7 +8,6 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/beam_search.h>
-#include <CGAL/Shape_correspondence/internal/Deformation_energy_impl.h>
 #include <CGAL/Shape_correspondence/internal/quantized.h>
 
 #include <algorithm>

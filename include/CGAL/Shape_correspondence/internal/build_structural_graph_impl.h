@@ -74,6 +74,16 @@ inline Points sample_shape(const Segmented_shape& shape)
   return result;
 }
 
+/// Says which parts got their bounding box in place of a skeleton.
+inline void warn_of_fallbacks(const std::vector<Part_abstraction>& parts, std::vector<std::string>& warnings)
+{
+  for (const Part_abstraction& part : parts) {
+    if (part.report.method != Abstraction_report::Method::BOUNDING_BOX) continue;
+    warnings.push_back("Part '" + part.name + "' is abstracted by its bounding box, since the flow " +
+                       (part.report.time_limit ? "ran into its time limit." : "cannot treat it."));
+  }
+}
+
 /// Groups, unless given, and the graph.
 inline Structural_graph assemble(Shape_structure shape, std::vector<Part_group> groups,
                                  const Structure_options& options)
@@ -97,6 +107,7 @@ Structural_graph build_structural_graph(const Segmented_shape& shape, const Stru
   const double before = timer.time();
   result.parts = abstract_parts<ConcurrencyTag>(shape, result.frame, options.abstraction);
   const double abstraction = timer.time() - before;
+  internal::warn_of_fallbacks(result.parts, result.warnings);
   result.contacts = detect_contacts(shape, result.parts, result.frame, options.contacts, result.warnings);
   Structural_graph graph = internal::assemble(std::move(result), {}, options);
   if (times) *times = {abstraction, timer.time() - abstraction};

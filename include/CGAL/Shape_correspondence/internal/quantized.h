@@ -18,6 +18,9 @@ constexpr double comparison_grid = 1e-6;
 
 inline long quantized(double value) { return std::lround(value / comparison_grid); }
 
+// Squared length, in units of the shape's height, under which a vector has no direction
+constexpr double zero_squared_length = 1e-18;
+
 } // namespace internal
 } // namespace Shape_correspondence
 } // namespace CGAL
