@@ -14,6 +14,7 @@
 #include <CGAL/Shape_correspondence/internal/abstraction/fit_sheet.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/hull.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/intrinsic_extent.h>
+#include <CGAL/Shape_correspondence/internal/abstraction/medial_poles.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/repair.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/skeletonize.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/surface_samples.h>
@@ -28,16 +29,21 @@ namespace internal {
 
 constexpr std::size_t surface_points_of_a_part = 256;
 
-/// What a meso-skeleton looks like when it is measured along itself.
+/// What a part is like when it is measured along itself.
 enum class Intrinsic_kind { ELONGATED, FLAT, COMPACT };
 
-inline Intrinsic_kind intrinsic_kind(const Eigen::Vector3d& extents, double area_kept)
+/// \param layout of the medial axis
+/// \param thickness mean distance of the surface from the medial axis
+/// \param box extents of the bounding box, longest first
+inline Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, const Eigen::Vector3d& box)
 {
-  const double least_area = 0.1;
-  if (is_compact(extents)) {
-    return Intrinsic_kind::COMPACT;
+  const double least_width = 0.21, least_depth = 0.5, least_thickness = 0.3, least_height = 0.32;
+  const Eigen::Vector3d& extents = layout.extents;
+  if (extents[1] <= least_width * extents[0]) {
+    return Intrinsic_kind::ELONGATED;
   }
-  return is_flat(extents) && area_kept > least_area ? Intrinsic_kind::FLAT : Intrinsic_kind::ELONGATED;
+  const bool is_thick = thickness > least_thickness * extents[0] && box[2] > least_height * box[0];
+  return is_thick || extents[2] >= least_depth * extents[1] ? Intrinsic_kind::COMPACT : Intrinsic_kind::FLAT;
 }
 
 /// 2 of a closed connected surface without handles, less by two for each handle.
@@ -100,37 +106,50 @@ private:
   void follow(Stepwise_flow& flow, const Part_mesh& solid)
   {
     const bool has_handle = euler_characteristic(solid) < 2;
+    const Spatial_graph axis = medial_graph(solid);
+    const Intrinsic_kind kind = kind_of(axis, solid);
+    report().phases.fit = watch_.lap();
     flow.run_to_volume(options_.stop_volume);
-    report().phases.flow = watch_.lap();
-    const Spatial_graph meso = flow.meso_skeleton();
     const double area_kept = flow.area_kept();
-    const Intrinsic_kind kind = kind_of(meso, area_kept);
+    const Points medial = medial_points(flow.meso_skeleton().points, axis.points);
+    report().phases.flow = watch_.lap();
     if (kind_ == Abstraction_kind::SHEET ||
         (kind_ == Abstraction_kind::AUTOMATIC && kind == Intrinsic_kind::FLAT && !has_handle)) {
-      use_sheet(meso);
+      use_sheet(medial);
       return;
     }
-    report().phases.fit = watch_.lap();
     flow.run_to_convergence();
     report().phases.flow += watch_.lap();
     const Fitted_curve fitted = fit_curve(flow.curve_skeleton(), solid.points, options_.curve_points);
     const double tube_area = 0.5;
-    const bool is_tube = fitted.curve.closed && area_kept > tube_area;
-    if (kind_ == Abstraction_kind::AUTOMATIC && (is_tube || (kind == Intrinsic_kind::FLAT && !fitted.curve.closed))) {
-      report().tube = is_tube;
-      use_sheet(meso);
+    report().tube = fitted.curve.closed && area_kept > tube_area;
+    if (kind_ == Abstraction_kind::AUTOMATIC &&
+        (report().tube || (kind == Intrinsic_kind::FLAT && !fitted.curve.closed))) {
+      use_sheet(medial);
       return;
     }
-    report().tube = is_tube;
     report().blob = kind == Intrinsic_kind::COMPACT && !fitted.curve.closed;
     use_curve(fitted);
   }
 
-  Intrinsic_kind kind_of(const Spatial_graph& meso, double area_kept) const
+  Intrinsic_kind kind_of(const Spatial_graph& axis, const Part_mesh& solid) const
   {
-    Spatial_graph_view layer(meso);
+    Spatial_graph_view layer(axis);
     layer.connect_near(edge_length_);
-    return intrinsic_kind(intrinsic_layout(layer).extents, area_kept);
+    const double thickness = (axis.points - solid.points).colwise().norm().mean();
+    return intrinsic_kind(intrinsic_layout(layer), thickness, oriented_box(mesh_.points).extents);
+  }
+
+  /// What a sheet is fitted to: the meso-skeleton, or the medial axis where the flow has drawn a narrow sheet together
+  /// to a line.
+  static Points medial_points(const Points& meso, const Points& axis)
+  {
+    const double least_width_kept = 0.5;
+    const auto width = [](const Points& points) {
+      const Eigen::Vector3d variances = principal_variances(points);
+      return std::sqrt(variances[1] / variances[0]);
+    };
+    return width(meso) >= least_width_kept * width(axis) ? meso : axis;
   }
 
   void use_curve(const Fitted_curve& fitted)
@@ -148,9 +167,9 @@ private:
     report().phases.fit += watch_.lap();
   }
 
-  void use_sheet(const Spatial_graph& meso)
+  void use_sheet(const Points& medial)
   {
-    const Fitted_sheet fitted = fit_sheet(meso.points, mesh_.points, options_.sheet_points);
+    const Fitted_sheet fitted = fit_sheet(medial, mesh_.points, options_.sheet_points);
     result_.geometry = fitted.sheet;
     report().method = Method::MESO_SKELETON;
     report().residual = fitted.residual / diagonal_;

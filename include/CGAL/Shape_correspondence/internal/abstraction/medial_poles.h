@@ -8,6 +8,8 @@
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/internal/Nearest_points.h>
+#include <CGAL/Shape_correspondence/internal/abstraction/inside_test.h>
+#include <CGAL/Shape_correspondence/internal/abstraction/spatial_graph.h>
 
 #include <Eigen/Geometry>
 
@@ -63,6 +65,29 @@ inline Points medial_poles(const Part_mesh& mesh)
   Points result(3, mesh.points.cols());
   for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
     result.col(v) = medial_pole(vertices, mesh.points, v, normals.col(v), diagonal);
+  }
+  return result;
+}
+
+/// The medial axis as far as the vertices see it: each moved to its pole, the mesh's edges in between. A vertex whose
+/// pole is not inside stays where it is.
+inline Spatial_graph medial_graph(const Part_mesh& mesh)
+{
+  const Inside_test is_inside(mesh);
+  Spatial_graph result;
+  result.points = medial_poles(mesh);
+  for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
+    if (!is_inside(result.points.col(v))) {
+      result.points.col(v) = mesh.points.col(v);
+    }
+  }
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      // Every edge has a halfedge of either direction.
+      if (mesh.triangles(k, t) < mesh.triangles((k + 1) % 3, t)) {
+        result.edges.emplace_back(mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t));
+      }
+    }
   }
   return result;
 }
