@@ -9,6 +9,7 @@
 #include <CGAL/Shape_correspondence/internal/Deformation_energy_impl.h>
 #include <CGAL/Shape_correspondence/internal/Geotopo_transform_impl.h>
 #include <CGAL/Shape_correspondence/internal/Matching_problem_impl.h>
+#include <CGAL/Shape_correspondence/internal/Pairwise_energy_impl.h>
 #include <CGAL/Shape_correspondence/internal/align_shapes_impl.h>
 #include <CGAL/Shape_correspondence/internal/beam_search_impl.h>
 #include <CGAL/Shape_correspondence/internal/exact_search_impl.h>
