@@ -13,9 +13,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <new>
 #include <random>
+#include <string>
 
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
@@ -212,4 +215,59 @@ TEST_CASE("The search tree is walked without allocating")
   CHECK(result.optimal);
   CHECK(result.summary.states > 2000);
   CHECK(allocations < 50);
+}
+
+namespace {
+
+// The sum of terms as a cost function network in toulbar2's CFN format, six decimals.
+void write_cfn(std::ostream& out, const Pairwise_energy& energy)
+{
+  out.precision(6);
+  out << std::fixed << R"({"problem": {"name": "energy", "mustbe": "<1000.000000"}, "variables": {)";
+  for (std::size_t v = 0; v < energy.number_of_variables(); ++v)
+    out << (v ? ", " : "") << "\"v" << v << "\": " << energy.number_of_labels(v);
+  out << "}, \"functions\": {";
+  for (std::size_t v = 0; v < energy.number_of_variables(); ++v) {
+    out << (v ? ", " : "") << "\"u" << v << R"(": {"scope": ["v)" << v << "\"], \"costs\": [";
+    for (Eigen::Index l = 0; l < energy.unary[v].size(); ++l)
+      out << (l ? ", " : "") << energy.unary[v][l];
+    out << "]}";
+  }
+  for (std::size_t e = 0; e < energy.edges.size(); ++e) {
+    const Pairwise_energy::Edge& edge = energy.edges[e];
+    out << ", \"e" << e << R"(": {"scope": ["v)" << edge.first << "\", \"v" << edge.second << "\"], \"costs\": [";
+    for (Eigen::Index a = 0; a < edge.cost.rows(); ++a)
+      for (Eigen::Index b = 0; b < edge.cost.cols(); ++b)
+        out << (a || b ? ", " : "") << edge.cost(a, b);
+    out << "]}";
+  }
+  out << "}}\n";
+}
+
+} // namespace
+
+TEST_CASE("An independent solver agrees, where it is installed")
+{
+  if (std::system("command -v toulbar2 > /dev/null 2>&1") != 0) {
+    WARN("toulbar2 is not installed; skipped");
+    return;
+  }
+  std::mt19937 random(9);
+  for (int i = 0; i < 10; ++i) {
+    Pairwise_energy energy = random_tables(random, 14, 5, 3);
+    energy.root_terms.clear(); // it knows sums only
+    const std::string file = "toulbar2_test.cfn", log = "toulbar2_test.log";
+    {
+      std::ofstream out(file);
+      write_cfn(out, energy);
+    }
+    REQUIRE(std::system(("toulbar2 " + file + " > " + log + " 2>&1").c_str()) == 0);
+    std::ifstream in(log);
+    double optimum = -1;
+    for (std::string line; std::getline(in, line);)
+      if (line.rfind("Optimum: ", 0) == 0) optimum = std::stod(line.substr(9));
+    CHECK(exact_search(energy).best().energy == Approx(optimum).margin(1e-4));
+    std::remove(file.c_str());
+    std::remove(log.c_str());
+  }
 }

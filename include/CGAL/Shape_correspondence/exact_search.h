@@ -18,7 +18,7 @@ namespace Shape_correspondence {
 /// Options of `exact_search()`.
 struct Exact_options
 {
-  std::size_t table_limit = 1u << 14; ///< entries that a table of the bound may join; what needs more is split
+  std::size_t table_limit = 1u << 12; ///< entries that a table of the bound may join; what needs more is split
   std::size_t node_limit = 2'000'000; ///< nodes of the search tree, after which the best solution so far is returned
   double time_limit = 0;              ///< seconds, after which the same happens; 0: none. Makes results depend on speed
   std::size_t solutions = 1;          ///< how many of the best assignments are returned

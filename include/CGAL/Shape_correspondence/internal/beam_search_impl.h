@@ -60,8 +60,11 @@ public:
         displacement_(Points::Zero(3, Eigen::Index(shape_.parts.size()))),
         contact_displacement_(shape_.contacts.size()),
         matched_(shape_.groups.size()),
-        energies_(shape_.contacts.size())
+        energies_(shape_.contacts.size()),
+        moved_by_(displacement_)
   {
+    for (const Sampled_part& part : shape_.parts)
+      moved_.emplace_back(part.samples);
     for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
       for (std::size_t side : {0, 1}) {
         const std::size_t group = shape_.group_of[shape_.contacts[contact].parts[side]];
@@ -132,20 +135,20 @@ private:
     return true;
   }
 
-  // The samples of an unmatched part, moved.
-  Sample_lanes moved(std::size_t part, bool lift) const
+  // The samples of an unmatched part, moved; often they were moved like that before.
+  const Sample_lanes& moved(std::size_t part)
   {
+    const Eigen::Index column = Eigen::Index(part);
+    if (moved_by_.col(column) == displacement_.col(column)) return moved_[part];
     const Points& samples = shape_.parts[part].samples;
-    const Eigen::Index count = lifted_count(shape_.parts[part], lift), repeat = count / samples.cols();
-    Sample_lanes result;
     for (Eigen::Index axis = 0; axis < 3; ++axis)
-      for (Eigen::Index i = 0; i < lane_count; ++i)
-        result.coordinates[axis][i] =
-            i < count ? float(samples(axis, i / repeat) + displacement_(axis, Eigen::Index(part))) : far_away;
-    return result;
+      for (Eigen::Index i = 0; i < samples.cols(); ++i)
+        moved_[part].coordinates[axis][i] = float(samples(axis, i) + displacement_(axis, column));
+    moved_by_.col(column) = displacement_.col(column);
+    return moved_[part];
   }
 
-  Rod_energy contact_energy(std::size_t contact, const Assignment& assignment) const
+  Rod_energy contact_energy(std::size_t contact, const Assignment& assignment)
   {
     const auto& parts = shape_.contacts[contact].parts;
     const std::size_t g = shape_.group_of[parts[0]], h = shape_.group_of[parts[1]];
@@ -158,15 +161,15 @@ private:
       // Parts that move alike keep their rods
       const Point difference = displacement_.col(Eigen::Index(parts[0])) - displacement_.col(Eigen::Index(parts[1]));
       if (difference.squaredNorm() < zero_rod) return {};
-      return rod_energy(contact, false, moved(parts[0], false), int(shape_.parts[parts[0]].samples.cols()), false,
-                        moved(parts[1], false));
+      return rod_energy(contact, false, moved(parts[0]), int(shape_.parts[parts[0]].samples.cols()), false,
+                        moved(parts[1]));
     }
 
     // One side is assigned: the propagated part keeps to the nearest of its clones
     const int side = matched_[g] ? 0 : 1;
     const std::size_t matched_part = parts[std::size_t(side)], moved_part = parts[std::size_t(1 - side)];
     const Eigen::Index own = shape_.parts[matched_part].samples.cols();
-    const Sample_lanes other = moved(moved_part, false);
+    const Sample_lanes& other = moved(moved_part);
     Rod_energy best;
     double best_cost = std::numeric_limits<double>::infinity();
     const Energy_weights& weights = problem_.options().weights;
@@ -198,6 +201,8 @@ private:
   std::vector<std::array<Point, 2>> contact_displacement_;
   std::vector<char> matched_;
   std::vector<Rod_energy> energies_;
+  std::vector<Sample_lanes> moved_; // by part, its samples moved by
+  Points moved_by_;
   bool has_parent_ = false;
   Assignment parent_;
   Points parent_displacement_;
