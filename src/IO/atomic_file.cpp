@@ -47,11 +47,15 @@ bool is_device(const fs::path& file)
 class Temporary_file
 {
 public:
-  Temporary_file(const std::string& path, const fs::path& file)
-      : path_(path), name_(file.string() + ".tmp" + std::to_string(getpid()))
+  Temporary_file(const std::string& path, const fs::path& file) : path_(path)
   {
-    const int descriptor = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
-    if (descriptor < 0) fail(path, std::strerror(errno));
+    // Another thread or process may be writing the same file.
+    int descriptor = -1;
+    for (int attempt = 0; descriptor < 0; ++attempt) {
+      name_ = file.string() + ".tmp" + std::to_string(getpid()) + '_' + std::to_string(attempt);
+      descriptor = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
+      if (descriptor < 0 && errno != EEXIST) fail(path, std::strerror(errno));
+    }
     close(descriptor);
   }
   ~Temporary_file() { unlink(name_.c_str()); }

@@ -110,6 +110,8 @@ Abstraction_report read_report(const Json_field& field)
   if (field.has("coverage")) report.coverage = field["coverage"].number_at_least_0();
   if (field.has("iterations")) report.iterations = field["iterations"].integer();
   if (field.has("flags")) read_flags(field["flags"], report);
+  if (field.has("fallback")) report.fallback = field["fallback"].text();
+  if (field.has("copy_of")) report.copy_of = field["copy_of"].text();
   return report;
 }
 
@@ -306,6 +308,9 @@ Structural_graph read_graph(const Json_field& document, const Structure_options&
   if (document.has("groups") && options.symmetry.enabled)
     groups = read_groups(document["groups"], shape.parts, indices);
   if (document.has("contacts")) shape.contacts = read_contacts(document["contacts"], shape.parts, indices);
+  if (document.has("content")) shape.content = document["content"].text();
+  if (document.has("segmentation"))
+    shape.automatic_parts = read_word<bool>(document["segmentation"], {{"given", false}, {"automatic", true}});
   if (document.has("warnings")) {
     for (const Json_field& warning : document["warnings"].elements())
       shape.warnings.push_back(warning.text());

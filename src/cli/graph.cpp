@@ -13,6 +13,7 @@
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
+#include <CGAL/Shape_correspondence/IO/write_html.h>
 
 #include <iostream>
 
@@ -46,6 +47,8 @@ po::options_description graph_options(Common_options& common)
   add("glb", po::value(&common.glb)->value_name("FILE"),
       "write a picture as binary glTF: surfaces faint, curves as tubes, sheets as patches, a colour a group, a dot a "
       "contact");
+  add("html", po::value(&common.html)->value_name("FILE"),
+      "write the same picture as a web page that needs no network, with a table of the parts");
   return result;
 }
 
@@ -105,7 +108,7 @@ void run_graph(const std::vector<std::string>& arguments)
 {
   Common_options common;
   po::options_description options;
-  options.add(graph_options(common)).add(common_options(common));
+  options.add(graph_options(common)).add(model_options(common)).add(common_options(common));
   const Arguments parsed = parse(arguments, options, 1);
   if (parsed.help) {
     std::cout << help_text << options;
@@ -119,6 +122,10 @@ void run_graph(const std::vector<std::string>& arguments)
   if (!common.glb.empty())
     IO::write_atomically(common.glb, [&](std::ostream& out) {
       IO::write_structural_graph_glb(out, shape.graph, shape.model_pointer());
+    });
+  if (!common.html.empty())
+    IO::write_atomically(common.html, [&](std::ostream& out) {
+      IO::write_structural_graph_html(out, shape.graph, shape.model_pointer());
     });
   if (common.prints_table()) print_graph(parsed.inputs[0], shape.graph);
 }

@@ -14,6 +14,7 @@
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
+#include <CGAL/Shape_correspondence/IO/write_html.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <iostream>
@@ -47,6 +48,8 @@ po::options_description output_options(Common_options& common)
   add("json", po::value(&common.json)->value_name("FILE"), "write the result as JSON; - is standard output");
   add("glb", po::value(&common.glb)->value_name("FILE"),
       "write a picture as binary glTF: both shapes side by side, what corresponds in one colour, the rest grey");
+  add("html", po::value(&common.html)->value_name("FILE"),
+      "write the same picture as a web page that needs no network, with a table of what corresponds");
   return result;
 }
 
@@ -76,7 +79,7 @@ void run_match(const std::vector<std::string>& arguments)
   Common_options common;
   Match_options match;
   po::options_description options;
-  options.add(output_options(common)).add(match_options(match)).add(common_options(common));
+  options.add(output_options(common)).add(match_options(match)).add(model_options(common)).add(common_options(common));
   const Arguments parsed = parse(arguments, options, 2);
   if (parsed.help) {
     std::cout << help_text << options;
@@ -86,7 +89,8 @@ void run_match(const std::vector<std::string>& arguments)
   check(common);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
-  const Loaded_shape source = load_shape(paths[0], common), target = load_shape(paths[1], common);
+  const std::vector<Loaded_shape> shapes = load_shapes(paths, common);
+  const Loaded_shape &source = shapes[0], &target = shapes[1];
   search_with.source_parts = chosen_parts(match.source_parts, source.graph, paths[0]);
   search_with.target_parts = chosen_parts(match.target_parts, target.graph, paths[1]);
   const double begin = now();
@@ -102,6 +106,11 @@ void run_match(const std::vector<std::string>& arguments)
     IO::write_atomically(common.glb, [&](std::ostream& out) {
       IO::write_correspondence_glb(out, ranked[0], source.graph, target.graph, source.model_pointer(),
                                    target.model_pointer());
+    });
+  if (!common.html.empty())
+    IO::write_atomically(common.html, [&](std::ostream& out) {
+      IO::write_correspondence_html(out, ranked[0], source.graph, target.graph, source.model_pointer(),
+                                    target.model_pointer());
     });
   if (common.prints_table()) write_match_table(std::cout, ranked[0], source.graph, target.graph);
 }
