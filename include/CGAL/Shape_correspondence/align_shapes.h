@@ -21,6 +21,9 @@ namespace Shape_correspondence {
 /// The paper's e: a curve has e samples, a sheet e × e (the authors' value).
 constexpr int samples_per_side = 6;
 
+/// How many points of a part's surface the matching looks at.
+constexpr int surface_samples = 32;
+
 /// A part as the search sees it: the samples of its abstraction in the common frame.
 struct Sampled_part
 {
@@ -29,6 +32,7 @@ struct Sampled_part
   Kind kind = Kind::CURVE;
   Points samples; ///< e, or e × e row by row
   Point centroid; ///< mean of the samples
+  Points surface; ///< at most `surface_samples` points spread over the surface; the samples where it is unknown
 };
 
 /// The `index`-th of `count` equally long pieces of a curve, sampled like a part (paper, section 5: cutting).

@@ -46,6 +46,8 @@ inline Sampled_part sampled_part(const Part_abstraction& part, const Shape_frame
                                          : Sampled_part::Kind::CURVE;
   result.samples = turn * frame.to_frame(sample(part, samples_per_side));
   result.centroid = result.samples.rowwise().mean();
+  const Eigen::Index n = std::min<Eigen::Index>(part.surface.cols(), surface_samples);
+  result.surface = n > 0 ? Points(turn * frame.to_frame(part.surface.leftCols(n))) : result.samples;
   return result;
 }
 
