@@ -196,7 +196,7 @@ void measure(const std::string& folder, bool quiet, Totals& totals)
       ++uses[group_of[part]];
     const bool gathered = std::all_of(uses.begin(), uses.end(), [&](const auto& use) {
       const SC::Part_group& group = groups[use.first];
-      return uses.size() == 1 || (group.symmetry.type == SC::Symmetry_type::REFLECTION && group.parts.size() == 2);
+      return uses.size() == 1 || (group.symmetry.type == SC::Symmetry_type::REFLECTION);
     });
     ++totals.equal_sets;
     totals.gathered_sets += gathered;

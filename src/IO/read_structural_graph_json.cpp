@@ -127,6 +127,7 @@ Part_abstraction read_part(const Json_field& field)
   if (field.has("volume")) part.volume = field["volume"].number_at_least_0();
   if (field.has("hull_volume")) part.hull_volume = field["hull_volume"].number_at_least_0();
   if (field.has("area")) part.area = field["area"].number_at_least_0();
+  if (field.has("surface")) part.surface = points_of(field["surface"].elements());
   if (field.has("abstraction")) part.report = read_report(field["abstraction"]);
   return part;
 }

@@ -4,9 +4,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+#include <CGAL/Shape_correspondence/align_shapes.h>
 
 #include "json_text.h"
 #include "report_text.h"
+
+#include <algorithm>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -54,6 +57,8 @@ Json part(const Part_abstraction& part)
   result["volume"] = part.volume;
   result["hull_volume"] = part.hull_volume;
   result["area"] = part.area;
+  if (part.surface.cols() > 0)
+    result["surface"] = points(part.surface, 0, std::min<Eigen::Index>(part.surface.cols(), surface_samples));
   result["abstraction"] = {{"method", name_of(part.report.method)}, {"repair", name_of(part.report.repair)},
                            {"residual", part.report.residual},      {"coverage", part.report.coverage},
                            {"iterations", part.report.iterations},  {"flags", flags_of(part.report)}};

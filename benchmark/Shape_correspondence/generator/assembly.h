@@ -8,6 +8,7 @@
 
 #include "primitives.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -32,14 +33,15 @@ struct Part
 
 enum class Symmetry { self, reflection, rotation, translation };
 
-/// Copies of one part. The symmetry is in the plane x = 0, about an axis, or along a vector; a single part is `self`,
-/// `mirror_symmetric` when the plane x = 0 takes it to itself.
+/// Copies of one part. The symmetry is in a plane through the origin, about an axis, or along a vector; a single part is
+/// `self`, `mirror_symmetric` when the plane x = 0 takes it to itself.
 struct Part_group
 {
   Names parts;
   Symmetry symmetry;
   bool mirror_symmetric = false;
   Point point = Point::Zero(), direction = Point::Zero();
+  bool near_copies = false; ///< made one by one and much alike
 };
 
 /// A labelled shape: y is up, its front looks to +z, its own left is +x; units are metres.
@@ -76,6 +78,25 @@ public:
     add_pair(left_right, {label.coarse, label.fine + "_left"}, {label.coarse, label.fine + "_right"}, solid);
   }
 
+  /// A part in front and its mirror image in the plane z = 0 behind.
+  void add_front_and_back(const Names& front_back, const Label& front, const Label& back, const Solid& solid)
+  {
+    const Solid placed = place(front_back.at(0), front, solid);
+    place(front_back.at(1), back, mirrored(placed, 2));
+    groups.push_back({front_back, Symmetry::reflection, false, Point::Zero(), Point::UnitZ()});
+  }
+
+  /// A part on the left in front and its mirror images in the planes x = 0 and z = 0: front left, front right, back left,
+  /// back right; the first two have one label, "_left" and "_right" appended to fine labels.
+  void add_four(const Names& names, const Label& front, const Label& back, const Solid& solid)
+  {
+    const Names fronts(names.begin(), names.begin() + 2), backs(names.begin() + 2, names.end());
+    add_pair(fronts, front, solid);
+    add_pair(backs, back, mirrored(snapped(solid), 2));
+    groups.resize(groups.size() - 2);
+    groups.push_back({names, Symmetry::reflection, false, Point::Zero(), Point::UnitX()});
+  }
+
   /// As many copies about an axis as there are names, a label each.
   void add_labelled_ring(const Names& names, const std::vector<Label>& labels, const Solid& solid, const Point& point,
                          const Point& axis)
@@ -99,6 +120,16 @@ public:
     for (std::size_t i = 0; i < names.size(); ++i)
       place(names[i], label, translated(first, double(i) * vector));
     groups.push_back({names, Symmetry::translation, false, Point::Zero(), vector});
+  }
+
+  /// States that parts that were made one by one are as good as copies, `step` apart.
+  void state_row(const Names& names, const Point& step)
+  {
+    const auto is_one_of_them = [&](const Part_group& group) {
+      return group.parts.size() == 1 && std::find(names.begin(), names.end(), group.parts[0]) != names.end();
+    };
+    groups.erase(std::remove_if(groups.begin(), groups.end(), is_one_of_them), groups.end());
+    groups.push_back({names, Symmetry::translation, false, Point::Zero(), step, true});
   }
 
   /// States that a part touches others.

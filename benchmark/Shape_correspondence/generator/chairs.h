@@ -237,7 +237,7 @@ inline Assembly stool()
                  .15, .668));
   const Names legs = numbered("splay_", 4);
   const Point foot(.165, 0, .165), top(.085, .63, .085);
-  chair.add_ring(legs, {"leg", ""}, beam(foot, top, round_section(.012, .016)), Point::Zero(), Point::UnitY());
+  chair.add_four(legs, {"leg", ""}, {"leg", ""}, beam(foot, top, round_section(.012, .016)));
   const double height = .2, radius = between(foot, top, height / top.y()).x() * std::sqrt(2.);
   chair.add("foot_ring", {"stretcher", ""}, torus({0, height, 0}, Point::UnitY(), radius, round_section(.009, 8)));
   chair.touch("round_board", legs);

@@ -28,6 +28,7 @@ inline Assembly bed_slatted()
   };
   bed.add("head_top", {"headboard", "headboard_rail"}, crosswise(at_head, .88, .09));
   bed.add("head_low", {"headboard", "headboard_mid_rail"}, crosswise(at_head, .44, .08));
+  bed.state_row({"head_low", "head_top"}, {0, .44, 0});
   const Names bars = numbered("head_bar_", 5);
   bed.add_row(bars, {"headboard", ""}, beam({-.3, .45, head}, {-.3, .87, head}, round_section(.012)), {.15, 0, 0});
   bed.add("foot_top", {"footboard", "footboard_rail"}, crosswise(at_foot, .54, .09));

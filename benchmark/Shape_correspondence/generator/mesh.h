@@ -105,10 +105,13 @@ inline Solid snapped(const Solid& solid)
   return mapped(solid, [](const Point& p) { return snapped(p); });
 }
 
-/// The mirror image in the plane x = 0, outward again, points and faces in the same order.
-inline Solid mirrored(const Solid& solid)
+/// The mirror image in the plane where a coordinate is 0, outward again, points and faces in the same order.
+inline Solid mirrored(const Solid& solid, int axis = 0)
 {
-  Solid result = mapped(solid, [](const Point& p) { return Point(p.x() == 0 ? 0. : -p.x(), p.y(), p.z()); });
+  Solid result = mapped(solid, [axis](Point p) {
+    p[axis] = p[axis] == 0 ? 0. : -p[axis];
+    return p;
+  });
   flip_faces(result.mesh);
   return result;
 }

@@ -20,18 +20,16 @@ inline Assembly table_trestle()
   const double x = .5, head = .69;
   const Names beams{"horse_beam_l", "horse_beam_r"};
   table.add_pair(beams, {"apron", "apron_mid"}, beam({x, head, -.36}, {x, head, .36}, bar(.06, .07), 6));
-  auto leg = [&](double side, double end) {
-    return beam({x + side * .17, 0, end * .33}, {x + side * .022, .7, end * .27}, bar({.035, .045}, {.04, .05}));
+  auto leg = [&](double side) {
+    return beam({x + side * .17, 0, .33}, {x + side * .022, .7, .27}, bar({.035, .045}, {.04, .05}));
   };
-  auto tie = [&](double end) { return beam({x - .135, .2, end * .313}, {x + .135, .2, end * .313}, bar(.045, .02)); };
   const Names outer_front{"strut_1", "strut_2"}, inner_front{"strut_3", "strut_4"}, outer_back{"strut_5", "strut_6"},
       inner_back{"strut_7", "strut_8"}, front_ties{"tie_1", "tie_2"}, back_ties{"tie_3", "tie_4"};
-  table.add_pair(outer_front, {"leg", ""}, leg(1, 1));
-  table.add_pair(inner_front, {"leg", ""}, leg(-1, 1));
-  table.add_pair(outer_back, {"leg", ""}, leg(1, -1));
-  table.add_pair(inner_back, {"leg", ""}, leg(-1, -1));
-  table.add_pair(front_ties, {"stretcher", ""}, tie(1));
-  table.add_pair(back_ties, {"stretcher", ""}, tie(-1));
+  const Label leg_label{"leg", ""}, tie_label{"stretcher", ""};
+  table.add_four({"strut_1", "strut_2", "strut_5", "strut_6"}, leg_label, leg_label, leg(1));
+  table.add_four({"strut_3", "strut_4", "strut_7", "strut_8"}, leg_label, leg_label, leg(-1));
+  table.add_four({"tie_1", "tie_2", "tie_3", "tie_4"}, tie_label, tie_label,
+                 beam({x - .135, .2, .313}, {x + .135, .2, .313}, bar(.045, .02)));
   table.touch("plank_top", beams);
   for (const Names& legs : {outer_front, inner_front, outer_back, inner_back})
     table.touch_in_turn(beams, legs);
@@ -89,10 +87,10 @@ inline Assembly table_four_legged()
   table.add("top_board", {"tabletop", ""}, board({0, .75, 0}, 1.3, .8, .028, {6, 8, .015, .25}));
   Profile profile{{0, 0},      {.014, 0},   {.017, .02}, {.02, .1},   {.03, .38},  {.034, .46}, {.022, .49},
                   {.036, .51}, {.024, .53}, {.034, .56}, {.034, .65}, {.034, .74}, {0, .74}};
-  table.add_pair({"post_1", "post_2"}, leg_label("front"), translated(post(profile), {.56, 0, .32}));
-  table.add_pair({"post_3", "post_4"}, leg_label("back"), translated(post(profile), {.56, 0, -.32}));
-  table.add("skirt_f", {"apron", "apron_front_center"}, beam({-.55, .685, .325}, {.55, .685, .325}, bar(.11, .022)));
-  table.add("skirt_b", {"apron", "apron_back_center"}, beam({-.55, .685, -.325}, {.55, .685, -.325}, bar(.11, .022)));
+  table.add_four({"post_1", "post_2", "post_3", "post_4"}, leg_label("front"), leg_label("back"),
+                 translated(post(profile), {.56, 0, .32}));
+  table.add_front_and_back({"skirt_f", "skirt_b"}, {"apron", "apron_front_center"}, {"apron", "apron_back_center"},
+                           beam({-.55, .685, .325}, {.55, .685, .325}, bar(.11, .022)));
   table.add_pair({"skirt_l", "skirt_r"}, {"apron", "apron_mid"},
                  beam({.565, .685, -.31}, {.565, .685, .31}, bar(.022, .11)));
   table.add("drawer_front", {"drawer", ""},

@@ -170,6 +170,9 @@ inline void add_bicycle_wheels(Assembly& bike, const Bicycle_joints& at)
   bike.add("rear_tyre", {"wheel", "wheel_rear"}, tyre(at.rear_axle, radius, .018));
   bike.add("front_spokes", {"spokes", "spokes_front"}, spokes(at.front_axle, .018, radius - .01, .028, 20));
   bike.add("rear_spokes", {"spokes", "spokes_rear"}, spokes(at.rear_axle, .021, radius - .01, .028, 20));
+  const Point wheelbase = at.front_axle - at.rear_axle;
+  bike.state_row({"rear_tyre", "front_tyre"}, wheelbase);
+  bike.state_row({"rear_spokes", "front_spokes"}, wheelbase);
   bike.add("front_hub", {"hub", "hub_front"}, along_x(hub_profile(.06, .022, .028), at.front_axle));
   const Profile with_sprocket{{0, -.07},      {.007, -.07},  {.007, -.052}, {.038, -.0495},
                               {.038, -.0465}, {.014, -.043}, {.014, -.034}, {.026, -.032},

@@ -80,7 +80,7 @@ struct Part_abstraction
   double volume = 0;      ///< of the enclosed solid; 0 where unknown
   double hull_volume = 0; ///< of the convex hull; 0 where unknown or flat
   double area = 0;        ///< of the surface; 0 where unknown
-  Points surface;         ///< points spread evenly over the surface; empty where unknown
+  Points surface;         ///< points spread evenly over the surface, as the first n of them are; empty where unknown
   Points hull;            ///< vertices of the convex hull; empty where unknown
   Abstraction_report report;
 

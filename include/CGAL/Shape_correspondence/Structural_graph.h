@@ -44,8 +44,11 @@ struct Part_group
 /// Two parts that touch, by index into `Shape_structure::parts`, and where, as parameters on both abstractions.
 struct Contact
 {
+  using Parameters = std::array<Eigen::Vector2d, 2>;
+
   std::array<std::size_t, 2> parts;
-  std::array<Eigen::Vector2d, 2> parameters;
+  Parameters parameters;           ///< of the region where they touch, of the largest if there are several
+  std::vector<Parameters> further; ///< of the other regions, as of an arm that touches the back twice
 };
 
 /// An edge of the structural graph: two groups with parts in contact.

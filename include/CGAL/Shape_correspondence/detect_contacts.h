@@ -23,8 +23,9 @@ struct Contact_options
 
 /// Finds the pairs of parts whose surfaces touch, interpenetrate or nearly touch, and where (paper, section 3: "a point
 /// from each part with minimum distance"; of all such points, the middle). A part inside another touches it. One
-/// contact a pair of parts. A shape that falls into pieces is joined by its closest pairs; every such pair adds a
-/// sentence to `warnings`. Contacts are sorted by part indices.
+/// contact a pair of parts, with a region for every place where the two come as near as within half the tolerance of
+/// their least distance. A shape that falls into pieces is joined by its closest pairs; every such pair adds a sentence
+/// to `warnings`. Contacts are sorted by part indices. Distances of surfaces are exact up to rounding.
 /// \param frame of the shape; measuring in it makes the result independent of the shape's pose
 /// \pre `parts` are the abstractions of `shape.parts()`
 std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::vector<Part_abstraction>& parts,

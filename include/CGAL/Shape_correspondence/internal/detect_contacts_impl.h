@@ -11,108 +11,114 @@
 #include <CGAL/Shape_correspondence/internal/contacts/join_pieces.h>
 #include <CGAL/assertions.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
-#include <memory>
 
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 namespace contacts {
 
-constexpr double SLACK = 1 + 1e-9;   ///< so that a gap of exactly the tolerance is a contact in every pose
-constexpr double NEAR_BAND = 0.5;    ///< over the tolerance: what is this much farther than the least distance is near
-constexpr int DISTANCE_SAMPLES = 64; ///< a part, to find the least distance
-constexpr int REGION_SAMPLES = 64;   ///< a part, to find the middle of the contact
-constexpr int PROJECTIONS = 6;       ///< from surface to surface, to refine the least distance
+constexpr double SLACK = 1 + 1e-9;      ///< so that a gap of exactly the tolerance is a contact in every pose
+constexpr double NEAR_BAND = 0.5;       ///< over the tolerance: what is this much farther than the least distance is near
+constexpr double APART = 1.0 / 6;       ///< over the size of all near regions: samples farther apart are in different ones
+constexpr int REGION_SAMPLES = 64;      ///< on either part, to find the regions of a contact and their middles
 constexpr int ABSTRACTION_SAMPLES = 16; ///< of a curve, or along each side of a sheet
 
-/// The near region of two surfaces.
-struct Near_region
+/// Samples where two surfaces are near each other, on both.
+struct Near_samples
 {
-  double distance = std::numeric_limits<double>::infinity(); ///< the least found
-  Point witness = Point::Zero();                             ///< half-way where it was found
-  double limit = 0;                                          ///< up to this distance, points are near
-  Box box;                                                   ///< of the near points
+  std::vector<Point> points;
+  std::vector<double> areas;
+  std::vector<char> is_first; ///< on which of the two
 };
 
-/// Samples of one surface and their distances from the other.
-struct Measured_samples
+/// Where two surfaces touch: the middle, and how much of their area is near.
+struct Region
 {
-  Surface_samples samples;
-  std::vector<double> distances;
-
-  Measured_samples(const Part_surface& from, const Box& region, int n, const Part_surface& to)
-      : samples(from.sample(region, n))
-  {
-    for (const Point& p : samples.points)
-      distances.push_back((to.nearest(p) - p).norm());
-  }
-
-  /// The index of the nearest sample; the number of samples if there are none.
-  std::size_t nearest() const { return std::min_element(distances.begin(), distances.end()) - distances.begin(); }
+  Point middle;
+  double area;
 };
 
-/// Follows the nearest sample from surface to surface to where they are closest.
-inline void refine(const Measured_samples& samples, const Part_surface& own, const Part_surface& other,
-                   Near_region& region)
+/// Adds the samples of `from` that are within `limit` of `to`.
+inline void add_near_samples(const Part_surface& from, const std::vector<char>& marked, const Box& box,
+                             const Part_surface& to, double limit, bool is_first, Near_samples& result)
 {
-  const std::size_t best = samples.nearest();
-  if (best == samples.distances.size() || samples.distances[best] >= region.distance) return;
-  Point p = samples.samples.points[best], q = other.nearest(p);
-  for (int i = 0; i < PROJECTIONS; ++i) {
-    p = own.nearest(q);
-    q = other.nearest(p);
+  const Surface_samples samples = from.sample(marked, box, REGION_SAMPLES);
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    if (!to.is_near(samples.points[i], limit)) continue;
+    result.points.push_back(samples.points[i]);
+    result.areas.push_back(samples.areas[i]);
+    result.is_first.push_back(is_first);
   }
-  region.distance = (q - p).norm();
-  region.witness = (p + q) / 2;
 }
 
-/// The box of the samples that are within a limit.
-inline void extend_by_near(const Measured_samples& samples, double limit, Box& box)
+/// Samples within `limit` of the other surface, the closest points of both first.
+inline Near_samples near_samples(const Part_surface& a, const Part_surface& b, const Closest_pair& closest,
+                                 double limit)
 {
-  for (std::size_t i = 0; i < samples.distances.size(); ++i)
-    if (samples.distances[i] <= limit) box.extend(samples.samples.points[i]);
+  std::vector<char> near_a, near_b;
+  a.tree().mark_near(b.tree(), limit * limit, near_a, near_b);
+  const Box box_a = widened(a.box_of_marked(near_a), limit), box_b = widened(b.box_of_marked(near_b), limit);
+  Near_samples result{{closest.first, closest.second}, {0, 0}, {1, 0}};
+  add_near_samples(a, near_a, box_b, b, limit, true, result);
+  add_near_samples(b, near_b, box_a, a, limit, false, result);
+  return result;
 }
 
-/// The least distance of the surfaces and what is at most by `band` farther, looked for where either is within `reach`
-/// of the other's box.
-inline Near_region near_region(const Part_surface& a, const Part_surface& b, double reach, double band)
+/// The regions that the samples make up, by single linkage.
+inline Pieces linked(const std::vector<Point>& points, double tolerance)
 {
-  Near_region region;
-  const Measured_samples on_a(a, widened(b.box(), reach), DISTANCE_SAMPLES, b);
-  const Measured_samples on_b(b, widened(a.box(), reach), DISTANCE_SAMPLES, a);
-  refine(on_a, a, b, region);
-  refine(on_b, b, a, region);
-  region.limit = region.distance + band;
-  region.box.extend(region.witness);
-  extend_by_near(on_a, region.limit, region.box);
-  extend_by_near(on_b, region.limit, region.box);
-  return region;
+  Box box;
+  for (const Point& p : points)
+    box.extend(p);
+  const double limit = std::max(tolerance, APART * box.diagonal().norm());
+  Pieces pieces(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = i + 1; j < points.size(); ++j)
+      if ((points[i] - points[j]).squaredNorm() <= limit * limit) pieces.join(i, j);
+  return pieces;
 }
 
-/// The middle of the samples that are within `limit`, by area.
-inline bool middle(const Measured_samples& samples, double limit, Point& result)
+/// The middle of the samples of one piece on both surfaces, by area; where they have none, of the samples alone.
+inline Region region_of(const Near_samples& samples, Pieces& pieces, std::size_t piece)
 {
+  std::array<Point, 2> sums = {Point::Zero(), Point::Zero()};
+  std::array<double, 2> areas = {0, 0};
   Point sum = Point::Zero();
-  double area = 0;
-  for (std::size_t i = 0; i < samples.distances.size(); ++i) {
-    if (samples.distances[i] > limit) continue;
-    sum += samples.samples.areas[i] * samples.samples.points[i];
-    area += samples.samples.areas[i];
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    if (pieces.find(i) != piece) continue;
+    sums[samples.is_first[i]] += samples.areas[i] * samples.points[i];
+    areas[samples.is_first[i]] += samples.areas[i];
+    sum += samples.points[i];
+    ++count;
   }
-  if (!(area > 0)) return false;
-  result = sum / area;
-  return true;
+  Point middle = Point::Zero();
+  int sides = 0;
+  for (int side = 0; side < 2; ++side)
+    if (areas[side] > 0) {
+      middle += sums[side] / areas[side];
+      ++sides;
+    }
+  return {sides > 0 ? Point(middle / sides) : Point(sum / count), areas[0] + areas[1]};
 }
 
-/// The middle of the near region, from samples that are denser than those it was found with.
-inline Point middle(const Part_surface& a, const Part_surface& b, const Near_region& region)
+/// Where two surfaces touch, the largest region first. Specks of area, of corners alone, are regions only if there is
+/// nothing else.
+inline std::vector<Region> regions(const Near_samples& samples, double tolerance)
 {
-  const Box box = widened(region.box, region.limit);
-  Point on_a = region.witness, on_b = region.witness;
-  const bool has_a = middle(Measured_samples(a, box, REGION_SAMPLES, b), region.limit, on_a);
-  const bool has_b = middle(Measured_samples(b, box, REGION_SAMPLES, a), region.limit, on_b);
-  return has_a && has_b ? Point((on_a + on_b) / 2) : has_a ? on_a : on_b;
+  constexpr double SPECK = 0.05; // of the largest region's area
+  Pieces pieces = linked(samples.points, tolerance);
+  std::vector<Region> result;
+  for (std::size_t i = 0; i < samples.points.size(); ++i)
+    if (pieces.find(i) == i) result.push_back(region_of(samples, pieces, i));
+  std::stable_sort(result.begin(), result.end(), [](const Region& a, const Region& b) { return a.area > b.area; });
+  const double least = SPECK * result.front().area;
+  const auto is_speck = [least](const Region& region) { return region.area <= least; };
+  result.erase(std::remove_if(result.begin() + 1, result.end(), is_speck), result.end());
+  return result;
 }
 
 /// Finds the contacts of parts with meshes, in the coordinates of a frame.
@@ -124,9 +130,10 @@ public:
       : parts_(parts), frame_(frame)
   {
     Box box;
+    surfaces_.reserve(parts.size());
     for (const Shape_part& part : shape.parts()) {
-      surfaces_.push_back(std::make_unique<Part_surface>(frame.to_frame(part.mesh.points), part.mesh.triangles));
-      box.extend(surfaces_.back()->box());
+      surfaces_.emplace_back(frame.to_frame(part.mesh.points), part.mesh.triangles);
+      box.extend(surfaces_.back().box());
     }
     diagonal_ = box.diagonal().norm();
     tolerance_ = options.tolerance * diagonal_;
@@ -137,10 +144,11 @@ public:
     std::vector<Near_pair> near;
     for (std::size_t a = 0; a < parts_.size(); ++a)
       for (std::size_t b = a + 1; b < parts_.size(); ++b)
-        add_if_touching(a, b, near);
+        if (box_distance(a, b) <= tolerance_ * SLACK) add_if_touching(a, b, near);
     join_pieces(
         parts_, diagonal_, [this](std::size_t a, std::size_t b) { return box_distance(a, b); },
-        [this](std::size_t a, std::size_t b) { return near_pair(a, b); }, near, warnings);
+        [this](std::size_t a, std::size_t b) { return near_pair(a, b, std::numeric_limits<double>::infinity()); }, near,
+        warnings);
     sort_by_parts(near);
     std::vector<Contact> contacts;
     for (const Near_pair& pair : near)
@@ -151,57 +159,49 @@ public:
 private:
   double box_distance(std::size_t a, std::size_t b) const
   {
-    return surfaces_[a]->box().exteriorDistance(surfaces_[b]->box());
+    return surfaces_[a].box().exteriorDistance(surfaces_[b].box());
   }
 
   Contact contact(const Near_pair& pair) const
   {
     const auto [a, b] = pair.parts;
-    const Point p = frame_.to_world(middle(*surfaces_[a], *surfaces_[b], regions_[pair.region]));
-    return {pair.parts, {nearest_parameter(parts_[a], p), nearest_parameter(parts_[b], p)}};
+    const Near_samples samples = near_samples(surfaces_[a], surfaces_[b], closest_[pair.region],
+                                              pair.distance + NEAR_BAND * tolerance_);
+    Contact result{pair.parts, {}, {}};
+    for (const Region& region : regions(samples, tolerance_)) {
+      const Point p = frame_.to_world(region.middle);
+      result.further.push_back({nearest_parameter(parts_[a], p), nearest_parameter(parts_[b], p)});
+    }
+    result.parameters = result.further.front();
+    result.further.erase(result.further.begin());
+    return result;
   }
 
-  Near_pair keep(std::size_t a, std::size_t b, double distance, const Near_region& region)
+  /// The distance of two parts, exact where it is less than `limit`.
+  Near_pair near_pair(std::size_t a, std::size_t b, double limit)
   {
-    regions_.push_back(region);
-    return {{a, b}, distance, regions_.size() - 1};
-  }
-
-  bool one_encloses_the_other(const Part_surface& a, const Part_surface& b) const
-  {
-    return (b.box().contains(a.box()) && b.encloses(a.any_point())) ||
-           (a.box().contains(b.box()) && a.encloses(b.any_point()));
+    Closest_pair closest;
+    closest.squared = limit * limit;
+    surfaces_[a].tree().improve_closest(surfaces_[b].tree(), closest);
+    closest_.push_back(closest);
+    return {{a, b}, std::sqrt(closest.squared), closest_.size() - 1};
   }
 
   void add_if_touching(std::size_t a, std::size_t b, std::vector<Near_pair>& near)
   {
-    if (box_distance(a, b) > tolerance_ * SLACK) return;
-    const Part_surface &surface_a = *surfaces_[a], &surface_b = *surfaces_[b];
-    const Near_region region = near_region(surface_a, surface_b, tolerance_ * SLACK, NEAR_BAND * tolerance_);
-    if (!std::isfinite(region.distance)) return;
-    const bool close = region.distance <= NEAR_BAND * tolerance_;
-    if (!close && (surface_a.intersects(surface_b) || one_encloses_the_other(surface_a, surface_b)))
-      near.push_back(keep(a, b, 0, region));
-    else if (region.distance <= tolerance_ * SLACK)
-      near.push_back(keep(a, b, region.distance, region));
-  }
-
-  /// The distance of two parts however far they are: what is found within the reach is the least.
-  Near_pair near_pair(std::size_t a, std::size_t b)
-  {
-    double reach = std::max(tolerance_, box_distance(a, b)) * SLACK;
-    Near_region region = near_region(*surfaces_[a], *surfaces_[b], reach, NEAR_BAND * tolerance_);
-    while (region.distance > reach) {
-      reach *= 2;
-      region = near_region(*surfaces_[a], *surfaces_[b], reach, NEAR_BAND * tolerance_);
+    const double limit = tolerance_ * SLACK;
+    Near_pair pair = near_pair(a, b, limit);
+    if (pair.distance < limit) {
+      near.push_back(pair);
+    } else if (surfaces_[a].encloses(surfaces_[b]) || surfaces_[b].encloses(surfaces_[a])) {
+      near.push_back(near_pair(a, b, std::numeric_limits<double>::infinity()));
     }
-    return keep(a, b, region.distance, region);
   }
 
   const std::vector<Part_abstraction>& parts_;
   const Shape_frame& frame_;
-  std::vector<std::unique_ptr<Part_surface>> surfaces_;
-  std::vector<Near_region> regions_;
+  std::vector<Part_surface> surfaces_;
+  std::vector<Closest_pair> closest_; ///< of the near pairs
   double diagonal_;
   double tolerance_;
 };
@@ -295,7 +295,7 @@ private:
   {
     const auto [a, b] = pair.parts;
     const Point& p = witnesses_[pair.region];
-    return {pair.parts, {nearest_parameter(parts_[a], p), nearest_parameter(parts_[b], p)}};
+    return {pair.parts, {nearest_parameter(parts_[a], p), nearest_parameter(parts_[b], p)}, {}};
   }
 
   Near_pair near_pair(std::size_t a, std::size_t b)

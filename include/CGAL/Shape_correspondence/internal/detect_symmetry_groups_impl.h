@@ -56,10 +56,11 @@ private:
   {
     for (std::size_t i : free_)
       for (std::size_t j : free_) {
-        if (j <= i) continue;
-        if (options_.reflection)
-          for (const Basic_map map : {MIRRORED_X, MIRRORED_Z})
-            add_pair_in_plane(parts_, i, j, map, found);
+        if (j <= i || parts_.are_at_different_ends(i, j)) continue;
+        for (const Basic_map map : {MIRRORED_X, MIRRORED_Z}) {
+          if (options_.reflection) add_pair_in_plane(parts_, i, j, map, found);
+          if (options_.rotation) add_turned_pair(parts_, i, j, map, found);
+        }
         if (options_.translation) add_translated_pair(parts_, i, j, found);
         if (options_.reflection) add_pair_half_way(parts_, i, j, found);
       }

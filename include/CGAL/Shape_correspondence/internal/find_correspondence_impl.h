@@ -12,26 +12,46 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-// One run of the search: `deformed` is the shape that plays the paper's source.
+// One run of the search: the source of its problem is the shape that is deformed.
 struct Search_run
 {
   Matching_problem problem;
+  Direction direction;
+  int turns; // of the target
   Search_result result;
 
-  Search_run(const Aligned_shape& deformed, const Aligned_shape& other, const Search_options& options)
-      : problem(deformed, other, options.weights, options.maximum_parts),
-        result(options.method == Search_method::EXACT ? exact_search(problem, options.exact)
-                                                      : beam_search(problem, options.beam))
-  {}
+  Search_run(const Aligned_shape& source, const Aligned_shape& target, Direction direction, int turns,
+             const Search_options& options)
+      : problem(direction == Direction::SOURCE_TO_TARGET ? source : target,
+                direction == Direction::SOURCE_TO_TARGET ? target : source, options.matching),
+        direction(direction),
+        turns(turns)
+  {
+    if (options.method == Search_method::EXACT) {
+      Exact_options exact = options.exact;
+      exact.solutions = std::size_t(options.solutions);
+      result = exact_search(problem.energy(), exact);
+    } else {
+      result = beam_search(problem, options.beam);
+    }
+    if (result.solutions.size() > std::size_t(options.solutions))
+      result.solutions.resize(std::size_t(options.solutions));
+    result.optimal = result.optimal && !problem.has_shortlists();
+  }
 
   // Energy per pair of connected parts, which compares between directions
-  double score() const { return result.energy / double(std::max<std::size_t>(1, problem.active_contacts().size())); }
+  double score() const
+  {
+    return result.best().energy / double(std::max<std::size_t>(1, problem.source().contacts.size()));
+  }
 };
 
 inline std::vector<std::size_t> original_parts(const Aligned_shape& shape, const std::vector<std::size_t>& parts)
@@ -43,16 +63,18 @@ inline std::vector<std::size_t> original_parts(const Aligned_shape& shape, const
   return result;
 }
 
-// Half of every contact's cost to either of its groups.
-inline void share_energy(const Search_run& run, std::vector<Rod_energy>& group_energy, Correspondence& correspondence)
+// The energy of every contact, and half of it for either of its groups.
+inline std::vector<Rod_energy> share_energy(const Matching_problem& problem, const Assignment& assignment,
+                                            Correspondence& correspondence)
 {
-  const Matching_problem& problem = run.problem;
   const Aligned_shape& shape = problem.source();
-  for (std::size_t contact : problem.active_contacts()) {
+  std::vector<Rod_energy> group_energy;
+  for (std::size_t g = 0; g < shape.groups.size(); ++g)
+    group_energy.push_back(problem.cut_energy(g, std::size_t(assignment[g])));
+  for (std::size_t contact = 0; contact < shape.contacts.size(); ++contact) {
     const auto& parts = shape.contacts[contact].parts;
     const std::size_t g = shape.group_of[parts[0]], h = shape.group_of[parts[1]];
-    const Rod_energy energy =
-        problem.contact_energy(contact, std::size_t(run.result.assignment[g]), std::size_t(run.result.assignment[h]));
+    const Rod_energy energy = problem.contact_energy(contact, std::size_t(assignment[g]), std::size_t(assignment[h]));
     for (std::size_t group : {g, h}) {
       group_energy[group].distortion += energy.distortion / 2;
       group_energy[group].connectedness += energy.connectedness / 2;
@@ -64,28 +86,31 @@ inline void share_energy(const Search_run& run, std::vector<Rod_energy>& group_e
   }
   std::sort(correspondence.contacts.begin(), correspondence.contacts.end(),
             [](const Contact_energy& a, const Contact_energy& b) { return a.parts < b.parts; });
+  return group_energy;
 }
 
-inline void collect_groups(const Search_run& run, Correspondence& correspondence)
+inline void collect_groups(const Matching_problem& problem, const Assignment& assignment,
+                           const std::vector<double>& min_marginals, Correspondence& correspondence)
 {
-  const Matching_problem& problem = run.problem;
   const Aligned_shape &shape = problem.source(), &other = problem.target();
+  const Energy_weights& weights = problem.options().weights;
   const bool forward = correspondence.direction == Direction::SOURCE_TO_TARGET;
-  std::vector<Rod_energy> group_energy(shape.groups.size());
-  share_energy(run, group_energy, correspondence);
-  for (std::size_t g : problem.active_groups()) {
-    const Group_label& label = problem.label(g, std::size_t(run.result.assignment[g]));
+  const std::vector<Rod_energy> group_energy = share_energy(problem, assignment, correspondence);
+  for (std::size_t g = 0; g < shape.groups.size(); ++g) {
+    const Group_label& label = problem.label(g, std::size_t(assignment[g]));
     Group_match match;
     match.source = original_parts(shape, shape.groups[g].parts);
-    match.target = original_parts(other, other.groups[label.target_group].parts);
+    if (label.target_group != Group_label::no_group)
+      match.target = original_parts(other, other.groups[label.target_group].parts);
     match.operation = label.operation;
     match.distortion = group_energy[g].distortion;
     match.connectedness = group_energy[g].connectedness;
-    match.energy = match.distortion + problem.weights().connectedness * match.connectedness;
+    match.energy = weights.distortion * match.distortion + weights.connectedness * match.connectedness;
     match.solidity_ratio = label.solidity_ratio;
-    for (std::size_t i = 0; i < label.images.size(); ++i)
-      for (std::size_t image : label.images[i]) {
-        const std::size_t part = shape.original[shape.groups[g].parts[i]], became = other.original[image];
+    if (!min_marginals.empty()) match.min_marginal = min_marginals[g];
+    for (const auto& images : label.images)
+      for (const Image& image : images) {
+        const std::size_t part = shape.original[image.source.part], became = other.original[image.target.part];
         correspondence.pairs.push_back(forward ? std::make_pair(part, became) : std::make_pair(became, part));
       }
     if (!forward) std::swap(match.source, match.target);
@@ -97,21 +122,30 @@ inline void collect_groups(const Search_run& run, Correspondence& correspondence
   std::sort(correspondence.pairs.begin(), correspondence.pairs.end());
 }
 
-inline std::vector<std::size_t> unmatched(const std::vector<char>& is_matched)
+// Parts without a pair.
+inline void collect_unmatched(std::size_t source_parts, std::size_t target_parts, Correspondence& correspondence)
 {
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < is_matched.size(); ++i)
-    if (!is_matched[i]) result.push_back(i);
-  return result;
+  std::vector<char> source(source_parts, 0), target(target_parts, 0);
+  for (const auto& pair : correspondence.pairs)
+    source[pair.first] = 1, target[pair.second] = 1;
+  const auto zeros = [](const std::vector<char>& is_matched) {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < is_matched.size(); ++i)
+      if (!is_matched[i]) result.push_back(i);
+    return result;
+  };
+  correspondence.unmatched_source = zeros(source);
+  correspondence.unmatched_target = zeros(target);
 }
 
-inline Correspondence correspondence_of(const Search_run& run, Direction direction, std::size_t source_parts,
-                                        std::size_t target_parts)
+inline Correspondence correspondence_of(const Search_run& run, const Solution& solution,
+                                        const std::vector<double>& min_marginals)
 {
   Correspondence correspondence;
-  correspondence.direction = direction;
-  correspondence.energy = run.result.energy;
-  correspondence.terms = run.problem.terms(run.result.assignment);
+  correspondence.direction = run.direction;
+  correspondence.target_quarter_turns = run.turns;
+  correspondence.energy = solution.energy;
+  correspondence.terms = run.problem.terms(solution.assignment);
   correspondence.complete = true;
   correspondence.optimal = run.result.optimal;
   correspondence.search = run.result.summary;
@@ -119,53 +153,116 @@ inline Correspondence correspondence_of(const Search_run& run, Direction directi
     correspondence.warnings.push_back("There are " + std::to_string(run.problem.target().groups.size()) +
                                       " groups to choose from; each was given the " + std::to_string(maximum_labels) +
                                       " nearest in place and size to choose from.");
-  collect_groups(run, correspondence);
-
-  std::vector<char> source(source_parts, 0), target(target_parts, 0);
-  for (const auto& pair : correspondence.pairs)
-    source[pair.first] = 1, target[pair.second] = 1;
-  correspondence.unmatched_source = unmatched(source);
-  correspondence.unmatched_target = unmatched(target);
+  collect_groups(run.problem, solution.assignment, min_marginals, correspondence);
   return correspondence;
 }
 
+inline void check(const Search_options& options)
+{
+  const Energy_weights& weights = options.matching.weights;
+  if (weights.distortion < 0 || weights.connectedness < 0 || weights.split < 0)
+    throw Invalid_input("find_correspondence: the weights of E_d, E_c and E_s must not be negative");
+  if (!(options.matching.unmatched_cost >= 0))
+    throw Invalid_input("find_correspondence: the cost of leaving a part unmatched must not be negative");
+  if (options.maximum_parts < 0 || options.alignments < 0)
+    throw Invalid_input("find_correspondence: the numbers of parts and of alignments must not be negative");
+  if (options.solutions < 1) throw Invalid_input("find_correspondence: at least one solution must be asked for");
+}
+
+// The shape as far as it takes part.
+inline Aligned_shape participating(Aligned_shape shape, const std::vector<std::size_t>& chosen, int maximum_parts)
+{
+  if (!chosen.empty()) {
+    std::vector<char> is_kept(shape.parts.size(), 0);
+    for (std::size_t part : chosen) {
+      const auto found = std::find(shape.original.begin(), shape.original.end(), part);
+      if (found == shape.original.end())
+        throw Invalid_input("find_correspondence: there is no part number " + std::to_string(part) +
+                            " to choose, the shape has " + std::to_string(shape.parts.size()) + " parts");
+      is_kept[std::size_t(found - shape.original.begin())] = 1;
+    }
+    shape = restricted(shape, is_kept);
+  }
+  if (maximum_parts > 0) shape = restricted(shape, most_prominent_parts(shape, std::size_t(maximum_parts)));
+  return shape;
+}
+
 } // namespace internal
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence_finder::Correspondence_finder(const Structural_graph& source,
+                                                                              const Search_options& options)
+    : options_(options), source_frame_(structure(source).frame), number_of_parts_(structure(source).parts.size())
+{
+  internal::check(options);
+  source_ = internal::participating(align_shape(source), options.source_parts, options.maximum_parts);
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence Correspondence_finder::operator()(const Structural_graph& target) const
+{
+  return std::move(ranked(target).front());
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Correspondence>
+Correspondence_finder::ranked(const Structural_graph& target) const
+{
+  std::vector<int> turns = alignment_turns(source_frame_, structure(target).frame);
+  if (options_.alignments > 0 && turns.size() > std::size_t(options_.alignments))
+    turns.resize(std::size_t(options_.alignments));
+  std::vector<Direction> directions{Direction::SOURCE_TO_TARGET};
+  if (options_.both_directions) directions.push_back(Direction::TARGET_TO_SOURCE);
+
+  std::unique_ptr<const internal::Search_run> best;
+  std::size_t states = 0, evaluations = 0, done = 0;
+  const std::size_t run_count = turns.size() * directions.size();
+  bool cancelled = false;
+  for (std::size_t t = 0; t < turns.size() && !cancelled; ++t) {
+    const Aligned_shape aligned =
+        internal::participating(align_shape(target, turns[t]), options_.target_parts, options_.maximum_parts);
+    for (Direction direction : directions) {
+      cancelled = cancelled || (options_.progress && !options_.progress(double(done) / double(run_count)));
+      if (cancelled) break;
+      auto run = std::make_unique<internal::Search_run>(source_, aligned, direction, turns[t], options_);
+      ++done;
+      states += run->result.summary.states;
+      evaluations += run->result.summary.evaluations;
+      if (!best || internal::quantized(run->score()) < internal::quantized(best->score())) best = std::move(run);
+    }
+  }
+
+  std::vector<Correspondence> result;
+  if (best) {
+    std::vector<double> min_marginals;
+    if (options_.min_marginals)
+      min_marginals = Exact_search(best->problem.energy(), options_.exact).min_marginals(best->result);
+    for (const Solution& solution : best->result.solutions)
+      result.push_back(
+          internal::correspondence_of(*best, solution, result.empty() ? min_marginals : std::vector<double>()));
+  } else {
+    result.emplace_back();
+  }
+  for (Correspondence& correspondence : result) {
+    correspondence.search.states = states;
+    correspondence.search.evaluations = evaluations;
+    internal::collect_unmatched(number_of_parts_, structure(target).parts.size(), correspondence);
+    if (!cancelled) continue;
+    correspondence.complete = correspondence.optimal = false;
+    correspondence.warnings.push_back("The search was cancelled after " + std::to_string(done) + " of " +
+                                      std::to_string(run_count) + " runs; this is the best result up to then.");
+  }
+  return result;
+}
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence find_correspondence(const Structural_graph& source,
                                                                     const Structural_graph& target,
                                                                     const Search_options& options)
 {
-  if (options.weights.connectedness < 0 || options.weights.split < 0)
-    throw Invalid_input("find_correspondence: the weights w_c and w_s must not be negative");
-  if (options.maximum_parts < 0 || options.alignments < 0)
-    throw Invalid_input("find_correspondence: the numbers of parts and of alignments must not be negative");
+  return Correspondence_finder(source, options)(target);
+}
 
-  std::vector<int> turns = alignment_turns(structure(source).frame, structure(target).frame);
-  if (options.alignments > 0 && turns.size() > std::size_t(options.alignments))
-    turns.resize(std::size_t(options.alignments));
-
-  const Aligned_shape from = align_shape(source);
-  Correspondence best;
-  long best_score = std::numeric_limits<long>::max();
-  std::size_t states = 0, evaluations = 0;
-  for (int turn : turns) {
-    const Aligned_shape to = align_shape(target, turn);
-    for (Direction direction : {Direction::SOURCE_TO_TARGET, Direction::TARGET_TO_SOURCE}) {
-      const bool forward = direction == Direction::SOURCE_TO_TARGET;
-      if (!forward && !options.both_directions) continue;
-      const internal::Search_run run(forward ? from : to, forward ? to : from, options);
-      states += run.result.summary.states;
-      evaluations += run.result.summary.evaluations;
-      const long score = internal::quantized(run.score());
-      if (score >= best_score) continue;
-      best_score = score;
-      best = internal::correspondence_of(run, direction, from.parts.size(), to.parts.size());
-      best.target_quarter_turns = turn;
-    }
-  }
-  best.search.states = states;
-  best.search.evaluations = evaluations;
-  return best;
+CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Correspondence>
+find_correspondences(const Structural_graph& source, const Structural_graph& target, const Search_options& options)
+{
+  return Correspondence_finder(source, options).ranked(target);
 }
 
 } // namespace Shape_correspondence

@@ -6,17 +6,10 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_CONTACTS_PART_SURFACE_H
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_CONTACTS_PART_SURFACE_H
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/internal/contacts/Triangle_tree.h>
 #include <CGAL/Shape_correspondence/internal/contacts/sample_triangles.h>
-#include <CGAL/Simple_cartesian.h>
 
-#include <Eigen/Geometry>
-
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -25,8 +18,6 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 namespace contacts {
-
-using Box = Eigen::AlignedBox3d;
 
 inline Box widened(const Box& box, double by)
 {
@@ -67,91 +58,46 @@ inline void add_fan(const Polygon& polygon, std::vector<Sampled_triangle>& trian
   }
 }
 
-/// Triangles of a kernel in a tree.
-template <typename Kernel>
-class Triangle_tree
-{
-  using Triangle = typename Kernel::Triangle_3;
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, typename std::vector<Triangle>::const_iterator>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-
-public:
-  static typename Kernel::Point_3 to_cgal(const Point& p) { return {p.x(), p.y(), p.z()}; }
-  static Triangle to_cgal(const std::array<Point, 3>& t) { return {to_cgal(t[0]), to_cgal(t[1]), to_cgal(t[2])}; }
-
-  explicit Triangle_tree(const std::vector<std::array<Point, 3>>& triangles)
-  {
-    for (const std::array<Point, 3>& triangle : triangles)
-      triangles_.push_back(to_cgal(triangle));
-    tree_.rebuild(triangles_.begin(), triangles_.end());
-  }
-  Triangle_tree(const Triangle_tree&) = delete;
-  Triangle_tree& operator=(const Triangle_tree&) = delete;
-
-  const Tree& tree() const { return tree_; }
-
-private:
-  std::vector<Triangle> triangles_;
-  Tree tree_;
-};
-
-/// The surface of a part, ready for distance and intersection queries.
+/// The surface of a part, ready for distance queries.
 class Part_surface
 {
-  using Fast = CGAL::Simple_cartesian<double>;                       // for distances
-  using Exact = CGAL::Exact_predicates_inexact_constructions_kernel; // for intersections, which are seldom asked for
-
 public:
   /// \param points of the mesh, in the coordinates that queries come in
-  Part_surface(const Points& points, const Eigen::Matrix3Xi& triangles)
-      : corners_(proper_triangles(points, triangles)), distances_(corners_)
+  Part_surface(const Points& points, const Eigen::Matrix3Xi& triangles) : tree_(proper_triangles(points, triangles)) {}
+
+  const Box& box() const { return tree_.box(); }
+  const Triangle_tree& tree() const { return tree_; }
+
+  /// Whether `p` is nearer than `limit`.
+  bool is_near(const Point& p, double limit) const
   {
-    for (const std::array<Point, 3>& triangle : corners_)
-      for (const Point& corner : triangle)
-        box_.extend(corner);
+    Point nearest;
+    double squared = limit * limit;
+    return tree_.improve_nearest(p, nearest, squared);
   }
 
-  const Box& box() const { return box_; }
-  const Point& any_point() const { return corners_.front()[0]; }
-
-  Point nearest(const Point& p) const
+  /// Whether the other is inside, by the majority of three rays, so that a small hole does no harm.
+  bool encloses(const Part_surface& other) const
   {
-    const Fast::Point_3 q = distances_.tree().closest_point(Triangle_tree<Fast>::to_cgal(p));
-    return Point(q.x(), q.y(), q.z());
-  }
-
-  bool intersects(const Part_surface& other) const
-  {
-    if (!box_.intersects(other.box_)) return false;
-    const Triangle_tree<Exact> others(other.corners_);
-    for (std::size_t t = 0; t < corners_.size(); ++t)
-      if (triangle_box(t).intersects(other.box_) &&
-          others.tree().do_intersect(Triangle_tree<Exact>::to_cgal(corners_[t])))
-        return true;
-    return false;
-  }
-
-  /// Whether `p` is inside, by the majority of three rays, so that a small hole does no harm.
-  bool encloses(const Point& p) const
-  {
+    if (other.tree_.triangles().empty() || !box().contains(other.box())) return false;
+    const Point& p = other.tree_.triangles().front()[0];
     const std::array<Point, 3> directions = {Point(1, 0.1234, 0.0567), Point(-0.0891, 1, 0.1417),
                                              Point(0.1031, -0.0713, 1)};
     int odd = 0;
-    for (const Point& d : directions) {
-      const Fast::Ray_3 ray(Triangle_tree<Fast>::to_cgal(p), Fast::Vector_3(d.x(), d.y(), d.z()));
-      odd += distances_.tree().number_of_intersected_primitives(ray) % 2;
-    }
+    for (const Point& direction : directions)
+      odd += tree_.crossings(p, direction) % 2;
     return odd >= 2;
   }
 
-  /// About `n` points on the surface inside `region`; where it has few corners, those, too, at no area.
-  Surface_samples sample(const Box& region, int n) const
+  /// About `n` points on the marked triangles inside `region`; where these have few corners, those, too, at no area.
+  Surface_samples sample(const std::vector<char>& marked, const Box& region, int n) const
   {
     std::vector<Sampled_triangle> pieces;
     std::vector<Point> vertices;
-    for (std::size_t t = 0; t < corners_.size(); ++t) {
-      if (!triangle_box(t).intersects(region)) continue;
-      const Polygon polygon = clipped(Polygon(corners_[t].begin(), corners_[t].end()), region);
+    for (std::size_t t = 0; t < marked.size(); ++t) {
+      if (!marked[t]) continue;
+      const Triangle& triangle = tree_.triangles()[t];
+      const Polygon polygon = clipped(Polygon(triangle.begin(), triangle.end()), region);
       add_fan(polygon, pieces);
       vertices.insert(vertices.end(), polygon.begin(), polygon.end());
     }
@@ -163,29 +109,31 @@ public:
     return samples;
   }
 
+  /// The box of the marked triangles.
+  Box box_of_marked(const std::vector<char>& marked) const
+  {
+    Box result;
+    for (std::size_t t = 0; t < marked.size(); ++t)
+      if (marked[t]) result.extend(box_of(tree_.triangles()[t]));
+    return result;
+  }
+
 private:
   /// The triangles that are not degenerate.
-  static std::vector<std::array<Point, 3>> proper_triangles(const Points& points, const Eigen::Matrix3Xi& triangles)
+  static std::vector<Triangle> proper_triangles(const Points& points, const Eigen::Matrix3Xi& triangles)
   {
-    std::vector<std::array<Point, 3>> result;
+    constexpr double FLAT = 1e-12; // twice the area over the square of the longest side
+    std::vector<Triangle> result;
     for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-      std::array<Point, 3> corners;
-      for (int i = 0; i < 3; ++i)
-        corners[i] = points.col(triangles(i, t));
-      if (!Triangle_tree<Exact>::to_cgal(corners).is_degenerate()) result.push_back(corners);
+      const Triangle corners = {points.col(triangles(0, t)), points.col(triangles(1, t)), points.col(triangles(2, t))};
+      const Point u = corners[1] - corners[0], v = corners[2] - corners[0];
+      const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+      if (u.cross(v).norm() > FLAT * longest) result.push_back(corners);
     }
     return result;
   }
 
-  Box triangle_box(std::size_t t) const
-  {
-    return Box(corners_[t][0].cwiseMin(corners_[t][1]).cwiseMin(corners_[t][2]),
-               corners_[t][0].cwiseMax(corners_[t][1]).cwiseMax(corners_[t][2]));
-  }
-
-  std::vector<std::array<Point, 3>> corners_;
-  Triangle_tree<Fast> distances_;
-  Box box_;
+  Triangle_tree tree_;
 };
 
 } // namespace contacts

@@ -18,8 +18,10 @@ namespace Shape_correspondence {
 namespace internal {
 namespace symmetry {
 
-constexpr double COPY_TOLERANCE = 0.4;   ///< over the tolerance
-constexpr double COPY_AREA_RATIO = 1.15; ///< how much the areas of copies may differ
+constexpr double COPY_TOLERANCE = 0.4;    ///< over the tolerance
+constexpr double COPY_MAXIMUM = 1.75;     ///< the largest deviation of copies, over the mean one allowed
+constexpr double COPY_AREA_RATIO = 1.25;  ///< how much the areas of copies may differ
+constexpr double COPY_WIDTH_RATIO = 1.25; ///< and their widths in any direction
 
 /// Which kind of explanation is preferred where several cover as many parts.
 enum class Preference {
@@ -28,6 +30,7 @@ enum class Preference {
   RING,              ///< any other ring
   ROW,               ///< three or more along a vector
   MIRRORED_IN_SHAPE, ///< a pair, in a mirror plane of the shape
+  TURNED,            ///< a pair, by half a turn about an axis in a mirror plane of the shape
   TRANSLATED,        ///< a pair along a vector
   MIRRORED_ANYHOW    ///< a pair, in the vertical plane half-way
 };
@@ -40,6 +43,7 @@ struct Explanation
   {
     std::size_t from, to; ///< indices into `members`
     Eigen::Matrix3d map;
+    bool copy; ///< whether they must be copies
   };
 
   std::vector<std::size_t> members; ///< in the order along the generator
@@ -66,17 +70,18 @@ inline double link_residual(const Part_relations& parts, const Explanation& expl
   return explanation.links.empty() ? 0 : sum / explanation.links.size();
 }
 
-/// Members of rings, rows and translated pairs are copies of each other: they are held to a part of the tolerance, or
-/// rails, shelves and cushions that are just alike would be gathered. Mirrored parts may be bent differently.
-inline bool consists_of_copies(const Explanation& explanation)
-{
-  return explanation.symmetry.type != Symmetry_type::REFLECTION;
-}
-
+/// Whether a part is a copy of another, not just like it. Members of rings, rows and translated pairs are held to this,
+/// or rails, shelves and cushions that are just alike would be gathered; mirrored parts may be bent differently.
 inline bool is_copy(const Part_relations& parts, std::size_t i, std::size_t j, const Eigen::Matrix3d& map)
 {
-  const double limit = COPY_TOLERANCE * parts.tolerance() * std::max(parts[i].diagonal, parts[j].diagonal);
-  return parts.deviation(i, j, map) <= limit && ratio_within(parts[i].area, parts[j].area, COPY_AREA_RATIO);
+  const double limit = COPY_TOLERANCE * parts.deviation_limit(i, j);
+  const Eigen::VectorXd image = moved_support(parts[i], map);
+  const bool agrees = limit > parts.noise()
+                          ? std::isfinite(support_deviation(image, parts[j].support, limit, COPY_MAXIMUM))
+                          : std::isfinite(support_deviation(image, parts[j].support, parts.noise()));
+  return agrees &&
+         ratio_within(parts[i].area, parts[j].area, COPY_AREA_RATIO) &&
+         width_ratio(image, parts[j].support, parts.noise()) <= COPY_WIDTH_RATIO;
 }
 
 /// Whether the explanation stands a closer look.
@@ -84,7 +89,7 @@ inline bool confirm(Part_relations& parts, const Explanation& explanation)
 {
   for (const Explanation::Link& link : explanation.links) {
     const std::size_t from = explanation.members[link.from], to = explanation.members[link.to];
-    if (consists_of_copies(explanation) && !is_copy(parts, from, to, link.map)) return false;
+    if (link.copy && !is_copy(parts, from, to, link.map)) return false;
     if (!parts.confirm(from, to, link.map)) return false;
   }
   return true;

@@ -8,6 +8,8 @@
 
 #include <CGAL/Shape_correspondence/internal/symmetry/Part_signature.h>
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -18,9 +20,11 @@ namespace internal {
 namespace symmetry {
 
 constexpr double POSITION_TOLERANCE = 0.01;  ///< over the shape's height; for parts that are small
+constexpr double NOISE = 0.003;              ///< mean deviation of hulls that noise explains, over the diagonal
+constexpr double ELONGATED = 1.5;            ///< length over width of a shape whose ends differ in meaning
 constexpr double PLANE_TOLERANCE = 0.02;     ///< how far from a mirror plane a pair may be centred, over the height
-constexpr double FIRST_PLANE_SUPPORT = 0.4;  ///< share of the surface that must be mirrored, for the better plane
-constexpr double SECOND_PLANE_SUPPORT = 0.7; ///< and for the other one
+constexpr double MAIN_PLANE_SUPPORT = 0.4;   ///< share of the surface that must be mirrored, for the better plane
+constexpr double OTHER_PLANE_SUPPORT = 0.7;  ///< and for the other one
 
 /// The motions whose linear part every pair is tested for.
 enum Basic_map { TRANSLATED = 0, MIRRORED_X = 1, MIRRORED_Z = 2 };
@@ -45,19 +49,31 @@ class Part_relations
 {
 public:
   Part_relations(std::vector<Part_signature> parts, const Shape_frame& frame, double tolerance)
-      : parts_(std::move(parts)), tolerance_(tolerance)
+      : parts_(std::move(parts)), frame_(frame), tolerance_(tolerance)
   {
     const std::size_t n = parts_.size();
+    Eigen::AlignedBox3d box;
+    for (const Part_signature& part : parts_)
+      box.extend(box_of(part));
+    noise_ = NOISE * box.diagonal().norm();
+    extent_ = box.sizes();
     for (Basic_map map : {TRANSLATED, MIRRORED_X, MIRRORED_Z}) {
       related_[map].assign(n * n, 0);
       compute(map);
     }
-    find_planes(frame);
+    find_planes();
   }
 
   std::size_t size() const { return parts_.size(); }
   const Part_signature& operator[](std::size_t i) const { return parts_[i]; }
-  double tolerance() const { return tolerance_; }
+
+  /// How far apart, on average, the surface of one part and the image of another's may be.
+  double deviation_limit(std::size_t i, std::size_t j) const
+  {
+    return std::max(tolerance_ * std::max(parts_[i].diagonal, parts_[j].diagonal), noise_);
+  }
+
+  double noise() const { return noise_; }
 
   /// How far a part may be from where it should be.
   double position_tolerance(std::size_t i) const
@@ -71,33 +87,92 @@ public:
   /// are not congruent.
   double deviation(std::size_t i, std::size_t j, const Eigen::Matrix3d& map) const
   {
-    const Part_signature &a = parts_[i], &b = parts_[j];
-    if (!have_same_size(a, b, tolerance_)) return std::numeric_limits<double>::infinity();
-    return support_deviation(moved_support(a, map), b.support, tolerance_ * std::max(a.diagonal, b.diagonal));
+    if (!same_size(i, j)) return std::numeric_limits<double>::infinity();
+    return support_deviation(moved_support(parts_[i], map), parts_[j].support, deviation_limit(i, j));
+  }
+
+  bool same_size(std::size_t i, std::size_t j) const
+  {
+    return have_same_size(parts_[i], parts_[j], tolerance_);
   }
 
   /// Compares surfaces; what fails is not related any more.
   bool confirm(std::size_t i, std::size_t j, const Eigen::Matrix3d& map)
   {
-    if (surfaces_agree(parts_[i], parts_[j], map, tolerance_)) return true;
+    if (surfaces_agree(parts_[i], parts_[j], map, deviation_limit(i, j))) return true;
     for (Basic_map basic : {TRANSLATED, MIRRORED_X, MIRRORED_Z})
       if (matrix_of(basic).isApprox(map)) related_[basic][i * size() + j] = related_[basic][j * size() + i] = 0;
     return false;
   }
 
-  /// Whether two parts are displaced from each other along one axis alone.
-  bool displaced_along(std::size_t i, std::size_t j, int axis) const
+  /// Whether two parts are displaced from each other along one axis alone. Parts that cross each other are not
+  /// displaced at all, but mirror images of each other and not of themselves.
+  bool displaced_along(std::size_t i, std::size_t j, Basic_map mirror) const
   {
     Point d = parts_[i].centre - parts_[j].centre;
-    const double along = std::abs(d[axis]);
-    d[axis] = 0;
-    return d.norm() <= position_tolerance(i) && along > position_tolerance(i);
+    const double along = std::abs(d[axis_of(mirror)]);
+    d[axis_of(mirror)] = 0;
+    const double across = d.norm();
+    if (across > position_tolerance(i)) return false;
+    const bool cross = std::hypot(along, across) <= noise_ && !related(i, i, mirror);
+    return along > std::max(POSITION_TOLERANCE, across) || cross;
   }
+
+  /// The mirror map that explains more of the shape than the other: the one of left and right.
+  Basic_map main_mirror() const { return main_mirror_; }
+  Basic_map other_mirror() const { return main_mirror_ == MIRRORED_X ? MIRRORED_Z : MIRRORED_X; }
 
   /// The mirror plane x = offset or z = offset that explains most of the shape, if it explains enough.
   const std::optional<double>& plane(Basic_map map) const { return planes_[map]; }
 
+  /// A shape that is longer than wide has two ends: a bed's head and foot, a bicycle's front and rear. Whether two
+  /// parts are at both ends, and nothing that they carry together says that these are alike, as a table's top does.
+  /// A shape whose only mirror plane is across its length has two sides instead, like an aeroplane of wide span.
+  bool are_at_different_ends(std::size_t i, std::size_t j) const
+  {
+    const int length = extent_.x() > extent_.z() ? 0 : 2, width = 2 - length;
+    if (extent_[length] < ELONGATED * extent_[width]) return false;
+    const Basic_map across = length == 0 ? MIRRORED_X : MIRRORED_Z, along = length == 0 ? MIRRORED_Z : MIRRORED_X;
+    if (is_whole_mirrored(across) && !plane(along)) return false;
+    if (std::abs(parts_[i].centre[length] - parts_[j].centre[length]) < extent_[length] / 2) return false;
+    return !are_covered(i, j) && !is_wheel(i);
+  }
+
+  /// Whether a part is an upright disc or ring, which looks the same when it is turned about its axis. It may have an
+  /// axle, a hub or a sprocket.
+  bool is_wheel(std::size_t i) const
+  {
+    const Point size = box_of(parts_[i]).sizes();
+    const int axis = size.x() < size.z() ? 0 : 2;
+    if (2 * size[axis] > size.y()) return false;
+    const double eighth = std::atan(1.0);
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(eighth, Point::Unit(axis)).toRotationMatrix();
+    return std::isfinite(deviation(i, i, turn)) && std::isfinite(deviation(i, i, turn * turn));
+  }
+
 private:
+  bool is_whole_mirrored(Basic_map map) const { return map == MIRRORED_X ? frame_.mirror_x : frame_.mirror_z; }
+
+  static Eigen::AlignedBox3d box_of(const Part_signature& part)
+  {
+    return Eigen::AlignedBox3d(part.centre + part.extremes.rowwise().minCoeff(),
+                               part.centre + part.extremes.rowwise().maxCoeff());
+  }
+
+  /// Whether one part lies above the middles of both.
+  bool are_covered(std::size_t i, std::size_t j) const
+  {
+    const double top = std::max(box_of(parts_[i]).max().y(), box_of(parts_[j]).max().y());
+    for (std::size_t k = 0; k < size(); ++k) {
+      const Eigen::AlignedBox3d box = box_of(parts_[k]);
+      const auto covers = [&](const Point& p) {
+        return box.min().x() <= p.x() && p.x() <= box.max().x() && box.min().z() <= p.z() && p.z() <= box.max().z();
+      };
+      if (k != i && k != j && box.max().y() >= top && covers(parts_[i].centre) && covers(parts_[j].centre)) return true;
+    }
+    return false;
+  }
+
   void compute(Basic_map map)
   {
     std::vector<Eigen::Index> permutation;
@@ -107,10 +182,8 @@ private:
       for (std::size_t d = 0; d < permutation.size(); ++d)
         image[d] = parts_[i].support[permutation[d]];
       for (std::size_t j = i; j < size(); ++j) {
-        const Part_signature& other = parts_[j];
-        if (!have_same_size(parts_[i], other, tolerance_)) continue;
-        const double limit = tolerance_ * std::max(parts_[i].diagonal, other.diagonal);
-        const bool fits = std::isfinite(support_deviation(image, other.support, limit));
+        if (!same_size(i, j)) continue;
+        const bool fits = std::isfinite(support_deviation(image, parts_[j].support, deviation_limit(i, j)));
         related_[map][i * size() + j] = related_[map][j * size() + i] = fits;
       }
     }
@@ -138,7 +211,7 @@ private:
       total += weight(i);
       if (related(i, i, map)) votes.emplace_back(parts_[i].centre[axis], i);
       for (std::size_t j = 0; j < size(); ++j)
-        if (j != i && related(i, j, map) && displaced_along(i, j, axis))
+        if (j != i && related(i, j, map) && displaced_along(i, j, map))
           votes.emplace_back((parts_[i].centre[axis] + parts_[j].centre[axis]) / 2, i);
     }
     if (wanted) {
@@ -172,25 +245,33 @@ private:
     return best;
   }
 
-  void find_planes(const Shape_frame& frame)
+  /// Of two mirror planes that explain the shape equally well, the one across its length is the main one.
+  void find_planes()
   {
+    constexpr double CLEARLY = 0.01;
     const std::optional<double> at_origin = 0.0, anywhere;
     std::array<Supported_plane, 3> found;
-    found[MIRRORED_X] = best_plane(MIRRORED_X, frame.mirror_x ? at_origin : anywhere);
-    found[MIRRORED_Z] = best_plane(MIRRORED_Z, frame.mirror_z ? at_origin : anywhere);
-    const bool x_is_better = found[MIRRORED_X].support >= found[MIRRORED_Z].support;
+    for (Basic_map map : {MIRRORED_X, MIRRORED_Z})
+      found[map] = best_plane(map, is_whole_mirrored(map) ? at_origin : anywhere);
+    const double advantage = found[MIRRORED_X].support - found[MIRRORED_Z].support;
+    const bool x_is_main = std::abs(advantage) > CLEARLY ? advantage > 0 : extent_.x() >= extent_.z() * (1 - CLEARLY);
+    main_mirror_ = x_is_main ? MIRRORED_X : MIRRORED_Z;
     for (Basic_map map : {MIRRORED_X, MIRRORED_Z}) {
-      const bool flagged = map == MIRRORED_X ? frame.mirror_x : frame.mirror_z;
-      const bool better = (map == MIRRORED_X) == x_is_better;
-      if (flagged || found[map].support >= (better ? FIRST_PLANE_SUPPORT : SECOND_PLANE_SUPPORT))
+      const bool is_main = map == main_mirror_;
+      if ((is_whole_mirrored(map) && is_main) ||
+          found[map].support >= (is_main ? MAIN_PLANE_SUPPORT : OTHER_PLANE_SUPPORT))
         planes_[map] = found[map].offset;
     }
   }
 
   std::vector<Part_signature> parts_;
+  const Shape_frame& frame_;
   double tolerance_;
+  double noise_;
+  Point extent_; ///< of the shape
   std::array<std::vector<char>, 3> related_;
   std::array<std::optional<double>, 3> planes_;
+  Basic_map main_mirror_ = MIRRORED_X;
 };
 
 } // namespace symmetry

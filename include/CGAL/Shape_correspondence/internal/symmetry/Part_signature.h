@@ -52,6 +52,9 @@ public:
   const Eigen::MatrixX3d& vectors() const { return vectors_; }
   const Eigen::VectorXd& weights() const { return weights_; }
 
+  /// Which direction is the opposite one: the lattice is symmetric, and its points are in lexicographic order.
+  Eigen::Index opposite(Eigen::Index i) const { return size() - 1 - i; }
+
   /// Where mirroring along an axis takes the directions.
   std::vector<Eigen::Index> mirrored(int axis) const
   {
@@ -156,12 +159,27 @@ inline bool have_same_size(const Part_signature& a, const Part_signature& b, dou
          ratio_within(a.area, b.area, AREA_RATIO) && ratio_within(a.volume, b.volume, VOLUME_RATIO);
 }
 
+/// The largest ratio of two bodies' widths in one direction, of which noise explains a part.
+inline double width_ratio(const Eigen::VectorXd& support_a, const Eigen::VectorXd& support_b, double noise)
+{
+  const Directions& directions = support_directions();
+  double result = 1;
+  for (Eigen::Index i = 0; i < directions.size(); ++i) {
+    const double a = support_a[i] + support_a[directions.opposite(i)] + 2 * noise;
+    const double b = support_b[i] + support_b[directions.opposite(i)] + 2 * noise;
+    result = std::max(result, std::max(a, b) / std::min(a, b));
+  }
+  return result;
+}
+
 /// Root mean square difference of two supports; infinite if they differ too much for a tolerance.
-inline double support_deviation(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double tolerance)
+/// \param maximum_factor the largest difference allowed, over the tolerance
+inline double support_deviation(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double tolerance,
+                                double maximum_factor = MAXIMUM_FACTOR)
 {
   const Eigen::VectorXd difference = (a - b).cwiseAbs();
   const double mean = std::sqrt(support_directions().weights().dot(difference.cwiseAbs2()));
-  const bool fits = mean <= tolerance && difference.maxCoeff() <= MAXIMUM_FACTOR * tolerance;
+  const bool fits = mean <= tolerance && difference.maxCoeff() <= maximum_factor * tolerance;
   return fits ? mean : std::numeric_limits<double>::infinity();
 }
 
@@ -182,11 +200,9 @@ inline bool lie_on(const Points& points, const Points& others, double tolerance,
   return mean <= tolerance + spacing && *percentile <= MAXIMUM_FACTOR * (tolerance + spacing);
 }
 
-/// Whether the surfaces agree after the map, not their hulls alone.
-inline bool surfaces_agree(const Part_signature& a, const Part_signature& b, const Eigen::Matrix3d& map,
-                           double tolerance)
+/// Whether the surfaces agree after the map, not their hulls alone. \param limit the mean distance allowed
+inline bool surfaces_agree(const Part_signature& a, const Part_signature& b, const Eigen::Matrix3d& map, double limit)
 {
-  const double limit = tolerance * std::max(a.diagonal, b.diagonal);
   const double spacing = std::max(a.spacing, b.spacing);
   const Points image = map * a.surface;
   return lie_on(image, b.surface, limit, spacing) && lie_on(b.surface, image, limit, spacing);

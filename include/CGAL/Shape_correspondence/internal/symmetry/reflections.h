@@ -13,6 +13,7 @@ namespace Shape_correspondence {
 namespace internal {
 namespace symmetry {
 
+constexpr double OBLIQUE = 0.2;     ///< least sine of the angles of what is between a turned pair with plane and normal
 constexpr double PLANE_SHARE = 0.1; ///< how far from a mirror plane a pair may be centred, over its distance
 
 inline Symmetry mirror(const Point& point, const Point& normal)
@@ -24,45 +25,56 @@ inline Symmetry mirror(const Point& point, const Point& normal)
   return result;
 }
 
-/// How far a plane is from the shape's own one of that direction.
-inline double plane_distance(const Part_relations& parts, Basic_map map, double offset)
+/// Of two opposite directions the one that points up, or to the front.
+inline Point upward(const Point& direction)
 {
-  return parts.plane(map) ? std::abs(offset - *parts.plane(map)) : 1;
+  constexpr double LEVEL = 1e-9;
+  const bool level = std::abs(direction.y()) <= LEVEL;
+  const bool keep = level ? direction.z() > LEVEL || (direction.z() >= -LEVEL && direction.x() > 0) : direction.y() > 0;
+  return keep ? direction : Point(-direction);
 }
 
-/// Completes an orbit of two orthogonal mirror planes from a corner i, its image j in x and its image k in z.
+/// How far a plane through a point is from the shape's own one of that direction.
+inline double plane_distance(const Part_relations& parts, Basic_map map, const Point& middle)
+{
+  return parts.plane(map) ? std::abs(middle[axis_of(map)] - *parts.plane(map)) : 1;
+}
+
+/// Completes an orbit of two orthogonal mirror planes from a corner i, its image j in the main plane and its image k in
+/// the other one.
 inline void add_four(const Part_relations& parts, std::size_t i, std::size_t j, std::size_t k,
                      const std::vector<std::size_t>& free, std::vector<Explanation>& result)
 {
+  const Basic_map main = parts.main_mirror(), other = parts.other_mirror();
   const Point expected = parts[j].centre + parts[k].centre - parts[i].centre;
   for (std::size_t l : free) {
-    if (l == i || l == j || l == k || !parts.related(k, l, MIRRORED_X) || !parts.related(j, l, MIRRORED_Z)) continue;
+    if (l == i || l == j || l == k || !parts.related(k, l, main) || !parts.related(j, l, other)) continue;
     if ((parts[l].centre - expected).norm() > 2 * parts.position_tolerance(i)) continue;
     Explanation four;
     four.members = {i, j, k, l};
     four.preference = Preference::FOUR_MIRRORED;
     const Point middle = (parts[i].centre + parts[j].centre + parts[k].centre + parts[l].centre) / 4;
-    four.symmetry = mirror(middle, Point::UnitX());
+    four.symmetry = mirror(middle, Point::Unit(axis_of(main)));
     const double spread = (parts[i].centre - parts[l].centre).norm();
-    four.cost = rounded(plane_distance(parts, MIRRORED_X, middle.x()) + plane_distance(parts, MIRRORED_Z, middle.z()) +
-                        0.01 / (1 + spread));
-    four.links = {{0, 1, matrix_of(MIRRORED_X)}, {2, 3, matrix_of(MIRRORED_X)}, {0, 2, matrix_of(MIRRORED_Z)}};
+    four.cost = rounded(plane_distance(parts, main, middle) + plane_distance(parts, other, middle) + 0.01 / (1 + spread));
+    four.links = {{0, 1, matrix_of(main), false}, {2, 3, matrix_of(main), false}, {0, 2, matrix_of(other), true}};
     result.push_back(four);
   }
 }
 
-/// Orbits of four under mirroring in x and in z, such as the legs of a chair.
+/// Orbits of four under mirroring in two orthogonal planes, such as the legs of a chair.
 inline void add_orbits_of_four(const Part_relations& parts, const std::vector<std::size_t>& free,
                                std::vector<Explanation>& result)
 {
+  const auto is_pair = [&](std::size_t i, std::size_t j, Basic_map map) {
+    return parts[i].centre[axis_of(map)] > parts[j].centre[axis_of(map)] && parts.related(i, j, map) &&
+           parts.displaced_along(i, j, map);
+  };
   for (std::size_t i : free)
     for (std::size_t j : free) {
-      if (!(parts[i].centre.x() > parts[j].centre.x())) continue;
-      if (!parts.related(i, j, MIRRORED_X) || !parts.displaced_along(i, j, 0)) continue;
+      if (!is_pair(i, j, parts.main_mirror())) continue;
       for (std::size_t k : free)
-        if (parts[i].centre.z() > parts[k].centre.z() && parts.related(i, k, MIRRORED_Z) &&
-            parts.displaced_along(i, k, 2))
-          add_four(parts, i, j, k, free, result);
+        if (is_pair(i, k, parts.other_mirror())) add_four(parts, i, j, k, free, result);
     }
 }
 
@@ -71,7 +83,7 @@ inline void add_pair_in_plane(const Part_relations& parts, std::size_t i, std::s
                               std::vector<Explanation>& result)
 {
   const int axis = axis_of(map);
-  if (!parts.plane(map) || !parts.related(i, j, map) || !parts.displaced_along(i, j, axis)) return;
+  if (!parts.plane(map) || !parts.related(i, j, map) || !parts.displaced_along(i, j, map)) return;
   const Point middle = (parts[i].centre + parts[j].centre) / 2;
   const double apart = std::abs(parts[i].centre[axis] - parts[j].centre[axis]);
   if (std::abs(middle[axis] - *parts.plane(map)) > std::max(PLANE_TOLERANCE, PLANE_SHARE * apart)) return;
@@ -85,7 +97,33 @@ inline void add_pair_in_plane(const Part_relations& parts, std::size_t i, std::s
   pair.symmetry = mirror(point, normal);
   const Point across = parts[i].centre - parts[j].centre;
   pair.cost = rounded(std::abs(middle[axis] - *parts.plane(map)) + across.norm() - std::abs(across[axis]));
-  pair.links = {{0, 1, matrix_of(map)}};
+  pair.links = {{0, 1, matrix_of(map), map != parts.main_mirror()}};
+  result.push_back(pair);
+}
+
+/// A pair that half a turn carries into each other about an axis in one of the shape's mirror planes, at right angles to
+/// what is between the two.
+inline void add_turned_pair(const Part_relations& parts, std::size_t i, std::size_t j, Basic_map map,
+                            std::vector<Explanation>& result)
+{
+  const int normal = axis_of(map);
+  const Point middle = (parts[i].centre + parts[j].centre) / 2, between = parts[i].centre - parts[j].centre;
+  if (!parts.plane(map) || std::abs(middle[normal] - *parts.plane(map)) > PLANE_TOLERANCE) return;
+  const Point axis = between.cross(Point::Unit(normal));
+  const double oblique = std::max(POSITION_TOLERANCE, OBLIQUE * between.norm());
+  if (std::min(std::abs(between[normal]), axis.norm()) <= oblique) return;
+  Explanation pair;
+  pair.members = {i, j};
+  if (between[normal] < 0) std::swap(pair.members[0], pair.members[1]);
+  pair.preference = Preference::TURNED;
+  pair.symmetry.type = Symmetry_type::ROTATION;
+  pair.symmetry.point = middle;
+  pair.symmetry.direction = upward(axis.normalized());
+  pair.symmetry.order = 2;
+  pair.cost = rounded(between.norm() - pair.symmetry.direction.y());
+  const Eigen::Matrix3d half_turn = -mirror_matrix(pair.symmetry.direction);
+  if (!std::isfinite(parts.deviation(i, j, half_turn))) return;
+  pair.links = {{0, 1, half_turn, true}};
   result.push_back(pair);
 }
 
@@ -93,7 +131,7 @@ inline void add_translated_pair(const Part_relations& parts, std::size_t i, std:
                                 std::vector<Explanation>& result)
 {
   Point vector = parts[j].centre - parts[i].centre;
-  if (!parts.related(i, j, TRANSLATED) || vector.norm() <= parts.position_tolerance(i)) return;
+  if (!parts.related(i, j, TRANSLATED) || vector.norm() <= POSITION_TOLERANCE) return;
   Explanation pair;
   pair.members = {i, j};
   Eigen::Index largest;
@@ -107,7 +145,7 @@ inline void add_translated_pair(const Part_relations& parts, std::size_t i, std:
   pair.symmetry.point = parts[pair.members[0]].centre;
   pair.symmetry.direction = vector;
   pair.cost = rounded(vector.norm());
-  pair.links = {{0, 1, matrix_of(TRANSLATED)}};
+  pair.links = {{0, 1, matrix_of(TRANSLATED), !(parts.is_wheel(i) && parts.is_wheel(j))}};
   result.push_back(pair);
 }
 
@@ -118,7 +156,7 @@ inline void add_pair_half_way(const Part_relations& parts, std::size_t i, std::s
   Point across = parts[i].centre - parts[j].centre;
   const double height = std::abs(across.y());
   across.y() = 0;
-  if (height > parts.position_tolerance(i) || across.norm() <= parts.position_tolerance(i)) return;
+  if (height > parts.position_tolerance(i) || across.norm() <= std::max(POSITION_TOLERANCE, height)) return;
   Point normal = across.normalized();
   if (normal.x() < -1e-9 || (std::abs(normal.x()) <= 1e-9 && normal.z() < 0)) normal = -normal;
   if (!std::isfinite(parts.deviation(i, j, mirror_matrix(normal)))) return;
@@ -128,14 +166,14 @@ inline void add_pair_half_way(const Part_relations& parts, std::size_t i, std::s
   pair.preference = Preference::MIRRORED_ANYHOW;
   pair.symmetry = mirror((parts[i].centre + parts[j].centre) / 2, normal);
   pair.cost = rounded(across.norm());
-  pair.links = {{0, 1, mirror_matrix(normal)}};
+  pair.links = {{0, 1, mirror_matrix(normal), true}};
   result.push_back(pair);
 }
 
 /// The mirror plane of a part by itself, for what no other part is like.
 inline Symmetry self_symmetry(Part_relations& parts, std::size_t i)
 {
-  for (const Basic_map map : {MIRRORED_X, MIRRORED_Z}) {
+  for (const Basic_map map : {parts.main_mirror(), parts.other_mirror()}) {
     if (!parts.related(i, i, map) || !parts.confirm(i, i, matrix_of(map))) continue;
     Symmetry result = mirror(parts[i].centre, map == MIRRORED_X ? Point::UnitX() : Point::UnitZ());
     result.type = Symmetry_type::SELF;

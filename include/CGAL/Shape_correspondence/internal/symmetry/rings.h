@@ -86,7 +86,7 @@ inline std::optional<Explanation> make_ring(const Part_relations& parts, const s
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(TWO_PI / n, axis.direction).toRotationMatrix();
   for (std::size_t i = 0; i < n; ++i) {
     ring.members.push_back(places[i].part);
-    ring.links.push_back({i, (i + 1) % n, turn});
+    ring.links.push_back({i, (i + 1) % n, turn, true});
     if (!std::isfinite(parts.deviation(places[i].part, places[(i + 1) % n].part, turn))) return std::nullopt;
   }
   ring.preference = star ? Preference::STAR : Preference::RING;
@@ -190,7 +190,7 @@ inline void add_rings(const Part_relations& parts, const std::vector<std::size_t
     if (used[seed]) continue;
     std::vector<std::size_t> same;
     for (std::size_t i : free)
-      if (have_same_size(parts[seed], parts[i], parts.tolerance())) {
+      if (parts.same_size(seed, i)) {
         same.push_back(i);
         used[i] = 1;
       }

@@ -16,7 +16,7 @@ namespace internal {
 namespace symmetry {
 
 constexpr double UNEVEN_SPACING = 0.3; ///< how far a step of a row may be from the mean step, over the latter
-constexpr double CROOKEDNESS = 0.2;    ///< how far off its line a row's member may be, over the mean step
+constexpr double CROOKEDNESS = 0.1;    ///< how far off its line a row's member may be, over the row's length
 
 /// The part of `candidates` that comes next in a row, if one is near enough to its place.
 inline std::optional<std::size_t> next_in_row(const Part_relations& parts, std::size_t last, const Point& step,
@@ -45,7 +45,7 @@ inline bool is_even_and_straight(const Part_relations& parts, const std::vector<
   for (std::size_t member : row) {
     const Point d = parts[member].centre - parts[row.front()].centre;
     const double off = (d - d.dot(direction) * direction).norm();
-    if (off > std::max(CROOKEDNESS * gap, parts.position_tolerance(member))) return false;
+    if (off > std::max(CROOKEDNESS * gap * (row.size() - 1.0), parts.position_tolerance(member))) return false;
   }
   return true;
 }
@@ -72,7 +72,7 @@ inline void add_rows(const Part_relations& parts, const std::vector<std::size_t>
     for (std::size_t j : free) {
       if (i == j || !parts.related(i, j, TRANSLATED)) continue;
       const Point first_step = parts[j].centre - parts[i].centre;
-      if (first_step.norm() <= parts.position_tolerance(i)) continue;
+      if (first_step.norm() <= POSITION_TOLERANCE) continue;
       Eigen::Index largest;
       first_step.cwiseAbs().maxCoeff(&largest);
       if (first_step[largest] < 0) continue;
@@ -88,7 +88,7 @@ inline void add_rows(const Part_relations& parts, const std::vector<std::size_t>
       row.symmetry.direction = step;
       row.cost = rounded(step.norm());
       for (std::size_t k = 0; k + 1 < row.members.size(); ++k)
-        row.links.push_back({k, k + 1, matrix_of(TRANSLATED)});
+        row.links.push_back({k, k + 1, matrix_of(TRANSLATED), true});
       result.push_back(row);
     }
 }
