@@ -17,7 +17,7 @@ namespace Shape_correspondence {
 /// Options of `segment_mesh()`, those of `CGAL::segmentation_from_sdf_values()`.
 struct Segmentation_options
 {
-  int clusters = 4;         ///< levels of thickness that are told apart, for each connected component
+  int clusters = 2;         ///< levels of thickness that are told apart, for each connected component
   double smoothness = 0.26; ///< in [0, 1]: how much short borders between segments count
 };
 
