@@ -105,6 +105,7 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
   result["complete"] = c.complete;
   result["optimal"] = c.optimal;
   result["pairs"] = pairs(c, source, target);
+  if (!c.confidences.empty()) result["confidences"] = c.confidences;
   result["groups"] = groups(c, source, target);
   result["contacts"] = contacts(c, forward ? source : target);
   result["unmatched_source"] = names(c.unmatched_source, source);

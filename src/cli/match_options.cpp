@@ -13,6 +13,7 @@
 #include <charconv>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -65,6 +66,33 @@ int parse_alignments(const Match_options& match)
   return number;
 }
 
+/// Options that only a search for the least energy has, and the method that they ask for.
+const std::pair<const char*, Search_method> energy_options[] = {
+    {"beam-width", Search_method::BEAM},       {"expansions", Search_method::BEAM},
+    {"allow-unmatched", Search_method::EXACT}, {"time-limit", Search_method::EXACT},
+    {"min-marginals", Search_method::EXACT},   {"solutions", Search_method::EXACT}};
+
+bool is_given(const po::variables_map& values, const char* option)
+{
+  const auto& value = values[option];
+  return !value.empty() && !value.defaulted();
+}
+
+Search_method search_method(const Match_options& match, const po::variables_map& values)
+{
+  if (match.paper && match.method != "auto" && match.method != "beam")
+    throw Usage_error("--paper is --search beam; it does not go with --search " + match.method);
+  if (match.method == "beam" || match.paper) return Search_method::BEAM;
+  if (match.method == "exact") return Search_method::EXACT;
+  for (const auto& [option, method] : energy_options) {
+    if (!is_given(values, option)) continue;
+    if (match.method == "parts")
+      throw Usage_error("--" + std::string(option) + " needs a search for the least energy: --search beam or exact");
+    return method;
+  }
+  return Search_method::PARTS;
+}
+
 } // namespace
 
 po::options_description match_options(Match_options& match)
@@ -72,7 +100,13 @@ po::options_description match_options(Match_options& match)
   po::options_description result("Options of match", 100, 68);
   auto add = result.add_options();
   add("search", po::value(&match.method)->value_name("METHOD")->default_value(match.method),
-      "how the least energy is searched: beam (the paper's pruned beam search) or exact (with a proof)");
+      "parts (what parts cost standing for one another; agrees best with people), beam (least deformation energy by "
+      "the "
+      "paper's pruned beam search) or exact (least deformation energy, with a proof); auto: parts, or what the other "
+      "options need");
+  add("paper", po::bool_switch(&match.paper), "match as the paper does: the same as --search beam");
+  add("min-confidence", po::value(&match.search.min_confidence)->value_name("P")->default_value(0),
+      "leave out pairs of parts that are less probable, between 0 and 1; of --search parts");
   add("beam-width", po::value(&match.search.beam.beam_width)->value_name("K")->default_value(20),
       "partial solutions kept at every step, the paper's K");
   add("expansions", po::value(&match.search.beam.expansions)->value_name("k")->default_value(4),
@@ -112,18 +146,20 @@ po::options_description match_options(Match_options& match)
 
 Search_options search_options(const Match_options& match, const po::variables_map& values)
 {
-  check_word("search", match.method, {"beam", "exact"});
+  check_word("search", match.method, {"auto", "parts", "beam", "exact"});
   check_word("direction", match.direction, {"both", "forward"});
   check_word("front", match.front, {"given", "auto"});
   check_word("norm", match.norm, {"sum", "pooled"});
   check_at_least("solutions", match.search.solutions, 1);
+  if (!(match.search.min_confidence >= 0 && match.search.min_confidence <= 1))
+    throw Usage_error("--min-confidence must be between 0 and 1");
   if (!(match.search.matching.unmatched_cost >= 0)) throw Usage_error("--allow-unmatched must not be negative");
   if (!(match.search.exact.time_limit >= 0)) throw Usage_error("--time-limit must not be negative");
   check_at_least("beam-width", match.search.beam.beam_width, 1);
   check_at_least("expansions", match.search.beam.expansions, 1);
   if (values.count("max-parts")) check_at_least("max-parts", match.search.maximum_parts, 1);
   Search_options search = match.search;
-  search.method = match.method == "exact" ? Search_method::EXACT : Search_method::BEAM;
+  search.method = search_method(match, values);
   search.both_directions = match.direction == "both";
   search.alignments = parse_alignments(match);
   search.matching.weights = parse_weights(match.weights);

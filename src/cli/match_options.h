@@ -20,7 +20,7 @@ namespace cli {
 struct Match_options
 {
   Search_options search;
-  std::string method = "beam";
+  std::string method = "auto";
   std::string direction = "both";
   std::string alignments = "auto";
   std::string front = "given";
@@ -28,6 +28,7 @@ struct Match_options
   std::string norm = "sum";
   std::string without;
   std::string source_parts, target_parts;
+  bool paper = false;
 };
 
 boost::program_options::options_description match_options(Match_options& match);

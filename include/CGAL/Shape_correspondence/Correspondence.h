@@ -71,7 +71,7 @@ struct Contact_energy
 /// How the search went.
 struct Search_summary
 {
-  std::string method = "beam";
+  std::string method = "beam"; ///< parts, beam or exact
   std::size_t states = 0;      ///< search states kept
   std::size_t evaluations = 0; ///< energies of states computed
   double lower_bound = 0;      ///< no correspondence in the direction of the result costs less
@@ -81,8 +81,9 @@ struct Search_summary
 struct Correspondence
 {
   std::vector<std::pair<std::size_t, std::size_t>> pairs; ///< (source part, target part), sorted, each once
-  std::vector<Group_match> groups;                        ///< by group of the shape that was deformed
-  std::vector<Contact_energy> contacts;                   ///< by contact of the shape that was deformed
+  std::vector<double> confidences; ///< by pair, how probable it is, between 0 and 1; empty where the method has none
+  std::vector<Group_match> groups; ///< by group of the shape that was deformed
+  std::vector<Contact_energy> contacts; ///< by contact of the shape that was deformed
   std::vector<std::size_t> unmatched_source;
   std::vector<std::size_t> unmatched_target;
   double energy = 0; ///< E of Eq. 1

@@ -48,6 +48,10 @@ class Matching_problem
 {
 public:
   Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options = {});
+  /// The same with given labels, by source group: to rate a mapping that was found in another way. Members of a group
+  /// may have no image; their contacts cost nothing. \pre at least one label a group, as many images as it has members
+  Matching_problem(Aligned_shape source, Aligned_shape target, std::vector<std::vector<Group_label>> labels,
+                   const Matching_options& options = {});
 
   const Aligned_shape& source() const { return source_; }
   const Aligned_shape& target() const { return target_; }
@@ -103,6 +107,7 @@ private:
   struct Scratch;
 
   void choose_labels();
+  void make_tables();
   std::size_t fit(const Image& image);
   void fit_parts();
   double target_distance(std::size_t first_piece, std::size_t second_piece) const;

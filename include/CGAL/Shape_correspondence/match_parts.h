@@ -28,7 +28,7 @@ struct Part_matching_options
   double sibling = 4;       ///< parts of one shape that cost less among each other may share a counterpart
 };
 
-/// Two parts that correspond, by index in the structural graphs.
+/// Two parts that correspond, by index of the aligned shapes.
 struct Part_match
 {
   std::size_t source, target;
@@ -39,7 +39,7 @@ struct Part_match
 struct Part_matching
 {
   std::vector<Part_match> pairs; ///< by source, then target
-  Eigen::MatrixXd costs;         ///< source part × target part, by index in the structural graphs
+  Eigen::MatrixXd costs;         ///< source part × target part, by index of the aligned shapes
 };
 
 /// Matches parts by their costs alone, without deforming a shape.

@@ -27,6 +27,7 @@ struct Named_parameters;
 // name, option structure, field
 #define CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(X)                                                                        \
   X(search_method, Search_options, method)                                                                             \
+  X(min_confidence, Search_options, min_confidence)                                                                    \
   X(beam_width, Search_options, beam.beam_width)                                                                       \
   X(expansions, Search_options, beam.expansions)                                                                       \
   X(distortion_weight, Search_options, matching.weights.distortion)                                                    \

@@ -71,6 +71,24 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Matching_problem(Aligned_shap
       target_pieces_(target_.parts)
 {
   choose_labels();
+  make_tables();
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Matching_problem(Aligned_shape source, Aligned_shape target,
+                                                                    std::vector<std::vector<Group_label>> labels,
+                                                                    const Matching_options& options)
+    : source_(std::move(source)),
+      target_(std::move(target)),
+      options_(options),
+      labels_(std::move(labels)),
+      source_pieces_(source_.parts),
+      target_pieces_(target_.parts)
+{
+  make_tables();
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::make_tables()
+{
   fit_parts();
   const Eigen::Index n = Eigen::Index(target_pieces_.size());
   Scratch scratch;
@@ -186,6 +204,7 @@ Matching_problem::clone_pairs(const std::vector<std::size_t>& first, const std::
   };
   auto& pairs = scratch.pairs;
   pairs.clear();
+  if (first.empty() || second.empty()) return pairs;
   for (std::size_t a : first)
     pairs.emplace_back(a, second.size() == 1 ? second[0] : nearest(a, second));
   if (second.size() == 1) return pairs;

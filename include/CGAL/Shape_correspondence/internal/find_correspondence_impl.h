@@ -20,6 +20,12 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
+inline Matching_options without_cost_of_unmatched(Matching_options options)
+{
+  options.unmatched_cost = 0;
+  return options;
+}
+
 // One run of the search: the source of its problem is the shape that is deformed.
 struct Search_run
 {
@@ -45,6 +51,20 @@ struct Search_run
     if (result.solutions.size() > std::size_t(options.solutions))
       result.solutions.resize(std::size_t(options.solutions));
     result.optimal = result.optimal && !problem.has_shortlists();
+  }
+
+  // A mapping that was found by other means: the only label of every group of the source. What it leaves unmatched
+  // costs nothing.
+  Search_run(const Aligned_shape& source, const Aligned_shape& target, int turns,
+             std::vector<std::vector<Group_label>> labels, const Search_options& options)
+      : problem(source, target, std::move(labels), without_cost_of_unmatched(options.matching)),
+        direction(Direction::SOURCE_TO_TARGET),
+        turns(turns)
+  {
+    const Assignment assignment(source.groups.size(), 0);
+    result.solutions = {{problem.energy()(assignment), assignment}};
+    result.summary.method = "parts";
+    result.summary.states = result.summary.evaluations = 1;
   }
 
   // Energy per pair of connected parts, which compares between directions
@@ -89,6 +109,18 @@ inline std::vector<Rod_energy> share_energy(const Matching_problem& problem, con
   return group_energy;
 }
 
+// The target parts of a label, each once.
+inline std::vector<std::size_t> image_parts(const Group_label& label)
+{
+  std::vector<std::size_t> parts;
+  for (const auto& images : label.images)
+    for (const Image& image : images)
+      parts.push_back(image.target.part);
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  return parts;
+}
+
 inline void collect_groups(const Matching_problem& problem, const Assignment& assignment,
                            const std::vector<double>& min_marginals, Correspondence& correspondence)
 {
@@ -100,8 +132,7 @@ inline void collect_groups(const Matching_problem& problem, const Assignment& as
     const Group_label& label = problem.label(g, std::size_t(assignment[g]));
     Group_match match;
     match.source = original_parts(shape, shape.groups[g].parts);
-    if (label.target_group != Group_label::no_group)
-      match.target = original_parts(other, other.groups[label.target_group].parts);
+    match.target = original_parts(other, image_parts(label));
     match.operation = label.operation;
     match.distortion = group_energy[g].distortion;
     match.connectedness = group_energy[g].connectedness;
@@ -166,7 +197,72 @@ inline void check(const Search_options& options)
     throw Invalid_input("find_correspondence: the cost of leaving a part unmatched must not be negative");
   if (options.maximum_parts < 0 || options.alignments < 0)
     throw Invalid_input("find_correspondence: the numbers of parts and of alignments must not be negative");
+  if (!(options.min_confidence >= 0 && options.min_confidence <= 1))
+    throw Invalid_input("find_correspondence: the least confidence must be between 0 and 1");
   if (options.solutions < 1) throw Invalid_input("find_correspondence: at least one solution must be asked for");
+}
+
+// What a part matching makes of the groups of the source. S_i is known where a group becomes a group, as a whole.
+inline std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching, const Aligned_shape& source,
+                                                          const Aligned_shape& target)
+{
+  std::vector<std::vector<std::size_t>> images(source.parts.size());
+  for (const Part_match& pair : matching.pairs)
+    images[pair.source].push_back(pair.target);
+
+  std::vector<std::vector<Group_label>> labels;
+  for (const Aligned_shape::Group& group : source.groups) {
+    Group_label label;
+    for (std::size_t part : group.parts) {
+      label.images.emplace_back();
+      for (std::size_t image : images[part])
+        label.images.back().push_back({{part}, {image}});
+    }
+    const std::vector<std::size_t> parts = image_parts(label);
+    if (!parts.empty()) {
+      label.target_group = target.group_of[parts[0]];
+      label.operation = operation(group.parts.size(), parts.size());
+      if (target.groups[label.target_group].parts == parts)
+        label.solidity_ratio = solidity_ratio(group, target.groups[label.target_group]);
+    }
+    labels.push_back({std::move(label)});
+  }
+  return labels;
+}
+
+// How well the parts of two shapes go with one another: the mean of the least cost of every part.
+inline long matching_cost(const Part_matching& matching)
+{
+  return quantized(matching.costs.rowwise().minCoeff().mean() + matching.costs.colwise().minCoeff().mean());
+}
+
+// The confidences of pairs, in the order of the correspondence's pairs.
+inline std::vector<double> ordered_confidences(const Part_matching& matching, const Aligned_shape& source,
+                                               const Aligned_shape& target)
+{
+  std::vector<std::pair<std::pair<std::size_t, std::size_t>, double>> pairs;
+  for (const Part_match& pair : matching.pairs)
+    pairs.push_back({{source.original[pair.source], target.original[pair.target]}, pair.confidence});
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<double> result;
+  for (const auto& pair : pairs)
+    result.push_back(pair.second);
+  return result;
+}
+
+// The turns of the target that are tried.
+inline std::vector<int> tried_turns(const Shape_frame& source, const Shape_frame& target, int alignments)
+{
+  std::vector<int> turns = alignment_turns(source, target);
+  if (alignments > 0 && turns.size() > std::size_t(alignments)) turns.resize(std::size_t(alignments));
+  return turns;
+}
+
+inline void mark_cancelled(std::size_t done, std::size_t runs, Correspondence& correspondence)
+{
+  correspondence.complete = correspondence.optimal = false;
+  correspondence.warnings.push_back("The search was cancelled after " + std::to_string(done) + " of " +
+                                    std::to_string(runs) + " runs; this is the best result up to then.");
 }
 
 // The shape as far as it takes part.
@@ -205,9 +301,53 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence Correspondence_finder::operator(
 CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Correspondence>
 Correspondence_finder::ranked(const Structural_graph& target) const
 {
-  std::vector<int> turns = alignment_turns(source_frame_, structure(target).frame);
-  if (options_.alignments > 0 && turns.size() > std::size_t(options_.alignments))
-    turns.resize(std::size_t(options_.alignments));
+  std::vector<Correspondence> result;
+  if (options_.method == Search_method::PARTS)
+    result.push_back(matched_parts(target));
+  else
+    result = least_energy(target);
+  for (Correspondence& correspondence : result)
+    internal::collect_unmatched(number_of_parts_, structure(target).parts.size(), correspondence);
+  return result;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape Correspondence_finder::aligned(const Structural_graph& target,
+                                                                              int quarter_turns) const
+{
+  return internal::participating(align_shape(target, quarter_turns), options_.target_parts, options_.maximum_parts);
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence
+Correspondence_finder::matched_parts(const Structural_graph& target) const
+{
+  const std::vector<int> turns = internal::tried_turns(source_frame_, structure(target).frame, options_.alignments);
+  Part_matching best;
+  int best_turn = 0;
+  long best_cost = std::numeric_limits<long>::max();
+  std::size_t done = 0;
+  for (int turn : turns) {
+    if (options_.progress && !options_.progress(double(done) / double(turns.size()))) break;
+    const Aligned_shape shape = aligned(target, turn);
+    Part_matching matching = match_parts(source_, shape, options_.parts);
+    ++done;
+    const long cost = internal::matching_cost(matching);
+    if (cost < best_cost) best_cost = cost, best_turn = turn, best = std::move(matching);
+  }
+  const auto unsure = [&](const Part_match& pair) { return pair.confidence < options_.min_confidence; };
+  best.pairs.erase(std::remove_if(best.pairs.begin(), best.pairs.end(), unsure), best.pairs.end());
+
+  const Aligned_shape shape = aligned(target, best_turn);
+  const internal::Search_run run(source_, shape, best_turn, internal::group_labels(best, source_, shape), options_);
+  Correspondence result = internal::correspondence_of(run, run.result.best(), {});
+  result.confidences = internal::ordered_confidences(best, source_, shape);
+  if (done < turns.size()) internal::mark_cancelled(done, turns.size(), result);
+  return result;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Correspondence>
+Correspondence_finder::least_energy(const Structural_graph& target) const
+{
+  const std::vector<int> turns = internal::tried_turns(source_frame_, structure(target).frame, options_.alignments);
   std::vector<Direction> directions{Direction::SOURCE_TO_TARGET};
   if (options_.both_directions) directions.push_back(Direction::TARGET_TO_SOURCE);
 
@@ -216,12 +356,11 @@ Correspondence_finder::ranked(const Structural_graph& target) const
   const std::size_t run_count = turns.size() * directions.size();
   bool cancelled = false;
   for (std::size_t t = 0; t < turns.size() && !cancelled; ++t) {
-    const Aligned_shape aligned =
-        internal::participating(align_shape(target, turns[t]), options_.target_parts, options_.maximum_parts);
+    const Aligned_shape shape = aligned(target, turns[t]);
     for (Direction direction : directions) {
       cancelled = cancelled || (options_.progress && !options_.progress(double(done) / double(run_count)));
       if (cancelled) break;
-      auto run = std::make_unique<internal::Search_run>(source_, aligned, direction, turns[t], options_);
+      auto run = std::make_unique<internal::Search_run>(source_, shape, direction, turns[t], options_);
       ++done;
       states += run->result.summary.states;
       evaluations += run->result.summary.evaluations;
@@ -243,11 +382,7 @@ Correspondence_finder::ranked(const Structural_graph& target) const
   for (Correspondence& correspondence : result) {
     correspondence.search.states = states;
     correspondence.search.evaluations = evaluations;
-    internal::collect_unmatched(number_of_parts_, structure(target).parts.size(), correspondence);
-    if (!cancelled) continue;
-    correspondence.complete = correspondence.optimal = false;
-    correspondence.warnings.push_back("The search was cancelled after " + std::to_string(done) + " of " +
-                                      std::to_string(run_count) + " runs; this is the best result up to then.");
+    if (cancelled) internal::mark_cancelled(done, run_count, correspondence);
   }
   return result;
 }

@@ -195,16 +195,10 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Part_matching match_parts(const Aligned_shape& 
   fill_blocks(blocks, pairs);
 
   Part_matching result;
-  result.costs.resize(costs.rows(), costs.cols());
   for (Eigen::Index i = 0; i < costs.rows(); ++i)
-    for (Eigen::Index j = 0; j < costs.cols(); ++j) {
-      const std::size_t part = source.original[std::size_t(i)], counterpart = target.original[std::size_t(j)];
-      result.costs(Eigen::Index(part), Eigen::Index(counterpart)) = costs(i, j);
-      if (pairs(i, j)) result.pairs.push_back({part, counterpart, confidence(margin(costs, pairs, i, j))});
-    }
-  std::sort(result.pairs.begin(), result.pairs.end(), [](const Part_match& a, const Part_match& b) {
-    return std::make_pair(a.source, a.target) < std::make_pair(b.source, b.target);
-  });
+    for (Eigen::Index j = 0; j < costs.cols(); ++j)
+      if (pairs(i, j)) result.pairs.push_back({std::size_t(i), std::size_t(j), confidence(margin(costs, pairs, i, j))});
+  result.costs = costs;
   return result;
 }
 
