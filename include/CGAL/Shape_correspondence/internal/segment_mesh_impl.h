@@ -27,19 +27,19 @@ namespace Shape_correspondence {
 namespace internal {
 
 /// A manifold mesh of a soup's triangles; where they make no manifold, vertices are doubled.
-inline Surface welded_surface(const Part_mesh& mesh)
+inline Halfedge_mesh welded_surface(const Part_mesh& mesh)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   Triangle_soup soup = to_soup(mesh);
   PMP::repair_polygon_soup(soup.points, soup.triangles);
   PMP::orient_polygon_soup(soup.points, soup.triangles);
-  Surface result;
+  Halfedge_mesh result;
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, result);
   return result;
 }
 
 /// Segment ids of a closed connected mesh, from 0 on.
-inline std::vector<std::size_t> sdf_segments(const Surface& mesh, const Segmentation_options& options)
+inline std::vector<std::size_t> sdf_segments(const Halfedge_mesh& mesh, const Segmentation_options& options)
 {
   std::vector<double> sdf(mesh.number_of_faces());
   std::vector<std::size_t> segments(mesh.number_of_faces());
@@ -57,19 +57,19 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE
 Segmented_shape segment_mesh(const Part_mesh& mesh, const Segmentation_options& options, std::string name,
                              const Point& up)
 {
-  internal::Surface surface = internal::welded_surface(mesh);
-  std::vector<internal::Surface> components;
+  internal::Halfedge_mesh surface = internal::welded_surface(mesh);
+  std::vector<internal::Halfedge_mesh> components;
   CGAL::Polygon_mesh_processing::split_connected_components(surface, components);
   Segmented_shape result(std::move(name), up);
   std::size_t parts = 0;
-  for (internal::Surface& component : components) {
+  for (internal::Halfedge_mesh& component : components) {
     component.collect_garbage();
     std::vector<std::size_t> segments(component.number_of_faces(), 0);
     if (CGAL::is_closed(component)) {
       CGAL::Polygon_mesh_processing::orient_to_bound_a_volume(component); // its inside is what is measured
       segments = internal::sdf_segments(component, options);
     }
-    std::map<std::size_t, internal::Part_mesh_builder<internal::Surface>> builders;
+    std::map<std::size_t, internal::Part_mesh_builder<internal::Halfedge_mesh>> builders;
     for (auto face : component.faces()) {
       builders.try_emplace(segments[face.idx()], component).first->second.add_face(face);
     }

@@ -50,10 +50,10 @@ inline Oriented_box thinnest_box(const Points& points)
 }
 
 /// The vertices of a hull and its volume, both from a sorted mesh: the algorithm's output is ordered by addresses.
-inline Convex_hull measured_hull(const Surface& mesh)
+inline Convex_hull measured_hull(const Halfedge_mesh& mesh)
 {
   using Key = std::array<double, 3>;
-  const auto key = [&](Surface::Vertex_index v) {
+  const auto key = [&](Halfedge_mesh::Vertex_index v) {
     return Key{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
   };
   std::map<Key, int> order;
@@ -103,7 +103,7 @@ Convex_hull convex_hull(const Points& points)
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     input.push_back(to_mesh_point(points.col(i)));
   }
-  Surface hull;
+  Halfedge_mesh hull;
   CGAL::convex_hull_3(input.begin(), input.end(), hull, Hull_traits());
   return measured_hull(hull);
 }

@@ -24,12 +24,12 @@ namespace internal {
 
 using Mesh_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh_point = Mesh_kernel::Point_3;
-using Surface = CGAL::Surface_mesh<Mesh_point>;
+using Halfedge_mesh = CGAL::Surface_mesh<Mesh_point>;
 
 inline Point to_point(const Mesh_point& p) { return {p.x(), p.y(), p.z()}; }
 inline Mesh_point to_mesh_point(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
-inline double diagonal(const Surface& mesh)
+inline double diagonal(const Halfedge_mesh& mesh)
 {
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   return std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin()) +
@@ -57,7 +57,7 @@ inline Triangle_soup to_soup(const Part_mesh& mesh)
 }
 
 /// \pre `mesh` has no garbage
-inline Part_mesh to_part_mesh(const Surface& mesh)
+inline Part_mesh to_part_mesh(const Halfedge_mesh& mesh)
 {
   Part_mesh result;
   result.points.resize(3, static_cast<Eigen::Index>(mesh.number_of_vertices()));
@@ -75,13 +75,13 @@ inline Part_mesh to_part_mesh(const Surface& mesh)
 }
 
 /// \pre the triangles make a manifold, consistently oriented
-inline Surface to_surface(const Part_mesh& mesh)
+inline Halfedge_mesh to_halfedge_mesh(const Part_mesh& mesh)
 {
-  Surface result;
+  Halfedge_mesh result;
   for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
     result.add_vertex(to_mesh_point(mesh.points.col(v)));
   }
-  const auto vertex = [](int v) { return Surface::Vertex_index(static_cast<Surface::size_type>(v)); };
+  const auto vertex = [](int v) { return Halfedge_mesh::Vertex_index(static_cast<Halfedge_mesh::size_type>(v)); };
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     result.add_face(vertex(mesh.triangles(0, t)), vertex(mesh.triangles(1, t)), vertex(mesh.triangles(2, t)));
   }

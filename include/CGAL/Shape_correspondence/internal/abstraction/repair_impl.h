@@ -42,27 +42,27 @@ namespace internal {
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 /// Enclosed volume over area^1.5: 0.094 for a ball, 0.0035 for a plate a hundredth thick.
-inline double fullness(const Surface& mesh)
+inline double fullness(const Halfedge_mesh& mesh)
 {
   const double area = PMP::area(mesh);
   return area > 0 ? PMP::volume(mesh) / (area * std::sqrt(area)) : 0.;
 }
 
-inline Surface soup_to_mesh(const Part_mesh& part, bool& changed)
+inline Halfedge_mesh soup_to_mesh(const Part_mesh& part, bool& changed)
 {
   Triangle_soup soup = to_soup(part);
   const std::size_t points = soup.points.size(), triangles = soup.triangles.size();
   PMP::repair_polygon_soup(soup.points, soup.triangles);
   changed = soup.points.size() != points || soup.triangles.size() != triangles;
   changed |= !PMP::orient_polygon_soup(soup.points, soup.triangles);
-  Surface mesh;
+  Halfedge_mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
   changed |= PMP::stitch_borders(mesh) > 0;
   mesh.collect_garbage();
   return mesh;
 }
 
-inline void turn_outwards(Surface& mesh)
+inline void turn_outwards(Halfedge_mesh& mesh)
 {
   if (PMP::volume(mesh) < 0) {
     PMP::reverse_face_orientations(mesh);
@@ -70,15 +70,15 @@ inline void turn_outwards(Surface& mesh)
 }
 
 /// The mesh of some of a mesh's faces. \param vertex_map null for every vertex, before and after
-inline Surface submesh(const Surface& mesh, const std::vector<Surface::Face_index>& faces,
-                       std::vector<Surface::Vertex_index>& vertex_map)
+inline Halfedge_mesh submesh(const Halfedge_mesh& mesh, const std::vector<Halfedge_mesh::Face_index>& faces,
+                             std::vector<Halfedge_mesh::Vertex_index>& vertex_map)
 {
-  Surface result;
+  Halfedge_mesh result;
   for (auto f : faces) {
-    std::vector<Surface::Vertex_index> corners;
+    std::vector<Halfedge_mesh::Vertex_index> corners;
     for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
-      Surface::Vertex_index& image = vertex_map[v.idx()];
-      if (image == Surface::null_vertex()) {
+      Halfedge_mesh::Vertex_index& image = vertex_map[v.idx()];
+      if (image == Halfedge_mesh::null_vertex()) {
         image = result.add_vertex(mesh.point(v));
       }
       corners.push_back(image);
@@ -87,7 +87,7 @@ inline Surface submesh(const Surface& mesh, const std::vector<Surface::Face_inde
   }
   for (auto f : faces) {
     for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
-      vertex_map[v.idx()] = Surface::null_vertex();
+      vertex_map[v.idx()] = Halfedge_mesh::null_vertex();
     }
   }
   return result;
@@ -95,12 +95,12 @@ inline Surface submesh(const Surface& mesh, const std::vector<Surface::Face_inde
 
 /// The connected components, the one of the largest area first. In linear time, also where there are thousands.
 /// \pre `mesh` has no garbage
-inline std::vector<Surface> components_by_area(const Surface& mesh)
+inline std::vector<Halfedge_mesh> components_by_area(const Halfedge_mesh& mesh)
 {
   std::vector<std::size_t> component(mesh.number_of_faces());
   const std::size_t n = PMP::connected_components(
       mesh, boost::make_iterator_property_map(component.begin(), CGAL::get(boost::face_index, mesh)));
-  std::vector<std::vector<Surface::Face_index>> faces(n);
+  std::vector<std::vector<Halfedge_mesh::Face_index>> faces(n);
   std::vector<double> areas(n, 0.);
   for (auto f : mesh.faces()) {
     faces[component[f.idx()]].push_back(f);
@@ -109,8 +109,8 @@ inline std::vector<Surface> components_by_area(const Surface& mesh)
   std::vector<std::size_t> order(n);
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return areas[i] > areas[j]; });
-  std::vector<Surface::Vertex_index> vertex_map(mesh.number_of_vertices(), Surface::null_vertex());
-  std::vector<Surface> result;
+  std::vector<Halfedge_mesh::Vertex_index> vertex_map(mesh.number_of_vertices(), Halfedge_mesh::null_vertex());
+  std::vector<Halfedge_mesh> result;
   for (std::size_t c : order) {
     result.push_back(submesh(mesh, faces[c], vertex_map));
   }
@@ -119,19 +119,19 @@ inline std::vector<Surface> components_by_area(const Surface& mesh)
 
 /// Closes all holes by flat or minimal patches.
 /// \return whether that gave a solid to rely on; `mesh` is unchanged if not
-inline bool fill_holes(Surface& mesh)
+inline bool fill_holes(Halfedge_mesh& mesh)
 {
   // A longer border is not a hole but the rim of a surface; triangulating it takes cubic time.
   const std::size_t longest_border = 400;
   const double smallest_fullness = 1e-3;
-  Surface filled = mesh;
-  std::vector<Surface::Halfedge_index> borders;
+  Halfedge_mesh filled = mesh;
+  std::vector<Halfedge_mesh::Halfedge_index> borders;
   PMP::extract_boundary_cycles(filled, std::back_inserter(borders));
   for (auto h : borders) {
     if (halfedges_around_face(h, filled).size() > longest_border) {
       return false;
     }
-    std::vector<Surface::Face_index> patch;
+    std::vector<Halfedge_mesh::Face_index> patch;
     PMP::triangulate_hole(filled, h, std::back_inserter(patch),
                           CGAL::parameters::use_2d_constrained_delaunay_triangulation(true));
   }
@@ -146,7 +146,7 @@ inline bool fill_holes(Surface& mesh)
   return true;
 }
 
-inline bool is_solid(Surface& mesh)
+inline bool is_solid(Halfedge_mesh& mesh)
 {
   const double smallest_fullness = 1e-4;
   if (!CGAL::is_closed(mesh)) {
@@ -157,19 +157,19 @@ inline bool is_solid(Surface& mesh)
 }
 
 /// A closed surface around everything, at a small distance.
-inline Surface wrap(const Part_mesh& part)
+inline Halfedge_mesh wrap(const Part_mesh& part)
 {
   const double size = diagonal(part.points);
   const double alpha = size / 20, offset = size / 600;
   const Triangle_soup soup = to_soup(part);
-  Surface result;
+  Halfedge_mesh result;
   CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset, result);
   turn_outwards(result);
   return result;
 }
 
 /// Whether a component stands for its whole part: it spans the part and has most of its area.
-inline bool dominates(const Surface& component, const Part_mesh& part, double area)
+inline bool dominates(const Halfedge_mesh& component, const Part_mesh& part, double area)
 {
   return diagonal(component) > 0.9 * diagonal(part.points) && PMP::area(component) > 0.5 * area;
 }
@@ -180,15 +180,15 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
   using Repair = Abstraction_report::Repair;
   Repaired_part result;
   bool soup_changed = false;
-  const Surface mesh = soup_to_mesh(part, soup_changed);
+  const Halfedge_mesh mesh = soup_to_mesh(part, soup_changed);
   const double area = PMP::area(mesh);
-  std::vector<Surface> components = components_by_area(mesh);
+  std::vector<Halfedge_mesh> components = components_by_area(mesh);
   result.several_components = components.size() > 1;
   result.repair = soup_changed ? Repair::SOUP : Repair::NONE;
 
   bool all_solid = true;
   std::vector<bool> solid;
-  for (Surface& component : components) {
+  for (Halfedge_mesh& component : components) {
     deadline.check();
     const bool closed = CGAL::is_closed(component);
     solid.push_back(closed ? is_solid(component) : fill_holes(component));
@@ -206,30 +206,30 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
     return result;
   }
   deadline.check();
-  const Surface wrapped = wrap(part);
+  const Halfedge_mesh wrapped = wrap(part);
   if (!all_solid) {
     result.volume = PMP::volume(wrapped);
   }
-  Surface outer = components_by_area(wrapped).at(0);
+  Halfedge_mesh outer = components_by_area(wrapped).at(0);
   turn_outwards(outer);
   result.mesh = to_part_mesh(outer);
   result.repair = Repair::WRAP;
   return result;
 }
 
-inline double squared_length(const Surface& mesh, Surface::Halfedge_index h)
+inline double squared_length(const Halfedge_mesh& mesh, Halfedge_mesh::Halfedge_index h)
 {
   return CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
 }
 
 /// Whether the surface hardly changes when the source of a halfedge moves to its target: it stays near the planes of
 /// its faces, and none of them turns much.
-inline bool hardly_changes(const Surface& mesh, Surface::Halfedge_index h, double tolerance)
+inline bool hardly_changes(const Halfedge_mesh& mesh, Halfedge_mesh::Halfedge_index h, double tolerance)
 {
   const double least_cosine = 0.5;
   const Point from = to_point(mesh.point(mesh.source(h))), to = to_point(mesh.point(mesh.target(h)));
   for (auto around : CGAL::halfedges_around_source(mesh.source(h), mesh)) {
-    const Surface::Vertex_index u = mesh.target(around), v = mesh.target(mesh.next(around));
+    const Halfedge_mesh::Vertex_index u = mesh.target(around), v = mesh.target(mesh.next(around));
     if (u == mesh.target(h) || v == mesh.target(h)) {
       continue; // its face vanishes
     }
@@ -246,13 +246,13 @@ inline bool hardly_changes(const Surface& mesh, Surface::Halfedge_index h, doubl
 /// Collapses the edges of a closed mesh that are shorter than a length, the shortest first, where that changes neither
 /// topology nor, by much, the surface. The remeshing does it, too, but after it has split the needles that such edges
 /// are the short sides of.
-inline void collapse_edges_shorter_than(double length, Surface& mesh)
+inline void collapse_edges_shorter_than(double length, Halfedge_mesh& mesh)
 {
   const double thickness = 2 * std::abs(PMP::volume(mesh)) / PMP::area(mesh); // of a plate
   const double tolerance = 0.1 * std::min(length, thickness);
-  using Entry = std::pair<double, Surface::Edge_index>;
+  using Entry = std::pair<double, Halfedge_mesh::Edge_index>;
   std::set<Entry> queue;
-  const auto push = [&](Surface::Edge_index e) {
+  const auto push = [&](Halfedge_mesh::Edge_index e) {
     const double squared = squared_length(mesh, mesh.halfedge(e));
     if (squared < length * length) {
       queue.emplace(squared, e);
@@ -268,7 +268,7 @@ inline void collapse_edges_shorter_than(double length, Surface& mesh)
         !CGAL::Euler::does_satisfy_link_condition(e, mesh)) {
       continue;
     }
-    Surface::Halfedge_index h = mesh.halfedge(e);
+    Halfedge_mesh::Halfedge_index h = mesh.halfedge(e);
     if (!hardly_changes(mesh, h, tolerance)) {
       h = mesh.opposite(h);
       if (!hardly_changes(mesh, h, tolerance)) {
@@ -276,7 +276,7 @@ inline void collapse_edges_shorter_than(double length, Surface& mesh)
       }
     }
     const Mesh_point kept = mesh.point(mesh.target(h));
-    const Surface::Vertex_index v = CGAL::Euler::collapse_edge(e, mesh);
+    const Halfedge_mesh::Vertex_index v = CGAL::Euler::collapse_edge(e, mesh);
     mesh.point(v) = kept;
     for (auto around : CGAL::halfedges_around_target(v, mesh)) {
       push(mesh.edge(around));
@@ -290,7 +290,7 @@ Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& d
 {
   const int rounds = 3;
   const double short_edge = 0.6;
-  Surface mesh = to_surface(solid);
+  Halfedge_mesh mesh = to_halfedge_mesh(solid);
   collapse_edges_shorter_than(short_edge * edge_length, mesh);
   for (int round = 0; round < rounds; ++round) {
     deadline.check();

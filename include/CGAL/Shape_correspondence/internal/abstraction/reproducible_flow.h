@@ -21,7 +21,7 @@ namespace internal {
 struct Flow_traits : Mesh_kernel
 {};
 
-using Flow = CGAL::Mean_curvature_flow_skeletonization<Surface, Flow_traits>;
+using Flow = CGAL::Mean_curvature_flow_skeletonization<Halfedge_mesh, Flow_traits>;
 using Flow_mesh = Flow::Meso_skeleton;
 using Flow_edge = boost::graph_traits<Flow_mesh>::edge_descriptor;
 

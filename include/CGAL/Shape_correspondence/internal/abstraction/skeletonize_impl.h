@@ -49,7 +49,7 @@ public:
   State(const Part_mesh& mesh, int iterations, const Deadline& deadline)
       : most_iterations_(iterations),
         deadline_(&deadline),
-        flow_(to_surface(mesh)),
+        flow_(to_halfedge_mesh(mesh)),
         original_vertices_(static_cast<std::size_t>(mesh.points.cols())),
         original_(measure(mesh)),
         current_(original_)
