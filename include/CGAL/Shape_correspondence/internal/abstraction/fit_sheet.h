@@ -262,7 +262,9 @@ inline void lift(Sheet& grid, const Points& points)
   const double points_per_cell = static_cast<double>(points.cols()) / static_cast<double>(n);
   form += smoothness * points_per_cell * bending_form(grid.rows, grid.cols);
   form.diagonal().array() += ridge * points_per_cell;
-  grid.points.row(2) = form.ldlt().solve(right).transpose();
+  // Past the data, a strongly curved sheet would go on without end.
+  const double lowest = points.row(2).minCoeff(), highest = points.row(2).maxCoeff();
+  grid.points.row(2) = form.ldlt().solve(right).cwiseMax(lowest).cwiseMin(highest).transpose();
 }
 
 /// At most `limit` of some points, evenly picked.
