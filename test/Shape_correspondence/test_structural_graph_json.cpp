@@ -106,6 +106,23 @@ TEST_CASE("A graph that is written and read is the same to the bit")
   }
 }
 
+TEST_CASE("Contacts of several regions are several entries")
+{
+  json document = json::parse(written(hand_made::chair()));
+  const std::size_t contacts = document["contacts"].size();
+  json again = document["contacts"][1];
+  std::swap(again["parts"][0], again["parts"][1]);
+  again["parameters"] = json::parse("[[0.25], [0.5, 0.75]]");
+  document["contacts"].push_back(again);
+  const Structural_graph graph = read(document.dump());
+  REQUIRE(structure(graph).contacts.size() == contacts);
+  const Contact& contact = structure(graph).contacts[1];
+  REQUIRE(contact.further.size() == 1);
+  CHECK(contact.further[0][0] == Eigen::Vector2d(0.5, 0.75));
+  CHECK(contact.further[0][1] == Eigen::Vector2d(0.25, 0));
+  CHECK(json::parse(written(graph))["contacts"].size() == contacts + 1);
+}
+
 TEST_CASE("The keys are those of the format")
 {
   const json document = json::parse(written(hand_made::chair()));
