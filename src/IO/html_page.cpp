@@ -141,7 +141,7 @@ function matrices() {
   const [cy, sy, cp, sp] = [Math.cos(camera.yaw), Math.sin(camera.yaw), Math.cos(camera.pitch), Math.sin(camera.pitch)];
   const turn = [[cy, 0, -sy], [-sy * sp, cp, -cy * sp], [sy * cp, sp, cy * cp]];
   const angle = 0.5, aspect = canvas.width / canvas.height, f = 1 / Math.tan(angle / 2);
-  const distance = camera.zoom * size * 0.55 / Math.tan(angle / 2) * Math.max(1, 1 / aspect);
+  const distance = camera.zoom * size * 0.45 / Math.tan(angle / 2) * Math.max(1, 1 / aspect);
   const move = turn.map((r, i) => -(r[0] * middle[0] + r[1] * middle[1] + r[2] * middle[2]) + [camera.x, camera.y, -distance][i]);
   const near = Math.max(distance - size, 0.01 * distance), far = distance + size;
   return {view: [0, 1, 2].flatMap(c => [turn[0][c], turn[1][c], turn[2][c], 0]).concat(move, 1), distance, f,

@@ -17,7 +17,7 @@ namespace Shape_correspondence {
 namespace IO {
 namespace {
 
-constexpr double surface_alpha = 0.2;
+constexpr double surface_alpha = 0.35;
 constexpr const char *surfaces = "surfaces", *abstractions = "curves and sheets", *contacts = "contacts";
 
 using Details = std::vector<std::pair<std::string, std::string>>;

@@ -35,9 +35,6 @@ inline Surface welded_surface(const Part_mesh& mesh)
   PMP::orient_polygon_soup(soup.points, soup.triangles);
   Surface result;
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, result);
-  if (CGAL::is_closed(result)) {
-    PMP::orient_to_bound_a_volume(result);
-  }
   return result;
 }
 
@@ -69,6 +66,7 @@ Segmented_shape segment_mesh(const Part_mesh& mesh, const Segmentation_options& 
     component.collect_garbage();
     std::vector<std::size_t> segments(component.number_of_faces(), 0);
     if (CGAL::is_closed(component)) {
+      CGAL::Polygon_mesh_processing::orient_to_bound_a_volume(component); // its inside is what is measured
       segments = internal::sdf_segments(component, options);
     }
     std::map<std::size_t, internal::Part_mesh_builder<internal::Surface>> builders;
