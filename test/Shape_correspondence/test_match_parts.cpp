@@ -21,9 +21,24 @@ namespace {
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
+// By index in the structural graphs.
 Part_matching matching(const Structural_graph& a, const Structural_graph& b, const Part_matching_options& options = {})
 {
-  return match_parts(align_shape(a), align_shape(b), options);
+  const Aligned_shape source = align_shape(a), target = align_shape(b);
+  const Part_matching aligned = match_parts(source, target, options);
+  Part_matching result = aligned;
+  for (Part_match& pair : result.pairs) {
+    pair.source = source.original[pair.source];
+    pair.target = target.original[pair.target];
+  }
+  std::sort(result.pairs.begin(), result.pairs.end(), [](const Part_match& p, const Part_match& q) {
+    return std::make_pair(p.source, p.target) < std::make_pair(q.source, q.target);
+  });
+  for (Eigen::Index i = 0; i < aligned.costs.rows(); ++i)
+    for (Eigen::Index j = 0; j < aligned.costs.cols(); ++j)
+      result.costs(Eigen::Index(source.original[std::size_t(i)]), Eigen::Index(target.original[std::size_t(j)])) =
+          aligned.costs(i, j);
+  return result;
 }
 
 Pairs pairs(const Part_matching& matching)
