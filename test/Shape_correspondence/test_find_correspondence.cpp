@@ -127,7 +127,7 @@ TEST_CASE("Options out of range are refused")
   options = {};
   options.alignments = -1;
   CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);
-  options = {};
+  options = least_energy();
   options.beam.beam_width = 0;
   CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);
 }
