@@ -73,14 +73,15 @@ int main(int argc, char** argv)
         align_time += milliseconds([&] { from = SC::align_shape(a), to = SC::align_shape(b); });
         std::unique_ptr<SC::Matching_problem> problem;
         tables_time +=
-            milliseconds([&] { problem = std::make_unique<SC::Matching_problem>(from, to, SC::Energy_weights()); });
-        SC::Search_result best, found;
-        exact_time += milliseconds([&] { best = SC::exact_search(*problem); });
-        beam_time += milliseconds([&] { found = SC::beam_search(*problem); });
+            milliseconds([&] { problem = std::make_unique<SC::Matching_problem>(from, to); });
+        SC::Search_result exact_result, beam_result;
+        exact_time += milliseconds([&] { exact_result = SC::exact_search(problem->energy()); });
+        beam_time += milliseconds([&] { beam_result = SC::beam_search(*problem); });
         ++runs;
-        proven += best.optimal;
-        at_optimum += found.energy <= best.energy + 1e-9;
-        if (best.energy > 0) gap.push_back(found.energy / best.energy);
+        proven += exact_result.optimal;
+        const double least = exact_result.best().energy, found = beam_result.best().energy;
+        at_optimum += found <= least + 1e-9;
+        if (least > 0) gap.push_back(found / least);
       }
       align.push_back(align_time), tables.push_back(tables_time), exact.push_back(exact_time),
           beam.push_back(beam_time);

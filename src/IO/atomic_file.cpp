@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -47,14 +48,22 @@ bool is_device(const fs::path& file)
 class Temporary_file
 {
 public:
-  Temporary_file(const std::string& path, const fs::path& file)
-      : path_(path), name_(file.string() + ".tmp" + std::to_string(getpid()))
+  Temporary_file(const std::string& path, const fs::path& file) : path_(path)
   {
-    const int descriptor = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
-    if (descriptor < 0) fail(path, std::strerror(errno));
+    // Other threads and processes may be writing the same file.
+    static std::atomic<unsigned> count{0};
+    int descriptor = -1;
+    while (descriptor < 0) {
+      name_ = file.string() + ".tmp" + std::to_string(getpid()) + '_' + std::to_string(count++);
+      descriptor = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
+      if (descriptor < 0 && errno != EEXIST) fail(path, std::strerror(errno));
+    }
     close(descriptor);
   }
-  ~Temporary_file() { unlink(name_.c_str()); }
+  ~Temporary_file()
+  {
+    if (!renamed_) unlink(name_.c_str());
+  }
   Temporary_file(const Temporary_file&) = delete;
   Temporary_file& operator=(const Temporary_file&) = delete;
 
@@ -65,11 +74,13 @@ public:
     std::error_code error;
     fs::rename(name_, file, error);
     if (error) fail(path_, error.message());
+    renamed_ = true;
   }
 
 private:
   std::string path_;
   std::string name_;
+  bool renamed_ = false;
 };
 
 void write_directly(const std::string& path, std::ostream& out, const std::function<void(std::ostream&)>& write)

@@ -7,6 +7,8 @@
 
 #include "json_text.h"
 
+#include <cmath>
+
 namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
@@ -43,6 +45,8 @@ Json groups(const Correspondence& correspondence, const Structural_graph& source
                       {"energy", group.energy},
                       {"terms", {{"distortion", group.distortion}, {"connectedness", group.connectedness}}},
                       {"solidity_ratio", group.solidity_ratio}});
+    // Not a number: not asked for; infinity, which JSON does not have, becomes null
+    if (!std::isnan(group.min_marginal)) result.back()["min_marginal"] = group.min_marginal;
   }
   return result;
 }
@@ -58,12 +62,37 @@ Json contacts(const Correspondence& correspondence, const Structural_graph& defo
   return result;
 }
 
+Json terms(const Energy_terms& terms)
+{
+  Json result = {{"distortion", terms.distortion}, {"connectedness", terms.connectedness}, {"split", terms.split}};
+  if (terms.unmatched > 0) result["unmatched"] = terms.unmatched;
+  return result;
+}
+
+Json solutions(const std::vector<Correspondence>& ranked, const Structural_graph& source,
+               const Structural_graph& target)
+{
+  Json result = Json::array();
+  for (const Correspondence& c : ranked)
+    result.push_back({{"energy", c.energy}, {"terms", terms(c.terms)}, {"pairs", pairs(c, source, target)}});
+  return result;
+}
+
 } // namespace
 
 void write_correspondence_json(std::ostream& out, const Correspondence& c, const Structural_graph& source,
                                const Structural_graph& target, const std::string& source_file,
                                const std::string& target_file, const Match_seconds& seconds)
 {
+  write_correspondences_json(out, {c}, source, target, source_file, target_file, seconds);
+}
+
+void write_correspondences_json(std::ostream& out, const std::vector<Correspondence>& ranked,
+                                const Structural_graph& source, const Structural_graph& target,
+                                const std::string& source_file, const std::string& target_file,
+                                const Match_seconds& seconds)
+{
+  const Correspondence& c = ranked.front();
   const bool forward = c.direction == Direction::SOURCE_TO_TARGET;
   Json result;
   result["format"] = "shape_correspondence/match";
@@ -71,12 +100,12 @@ void write_correspondence_json(std::ostream& out, const Correspondence& c, const
   result["source"] = source_file;
   result["target"] = target_file;
   result["energy"] = c.energy;
-  result["terms"] = {
-      {"distortion", c.terms.distortion}, {"connectedness", c.terms.connectedness}, {"split", c.terms.split}};
+  result["terms"] = terms(c.terms);
   result["direction"] = name_of(c.direction);
   result["complete"] = c.complete;
   result["optimal"] = c.optimal;
   result["pairs"] = pairs(c, source, target);
+  if (!c.confidences.empty()) result["confidences"] = c.confidences;
   result["groups"] = groups(c, source, target);
   result["contacts"] = contacts(c, forward ? source : target);
   result["unmatched_source"] = names(c.unmatched_source, source);
@@ -90,6 +119,7 @@ void write_correspondence_json(std::ostream& out, const Correspondence& c, const
                       {"evaluations", c.search.evaluations},
                       {"lower_bound", c.search.lower_bound}};
   result["warnings"] = c.warnings;
+  if (ranked.size() > 1) result["solutions"] = solutions(ranked, source, target);
   write_json(out, result);
 }
 

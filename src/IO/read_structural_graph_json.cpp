@@ -110,6 +110,8 @@ Abstraction_report read_report(const Json_field& field)
   if (field.has("coverage")) report.coverage = field["coverage"].number_at_least_0();
   if (field.has("iterations")) report.iterations = field["iterations"].integer();
   if (field.has("flags")) read_flags(field["flags"], report);
+  if (field.has("fallback")) report.fallback = field["fallback"].text();
+  if (field.has("copy_of")) report.copy_of = field["copy_of"].text();
   return report;
 }
 
@@ -125,6 +127,7 @@ Part_abstraction read_part(const Json_field& field)
   if (field.has("volume")) part.volume = field["volume"].number_at_least_0();
   if (field.has("hull_volume")) part.hull_volume = field["hull_volume"].number_at_least_0();
   if (field.has("area")) part.area = field["area"].number_at_least_0();
+  if (field.has("surface")) part.surface = points_of(field["surface"].elements());
   if (field.has("abstraction")) part.report = read_report(field["abstraction"]);
   return part;
 }
@@ -302,6 +305,9 @@ Structural_graph read_graph(const Json_field& document, const Structure_options&
   if (document.has("groups") && options.symmetry.enabled)
     groups = read_groups(document["groups"], shape.parts, indices);
   if (document.has("contacts")) shape.contacts = read_contacts(document["contacts"], shape.parts, indices);
+  if (document.has("content")) shape.content = document["content"].text();
+  if (document.has("segmentation"))
+    shape.automatic_parts = read_word<bool>(document["segmentation"], {{"given", false}, {"automatic", true}});
   if (document.has("warnings")) {
     for (const Json_field& warning : document["warnings"].elements())
       shape.warnings.push_back(warning.text());

@@ -4,8 +4,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+#include <CGAL/Shape_correspondence/align_shapes.h>
 
 #include "json_text.h"
+#include "report_text.h"
+
+#include <algorithm>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -45,51 +49,6 @@ void set_geometry(Json& part, const Sheet& sheet)
   part["grid"] = rows;
 }
 
-const char* name_of(Abstraction_report::Method method)
-{
-  using Method = Abstraction_report::Method;
-  switch (method) {
-  case Method::SKELETON:
-    return "skeleton";
-  case Method::MESO_SKELETON:
-    return "meso_skeleton";
-  case Method::BOUNDING_BOX:
-    return "bounding_box";
-  case Method::COPY:
-    return "copy";
-  case Method::GIVEN:
-    return "given";
-  }
-  return "given";
-}
-
-const char* name_of(Abstraction_report::Repair repair)
-{
-  using Repair = Abstraction_report::Repair;
-  switch (repair) {
-  case Repair::NONE:
-    return "none";
-  case Repair::SOUP:
-    return "soup";
-  case Repair::HOLES:
-    return "holes";
-  case Repair::WRAP:
-    return "wrap";
-  }
-  return "none";
-}
-
-Json flags(const Abstraction_report& report)
-{
-  Json result = Json::array();
-  if (report.tube) result.push_back("tube");
-  if (report.blob) result.push_back("blob");
-  if (report.branching) result.push_back("branching");
-  if (report.several_components) result.push_back("several_components");
-  if (report.time_limit) result.push_back("time_limit");
-  return result;
-}
-
 Json part(const Part_abstraction& part)
 {
   Json result;
@@ -98,9 +57,13 @@ Json part(const Part_abstraction& part)
   result["volume"] = part.volume;
   result["hull_volume"] = part.hull_volume;
   result["area"] = part.area;
+  if (part.surface.cols() > 0)
+    result["surface"] = points(part.surface, 0, std::min<Eigen::Index>(part.surface.cols(), surface_samples));
   result["abstraction"] = {{"method", name_of(part.report.method)}, {"repair", name_of(part.report.repair)},
                            {"residual", part.report.residual},      {"coverage", part.report.coverage},
-                           {"iterations", part.report.iterations},  {"flags", flags(part.report)}};
+                           {"iterations", part.report.iterations},  {"flags", flags_of(part.report)}};
+  if (part.report.is_fallback()) result["abstraction"]["fallback"] = part.report.fallback;
+  if (!part.report.copy_of.empty()) result["abstraction"]["copy_of"] = part.report.copy_of;
   return result;
 }
 
@@ -170,6 +133,8 @@ void write_structural_graph_json(std::ostream& out, const Structural_graph& grap
   result["format"] = "shape_correspondence/graph";
   result["version"] = 1;
   result["name"] = shape.name;
+  if (!shape.content.empty()) result["content"] = shape.content;
+  if (shape.automatic_parts) result["segmentation"] = "automatic";
   result["up"] = point(shape.frame.axes.col(1));
   result["frame"] = frame(shape.frame);
   result["parts"] = Json::array();

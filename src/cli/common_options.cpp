@@ -8,7 +8,9 @@
 #include "../IO/atomic_file.h"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
+#include <utility>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -47,6 +49,38 @@ void check_between(const std::string& option, double value, double least, double
   std::ostringstream message;
   message << "--" << option << " must be between " << least << " and " << most << ", not " << value;
   throw Usage_error(message.str());
+}
+
+Abstraction_kind parse_kind(const std::string& option, const std::string& word)
+{
+  check_word(option, word, {"auto", "curve", "sheet"});
+  return word == "curve"   ? Abstraction_kind::CURVE
+         : word == "sheet" ? Abstraction_kind::SHEET
+                           : Abstraction_kind::AUTOMATIC;
+}
+
+std::pair<std::string, Abstraction_kind> parse_part_kind(const std::string& word)
+{
+  const std::size_t equals = word.rfind('=');
+  if (equals == std::string::npos || equals == 0)
+    throw Usage_error("--part-kind takes the name of a part, = and its kind, not '" + word + "'");
+  return {word.substr(0, equals), parse_kind("part-kind", word.substr(equals + 1))};
+}
+
+void check_positive(const std::string& option, double value)
+{
+  if (!(value > 0)) throw Usage_error("--" + option + " must be more than 0");
+}
+
+void check_abstraction(const Abstraction_options& options)
+{
+  check_positive("edge-length", options.edge_length);
+  check_positive("stop-volume", options.stop_volume);
+  check_positive("time-limit", options.time_limit);
+  check_at_least("triangles", options.triangles, 100);
+  check_at_least("max-iterations", options.maximum_iterations, 1);
+  check_at_least("curve-points", options.curve_points, 2);
+  check_at_least("sheet-points", options.sheet_points, 2);
 }
 
 } // namespace
@@ -101,6 +135,46 @@ po::options_description common_options(Common_options& options)
   return result;
 }
 
+po::options_description model_options(Common_options& options)
+{
+  Abstraction_options& abstraction = options.abstraction;
+  po::options_description result("Options on models", help_width, description_width);
+  auto add = result.add_options();
+  add("cache", po::value(&options.cache)->value_name("FOLDER"),
+      "keep structural graphs in this folder, and take them from there when the model and the options are the same");
+  add("segment", po::bool_switch(&options.segment),
+      "make parts of a model that has only one: its components, and segments by the shape diameter function");
+  add("abstraction", po::value<std::string>()->value_name("METHOD")->default_value("skeleton")->notifier([&](auto& m) {
+    check_word("abstraction", m, {"skeleton", "boxes"});
+    if (m == "boxes") abstraction.abstractor = Bounding_box_abstraction();
+  }),
+      "how parts become curves and sheets: skeleton (mean curvature flow) or boxes (bounding boxes: rough, at once)");
+  add("kind",
+      po::value<std::string>()->value_name("KIND")->default_value("auto")->notifier(
+          [&](const std::string& word) { abstraction.kind = parse_kind("kind", word); }),
+      "what parts become: curve, sheet, or auto, what suits each");
+  add("part-kind", po::value<std::vector<std::string>>()->value_name("PART=KIND")->notifier([&](const auto& words) {
+    for (const std::string& word : words)
+      abstraction.part_kinds.insert(parse_part_kind(word));
+  }),
+      "the same for one part; may be given many times");
+  add("edge-length", po::value(&abstraction.edge_length)->value_name("X")->default_value(0.02, "0.02"),
+      "edges of the remeshed part, over its diagonal");
+  add("triangles", po::value(&abstraction.triangles)->value_name("N")->default_value(abstraction.triangles),
+      "about how many triangles the remeshed part may have; its edges are longer if need be");
+  add("stop-volume", po::value(&abstraction.stop_volume)->value_name("X")->default_value(0.02, "0.02"),
+      "a sheet is fitted to what the flow leaves when this fraction of the volume is left");
+  add("max-iterations", po::value(&abstraction.maximum_iterations)->value_name("N")->default_value(300),
+      "steps of the flow; the bounding box stands in for a part that needs more");
+  add("time-limit", po::value(&abstraction.time_limit)->value_name("SECONDS")->default_value(20),
+      "for a part; the bounding box stands in for one that needs more");
+  add("curve-points", po::value(&abstraction.curve_points)->value_name("N")->default_value(abstraction.curve_points),
+      "control points of a curve");
+  add("sheet-points", po::value(&abstraction.sheet_points)->value_name("N")->default_value(abstraction.sheet_points),
+      "control points along a side of a sheet");
+  return result;
+}
+
 Arguments parse(const std::vector<std::string>& arguments, const po::options_description& options, std::size_t inputs)
 {
   po::options_description all;
@@ -132,10 +206,12 @@ void check(const Common_options& options)
   check_between("symmetry-tolerance", options.symmetry_tolerance, 0, 0.5);
   check_between("contact-tolerance", options.contact_tolerance, 0, 0.5);
   check_word("progress", options.progress, {"auto", "always", "never"});
-  if (!options.json.empty() && options.json == options.glb)
-    throw Usage_error("--json and --glb are the same file, " + options.json);
-  for (const std::string& output : {options.json, options.glb}) {
-    if (!output.empty()) IO::check_writable(output);
+  check_abstraction(options.abstraction);
+  std::set<std::string> outputs;
+  for (const std::string& output : {options.json, options.glb, options.html}) {
+    if (output.empty()) continue;
+    if (!outputs.insert(output).second) throw Usage_error("two outputs are the same file, " + output);
+    IO::check_writable(output);
   }
 }
 

@@ -6,6 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COMMON_OPTIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COMMON_OPTIONS_H
 
+#include <CGAL/Shape_correspondence/abstract_part.h>
 #include <CGAL/Shape_correspondence/detect_symmetry_groups.h>
 
 #include <boost/program_options.hpp>
@@ -30,12 +31,16 @@ struct Common_options
 {
   std::string json;              ///< empty: none
   std::string glb;               ///< empty: none
+  std::string html;              ///< empty: none
+  std::string cache;             ///< empty: none
   std::string up = "y";          ///< x, y or z
   std::string progress = "auto"; ///< auto, always or never
   bool no_symmetry = false;
   double symmetry_tolerance = 0.05;
   std::string symmetries = "reflection,rotation,translation";
   double contact_tolerance = 0.02;
+  bool segment = false;
+  Abstraction_options abstraction;
   bool quiet = false;
   int threads = 0; ///< 0: all
   long seed = 0;
@@ -48,6 +53,9 @@ struct Common_options
 
 /// The options that all commands share.
 boost::program_options::options_description common_options(Common_options& options);
+
+/// Options on models: how parts are made and abstracted.
+boost::program_options::options_description model_options(Common_options& options);
 
 /// The arguments of a command, parsed.
 struct Arguments

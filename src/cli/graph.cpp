@@ -14,6 +14,7 @@
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
+#include <CGAL/Shape_correspondence/IO/write_html.h>
 
 #include <iostream>
 
@@ -53,6 +54,8 @@ po::options_description graph_options(Common_options& common, Graph_files& files
   add("glb", po::value(&common.glb)->value_name("FILE"),
       "write a picture as binary glTF: surfaces faint, curves as tubes, sheets as patches, a colour a group, a dot a "
       "contact");
+  add("html", po::value(&common.html)->value_name("FILE"),
+      "write the same picture as a web page that needs no network, with a table of the parts");
   add("graphml", po::value(&files.graphml)->value_name("FILE"),
       "write groups and contacts as GraphML, for graph tools: names, symmetries and solidities, no geometry");
   add("dot", po::value(&files.dot)->value_name("FILE"), "the same for Graphviz");
@@ -116,7 +119,7 @@ void run_graph(const std::vector<std::string>& arguments)
   Common_options common;
   Graph_files files;
   po::options_description options;
-  options.add(graph_options(common, files)).add(common_options(common));
+  options.add(graph_options(common, files)).add(model_options(common)).add(common_options(common));
   const Arguments parsed = parse(arguments, options, 1);
   if (parsed.help) {
     std::cout << help_text << options;
@@ -132,6 +135,10 @@ void run_graph(const std::vector<std::string>& arguments)
   if (!common.glb.empty())
     IO::write_atomically(common.glb, [&](std::ostream& out) {
       IO::write_structural_graph_glb(out, shape.graph, shape.model_pointer());
+    });
+  if (!common.html.empty())
+    IO::write_atomically(common.html, [&](std::ostream& out) {
+      IO::write_structural_graph_html(out, shape.graph, shape.model_pointer());
     });
   if (!files.graphml.empty())
     IO::write_atomically(files.graphml, [&](std::ostream& out) { IO::write_structural_graph_graphml(out, shape.graph); });

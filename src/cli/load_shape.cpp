@@ -8,13 +8,20 @@
 #include "progress_bar.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include <CGAL/Shape_correspondence/segment_mesh.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 
@@ -47,18 +54,49 @@ void load_graph(const std::string& path, const Common_options& common, const Str
   shape.read_seconds = now() - begin;
 }
 
-void load_model(const std::string& path, const Common_options& common, const Structure_options& options,
-                Loaded_shape& shape)
+Segmented_shape read_model(const std::string& path, const Common_options& common)
 {
-  const double begin = now();
-  shape.model = IO::read_segmented_shape(path, common.up_vector());
-  shape.read_seconds = now() - begin;
+  Segmented_shape model = IO::read_segmented_shape(path, common.up_vector());
+  if (!common.segment) return model;
+  if (model.parts().size() > 1)
+    throw Invalid_input("it has " + std::to_string(model.parts().size()) + " parts already; leave --segment out");
+  return segment_mesh(model.parts()[0].mesh, {}, model.name(), model.up());
+}
+
+void build_graph(const Common_options& common, const Structure_options& options, Loaded_shape& shape)
+{
   Structure_times times;
   shape.graph = common.threads == 1
                     ? build_structural_graph<CGAL::Sequential_tag>(*shape.model, options, &times)
                     : build_structural_graph<CGAL::Parallel_if_available_tag>(*shape.model, options, &times);
   shape.abstraction_seconds = times.abstraction;
   shape.structure_seconds = times.structure;
+  if (!common.segment) return;
+  Shape_structure& structure = Shape_correspondence::structure(shape.graph);
+  structure.automatic_parts = true;
+  structure.warnings.insert(structure.warnings.begin(), "The parts come from an automatic segmentation.");
+}
+
+void load_model(const std::string& path, const Common_options& common, const Structure_options& options,
+                Loaded_shape& shape)
+{
+  const double begin = now();
+  shape.model = read_model(path, common);
+  const std::string content = IO::content_hash(*shape.model, options);
+  std::optional<IO::Structural_graph_cache> cache;
+  std::optional<Structural_graph> known;
+  if (!common.cache.empty()) {
+    cache.emplace(common.cache);
+    known = cache->find(content);
+  }
+  shape.read_seconds = now() - begin;
+  if (known) {
+    shape.graph = std::move(*known);
+    return;
+  }
+  build_graph(common, options, shape);
+  structure(shape.graph).content = content;
+  if (cache) cache->insert(shape.graph);
 }
 
 } // namespace
@@ -69,6 +107,7 @@ Loaded_shape load_shape(const std::string& path, const Common_options& common)
 {
   Progress_bar bar(common, path);
   Structure_options options;
+  options.abstraction = common.abstraction;
   options.symmetry = common.symmetry_options();
   options.contacts.tolerance = common.contact_tolerance;
   options.abstraction.progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
@@ -83,6 +122,29 @@ Loaded_shape load_shape(const std::string& path, const Common_options& common)
     throw Invalid_input(message.rfind(path, 0) == 0 ? message : path + ": " + message);
   }
   return shape;
+}
+
+std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
+{
+  std::vector<Loaded_shape> shapes(paths.size());
+  std::vector<std::exception_ptr> failures(paths.size());
+  const auto load = [&](std::size_t i) {
+    try {
+      shapes[i] = load_shape(paths[i], options);
+    } catch (...) {
+      failures[i] = std::current_exception();
+    }
+  };
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::parallel_for(std::size_t(0), paths.size(), load, tbb::simple_partitioner());
+#else
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    load(i);
+#endif
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+  return shapes;
 }
 
 } // namespace cli

@@ -13,6 +13,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -33,6 +34,9 @@ struct Loaded_shape
 /// Reads a model, or a structural graph from a file that ends in `.json` or `.xml`, and builds what is missing of its graph.
 /// \throw Invalid_input; the message names `path`
 Loaded_shape load_shape(const std::string& path, const Common_options& options);
+
+/// The same for several inputs at once, on as many threads as there are.
+std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options);
 
 /// Seconds on the wall since some moment.
 double now();

@@ -6,24 +6,29 @@
 #ifndef SHAPE_CORRESPONDENCE_TEST_BRUTE_FORCE_H
 #define SHAPE_CORRESPONDENCE_TEST_BRUTE_FORCE_H
 
-#include <CGAL/Shape_correspondence/Matching_problem.h>
+#include <CGAL/Shape_correspondence/Pairwise_energy.h>
 
 #include <algorithm>
+#include <vector>
 
-// The least energy of all assignments, one by one.
-inline double brute_force(const CGAL::Shape_correspondence::Matching_problem& problem)
+// The energies of all assignments that `is_allowed`, ascending.
+template <typename Predicate>
+std::vector<double> brute_force(const CGAL::Shape_correspondence::Pairwise_energy& energy, const Predicate& is_allowed)
 {
-  CGAL::Shape_correspondence::Assignment assignment(problem.source().groups.size(), 0);
-  double best = problem.energy(assignment);
-  for (std::size_t g = 0; g < assignment.size();) {
-    if (++assignment[g] == int(problem.number_of_labels())) {
-      assignment[g++] = 0;
-      continue;
-    }
-    best = std::min(best, problem.energy(assignment));
-    g = 0;
+  CGAL::Shape_correspondence::Assignment assignment(energy.number_of_variables(), 0);
+  std::vector<double> energies;
+  for (std::size_t v = 0; v < assignment.size();) {
+    if (is_allowed(assignment)) energies.push_back(energy(assignment));
+    for (v = 0; v < assignment.size() && ++assignment[v] == int(energy.number_of_labels(v)); ++v)
+      assignment[v] = 0;
   }
-  return best;
+  std::sort(energies.begin(), energies.end());
+  return energies;
+}
+
+inline std::vector<double> brute_force(const CGAL::Shape_correspondence::Pairwise_energy& energy)
+{
+  return brute_force(energy, [](const CGAL::Shape_correspondence::Assignment&) { return true; });
 }
 
 #endif // SHAPE_CORRESPONDENCE_TEST_BRUTE_FORCE_H

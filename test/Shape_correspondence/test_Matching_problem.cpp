@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
@@ -31,74 +32,149 @@ Structural_graph fence(int posts)
 
 } // namespace
 
-TEST_CASE("The tables add up to the energy of an assignment")
+TEST_CASE("The tables add up to the terms of an assignment, in both norms")
 {
-  const Matching_problem problem(align_shape(slatted_chair()), align_shape(chair()), {});
-  Assignment assignment(problem.source().groups.size());
-  for (std::size_t g = 0; g < assignment.size(); ++g)
-    assignment[g] = int((g * 7 + 2) % problem.number_of_labels());
-  double sum = 0;
-  for (std::size_t g : problem.active_groups())
-    sum += problem.unary_cost(g)[assignment[g]];
-  for (const Matching_problem::Edge& edge : problem.edges())
-    sum += edge.cost(assignment[edge.first], assignment[edge.second]);
-  CHECK(problem.energy(assignment) == Approx(sum + problem.weights().split * problem.terms(assignment).split));
+  for (const Energy_norm norm : {Energy_norm::SUM, Energy_norm::POOLED}) {
+    Matching_options options;
+    options.norm = norm;
+    options.weights.distortion = 0.7;
+    options.unmatched_cost = 0.3;
+    const Matching_problem problem(align_shape(slatted_chair()), align_shape(chair()), options);
+    for (std::size_t start = 0; start < 5; ++start) {
+      Assignment assignment(problem.source().groups.size());
+      for (std::size_t g = 0; g < assignment.size(); ++g)
+        assignment[g] = int((g * 7 + start) % problem.number_of_labels(g));
+      const Energy_terms terms = problem.terms(assignment);
+      CHECK(problem.energy()(assignment) == Approx(weighted_sum(terms, options.weights)));
+    }
+  }
+}
+
+TEST_CASE("The pooled norm by hand: one norm over the rods of all contacts, the mean of E_c")
+{
+  Matching_options options;
+  options.norm = Energy_norm::POOLED;
+  const Matching_problem pooled(align_shape(chair()), align_shape(slatted_chair()), options);
+  const Matching_problem sums(align_shape(chair()), align_shape(slatted_chair()));
+  Assignment assignment(pooled.source().groups.size(), 0);
+  double kept = 0, count = 0, connectedness = 0;
+  for (std::size_t contact = 0; contact < sums.source().contacts.size(); ++contact) {
+    const Rod_energy energy = sums.contact_energy(contact, 0, 0);
+    const auto& parts = sums.source().contacts[contact].parts;
+    const double rods =
+        double(sums.source().parts[parts[0]].samples.cols() * sums.source().parts[parts[1]].samples.cols());
+    kept += rods * std::pow(1 - energy.distortion, 2);
+    count += rods;
+    connectedness += energy.connectedness / double(sums.source().contacts.size());
+  }
+  CHECK(pooled.terms(assignment).distortion == Approx(1 - std::sqrt(kept / count)));
+  CHECK(pooled.terms(assignment).connectedness == Approx(connectedness));
 }
 
 TEST_CASE("Coarse correspondence: the most prominent groups only")
 {
-  const Matching_problem problem(align_shape(chair()), align_shape(chair()), {}, 2);
-  REQUIRE(problem.active_groups().size() == 2); // seat and back
-  for (std::size_t g : problem.active_groups())
-    CHECK(problem.source().groups[g].parts.size() == 1);
-  CHECK(problem.active_contacts().size() == 1);
+  const Aligned_shape shape = align_shape(chair());
+  const Matching_problem problem(restricted(shape, most_prominent_parts(shape, 2)), shape);
+  REQUIRE(problem.source().groups.size() == 2); // seat and back
+  for (const Aligned_shape::Group& group : problem.source().groups)
+    CHECK(group.parts.size() == 1);
+  CHECK(problem.source().contacts.size() == 1);
+}
+
+TEST_CASE("A group left unmatched costs its contacts, or once without contacts")
+{
+  Matching_options options;
+  options.unmatched_cost = 0.25;
+  const Matching_problem problem(align_shape(chair()), align_shape(chair()), options);
+  const Aligned_shape& shape = problem.source();
+  for (std::size_t g = 0; g < shape.groups.size(); ++g) {
+    Assignment assignment(shape.groups.size());
+    for (std::size_t h = 0; h < assignment.size(); ++h)
+      assignment[h] = int(h);
+    assignment[g] = int(problem.number_of_labels(g)) - 1;
+    REQUIRE(problem.is_unmatched(g, std::size_t(assignment[g])));
+    CHECK(problem.energy()(assignment) == Approx(0.25 * double(shape.groups[g].contacts.size())));
+  }
+  Shape_structure lone;
+  lone.parts = {curve("a", {0, 0, 0}, {0, 1, 0})};
+  const Aligned_shape post = align_shape(make_structural_graph(lone, {group({0})}));
+  CHECK(Matching_problem(post, post, options).energy()({1}) == 0.25);
 }
 
 TEST_CASE("Both ends of a contact on one target part: the authors' charge for the connection")
 {
-  const Matching_problem problem(align_shape(chair(false)), align_shape(chair(false)), {});
-  for (std::size_t contact : problem.active_contacts())
-    for (std::size_t label = 0; label < problem.number_of_labels(); ++label)
+  const Matching_problem problem(align_shape(chair(false)), align_shape(chair(false)));
+  for (std::size_t contact = 0; contact < problem.source().contacts.size(); ++contact)
+    for (std::size_t label = 0; label < problem.target().groups.size(); ++label)
       CHECK(problem.contact_energy(contact, label, label).connectedness == collapsed_connectedness);
 }
 
 TEST_CASE("A part that splits: the contact's energy is the mean over clones, each with its nearest counterpart")
 {
-  const Matching_problem problem(align_shape(chair()), align_shape(slatted_chair()), {});
+  const Matching_problem problem(align_shape(chair()), align_shape(slatted_chair()));
   const Aligned_shape &source = problem.source(), &target = problem.target();
-  const auto group_of = [](const Aligned_shape& shape, std::size_t original) {
-    const auto part = std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin();
-    return shape.group_of[std::size_t(part)];
+  const auto part_of = [](const Aligned_shape& shape, std::size_t original) {
+    return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());
   };
-  const std::size_t seat = group_of(source, 0), back = group_of(source, 1);
-  for (std::size_t contact : problem.active_contacts()) {
+  const std::size_t seat = part_of(source, 0), back = part_of(source, 1);
+  const std::size_t target_seat = target.group_of[part_of(target, 0)], slats = target.group_of[part_of(target, 1)];
+  for (std::size_t contact = 0; contact < source.contacts.size(); ++contact) {
     const auto& parts = source.contacts[contact].parts;
-    const std::size_t g = source.group_of[parts[0]], h = source.group_of[parts[1]];
-    if (std::minmax(g, h) != std::minmax(seat, back)) continue;
+    if (std::minmax(parts[0], parts[1]) != std::minmax(seat, back)) continue;
     double sum = 0;
     for (std::size_t slat : {1, 2, 3}) {
-      const std::size_t image =
-          std::size_t(std::find(target.original.begin(), target.original.end(), slat) - target.original.begin());
-      const std::size_t to_seat =
-          std::size_t(std::find(target.original.begin(), target.original.end(), 0u) - target.original.begin());
-      const Points &first = problem.deformed(parts[0], g == seat ? to_seat : image),
-                   &second = problem.deformed(parts[1], g == seat ? image : to_seat);
-      sum += problem.rods(contact, first.cols(), second.cols()).energy(first, second).distortion;
+      const auto image = [&](std::size_t part) { return target.parts[part_of(target, part == seat ? 0 : slat)]; };
+      const Points first = deform_to_fit(source.parts[parts[0]], image(parts[0])),
+                   second = deform_to_fit(source.parts[parts[1]], image(parts[1]));
+      sum += problem.rods(contact, false, false).energy(first, second).distortion;
     }
-    const std::size_t target_seat = group_of(target, 0), slats = group_of(target, 1);
+    const bool seat_first = parts[0] == seat;
     const Rod_energy energy =
-        problem.contact_energy(contact, g == seat ? target_seat : slats, g == seat ? slats : target_seat);
+        problem.contact_energy(contact, seat_first ? target_seat : slats, seat_first ? slats : target_seat);
     CHECK(energy.distortion == Approx(sum / 3));
+  }
+}
+
+TEST_CASE("A cut post costs nothing where the pieces stand on each other, and splitting it costs more")
+{
+  const auto post = [](int pieces) {
+    Shape_structure shape;
+    shape.parts.push_back(sheet("base", {-.2, 0, -.2}, {.4, 0, 0}, {0, 0, .4}));
+    std::vector<std::size_t> members;
+    for (int i = 0; i < pieces; ++i) {
+      members.push_back(shape.parts.size());
+      shape.parts.push_back(curve(std::to_string(i), {0, i / double(pieces), 0}, {0, (i + 1) / double(pieces), 0}));
+      shape.contacts.push_back(contact(shape, members.back() - 1, members.back(), {0, i / double(pieces), 0}));
+    }
+    return make_structural_graph(std::move(shape), {group({0}), group(members, Symmetry_type::TRANSLATION)});
+  };
+  const Aligned_shape whole = align_shape(post(1)), cut = align_shape(post(2));
+  for (const bool forward : {true, false}) {
+    const Matching_problem problem(forward ? whole : cut, forward ? cut : whole);
+    const std::size_t base =
+        problem.source().parts[problem.source().groups[0].parts[0]].kind == Sampled_part::Kind::SHEET ? 0 : 1;
+    const std::size_t posts = 1 - base, labels = problem.number_of_labels(posts);
+    const Operation operation = problem.label(posts, labels - 1).operation;
+    CHECK(operation == (forward ? Operation::CUT : Operation::JOIN));
+    Assignment assignment(2);
+    assignment[base] = int(base);
+    assignment[posts] = int(labels) - 1;
+    // The pieces are where their segments were: nothing bends, nothing comes apart
+    CHECK(problem.terms(assignment).distortion == Approx(0).margin(1e-6));
+    CHECK(problem.terms(assignment).connectedness == Approx(0).margin(1e-6));
+    const double with_cut = problem.energy()(assignment);
+    assignment[posts] = int(posts);
+    CHECK(problem.energy()(assignment) > with_cut + 1e-3);
   }
 }
 
 TEST_CASE("Many target groups: the nearest ones are the labels, and nothing is proven")
 {
   const int posts = int(maximum_labels) + 16;
-  const Matching_problem problem(align_shape(fence(5)), align_shape(fence(posts)), {});
+  const Matching_problem problem(align_shape(fence(5)), align_shape(fence(posts)));
   CHECK(problem.has_shortlists());
-  CHECK(problem.number_of_labels() == maximum_labels);
+  CHECK(problem.number_of_labels(0) == maximum_labels);
   const std::size_t first = 0; // the leftmost post of either fence
   CHECK(problem.label(first, 0).target_group == first);
-  CHECK(!Matching_problem(align_shape(fence(5)), align_shape(fence(5)), {}).has_shortlists());
+  CHECK(!Matching_problem(align_shape(fence(5)), align_shape(fence(5))).has_shortlists());
 }

@@ -1,11 +1,18 @@
 #include <catch2/catch.hpp>
 
+#include "abstraction_error.h"
+#include "damaged_meshes.h"
+
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/abstract_part.h>
 
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 using namespace CGAL::Shape_correspondence;
@@ -205,6 +212,8 @@ TEST_CASE("Limits lead to the bounding box, and the report says so")
   const Part_abstraction late = abstract_part({"leg", leg}, options);
   CHECK(late.report.time_limit);
   CHECK(late.report.method == Method::BOUNDING_BOX);
+  CHECK(late.report.is_fallback());
+  CHECK(late.report.fallback == "it needs more time than allowed");
   CHECK_FALSE(late.is_sheet());
   CHECK(abstract_part({"plate", plate}, options).is_sheet());
   options = {};
@@ -341,4 +350,128 @@ TEST_CASE("Hull volumes")
   CHECK(convex_hull_volume(leg.points.leftCols(4)) == 0);
   CHECK(convex_hull_volume(leg.points.leftCols(2)) == 0);
   CHECK(convex_hull_volume(Points(3, 0)) == 0);
+}
+
+TEST_CASE("Kinds can be forced, of all parts and of single ones")
+{
+  Abstraction_options options;
+  options.kind = Abstraction_kind::SHEET;
+  const Part_abstraction sheet = abstract_part({"leg", leg}, options);
+  CHECK(sheet.is_sheet());
+  CHECK_FALSE(sheet.report.is_fallback());
+  CHECK(sheet.control_points().row(1).maxCoeff() == Approx(1).margin(0.02));
+  options.part_kinds["leg"] = Abstraction_kind::CURVE;
+  CHECK_FALSE(abstract_part({"leg", leg}, options).is_sheet());
+  options.kind = Abstraction_kind::CURVE;
+  CHECK_FALSE(abstract_part({"plate", plate}, options).is_sheet());
+
+  SECTION("copies of another kind are no copies")
+  {
+    Segmented_shape shape;
+    shape.add_part("leg", leg);
+    shape.add_part("other", moved(leg, Eigen::Matrix3d::Identity(), Point(1, 0, 0)));
+    options.part_kinds["other"] = Abstraction_kind::SHEET;
+    const std::vector<Part_abstraction> parts = abstract_parts(shape, {}, options);
+    CHECK_FALSE(parts[0].is_sheet());
+    CHECK(parts[1].is_sheet());
+  }
+}
+
+TEST_CASE("A copy of a part that got its bounding box says so")
+{
+  Segmented_shape shape;
+  shape.add_part("leg", leg);
+  shape.add_part("other", moved(leg, Eigen::Matrix3d::Identity(), Point(1, 0, 0)));
+  Abstraction_options options;
+  options.time_limit = 0;
+  const std::vector<Part_abstraction> parts = abstract_parts(shape, {}, options);
+  const std::size_t copy = parts[0].report.method == Method::COPY ? 0 : 1;
+  CHECK(parts[copy].report.copy_of == parts[1 - copy].name);
+  CHECK(parts[copy].report.is_fallback());
+  CHECK(parts[copy].report.fallback == parts[1 - copy].report.fallback);
+}
+
+TEST_CASE("Another abstractor can be put in place of the skeletonizer")
+{
+  Abstraction_options options;
+  SECTION("bounding boxes")
+  {
+    options.abstractor = Bounding_box_abstraction();
+    const Part_abstraction part = abstract_part({"plate", plate}, options);
+    CHECK(part.is_sheet());
+    CHECK(part.report.method == Method::BOUNDING_BOX);
+    CHECK_FALSE(part.report.is_fallback()); // it was asked for
+    CHECK(part.hull_volume == Approx(0.048));
+    options.kind = Abstraction_kind::CURVE;
+    CHECK_FALSE(abstract_part({"plate", plate}, options).is_sheet());
+  }
+  SECTION("one of our own")
+  {
+    options.abstractor = [](const Shape_part& part, const Abstraction_options&) {
+      Part_abstraction result;
+      result.geometry = Curve{part.mesh.points.leftCols(2), false};
+      return result;
+    };
+    const Part_abstraction part = abstract_part({"leg", leg}, options);
+    CHECK(part.name == "leg");
+    CHECK(part.control_points().cols() == 2);
+    CHECK(part.report.method == Method::GIVEN);
+    CHECK(part.area == Approx(0.42));
+    CHECK(part.surface.cols() == 256);
+  }
+  SECTION("one that returns nonsense is found out")
+  {
+    options.abstractor = [](const Shape_part&, const Abstraction_options&) { return Part_abstraction(); };
+    CHECK_THROWS_WITH(abstract_part({"leg", leg}, options),
+                      "part 'leg': the abstractor returned too few points; correct it or use another one");
+  }
+}
+
+TEST_CASE("Fewer triangles give nearly the same curve")
+{
+  Abstraction_options options;
+  options.triangles = 500;
+  const Part_abstraction coarse = abstract_part({"leg", leg}, options);
+  CHECK((coarse.control_points() - abstraction_of(leg).control_points()).colwise().norm().maxCoeff() < 0.04);
+}
+
+TEST_CASE("Mid-lines and mid-surfaces of the models are found")
+{
+  std::vector<double> deviations;
+  for (const char* model : {"chair_four_legged", "stool", "table_pedestal", "bed_slatted"}) {
+    const std::string folder = std::string(SHAPE_CORRESPONDENCE_DATA_DIR) + "/" + model;
+    const Segmented_shape shape = IO::read_segmented_shape(folder + "/parts");
+    const std::map<std::string, Part_abstraction> stated = benchmark::stated_abstractions(folder);
+    const std::vector<Part_abstraction> found = abstract_parts<CGAL::Parallel_if_available_tag>(shape, {});
+    REQUIRE(found.size() == stated.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      INFO(model << ", " << found[i].name);
+      const Part_abstraction& expected = stated.at(found[i].name);
+      CHECK(benchmark::same_kind(found[i], expected));
+      for (double d : benchmark::deviations(found[i], expected))
+        deviations.push_back(d / benchmark::diagonal(shape.parts()[i].mesh.points));
+    }
+  }
+  CHECK(benchmark::quantile(deviations, 0.5) < 0.01);
+  CHECK(benchmark::quantile(deviations, 0.95) < 0.04);
+}
+
+TEST_CASE("Damaged parts get a valid abstraction or an error that names them")
+{
+  Abstraction_options options;
+  options.time_limit = 5;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    INFO("seed " << seed);
+    Segmented_shape shape;
+    try {
+      shape.add_part("damaged", damaged_meshes::damaged_mesh(seed, 1500));
+    } catch (const Invalid_input& error) {
+      CHECK(std::string(error.what()).find("'damaged'") != std::string::npos);
+      continue;
+    }
+    const Part_abstraction part = abstract_part(shape.parts()[0], options);
+    CHECK(part.control_points().cols() >= 2);
+    CHECK(part.control_points().allFinite());
+    CHECK(part.surface.allFinite());
+  }
 }

@@ -3,18 +3,37 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/beam_search.h>
 #include <CGAL/Shape_correspondence/exact_search.h>
+#include <CGAL/Shape_correspondence/internal/message_passing.h>
 
 #include "brute_force.h"
 #include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
 
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <new>
 #include <random>
+#include <string>
 
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
+
+// Allocations of the whole program, counted
+static std::size_t allocations = 0;
+
+void* operator new(std::size_t size)
+{
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -43,20 +62,73 @@ Structural_graph random_graph(std::mt19937& random, std::size_t group_count)
   return make_structural_graph(std::move(shape), std::move(groups));
 }
 
+// Random tables on a random graph in which every variable has up to `width` earlier neighbours.
+Pairwise_energy random_tables(std::mt19937& random, std::size_t variables, int labels, std::size_t width)
+{
+  std::uniform_real_distribution<double> unit(0, 1);
+  Pairwise_energy energy;
+  Pairwise_energy::Root_term split{0.4, double(variables), {}, {}};
+  for (std::size_t v = 0; v < variables; ++v) {
+    energy.unary.push_back(Eigen::VectorXd::NullaryExpr(labels, [&] { return unit(random); }));
+    split.unary.push_back(Eigen::VectorXd::NullaryExpr(labels, [&] { return unit(random); }));
+    // The neighbours lie among the `width` variables before, so that the graph's width is at most that
+    for (std::size_t u = v - std::min(v, width); u < v; ++u)
+      energy.edges.push_back({u, v, Eigen::MatrixXd::NullaryExpr(labels, labels, [&] { return unit(random); })});
+  }
+  energy.root_terms.push_back(split);
+  return energy;
+}
+
 } // namespace
 
-TEST_CASE("Exact search equals brute force on random problems, and is never above the beam")
+TEST_CASE("Exact search equals brute force on 1000 random problems, and is never above the beam")
 {
   std::mt19937 random(1);
-  for (int i = 0; i < 60; ++i) {
-    const Energy_weights weights = i % 3 == 0 ? Energy_weights{0.6, 5} : Energy_weights{};
-    const Matching_problem problem(align_shape(random_graph(random, 4)), align_shape(random_graph(random, 5)), weights);
-    const Search_result exact = exact_search(problem), beam = beam_search(problem);
+  for (int i = 0; i < 1000; ++i) {
+    Matching_options options;
+    if (i % 3 == 0) options.weights.split = 5;
+    if (i % 4 == 0) options.norm = Energy_norm::POOLED;
+    if (i % 5 == 0) options.unmatched_cost = 0.2;
+    const Matching_problem problem(align_shape(random_graph(random, 3)), align_shape(random_graph(random, 4)), options);
+    const Search_result exact = exact_search(problem.energy());
     CHECK(exact.optimal);
-    CHECK(exact.energy == problem.energy(exact.assignment));
-    CHECK(exact.energy == Approx(brute_force(problem)).margin(1e-9));
-    CHECK(exact.energy <= beam.energy + 1e-9);
-    CHECK(exact.summary.lower_bound == exact.energy);
+    CHECK(exact.best().energy == problem.energy()(exact.best().assignment));
+    CHECK(exact.best().energy == Approx(brute_force(problem.energy())[0]).margin(1e-9));
+    CHECK(exact.summary.lower_bound == exact.best().energy);
+    if (i % 10 == 0) CHECK(exact.best().energy <= beam_search(problem).best().energy + 1e-9);
+  }
+}
+
+TEST_CASE("The best solutions are the ones that brute force ranks first")
+{
+  std::mt19937 random(4);
+  for (int i = 0; i < 50; ++i) {
+    const Pairwise_energy energy = random_tables(random, 5, 4, 2);
+    Exact_options options;
+    options.solutions = 7;
+    const Search_result result = exact_search(energy, options);
+    const std::vector<double> all = brute_force(energy);
+    REQUIRE(result.solutions.size() == 7);
+    for (std::size_t k = 0; k < 7; ++k)
+      CHECK(result.solutions[k].energy == Approx(all[k]).margin(1e-9));
+  }
+  Exact_options none;
+  none.solutions = 0;
+  CHECK_THROWS_AS(exact_search(random_tables(random, 3, 3, 1), none), Invalid_input);
+}
+
+TEST_CASE("Min-marginals: the least energy without the label, by brute force")
+{
+  std::mt19937 random(5);
+  for (int i = 0; i < 50; ++i) {
+    const Pairwise_energy energy = random_tables(random, 5, 3, 2);
+    Exact_search search(energy);
+    const Search_result result = search.run();
+    const std::vector<double> rises = search.min_marginals(result);
+    for (std::size_t v = 0; v < 5; ++v) {
+      const auto others = brute_force(energy, [&](const Assignment& a) { return a[v] != result.best().assignment[v]; });
+      CHECK(rises[v] == Approx(others[0] - result.best().energy).margin(1e-9));
+    }
   }
 }
 
@@ -64,31 +136,138 @@ TEST_CASE("Split buckets bound from below and the search still finds the optimum
 {
   std::mt19937 random(2);
   for (int i = 0; i < 20; ++i) {
-    const Matching_problem problem(align_shape(random_graph(random, 6)), align_shape(random_graph(random, 4)), {});
+    const Pairwise_energy energy = random_tables(random, 9, 4, 4);
     Exact_options small;
-    small.table_limit = 16; // pairs of groups at most
-    CHECK(exact_search(problem, small).energy == Approx(exact_search(problem).energy).margin(1e-9));
+    small.table_limit = 16; // pairs of variables at most
+    const Search_result result = exact_search(energy, small);
+    CHECK(result.optimal);
+    CHECK(result.best().energy == Approx(exact_search(energy).best().energy).margin(1e-9));
   }
+}
+
+TEST_CASE("Message passing moves costs, no assignment's energy changes, and the bound rises")
+{
+  std::mt19937 random(6);
+  const Pairwise_energy energy = random_tables(random, 8, 4, 3);
+  std::vector<Eigen::VectorXd> unary = energy.unary;
+  std::vector<internal::Pair_cost> pairs;
+  for (const Pairwise_energy::Edge& edge : energy.edges)
+    pairs.push_back({edge.first, edge.second, edge.cost});
+  const auto sum = [&](const Assignment& a) {
+    double result = 0;
+    for (std::size_t v = 0; v < unary.size(); ++v)
+      result += unary[v][a[v]];
+    for (const internal::Pair_cost& pair : pairs)
+      result += pair.cost(a[pair.first], a[pair.second]);
+    return result;
+  };
+  const auto bound = [&] {
+    double result = 0;
+    for (const Eigen::VectorXd& costs : unary)
+      result += costs.minCoeff();
+    for (const internal::Pair_cost& pair : pairs)
+      result += pair.cost.minCoeff();
+    return result;
+  };
+  const Assignment a{0, 1, 2, 3, 0, 1, 2, 3}, b{3, 3, 1, 0, 2, 2, 1, 0};
+  const double before_a = sum(a), before_b = sum(b), bound_before = bound();
+  internal::reparametrize(unary, pairs, 20);
+  CHECK(sum(a) == Approx(before_a));
+  CHECK(sum(b) == Approx(before_b));
+  CHECK(bound() > bound_before);
 }
 
 TEST_CASE("The node limit ends the search with a gap, not with a wrong proof")
 {
   std::mt19937 random(3);
-  const Matching_problem problem(align_shape(random_graph(random, 7)), align_shape(random_graph(random, 6)), {});
+  const Pairwise_energy energy = random_tables(random, 12, 6, 5);
   Exact_options few;
   few.node_limit = 20;
   few.table_limit = 6;
-  const Search_result result = exact_search(problem, few);
+  const Search_result result = exact_search(energy, few), best = exact_search(energy);
   CHECK(!result.optimal);
-  CHECK(result.summary.lower_bound <= exact_search(problem).energy);
-  CHECK(result.energy >= exact_search(problem).energy - 1e-9);
-  CHECK(result.energy == problem.energy(result.assignment));
+  CHECK(result.summary.lower_bound <= best.best().energy);
+  CHECK(result.best().energy >= best.best().energy - 1e-9);
+  CHECK(result.best().energy == energy(result.best().assignment));
+  few.node_limit = Exact_options().node_limit;
+  few.time_limit = 1e-9;
+  few.table_limit = 1;
+  CHECK(!exact_search(random_tables(random, 30, 8, 8), few).optimal);
 }
 
 TEST_CASE("A self-match is proven to cost nothing")
 {
-  const Matching_problem problem(align_shape(slatted_chair()), align_shape(slatted_chair()), {});
-  const Search_result result = exact_search(problem);
-  CHECK(result.energy == 0);
+  const Matching_problem problem(align_shape(slatted_chair()), align_shape(slatted_chair()));
+  const Search_result result = exact_search(problem.energy());
+  CHECK(result.best().energy == 0);
   CHECK(result.optimal);
+}
+
+TEST_CASE("The search tree is walked without allocating")
+{
+  std::mt19937 random(8);
+  const Pairwise_energy energy = random_tables(random, 14, 6, 5);
+  Exact_options options;
+  options.table_limit = 36; // a weak bound, a large tree
+  Exact_search search(energy, options);
+  allocations = 0;
+  const Search_result result = search.run();
+  CHECK(result.optimal);
+  CHECK(result.summary.states > 2000);
+  CHECK(allocations < 50);
+}
+
+namespace {
+
+// The sum of terms as a cost function network in toulbar2's CFN format, six decimals.
+void write_cfn(std::ostream& out, const Pairwise_energy& energy)
+{
+  out.precision(6);
+  out << std::fixed << R"({"problem": {"name": "energy", "mustbe": "<1000.000000"}, "variables": {)";
+  for (std::size_t v = 0; v < energy.number_of_variables(); ++v)
+    out << (v ? ", " : "") << "\"v" << v << "\": " << energy.number_of_labels(v);
+  out << "}, \"functions\": {";
+  for (std::size_t v = 0; v < energy.number_of_variables(); ++v) {
+    out << (v ? ", " : "") << "\"u" << v << R"(": {"scope": ["v)" << v << "\"], \"costs\": [";
+    for (Eigen::Index l = 0; l < energy.unary[v].size(); ++l)
+      out << (l ? ", " : "") << energy.unary[v][l];
+    out << "]}";
+  }
+  for (std::size_t e = 0; e < energy.edges.size(); ++e) {
+    const Pairwise_energy::Edge& edge = energy.edges[e];
+    out << ", \"e" << e << R"(": {"scope": ["v)" << edge.first << "\", \"v" << edge.second << "\"], \"costs\": [";
+    for (Eigen::Index a = 0; a < edge.cost.rows(); ++a)
+      for (Eigen::Index b = 0; b < edge.cost.cols(); ++b)
+        out << (a || b ? ", " : "") << edge.cost(a, b);
+    out << "]}";
+  }
+  out << "}}\n";
+}
+
+} // namespace
+
+TEST_CASE("An independent solver agrees, where it is installed")
+{
+  if (std::system("command -v toulbar2 > /dev/null 2>&1") != 0) {
+    WARN("toulbar2 is not installed; skipped");
+    return;
+  }
+  std::mt19937 random(9);
+  for (int i = 0; i < 10; ++i) {
+    Pairwise_energy energy = random_tables(random, 14, 5, 3);
+    energy.root_terms.clear(); // it knows sums only
+    const std::string file = "toulbar2_test.cfn", log = "toulbar2_test.log";
+    {
+      std::ofstream out(file);
+      write_cfn(out, energy);
+    }
+    REQUIRE(std::system(("toulbar2 " + file + " > " + log + " 2>&1").c_str()) == 0);
+    std::ifstream in(log);
+    double optimum = -1;
+    for (std::string line; std::getline(in, line);)
+      if (line.rfind("Optimum: ", 0) == 0) optimum = std::stod(line.substr(9));
+    CHECK(exact_search(energy).best().energy == Approx(optimum).margin(1e-4));
+    std::remove(file.c_str());
+    std::remove(log.c_str());
+  }
 }

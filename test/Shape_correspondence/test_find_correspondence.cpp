@@ -10,6 +10,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -108,7 +110,7 @@ TEST_CASE("Coarse correspondence leaves the lesser parts out and says so")
 TEST_CASE("Options out of range are refused")
 {
   Search_options options;
-  options.weights.split = -1;
+  options.matching.weights.split = -1;
   CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);
   options = {};
   options.alignments = -1;
@@ -116,4 +118,116 @@ TEST_CASE("Options out of range are refused")
   options = {};
   options.beam.beam_width = 0;
   CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);
+}
+
+TEST_CASE("Only the chosen parts take part")
+{
+  Search_options options;
+  options.source_parts = {0, 2, 3};
+  options.target_parts = {0, 4, 5};
+  const Correspondence c = find_correspondence(chair(), chair(), options);
+  CHECK(c.pairs == Pairs{{0, 0}, {2, 4}, {3, 5}});
+  CHECK(c.unmatched_source == std::vector<std::size_t>{1, 4, 5});
+  options.source_parts = {17};
+  CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);
+}
+
+TEST_CASE("Partial matching: what the other shape does not have stays unmatched where that is allowed")
+{
+  // A chair without its back, the legs where they were
+  Structural_graph stool = chair();
+  Shape_structure shape = structure(stool);
+  shape.parts.erase(shape.parts.begin() + 1);
+  std::vector<Contact> contacts;
+  for (Contact contact : shape.contacts) {
+    if (contact.parts[0] == 1 || contact.parts[1] == 1) continue;
+    for (std::size_t& part : contact.parts)
+      part -= part > 1;
+    contacts.push_back(contact);
+  }
+  shape.contacts = contacts;
+  const auto pair = Symmetry_type::REFLECTION;
+  stool = make_structural_graph(
+      shape, {group({0}), group({1, 2}, pair, Point::UnitX(), .1), group({3, 4}, pair, Point::UnitX(), .1)});
+  for (const Search_method method : {Search_method::BEAM, Search_method::EXACT}) {
+    Search_options options;
+    options.method = method;
+    options.both_directions = false;
+    options.matching.unmatched_cost = 0.1;
+    const Correspondence c = find_correspondence(chair(), stool, options);
+    CHECK(c.pairs == Pairs{{0, 0}, {2, 1}, {3, 2}, {4, 3}, {5, 4}});
+    CHECK(c.unmatched_source == std::vector<std::size_t>{1});
+    CHECK(c.groups[1].operation == Operation::NONE);
+    CHECK(c.terms.unmatched == Approx(0.1));
+    CHECK(c.energy == Approx(0.1));
+    options.matching.unmatched_cost = Matching_options::never;
+    CHECK(find_correspondence(chair(), stool, options).unmatched_source.empty());
+  }
+}
+
+TEST_CASE("Ranked correspondences: ascending, different, the first is the result")
+{
+  Search_options options;
+  options.method = Search_method::EXACT;
+  options.solutions = 5;
+  const auto ranked = find_correspondences(chair(), slatted_chair(), options);
+  REQUIRE(ranked.size() == 5);
+  CHECK(ranked[0].pairs == find_correspondence(chair(), slatted_chair(), options).pairs);
+  for (std::size_t i = 1; i < ranked.size(); ++i) {
+    CHECK(ranked[i - 1].energy <= ranked[i].energy + 1e-9);
+    CHECK(ranked[i].optimal);
+  }
+}
+
+TEST_CASE("Min-marginals tell how sure a match is")
+{
+  Search_options options;
+  options.method = Search_method::EXACT;
+  options.min_marginals = true;
+  options.both_directions = false;
+  const Correspondence c = find_correspondence(chair(), chair(), options);
+  for (const Group_match& match : c.groups) {
+    CHECK(match.min_marginal > 0.01); // a self-match is not a toss-up
+    CHECK(match.min_marginal < 10);
+  }
+  options.min_marginals = false;
+  CHECK(std::isnan(find_correspondence(chair(), chair(), options).groups[0].min_marginal));
+}
+
+TEST_CASE("A finder gives what the function gives")
+{
+  const Correspondence_finder find(chair());
+  for (const Structural_graph& target : {chair(), slatted_chair(), chair(false)}) {
+    const Correspondence found = find(target), expected = find_correspondence(chair(), target);
+    CHECK(found.pairs == expected.pairs);
+    CHECK(found.energy == expected.energy);
+  }
+}
+
+TEST_CASE("A cancelled search says so")
+{
+  Search_options options;
+  std::vector<double> done;
+  options.progress = [&](double share) {
+    done.push_back(share);
+    return done.size() < 2;
+  };
+  const Correspondence c = find_correspondence(chair(), slatted_chair(), options);
+  CHECK(done == std::vector<double>{0, 0.5});
+  CHECK(!c.complete);
+  CHECK(!c.pairs.empty()); // the forward direction was done
+  CHECK(c.warnings.size() == 1);
+  options.progress = [](double) { return false; };
+  const Correspondence none = find_correspondence(chair(), slatted_chair(), options);
+  CHECK(!none.complete);
+  CHECK(none.pairs.empty());
+  CHECK(none.unmatched_source.size() == 6);
+}
+
+TEST_CASE("A term that is switched off has no say")
+{
+  Search_options options;
+  options.matching.weights = {0, 0, 1};
+  const Correspondence c = find_correspondence(chair(), slatted_chair(), options);
+  CHECK(c.energy == Approx(c.terms.distortion));
 }

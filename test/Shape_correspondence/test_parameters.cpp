@@ -17,9 +17,9 @@ TEST_CASE("Named parameters set the fields of the option structures, in any orde
   const auto options = parameters::options_from<Search_options>(np);
   CHECK(options.beam.expansions == 7);
   CHECK(options.beam.beam_width == 3);
-  CHECK(options.weights.split == 0.5);
+  CHECK(options.matching.weights.split == 0.5);
   CHECK(!options.both_directions);
-  CHECK(options.weights.connectedness == 0.6); // not named: the default
+  CHECK(options.matching.weights.connectedness == 0.6); // not named: the default
 
   const auto structure = parameters::options_from<Structure_options>(parameters::contact_tolerance(0.1));
   CHECK(structure.contacts.tolerance == 0.1);

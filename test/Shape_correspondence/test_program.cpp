@@ -14,6 +14,8 @@
 
 #include <sys/wait.h>
 
+#include <map>
+
 // The program from outside: exit status, messages, and what it leaves behind.
 
 using namespace CGAL::Shape_correspondence;
@@ -100,7 +102,15 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
                                        "graph " + a + " " + a,
                                        "match " + a + " " + a + " --nonsense",
                                        "match " + a + " " + a + " --beam 3",
-                                       "match " + a + " " + a + " --html r.html",
+                                       "match " + a + " " + a + " --kind round",
+                                       "graph " + a + " --part-kind leg",
+                                       "graph " + a + " --part-kind leg=round",
+                                       "graph " + a + " --abstraction magic",
+                                       "graph " + a + " --edge-length 0",
+                                       "graph " + a + " --triangles 3",
+                                       "graph " + a + " --time-limit -1",
+                                       "graph " + a + " --curve-points 1",
+                                       "graph " + a + " --html - --json -",
                                        "match " + a + " " + a + " --solutions 3",
                                        "match " + a + " " + a + " --beam-width 0",
                                        "match " + a + " " + a + " --beam-width many",
@@ -201,6 +211,78 @@ TEST_CASE("graph reads what it writes, over an older output")
   CHECK(run("graph " + quoted(a) + " -o " + quoted(b)).status == 0);
   CHECK(text_of(a) == text_of(b));
   CHECK(folder.number_of_files() == 2);
+}
+
+TEST_CASE("Both commands write pages")
+{
+  const Temporary_folder folder;
+  const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair()));
+  CHECK(run("graph " + a + " --quiet --html " + quoted(folder.path("g.html"))).status == 0);
+  CHECK(run("match " + a + " " + a + " --quiet --html " + quoted(folder.path("m.html"))).status == 0);
+  CHECK(text_of(folder.path("g.html")).find("<!DOCTYPE html>") == 0);
+  CHECK(text_of(folder.path("m.html")).find("<!DOCTYPE html>") == 0);
+}
+
+TEST_CASE("A cache folder saves the abstraction, and is used only for the same model and options")
+{
+  const Temporary_folder folder;
+  const std::string table = folder.write("table.obj", obj_table());
+  const std::string command =
+      "match " + quoted(table) + " " + quoted(table) + " --json - --cache " + quoted(folder.path("cache"));
+  const auto result_of = [](const std::string& arguments) {
+    const Run done = run(arguments);
+    INFO(done.error);
+    REQUIRE(done.status == 0);
+    return json::parse(done.out);
+  };
+  json first = result_of(command), second = result_of(command);
+  CHECK(first["seconds"]["abstraction"] > 0);
+  CHECK(second["seconds"]["abstraction"] == 0);
+  CHECK(folder.number_of_files() == 2);
+  first.erase("seconds");
+  second.erase("seconds");
+  CHECK(first == second);
+  CHECK(result_of(command + " --kind curve")["seconds"]["abstraction"] > 0);
+  CHECK(folder.number_of_files() == 3);
+  const Run refused = run("graph " + quoted(table) + " --cache " + quoted(table));
+  CHECK(refused.status == 1);
+  CHECK_THAT(refused.error, Contains("cache"));
+}
+
+TEST_CASE("Kinds and bounding boxes on demand")
+{
+  const Temporary_folder folder;
+  const std::string graph = "graph " + quoted(folder.write("table.obj", obj_table())) + " --json - --abstraction boxes";
+  const auto types = [&](const std::string& options) {
+    std::map<std::string, std::string> result;
+    const json document = json::parse(run(graph + options).out);
+    for (const json& part : document["parts"])
+      result[part["name"]] = part["type"];
+    return result;
+  };
+  CHECK(types("")["leg_1"] == "curve");
+  CHECK(types(" --kind sheet")["leg_1"] == "sheet");
+  CHECK(types(" --kind sheet --part-kind leg_1=curve")["leg_1"] == "curve");
+  CHECK(types(" --part-kind leg_1=sheet")["leg_2"] == "curve");
+}
+
+TEST_CASE("Parts are made of a model that has none, and marked as automatic")
+{
+  const Temporary_folder folder;
+  const std::string two = obj_box("o all", 0, 0, 0, 0, 1, 1, 1) + "v 0 3 0\nv 1 3 0\nv 0 4 0\nv 0 3 1\n" +
+                          "f 9 11 10\nf 9 10 12\nf 9 12 11\nf 10 11 12\n";
+  const std::string model = quoted(folder.write("two.obj", two));
+  CHECK(run("graph " + model).status == 1);
+  const Run done = run("graph " + model + " --segment --abstraction boxes --json -");
+  INFO(done.error);
+  REQUIRE(done.status == 0);
+  const json graph = json::parse(done.out);
+  CHECK(graph["segmentation"] == "automatic");
+  CHECK(graph["parts"].size() >= 2);
+  CHECK_THAT(graph["warnings"][0].get<std::string>(), Contains("automatic segmentation"));
+  const Run refused = run("graph " + quoted(folder.write("table.obj", obj_table())) + " --segment");
+  CHECK(refused.status == 1);
+  CHECK_THAT(refused.error, Contains("5 parts already"));
 }
 
 TEST_CASE("A model of one file through the program")

@@ -10,16 +10,20 @@
 #include <CGAL/Shape_correspondence/Points.h>
 #include <CGAL/Shape_correspondence/config.h>
 
+#include <CGAL/Shape_correspondence/internal/rod_kernel.h>
+
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 
-/// Weights of Eq. 1, E = E_d + w_c E_c + w_s E_s, with the paper's values.
+/// Weights of Eq. 1, E = E_d + w_c E_c + w_s E_s, with the paper's values. A term with weight 0 is switched off (the
+/// paper's Figure 4).
 struct Energy_weights
 {
   double connectedness = 0.6; ///< w_c
   double split = 0.4;         ///< w_s
+  double distortion = 1;      ///< of E_d
 };
 
 /// E_d and E_c of one pair of connected parts.
@@ -38,21 +42,33 @@ constexpr double collapsed_connectedness = 0.5;
 class Structural_rods
 {
 public:
+  Structural_rods() = default;
+  /// \pre either has at most `samples_per_side`² points
   Structural_rods(const Points& first, const Points& second);
 
-  /// E_d (Eq. 2, 3) and E_c (Eq. 4) after the samples moved to `first` and `second`, as many as before. A rod of length
-  /// zero keeps its direction whatever happens; one that becomes zero loses it. E_c is min(1, d'/f) when the parts have
-  /// come apart (d' > d): the sign of the printed Eq. 4 is turned, it would fall as parts separate.
-  /// Exactly 0 and 0 when nothing moved. O(number of rods).
+  /// E_d (Eq. 2, 3) after the samples moved to `first` and `second`, as many as before, in single precision. A rod of
+  /// length zero keeps its direction whatever happens; one that becomes zero loses it. Exactly 0 when nothing moved.
+  /// O(number of rods).
+  double distortion(const internal::Sample_lanes& first, const internal::Sample_lanes& second) const;
+
+  /// E_c (Eq. 4) when the least distance of two samples is now `distance`: min(1, d'/f) when the parts have come apart
+  /// (d' > d), else 0. The sign of the printed Eq. 4 is turned, it would fall as parts separate.
+  double connectedness(double distance) const;
+
+  /// E_d and E_c after the samples moved to `first` and `second`.
   Rod_energy energy(const Points& first, const Points& second) const;
 
 private:
-  Eigen::ArrayXd x_, y_, z_; // rod by rod, those of one first sample together
-  Eigen::ArrayXd squared_length_;
+  std::vector<internal::Rod_row> rows_; // a row for every sample of the side with fewer
+  int first_count_ = 0, second_count_ = 0;
   double directionless_ = 0; // number of rods of length zero
-  double shortest_ = 0;      // d, squared
+  double shortest_ = 0;      // d
   double longest_ = 0;       // f
 };
+
+/// The least distance between a sample of one part and a sample of another, in single precision. O(number of pairs).
+double least_distance(const Points& first, const Points& second);
+double least_distance(const internal::Sample_lanes& first, int first_count, const internal::Sample_lanes& second);
 
 /// E_s (Eq. 5) of the vector S.
 double split_energy(const std::vector<double>& solidity_ratios);

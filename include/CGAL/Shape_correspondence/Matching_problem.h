@@ -8,107 +8,128 @@
 
 #include <CGAL/Shape_correspondence/Deformation_energy.h>
 #include <CGAL/Shape_correspondence/Geotopo_transform.h>
+#include <CGAL/Shape_correspondence/Pairwise_energy.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 
-/// A label index by group; `unassigned` where a group has none yet.
-using Assignment = std::vector<int>;
-constexpr int unassigned = -1;
-
-/// The most labels that a group has, which bounds time and memory for shapes of hundreds of groups.
+/// The most target groups that a group may be matched to, which bounds time and memory for shapes of hundreds of
+/// groups.
 constexpr std::size_t maximum_labels = 64;
+
+/// How the energies of connected pairs of parts make up E_d and E_c.
+enum class Energy_norm {
+  SUM,   ///< sums over the connected pairs (the paper's Eq. 1)
+  POOLED ///< E_d: one norm over the rods of all pairs, as many as their samples give, unlifted; E_c: the mean
+};
+
+/// What may be matched and what it costs.
+struct Matching_options
+{
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  Energy_weights weights;
+  Energy_norm norm = Energy_norm::SUM;
+  bool cut_curves = true; ///< offer `Operation::CUT` and `Operation::JOIN` beside splitting and merging
+  /// A group may be left unmatched, at this cost for each of its contacts (at least once); `never`: it may not.
+  double unmatched_cost = never;
+};
 
 /// The matching graph of a source and a target shape (paper, section 5) with its energies as tables. Once every group
 /// has a label, a matched part is its target part up to resampling, so that E is a sum over groups and over pairs of
-/// groups in contact of terms that depend on their labels alone; each is computed once. Label h of a group is target
-/// group h.
+/// groups in contact of terms that depend on their labels alone; each is computed once. Labels are the target groups
+/// (the nearest `maximum_labels`) in their order, then those with cut curves, then, where allowed, none.
 class Matching_problem
 {
 public:
-  /// Two groups in contact and the cost of every pair of their labels: E_d + w_c E_c, summed over contacts.
-  struct Edge
-  {
-    std::size_t first, second;         ///< groups
-    std::vector<std::size_t> contacts; ///< of the source shape
-    Eigen::MatrixXd cost;              ///< label of first × label of second
-  };
-
-  /// \param maximum_parts takes only the most prominent groups of at most that many parts in all (at least one group);
-  /// 0 takes all
-  Matching_problem(Aligned_shape source, Aligned_shape target, const Energy_weights& weights, int maximum_parts = 0);
+  Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options = {});
+  /// The same with given labels, by source group: to rate a mapping that was found in another way. Members of a group
+  /// may have no image; their contacts cost nothing. \pre at least one label a group, as many images as it has members
+  Matching_problem(Aligned_shape source, Aligned_shape target, std::vector<std::vector<Group_label>> labels,
+                   const Matching_options& options = {});
 
   const Aligned_shape& source() const { return source_; }
   const Aligned_shape& target() const { return target_; }
-  const Energy_weights& weights() const { return weights_; }
-  /// As many for every group.
-  std::size_t number_of_labels() const { return std::min(target_.groups.size(), maximum_labels); }
+  const Matching_options& options() const { return options_; }
+  std::size_t number_of_labels(std::size_t group) const { return labels_[group].size(); }
+  const Group_label& label(std::size_t group, std::size_t label) const { return labels_[group][label]; }
+  bool is_unmatched(std::size_t group, std::size_t label) const
+  {
+    return labels_[group][label].target_group == Group_label::no_group;
+  }
   /// Whether the labels of a group are fewer than the target groups, so that no search proves an optimum.
   bool has_shortlists() const { return target_.groups.size() > maximum_labels; }
-  /// The groups that take part, ascending.
-  const std::vector<std::size_t>& active_groups() const { return active_groups_; }
-  /// The contacts between parts that take part, ascending.
-  const std::vector<std::size_t>& active_contacts() const { return active_contacts_; }
-  const Group_label& label(std::size_t group, std::size_t label) const { return labels_[group][label]; }
-  /// Cost of the contacts inside a group, by label.
-  const Eigen::VectorXd& unary_cost(std::size_t group) const { return unary_[group]; }
-  const std::vector<Edge>& edges() const { return edges_; }
-  /// The rods of a contact before the deformation, for so many samples on its first and on its second part (e or e ×
-  /// e).
-  const Structural_rods& rods(std::size_t contact, Eigen::Index first_samples, Eigen::Index second_samples) const;
 
-  /// Samples of a source part after it was fitted to a target part.
-  const Points& deformed(std::size_t part, std::size_t target_part) const
-  {
-    return deformed_[part * target_.parts.size() + target_part];
-  }
+  /// E of Eq. 1 of complete assignments: a variable a source group.
+  const Pairwise_energy& energy() const { return energy_; }
+  /// Its terms.
+  Energy_terms terms(const Assignment& assignment) const;
+  /// The terms, given the energies of all contacts between matched groups (others are 0); `assignment` may be partial.
+  Energy_terms terms(const Assignment& assignment, const std::vector<Rod_energy>& contacts) const;
+
   /// E_d and E_c of a contact whose two groups have labels; clones are paired with their nearest counterparts, and the
-  /// pairs averaged.
+  /// pairs averaged. A cut part counts with the segment that touches.
   Rod_energy contact_energy(std::size_t contact, std::size_t first_label, std::size_t second_label) const
   {
-    return contact_energies_[contact][first_label * number_of_labels() + second_label];
+    const std::size_t second = source_.group_of[source_.contacts[contact].parts[1]];
+    return contact_energies_[contact][first_label * number_of_labels(second) + second_label];
+  }
+  /// E_d and E_c, summed, between the segments of a group's cut parts.
+  Rod_energy cut_energy(std::size_t group, std::size_t label) const { return cut_energies_[group][label]; }
+
+  /// A source piece after it was fitted to a target piece.
+  struct Fitted
+  {
+    Piece source, target;
+    std::size_t source_index, target_index; ///< of the pieces
+    const std::vector<int>* order;          ///< `fitting_order()`
+    internal::Sample_lanes samples;
+  };
+  /// What touches at a contact on a side when the part there has a label: all its clones, or the one segment.
+  const std::vector<std::size_t>& touching(std::size_t contact, int side, std::size_t label) const
+  {
+    return touching_[2 * contact + std::size_t(side)][label];
+  }
+  const Fitted& fitted(std::size_t index) const { return fitted_[index]; }
+  const Sampled_part& target_piece(std::size_t index) const { return target_pieces_[index]; }
+  /// The rods of a contact, of the whole parts; with a curve's samples lifted to a sheet's number or not.
+  const Structural_rods& rods(std::size_t contact, bool lift_first, bool lift_second) const
+  {
+    return (*source_.rods)[contact][2 * std::size_t(lift_first) + std::size_t(lift_second)];
   }
 
-  /// The terms of a complete assignment.
-  Energy_terms terms(const Assignment& assignment) const;
-  /// E of a complete assignment.
-  double energy(const Assignment& assignment) const { return weighted_sum(terms(assignment), weights_); }
-  /// No complete assignment has a lower energy: the sum of the least costs of every group and edge.
-  double lower_bound() const;
-
 private:
-  void choose_groups(int maximum_parts);
+  struct Scratch;
+
   void choose_labels();
+  void make_tables();
+  std::size_t fit(const Image& image);
   void fit_parts();
-  void fill_contact_energies(std::size_t contact);
-  void add_up_tables();
-  Rod_energy clone_energy(std::size_t contact, std::size_t first_image, std::size_t second_image) const;
-  std::vector<std::pair<std::size_t, std::size_t>> clone_pairs(const std::vector<std::size_t>& first,
-                                                               const std::vector<std::size_t>& second) const;
+  double target_distance(std::size_t first_piece, std::size_t second_piece) const;
+  const std::vector<std::pair<std::size_t, std::size_t>>&
+  clone_pairs(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second, Scratch& scratch) const;
+  Rod_energy fitted_energy(const Structural_rods& rods, const Fitted& first, const Fitted& second) const;
+  Rod_energy pair_energy(std::size_t contact, const Fitted& first, const Fitted& second) const;
+  void fill_contact_energies(std::size_t contact, Scratch& scratch);
+  void fill_cut_energies();
+  void add_up_energy();
 
   Aligned_shape source_, target_;
-  Energy_weights weights_;
-  std::vector<std::size_t> active_groups_, active_contacts_;
+  Matching_options options_;
   std::vector<std::vector<Group_label>> labels_;
-  std::vector<Points> deformed_;
-  std::vector<std::vector<Structural_rods>> rods_; // by contact; see rods()
-  Eigen::MatrixXd target_distance_;                // least distance of the samples of two target parts
-  std::vector<std::vector<Rod_energy>> contact_energies_;
-  std::vector<Eigen::VectorXd> unary_;
-  std::vector<Edge> edges_;
-};
-
-/// What a search found.
-struct Search_result
-{
-  Assignment assignment; ///< complete
-  double energy = 0;     ///< E of Eq. 1
-  bool optimal = false;  ///< no assignment has a lower energy
-  Search_summary summary;
+  std::vector<Sampled_part> source_pieces_, target_pieces_; // the parts, then segments
+  std::vector<Piece> source_segments_, target_segments_;
+  std::vector<Fitted> fitted_;
+  Eigen::MatrixXi fitted_index_;                                // whole part × whole target part; -1: none
+  std::vector<std::vector<std::vector<std::size_t>>> images_;   // by part and label, indices of fitted pieces
+  std::vector<std::vector<std::vector<std::size_t>>> touching_; // by side of contact and label, the same
+  std::vector<std::vector<Rod_energy>> contact_energies_, cut_energies_;
+  Pairwise_energy energy_;
 };
 
 } // namespace Shape_correspondence

@@ -37,6 +37,16 @@ struct Sheet
   Point operator()(double u, double v) const;
 };
 
+/// Where the time of an abstraction went, in milliseconds.
+struct Phase_milliseconds
+{
+  double measure = 0; ///< area, hull, surface samples
+  double repair = 0;
+  double remesh = 0;
+  double flow = 0;
+  double fit = 0; ///< classification, curve or sheet
+};
+
 /// How an abstraction was made and how far to trust it.
 struct Abstraction_report
 {
@@ -49,11 +59,17 @@ struct Abstraction_report
   bool blob = false;               ///< neither elongated nor flat: a curve along its longest axis
   bool branching = false;          ///< a curve that leaves more than a fifth of the skeleton out
   bool several_components = false; ///< the part's surface is not connected
-  bool time_limit = false;         ///< the flow was stopped by the time limit
+  bool time_limit = false;         ///< the time limit was reached
+  std::string fallback;            ///< why the bounding box stands in, of a copy: for its original; empty: it does not
+  std::string copy_of;             ///< of a copy: the name of its original
   double residual = 0;     ///< root mean square distance of the skeleton from the abstraction over the part's diagonal
   double coverage = 1;     ///< length of the curve over the length of the skeleton it was taken from
   int iterations = 0;      ///< steps of the flow
-  double milliseconds = 0; ///< never part of a saved file
+  double milliseconds = 0; ///< never part of a saved file, like those of the phases
+  Phase_milliseconds phases;
+
+  /// Whether the bounding box stands in for a part that was to be skeletonized.
+  bool is_fallback() const { return !fallback.empty(); }
 };
 
 /// A part, as everything past the meshes sees it: a curve or a sheet, and its solidity.
@@ -64,7 +80,7 @@ struct Part_abstraction
   double volume = 0;      ///< of the enclosed solid; 0 where unknown
   double hull_volume = 0; ///< of the convex hull; 0 where unknown or flat
   double area = 0;        ///< of the surface; 0 where unknown
-  Points surface;         ///< points spread evenly over the surface; empty where unknown
+  Points surface;         ///< points spread evenly over the surface, as the first n of them are; empty where unknown
   Points hull;            ///< vertices of the convex hull; empty where unknown
   Abstraction_report report;
 

@@ -65,6 +65,8 @@ struct Shape_structure
   std::vector<Part_abstraction> parts;
   std::vector<Contact> contacts;     ///< between parts of one group, too; those have no edge
   std::vector<std::string> warnings; ///< what was approximated on the way, in whole sentences
+  bool automatic_parts = false;      ///< the parts come from an automatic segmentation
+  std::string content;               ///< hash of the meshes and options that the graph was made from; empty: unknown
 };
 
 /// The structural graph (paper, section 3), a Boost graph: vertices are symmetry groups, edges are contacts between

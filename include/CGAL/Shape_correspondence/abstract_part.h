@@ -14,16 +14,42 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 
+struct Abstraction_options;
+
+/// What a part is to become: a curve, a sheet, or what suits it.
+enum class Abstraction_kind { AUTOMATIC, CURVE, SHEET };
+
+/// Finds curves and sheets by mean curvature flow skeletonization (paper, section 3; Tagliasacchi et al. 2012). What
+/// the flow cannot treat gets `Bounding_box_abstraction`, and the report says why. Model of `PartAbstractor`.
+struct Skeleton_abstraction
+{
+  Part_abstraction operator()(const Shape_part& part, const Abstraction_options& options) const;
+};
+
+/// Takes the medial line or rectangle of the part's bounding box, along its axes or those of the coordinates: rough,
+/// but in microseconds. Model of `PartAbstractor`.
+struct Bounding_box_abstraction
+{
+  Part_abstraction operator()(const Shape_part& part, const Abstraction_options& options) const;
+};
+
 /// Options of `abstract_part()` and `abstract_parts()`. Lengths are relative to the diagonal of the part's bounding
 /// box.
 struct Abstraction_options
 {
-  double edge_length = 0.02;    ///< target edge length of the remeshing before the flow
+  /// What makes a curve or sheet of a part: a model of `PartAbstractor`.
+  std::function<Part_abstraction(const Shape_part&, const Abstraction_options&)> abstractor = Skeleton_abstraction();
+  Abstraction_kind kind = Abstraction_kind::AUTOMATIC;
+  std::map<std::string, Abstraction_kind> part_kinds; ///< by part name, in place of `kind`
+  double edge_length = 0.02;    ///< target edge length of the remeshing before the flow, where `triangles` suffice
+  int triangles = 1500;         ///< about how many triangles the remeshed part may have; edges are longer if need be
   double stop_volume = 0.02;    ///< the meso-skeleton is taken when its volume falls under this fraction of the part's
   int maximum_iterations = 300; ///< of the flow; the bounding box stands in for a part that needs more
   double time_limit = 20;       ///< seconds a part; the bounding box stands in for a part that needs more
@@ -31,15 +57,24 @@ struct Abstraction_options
   int sheet_points = 8;         ///< control points of a sheet along each side
   /// Called after every part with the number of parts done and their total; from one thread at a time.
   std::function<void(std::size_t, std::size_t)> progress;
+
+  /// The kind that a part of this name is to have.
+  Abstraction_kind kind_of(const std::string& part) const
+  {
+    const auto found = part_kinds.find(part);
+    return found == part_kinds.end() ? kind : found->second;
+  }
 };
 
-/// Finds the curve or sheet of one part by mean curvature flow skeletonization, its volume, hull and surface samples
-/// (paper, section 3; Tagliasacchi et al. 2012). Never fails on a part that `Segmented_shape` accepts: what the flow
-/// cannot treat gets the medial curve or sheet of its bounding box, and the report says so. Deterministic.
+/// Finds the curve or sheet of one part by the options' abstractor, and its hull, area and surface samples. Never fails
+/// on a part that `Segmented_shape` accepts with the abstractors of this package. Deterministic.
+/// \throw Invalid_input if the abstractor returns an invalid curve or sheet
 Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options& options = {});
 
 /// Finds the abstractions of all parts of a shape, in the frame `frame` (so that turning the shape changes nothing), in
-/// world coordinates. The same bits with `Sequential_tag` and `Parallel_tag`.
+/// world coordinates. Of parts that are copies of each other by a rigid motion or a reflection, one is abstracted, the
+/// others get it moved. The same bits with `Sequential_tag` and `Parallel_tag`.
+/// \throw Invalid_input if the abstractor returns an invalid curve or sheet
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 std::vector<Part_abstraction> abstract_parts(const Segmented_shape& shape, const Shape_frame& frame,
                                              const Abstraction_options& options = {});

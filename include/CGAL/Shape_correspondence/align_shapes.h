@@ -6,11 +6,13 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_ALIGN_SHAPES_H
 #define CGAL_SHAPE_CORRESPONDENCE_ALIGN_SHAPES_H
 
+#include <CGAL/Shape_correspondence/Deformation_energy.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 #include <CGAL/Shape_correspondence/config.h>
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -18,6 +20,9 @@ namespace Shape_correspondence {
 
 /// The paper's e: a curve has e samples, a sheet e × e (the authors' value).
 constexpr int samples_per_side = 6;
+
+/// How many points of a part's surface the matching looks at.
+constexpr int surface_samples = 32;
 
 /// A part as the search sees it: the samples of its abstraction in the common frame.
 struct Sampled_part
@@ -27,7 +32,12 @@ struct Sampled_part
   Kind kind = Kind::CURVE;
   Points samples; ///< e, or e × e row by row
   Point centroid; ///< mean of the samples
+  Points surface; ///< at most `surface_samples` points spread over the surface; the samples where it is unknown
 };
+
+/// The `index`-th of `count` equally long pieces of a curve, sampled like a part (paper, section 5: cutting).
+/// \pre the part is an open curve
+Sampled_part segment(const Sampled_part& curve, int index, int count);
 
 /// A shape in the common frame (paper, section 5, "Initial alignment"): it stands on the ground, centred, has height 1.
 /// Parts, groups and contacts are in an order that depends on their places alone, not on the file, so that whatever is
@@ -41,10 +51,11 @@ struct Aligned_shape
     double solidity = 1;               ///< summed volumes over the volume of the common hull
     std::vector<std::size_t> contacts; ///< those of its parts, ascending
   };
+  /// A pair of connected parts, once however many regions they touch in.
   struct Contact
   {
-    std::array<std::size_t, 2> parts;
-    std::array<std::size_t, 2> samples; ///< the sample of either part nearest to the contact
+    std::array<std::size_t, 2> parts;   ///< ascending
+    std::array<std::size_t, 2> samples; ///< the sample of either part nearest to the (first) contact
   };
 
   std::vector<Sampled_part> parts;
@@ -52,11 +63,27 @@ struct Aligned_shape
   std::vector<double> prominence;    ///< of every part, its volume (an estimate where unknown)
   std::vector<Group> groups;
   std::vector<std::size_t> group_of; ///< of every part
+  /// The structural rods of a contact, with the samples of its parts, or those of a curve lifted to a sheet's number,
+  /// at 2 (first is lifted) + (second is lifted); empty where a sheet would be lifted.
+  using Contact_rods = std::array<Structural_rods, 4>;
+
   std::vector<Contact> contacts;
+  Eigen::MatrixXd distance;                              ///< least distance between the samples of two parts
+  std::shared_ptr<const std::vector<Contact_rods>> rods; ///< by contact; shared by copies of the shape
 };
+
+/// The part's samples, those of a curve repeated e times each when `count` asks for a sheet's: a sheet of equal columns.
+Points lifted_samples(const Sampled_part& part, Eigen::Index count);
 
 /// Samples a shape in its own frame, turned by quarter turns about the up axis (counter-clockwise seen from above).
 Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns = 0);
+
+/// The shape with fewer parts: those kept, their groups as far as kept, their contacts.
+Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is_kept);
+
+/// By part, whether it belongs to the most prominent groups of at most `count` parts in all; at least one group does
+/// (the paper's coarse correspondence, Figure 11).
+std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t count);
 
 /// The quarter turns of the target that bring it into the source's frame, best guess first: the one nearest to the
 /// orientation that the shapes were given in, then by angle. Where both shapes have one mirror plane, half turns only.

@@ -6,9 +6,11 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXACT_SEARCH_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXACT_SEARCH_H
 
-#include <CGAL/Shape_correspondence/Matching_problem.h>
+#include <CGAL/Shape_correspondence/Search_result.h>
 
 #include <cstddef>
+#include <memory>
+#include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -16,16 +18,41 @@ namespace Shape_correspondence {
 /// Options of `exact_search()`.
 struct Exact_options
 {
-  std::size_t table_limit = 1u << 20; ///< entries of one table of the bound; wider groups of terms are split
+  std::size_t table_limit = 1u << 12; ///< entries that a table of the bound may join; what needs more is split
   std::size_t node_limit = 2'000'000; ///< nodes of the search tree, after which the best solution so far is returned
+  double time_limit = 0;              ///< seconds, after which the same happens; 0: none. Makes results depend on speed
+  std::size_t solutions = 1;          ///< how many of the best assignments are returned
 };
 
-/// Finds the assignment of least energy and proves it. The energy is a sum of terms of one and two groups but for the
-/// square root in E_s, which its tangents bound from below. Bucket elimination along a min-fill order solves the
-/// additive part (exactly where its tables fit, else by mini-buckets, a lower bound; Dechter and Rish 2003) and guides
-/// a depth-first branch and bound over what the bound leaves, so that the result is optimal for the energy itself.
-/// Where the node limit ends the search, `optimal` is false and `summary.lower_bound` tells the gap. Deterministic.
-Search_result exact_search(const Matching_problem& problem, const Exact_options& options = {});
+/// Finds the assignments of least energy and proves them. Root terms are bounded from below by their tangents, which
+/// leaves a sum of terms of one and of two variables. Bucket elimination along a min-fill order solves it exactly where
+/// its tables fit; else message passing (TRW-S; Kolmogorov 2006) moves costs to where mini-buckets (Dechter and Rish
+/// 2003) bound it well. A depth-first branch and bound over what the bound leaves makes the result optimal for the
+/// energy itself. Deterministic, but for a time limit.
+///
+/// Time: O(number of variables · labels^(w + 1)) for tables of induced width w that fit, exponential in the worst case.
+/// Where a limit ends the search, `optimal` is false and `summary.lower_bound` tells the gap.
+class Exact_search
+{
+public:
+  /// Sets up the bound. The energy is kept by reference.
+  explicit Exact_search(const Pairwise_energy& energy, const Exact_options& options = {});
+  ~Exact_search();
+
+  /// The assignment of least energy, and the next best ones. \throw Invalid_input if no solution is asked for
+  Search_result run();
+
+  /// By variable, by how much the least energy rises if the label it has in `result` is forbidden: how sure the label
+  /// is. Infinite for a variable with one label. Where a limit ends a search, the rise to the best solution found.
+  std::vector<double> min_marginals(const Search_result& result);
+
+private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// `Exact_search(energy, options).run()`.
+Search_result exact_search(const Pairwise_energy& energy, const Exact_options& options = {});
 
 } // namespace Shape_correspondence
 } // namespace CGAL

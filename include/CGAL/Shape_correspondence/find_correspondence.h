@@ -9,38 +9,84 @@
 #include <CGAL/Shape_correspondence/Correspondence.h>
 #include <CGAL/Shape_correspondence/beam_search.h>
 #include <CGAL/Shape_correspondence/exact_search.h>
+#include <CGAL/Shape_correspondence/match_parts.h>
+
+#include <functional>
+#include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 
 enum class Search_method {
-  BEAM, ///< the paper's
-  EXACT ///< with a proof
+  PARTS, ///< `match_parts()`: costs of parts standing for one another, no deformation; agrees best with people
+  BEAM,  ///< least deformation energy by the paper's beam search
+  EXACT  ///< least deformation energy, with a proof
 };
 
 /// Options of `find_correspondence()`.
 struct Search_options
 {
-  Search_method method = Search_method::BEAM;
+  Search_method method = Search_method::PARTS;
+  Part_matching_options parts;
+  double min_confidence = 0; ///< drop pairs that are less probable; of `Search_method::PARTS`
   Beam_options beam;
   Exact_options exact;
-  Energy_weights weights;
+  Matching_options matching;
   bool both_directions = true; ///< deform either shape into the other and keep the lower energy per connected pair
-  int maximum_parts = 0;       ///< coarse correspondence: only the most prominent parts, at most so many; 0 takes all
+  int maximum_parts = 0;       ///< coarse correspondence: only the most prominent parts of either shape; 0 takes all
+  std::vector<std::size_t> source_parts, target_parts; ///< only these parts, by their index; none named takes all
   /// How many of `alignment_turns()` are tried, the best-scoring one wins; 1 is the one nearest to the given
   /// orientation, 0 all of them.
   int alignments = 1;
+  int solutions = 1;          ///< of `find_correspondences()`
+  bool min_marginals = false; ///< compute `Group_match::min_marginal`, by exact searches whatever the method
+  /// Called before every direction of every alignment with the share that is done; `false` ends the search.
+  std::function<bool(double)> progress;
 };
 
-/// Finds the part correspondence of two shapes that costs the least deformation energy (paper, sections 4 and 5).
+/// Finds the correspondences of one source shape with many targets: what depends on the source alone is computed once.
+class Correspondence_finder
+{
+public:
+  /// \pre the graph is valid (`is_valid_structural_graph()`) \throw Invalid_input if an option is out of its range
+  explicit Correspondence_finder(const Structural_graph& source, const Search_options& options = {});
+
+  /// Like `find_correspondence()`.
+  Correspondence operator()(const Structural_graph& target) const;
+  /// Like `find_correspondences()`.
+  std::vector<Correspondence> ranked(const Structural_graph& target) const;
+
+private:
+  std::vector<Correspondence> least_energy(const Structural_graph& target) const;
+  Correspondence matched_parts(const Structural_graph& target) const;
+  Aligned_shape aligned(const Structural_graph& target, int quarter_turns) const;
+
+  Search_options options_;
+  Shape_frame source_frame_;
+  std::size_t number_of_parts_;
+  Aligned_shape source_;
+};
+
+/// Finds the part correspondence of two shapes.
 ///
-/// The source is deformed into the target and, by default, the target into the source; the direction with the lower
-/// energy per pair of connected parts is taken, so that the simpler shape does not win for having fewer pairs.
+/// By default, parts are matched by what they cost standing for one another, and the result is rated by the deformation
+/// energy of the source under the paper's GeoTopo transform (sections 4 and 5). With `Search_method::BEAM` or `EXACT`,
+/// the correspondence of least deformation energy is searched for: the source is deformed into the target and, by
+/// default, the target into the source; the direction with the lower energy per pair of connected parts is taken, so
+/// that the simpler shape does not win for having fewer pairs.
 /// Deterministic; no result depends on part order, position, scale or a turn of less than 45° about the up axis.
+/// If `Search_options::progress` ends the search, the result is the best so far, `complete` is false and a warning
+/// says so.
 /// \pre both graphs are valid (`is_valid_structural_graph()`)
 /// \throw Invalid_input if an option is out of its range
 Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,
                                    const Search_options& options = {});
+
+/// The best correspondences, `Search_options::solutions` of them as far as there are so many (`Search_method::PARTS`
+/// has one): those of the direction and alignment that the best one is in. Proven to be the best ones by
+/// `Search_method::EXACT`; the beam's last level else.
+std::vector<Correspondence> find_correspondences(const Structural_graph& source, const Structural_graph& target,
+                                                 const Search_options& options);
 
 } // namespace Shape_correspondence
 } // namespace CGAL

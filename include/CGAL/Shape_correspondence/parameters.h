@@ -27,13 +27,22 @@ struct Named_parameters;
 // name, option structure, field
 #define CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(X)                                                                        \
   X(search_method, Search_options, method)                                                                             \
+  X(min_confidence, Search_options, min_confidence)                                                                    \
   X(beam_width, Search_options, beam.beam_width)                                                                       \
   X(expansions, Search_options, beam.expansions)                                                                       \
-  X(connectedness_weight, Search_options, weights.connectedness)                                                       \
-  X(split_weight, Search_options, weights.split)                                                                       \
+  X(distortion_weight, Search_options, matching.weights.distortion)                                                    \
+  X(connectedness_weight, Search_options, matching.weights.connectedness)                                              \
+  X(split_weight, Search_options, matching.weights.split)                                                              \
+  X(energy_norm, Search_options, matching.norm)                                                                        \
+  X(cut_curves, Search_options, matching.cut_curves)                                                                   \
+  X(unmatched_cost, Search_options, matching.unmatched_cost)                                                           \
   X(both_directions, Search_options, both_directions)                                                                  \
   X(maximum_parts, Search_options, maximum_parts)                                                                      \
+  X(source_parts, Search_options, source_parts)                                                                        \
+  X(target_parts, Search_options, target_parts)                                                                        \
   X(alignments, Search_options, alignments)                                                                            \
+  X(solutions, Search_options, solutions)                                                                              \
+  X(min_marginals, Search_options, min_marginals)                                                                      \
   X(edge_length, Structure_options, abstraction.edge_length)                                                           \
   X(stop_volume, Structure_options, abstraction.stop_volume)                                                           \
   X(time_limit, Structure_options, abstraction.time_limit)                                                             \

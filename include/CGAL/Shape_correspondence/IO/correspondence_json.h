@@ -31,6 +31,13 @@ void write_correspondence_json(std::ostream& out, const Correspondence& correspo
                                const Structural_graph& target, const std::string& source_file,
                                const std::string& target_file, const Match_seconds& seconds);
 
+/// The same for ranked correspondences, as `find_correspondences()` returns them: the first is the result, and where
+/// there are more, `solutions` lists all with their energies and pairs. \pre not empty
+void write_correspondences_json(std::ostream& out, const std::vector<Correspondence>& ranked,
+                                const Structural_graph& source, const Structural_graph& target,
+                                const std::string& source_file, const std::string& target_file,
+                                const Match_seconds& seconds);
+
 } // namespace IO
 } // namespace Shape_correspondence
 } // namespace CGAL

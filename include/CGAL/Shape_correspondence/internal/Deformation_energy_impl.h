@@ -9,6 +9,8 @@
 #include <CGAL/Shape_correspondence/Deformation_energy.h>
 #include <CGAL/Shape_correspondence/internal/quantized.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,76 +19,100 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-// Rods computed at a time: sample counts, e and e × e, are multiples of it
-constexpr int rod_lanes = 6;
-using Rod_lanes = Eigen::Array<double, rod_lanes, 1>;
+// The side with fewer samples gives the rows; where all rods fit into one row, they are its lanes.
+inline bool rods_fit_one_row(int first_count, int second_count) { return first_count * second_count <= lane_count; }
 
-// A coordinate of all points, the last one repeated up to a multiple of `rod_lanes`.
-inline Eigen::ArrayXd padded_row(const Points& points, int row)
+// The vectors from every sample of the first to every sample of the second, as lanes.
+inline Sample_lanes rods_as_lanes(const Sample_lanes& first, int first_count, const Sample_lanes& second,
+                                  int second_count)
 {
-  const Eigen::Index m = points.cols(), padded = (m + rod_lanes - 1) / rod_lanes * rod_lanes;
-  Eigen::ArrayXd result = Eigen::ArrayXd::Constant(padded, points(row, m - 1));
-  result.head(m) = points.row(row);
+  Sample_lanes result;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float *from = first.coordinates[axis], *to = second.coordinates[axis];
+    float* rod = result.coordinates[axis];
+    for (int i = 0; i < first_count; ++i)
+      for (int j = 0; j < second_count; ++j)
+        rod[i * second_count + j] = to[j] - from[i];
+    std::fill(rod + first_count * second_count, rod + lane_count, 0.0f);
+  }
   return result;
 }
 
 } // namespace internal
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Structural_rods::Structural_rods(const Points& first, const Points& second)
+    : first_count_(int(first.cols())), second_count_(int(second.cols()))
 {
-  const Eigen::ArrayXd sx = internal::padded_row(second, 0), sy = internal::padded_row(second, 1),
-                       sz = internal::padded_row(second, 2);
-  const Eigen::Index n = first.cols(), m = second.cols(), padded = sx.size();
-  x_.resize(n * padded), y_.resize(n * padded), z_.resize(n * padded);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    x_.segment(i * padded, padded) = sx - first(0, i);
-    y_.segment(i * padded, padded) = sy - first(1, i);
-    z_.segment(i * padded, padded) = sz - first(2, i);
-  }
-  squared_length_ = x_ * x_ + y_ * y_ + z_ * z_;
-  shortest_ = squared_length_.minCoeff();
-  longest_ = std::sqrt(squared_length_.maxCoeff());
+  using namespace internal;
+  CGAL_precondition(first_count_ <= maximum_samples && second_count_ <= maximum_samples);
+  const Sample_lanes a(first), b(second);
+  const bool one_row = rods_fit_one_row(first_count_, second_count_), turned = first_count_ > second_count_;
+  const Sample_lanes from = one_row ? Sample_lanes(Points::Zero(3, 1)) : turned ? b : a;
+  const Sample_lanes to = one_row ? rods_as_lanes(a, first_count_, b, second_count_) : turned ? a : b;
+  const int rows = one_row ? 1 : std::min(first_count_, second_count_);
+  const int lanes = first_count_ * second_count_ / rows;
 
-  // Infinite length takes a rod out of the sum: those without a direction, which count as kept, and the padding
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < padded; ++j) {
-      double& length = squared_length_[i * padded + j];
-      if (j < m && length >= internal::zero_squared_length) continue;
-      length = std::numeric_limits<double>::infinity();
-      if (j < m) directionless_ += 1;
+  double longest = 0;
+  rows_.resize(std::size_t(rows));
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < lane_count; ++j) {
+      Rod_row& row = rows_[std::size_t(i)];
+      for (int axis = 0; axis < 3; ++axis)
+        row.direction[axis][j] = j < lanes ? to.coordinates[axis][j] - from.coordinates[axis][i] : 0.0f;
+      float& length = row.squared_length[j];
+      length = squared_rod_length(row.direction[0][j], row.direction[1][j], row.direction[2][j]);
+      if (j < lanes) {
+        longest = std::max(longest, double(length));
+        directionless_ += length < zero_rod;
+      }
+      if (j < lanes && length >= zero_rod) continue;
+      length = 1;
+      row.direction[0][j] = row.direction[1][j] = row.direction[2][j] = 0;
     }
+  longest_ = std::sqrt(longest);
+  shortest_ = least_distance(first, second);
 }
 
-// Several independent sums let the compiler use vector instructions,
-// and fix the order of summation.
+CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::distortion(const internal::Sample_lanes& first,
+                                                                    const internal::Sample_lanes& second) const
+{
+  using namespace internal;
+  const auto kernel = rod_kernels().squared_cosines;
+  static const Sample_lanes origin(Points::Zero(3, 1));
+  const int row_count = int(rows_.size());
+  double kept = directionless_;
+  if (rods_fit_one_row(first_count_, second_count_))
+    kept += kernel(rows_.data(), row_count, origin, rods_as_lanes(first, first_count_, second, second_count_));
+  else if (first_count_ > second_count_)
+    kept += kernel(rows_.data(), row_count, second, first);
+  else
+    kept += kernel(rows_.data(), row_count, first, second);
+  return 1 - std::min(1.0, std::sqrt(kept / (double(first_count_) * second_count_)));
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::connectedness(double distance) const
+{
+  if (distance <= shortest_ + internal::comparison_grid) return 0;
+  return longest_ > 0 ? std::min(1.0, distance / longest_) : 1.0;
+}
+
 CGAL_SHAPE_CORRESPONDENCE_INLINE Rod_energy Structural_rods::energy(const Points& first, const Points& second) const
 {
-  const Eigen::ArrayXd sx = internal::padded_row(second, 0), sy = internal::padded_row(second, 1),
-                       sz = internal::padded_row(second, 2);
-  const Eigen::Index n = first.cols(), m = second.cols(), padded = sx.size();
-  // D_ij² is computed as dot² / (|r|² |r'|²), which is exactly 1 for an unmoved rod
-  internal::Rod_lanes sum = internal::Rod_lanes::Zero();
-  internal::Rod_lanes nearest = internal::Rod_lanes::Constant(std::numeric_limits<double>::infinity());
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < padded; j += internal::rod_lanes) {
-      const Eigen::Index rod = i * padded + j;
-      const auto x = sx.segment<internal::rod_lanes>(j) - first(0, i);
-      const auto y = sy.segment<internal::rod_lanes>(j) - first(1, i);
-      const auto z = sz.segment<internal::rod_lanes>(j) - first(2, i);
-      const internal::Rod_lanes moved = x * x + y * y + z * z;
-      const internal::Rod_lanes dot =
-          (x_.segment<internal::rod_lanes>(rod) * x + y_.segment<internal::rod_lanes>(rod) * y +
-           z_.segment<internal::rod_lanes>(rod) * z)
-              .max(0.0);
-      sum += dot * dot / (squared_length_.segment<internal::rod_lanes>(rod) * moved.max(internal::zero_squared_length));
-      nearest = nearest.min(moved);
-    }
+  CGAL_precondition(first.cols() == first_count_ && second.cols() == second_count_);
+  return {distortion(internal::Sample_lanes(first), internal::Sample_lanes(second)),
+          connectedness(least_distance(first, second))};
+}
 
-  Rod_energy result;
-  result.distortion = 1 - std::min(1.0, std::sqrt((directionless_ + sum.sum()) / double(n * m)));
-  const double closest = nearest.minCoeff();
-  if (closest > shortest_) result.connectedness = longest_ > 0 ? std::min(1.0, std::sqrt(closest) / longest_) : 1.0;
-  return result;
+CGAL_SHAPE_CORRESPONDENCE_INLINE double least_distance(const Points& first, const Points& second)
+{
+  CGAL_precondition(first.cols() <= internal::maximum_samples && second.cols() <= internal::maximum_samples);
+  return least_distance(internal::Sample_lanes(first), int(first.cols()), internal::Sample_lanes(second));
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE double least_distance(const internal::Sample_lanes& first, int first_count,
+                                                       const internal::Sample_lanes& second)
+{
+  return std::sqrt(double(internal::rod_kernels().least_squared_distance(first, first_count, second)));
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double split_energy(const std::vector<double>& solidity_ratios)
@@ -100,7 +126,8 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE double split_energy(const std::vector<double>& 
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double weighted_sum(const Energy_terms& terms, const Energy_weights& weights)
 {
-  return terms.distortion + weights.connectedness * terms.connectedness + weights.split * terms.split;
+  return weights.distortion * terms.distortion + weights.connectedness * terms.connectedness +
+         weights.split * terms.split + terms.unmatched;
 }
 
 } // namespace Shape_correspondence

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -67,23 +68,44 @@ inline const std::vector<Permutation>& orientations(const Sampled_part& source, 
   return source.kind == Kind::CLOSED_CURVE || target.kind == Kind::CLOSED_CURVE ? closed : open;
 }
 
-// Centroids of a group's parts in the unit box of the group; a direction in which the group has no extent counts as its
-// middle.
-inline Points unit_box_centroids(const Aligned_shape& shape, const std::vector<std::size_t>& parts)
+// The samples that orientations are told apart by: the ends of a curve, the corners of a sheet, all of a closed curve.
+inline const std::vector<int>& extremities(const Sampled_part& source, const Sampled_part& target)
 {
-  constexpr double flat_extent = 0.02; // of the shape's height
-  Eigen::AlignedBox3d box;
-  for (std::size_t part : parts)
-    for (Eigen::Index i = 0; i < shape.parts[part].samples.cols(); ++i)
-      box.extend(shape.parts[part].samples.col(i));
-  Points result(3, parts.size());
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    for (int axis = 0; axis < 3; ++axis) {
-      const double extent = box.sizes()[axis];
-      result(axis, i) = extent < flat_extent ? 0.5 : (shape.parts[parts[i]].centroid[axis] - box.min()[axis]) / extent;
-    }
-  return result;
+  constexpr int last = samples_per_side - 1;
+  static const std::vector<int> ends{0, last}, corners{0, last, sheet_samples - 1 - last, sheet_samples - 1},
+      all{0, 1, 2, 3, 4, 5};
+  using Kind = Sampled_part::Kind;
+  if (source.kind == Kind::SHEET || target.kind == Kind::SHEET) return corners;
+  return source.kind == Kind::CLOSED_CURVE || target.kind == Kind::CLOSED_CURVE ? all : ends;
 }
+
+// The unit box of a group: a direction in which the group has no extent counts as its middle.
+class Unit_box
+{
+public:
+  Unit_box(const Aligned_shape& shape, const std::vector<std::size_t>& parts)
+  {
+    for (std::size_t part : parts)
+      for (Eigen::Index i = 0; i < shape.parts[part].samples.cols(); ++i)
+        box_.extend(shape.parts[part].samples.col(i));
+  }
+
+  Point operator()(const Point& p) const
+  {
+    constexpr double flat_extent = 0.02; // of the shape's height
+    Point result;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double extent = box_.sizes()[axis];
+      result[axis] = extent < flat_extent ? 0.5 : (p[axis] - box_.min()[axis]) / extent;
+    }
+    return result;
+  }
+
+private:
+  Eigen::AlignedBox3d box_;
+};
+
+inline double quantized_distance(const Point& a, const Point& b) { return double(quantized((a - b).norm())); }
 
 // Columns of a row that no row has taken go to the nearest row.
 inline std::vector<std::vector<std::size_t>> assign_members(const Eigen::MatrixXd& cost)
@@ -148,112 +170,227 @@ inline Point symmetric_displacement(const Symmetry& symmetry, const Point& displ
 
 } // namespace internal
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE Points lifted_samples(const Sampled_part& part, Eigen::Index count)
+CGAL_SHAPE_CORRESPONDENCE_INLINE const std::vector<int>& fitting_order(const Sampled_part& source,
+                                                                       const Sampled_part& target)
 {
-  if (part.samples.cols() == count) return part.samples;
-  Points result(3, count);
-  for (Eigen::Index i = 0; i < count; ++i)
-    result.col(i) = part.samples.col(i / samples_per_side);
-  return result;
+  // A curve among sheets has e equal columns
+  const bool sheets = source.kind == Sampled_part::Kind::SHEET || target.kind == Sampled_part::Kind::SHEET;
+  const int from_lift = sheets && source.kind != Sampled_part::Kind::SHEET ? samples_per_side : 1;
+  const int to_lift = sheets && target.kind != Sampled_part::Kind::SHEET ? samples_per_side : 1;
+  const std::vector<int>* best = nullptr;
+  long best_score = 0; // the sum of products: greatest where the sum of squared distances is least
+  for (const std::vector<int>& candidate : internal::orientations(source, target)) {
+    double sum = 0;
+    for (int i : internal::extremities(source, target))
+      sum += (source.samples.col(i / from_lift) - source.centroid)
+                 .dot(target.samples.col(candidate[std::size_t(i)] / to_lift) - target.centroid);
+    const long score = internal::quantized(sum);
+    if (!best || score > best_score) best = &candidate, best_score = score;
+  }
+  return *best;
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Points deform_to_fit(const Sampled_part& source, const Sampled_part& target)
 {
-  const Eigen::Index count = std::max(source.samples.cols(), target.samples.cols());
-  const Points from = lifted_samples(source, count).colwise() - source.centroid;
-  const Points to = lifted_samples(target, count);
-  const Points centred = to.colwise() - target.centroid;
-
-  const auto& candidates = internal::orientations(source, target);
-  const internal::Permutation* best = nullptr;
-  long best_score = 0; // the sum of products: greatest where the sum of squared distances is least
-  for (const internal::Permutation& candidate : candidates) {
-    double sum = 0;
-    for (Eigen::Index i = 0; i < count; ++i)
-      sum += from.col(i).dot(centred.col(candidate[i]));
-    const long score = internal::quantized(sum);
-    if (!best || score > best_score) best = &candidate, best_score = score;
-  }
+  const std::vector<int>& order = fitting_order(source, target);
+  const Eigen::Index count = Eigen::Index(order.size()), lift = count / target.samples.cols();
   Points result(3, count);
   for (Eigen::Index i = 0; i < count; ++i)
-    result.col(i) = to.col((*best)[i]);
+    result.col(i) = target.samples.col(order[std::size_t(i)] / lift);
   return result;
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Group_label match_members(const Aligned_shape& source, std::size_t source_group,
                                                            const Aligned_shape& target, std::size_t target_group)
 {
+  using namespace internal;
   const auto& from = source.groups[source_group].parts;
   const auto& to = target.groups[target_group].parts;
-  const Points p = internal::unit_box_centroids(source, from), q = internal::unit_box_centroids(target, to);
+  Group_label label;
+  label.target_group = target_group;
+  label.operation = operation(from.size(), to.size());
+  label.solidity_ratio = solidity_ratio(source.groups[source_group], target.groups[target_group]);
+  label.images.resize(from.size());
+  if (from.size() == 1 || to.size() == 1) {
+    for (std::size_t i = 0; i < from.size(); ++i)
+      for (std::size_t part : to)
+        label.images[i].push_back({{from[i]}, {part}});
+    return label;
+  }
+
+  const Unit_box from_box(source, from), to_box(target, to);
   Eigen::MatrixXd cost(from.size(), to.size());
   for (Eigen::Index i = 0; i < cost.rows(); ++i)
     for (Eigen::Index j = 0; j < cost.cols(); ++j)
-      cost(i, j) = double(internal::quantized((p.col(i) - q.col(j)).norm()));
-
-  Group_label label;
-  label.target_group = target_group;
-  label.operation = internal::operation(from.size(), to.size());
-  label.solidity_ratio = internal::solidity_ratio(source.groups[source_group], target.groups[target_group]);
-  label.images.resize(from.size());
+      cost(i, j) = quantized_distance(from_box(source.parts[from[std::size_t(i)]].centroid),
+                                      to_box(target.parts[to[std::size_t(j)]].centroid));
   if (from.size() <= to.size()) {
-    const auto images = internal::assign_members(cost);
+    const auto images = assign_members(cost);
     for (std::size_t i = 0; i < from.size(); ++i)
       for (std::size_t j : images[i])
-        label.images[i].push_back(to[j]);
+        label.images[i].push_back({{from[i]}, {to[j]}});
   } else {
-    const auto preimages = internal::assign_members(cost.transpose());
+    const auto preimages = assign_members(cost.transpose());
     for (std::size_t j = 0; j < to.size(); ++j)
       for (std::size_t i : preimages[j])
-        label.images[i].push_back(to[j]);
+        label.images[i].push_back({{from[i]}, {to[j]}});
   }
   return label;
 }
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE void propagate(const Aligned_shape& shape, const std::vector<char>& matched,
-                                                const std::vector<std::array<Point, 2>>& contact_displacement,
-                                                Points& displacement)
-{
-  std::vector<char> placed = matched;
-  std::vector<Point> sum(shape.parts.size(), Point::Zero());
-  std::vector<int> count(shape.parts.size(), 0);
-  const auto place = [&](std::size_t group) {
-    // The representative is the member that touches most placed parts; one that touches none stays
-    const auto& parts = shape.groups[group].parts;
-    std::size_t representative = parts[0];
-    for (std::size_t part : parts)
-      if (count[part] > count[representative]) representative = part;
-    const Point moved = count[representative] ? Point(sum[representative] / count[representative]) : Point::Zero();
-    for (std::size_t part : parts)
-      displacement.col(part) = internal::symmetric_displacement(
-          shape.groups[group].symmetry, moved, shape.parts[representative].centroid, shape.parts[part].centroid);
-  };
+namespace internal {
 
-  // Breadth-first, a layer of groups at a time: what touches the last layer is the next one
-  std::vector<std::size_t> layer, next;
-  for (std::size_t group = 0; group < matched.size(); ++group)
-    if (matched[group]) layer.push_back(group);
-  while (!layer.empty()) {
-    next.clear();
-    for (std::size_t group : layer)
-      for (std::size_t c : shape.groups[group].contacts)
-        for (int side : {0, 1}) {
-          const std::size_t mover = shape.contacts[c].parts[side], part = shape.contacts[c].parts[1 - side];
-          if (shape.group_of[mover] != group || placed[shape.group_of[part]]) continue;
-          sum[part] += matched[group] ? contact_displacement[c][side] : Point(displacement.col(mover));
-          ++count[part];
-          next.push_back(shape.group_of[part]);
-        }
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
-    for (std::size_t group : next)
-      place(group), placed[group] = 1;
-    layer.swap(next);
+inline bool is_open_curve(const Sampled_part& part) { return part.kind == Sampled_part::Kind::CURVE; }
+
+// Which segment of a curve each of several curves is, by optimal assignment of their places in the unit boxes.
+inline std::vector<std::size_t> matching_segments(const Sampled_part& curve, const Unit_box& curve_box,
+                                                  const std::vector<Point>& centroids, const Unit_box& box)
+{
+  const int count = int(centroids.size());
+  Eigen::MatrixXd cost(count, count);
+  for (int j = 0; j < count; ++j) {
+    const Point place = curve_box(segment(curve, j, count).centroid);
+    for (int i = 0; i < count; ++i)
+      cost(i, j) = quantized_distance(box(centroids[std::size_t(i)]), place);
   }
-  for (std::size_t group = 0; group < placed.size(); ++group)
-    if (!placed[group])
-      for (std::size_t part : shape.groups[group].parts)
-        displacement.col(part).setZero();
+  return optimal_assignment(cost);
+}
+
+// Whether parts that are to follow each other as segments (part `i` is segment `segments[i]`) lie in a row.
+inline bool is_chain(const Aligned_shape& shape, const std::vector<std::size_t>& parts,
+                     const std::vector<std::size_t>& segments)
+{
+  constexpr double widest_gap = 0.05; // between consecutive segments, of the shape's height
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t j = 0; j < parts.size(); ++j)
+      if (segments[j] == segments[i] + 1 && shape.distance(Eigen::Index(parts[i]), Eigen::Index(parts[j])) > widest_gap)
+        return false;
+  return true;
+}
+
+} // namespace internal
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Group_label cut_members(const Aligned_shape& source, std::size_t source_group,
+                                                         const Aligned_shape& target, const Group_label& label)
+{
+  using namespace internal;
+  const auto &from = source.groups[source_group].parts, &to = target.groups[label.target_group].parts;
+  Group_label result = label;
+  const auto centroids = [](const Aligned_shape& shape, const std::vector<std::size_t>& parts) {
+    std::vector<Point> points;
+    for (std::size_t part : parts)
+      points.push_back(shape.parts[part].centroid);
+    return points;
+  };
+  const auto all_curves = [](const Aligned_shape& shape, const std::vector<std::size_t>& parts) {
+    return std::all_of(parts.begin(), parts.end(), [&](std::size_t part) { return is_open_curve(shape.parts[part]); });
+  };
+  const Unit_box from_box(source, from), to_box(target, to);
+
+  for (std::vector<Image>& images : result.images) {
+    const std::size_t part = images[0].source.part;
+    std::vector<std::size_t> parts;
+    for (const Image& image : images)
+      parts.push_back(image.target.part);
+    if (parts.size() < 2 || !is_open_curve(source.parts[part]) || !all_curves(target, parts)) continue;
+    const auto segments = matching_segments(source.parts[part], from_box, centroids(target, parts), to_box);
+    if (!is_chain(target, parts, segments)) continue;
+    for (std::size_t i = 0; i < images.size(); ++i)
+      images[i].source = {part, int(segments[i]), int(parts.size())};
+    result.operation = Operation::CUT;
+  }
+  for (std::size_t part : to) {
+    std::vector<std::size_t> members, parts;
+    for (std::size_t i = 0; i < from.size(); ++i)
+      if (result.images[i].size() == 1 && result.images[i][0].target.part == part)
+        members.push_back(i), parts.push_back(from[i]);
+    if (parts.size() < 2 || !is_open_curve(target.parts[part]) || !all_curves(source, parts)) continue;
+    const auto segments = matching_segments(target.parts[part], to_box, centroids(source, parts), from_box);
+    if (!is_chain(source, parts, segments)) continue;
+    for (std::size_t i = 0; i < members.size(); ++i)
+      result.images[members[i]][0].target = {part, int(segments[i]), int(parts.size())};
+    result.operation = Operation::JOIN;
+  }
+  return result;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Propagation::Propagation(const Aligned_shape& shape)
+    : shape_(shape), touches_(shape.groups.size()), placed_(shape.groups.size())
+{
+  order_.reserve(shape.groups.size());
+  for (std::size_t group = 0; group < shape.groups.size(); ++group) {
+    for (std::size_t c : shape.groups[group].contacts)
+      for (int side : {0, 1}) {
+        const auto& parts = shape.contacts[c].parts;
+        if (shape.group_of[parts[side]] == group && shape.group_of[parts[1 - side]] != group)
+          touches_[group].push_back({c, parts[side], parts[1 - side], 1 - side});
+      }
+    std::sort(touches_[group].begin(), touches_[group].end(),
+              [](const Touch& a, const Touch& b) { return std::tie(a.part, a.contact) < std::tie(b.part, b.contact); });
+  }
+}
+
+// Places a group by the parts that it touches and that are placed; returns how far its representative moved.
+CGAL_SHAPE_CORRESPONDENCE_INLINE double
+Propagation::place(std::size_t group, const std::vector<char>& matched,
+                   const std::vector<std::array<Point, 2>>& contact_displacement, Points& displacement)
+{
+  const std::vector<Touch>& touches = touches_[group];
+  std::size_t representative = shape_.groups[group].parts[0];
+  Point moved = Point::Zero();
+  int most = 0;
+  for (std::size_t i = 0; i < touches.size();) {
+    const std::size_t part = touches[i].part;
+    Point sum = Point::Zero();
+    int count = 0;
+    for (; i < touches.size() && touches[i].part == part; ++i) {
+      const std::size_t other = touches[i].other, other_group = shape_.group_of[other];
+      if (!placed_[other_group]) continue;
+      sum += matched[other_group] ? contact_displacement[touches[i].contact][std::size_t(touches[i].other_side)]
+                                  : Point(displacement.col(Eigen::Index(other)));
+      ++count;
+    }
+    if (count > most) most = count, representative = part, moved = sum / count;
+  }
+  const double change = (displacement.col(Eigen::Index(representative)) - moved).cwiseAbs().maxCoeff();
+  for (std::size_t part : shape_.groups[group].parts)
+    displacement.col(Eigen::Index(part)) = internal::symmetric_displacement(
+        shape_.groups[group].symmetry, moved, shape_.parts[representative].centroid, shape_.parts[part].centroid);
+  return change;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE void
+Propagation::operator()(const std::vector<char>& matched, const std::vector<std::array<Point, 2>>& contact_displacement,
+                        Points& displacement)
+{
+  // Breadth-first, a layer of groups at a time: what touches the layers before is the next one
+  order_.clear();
+  std::copy(matched.begin(), matched.end(), placed_.begin());
+  for (std::size_t begin = 0, end = 1; begin != end;) {
+    begin = order_.size();
+    for (std::size_t group = 0; group < matched.size(); ++group) {
+      if (placed_[group]) continue;
+      const bool reached = std::any_of(touches_[group].begin(), touches_[group].end(),
+                                       [&](const Touch& touch) { return placed_[shape_.group_of[touch.other]] != 0; });
+      if (reached) order_.push_back(group);
+    }
+    end = order_.size();
+    for (std::size_t i = begin; i < end; ++i)
+      place(order_[i], matched, contact_displacement, displacement);
+    for (std::size_t i = begin; i < end; ++i)
+      placed_[order_[i]] = 1;
+  }
+  for (std::size_t group = 0; group < matched.size(); ++group)
+    if (!placed_[group])
+      for (std::size_t part : shape_.groups[group].parts)
+        displacement.col(Eigen::Index(part)).setZero();
+
+  double change = 1;
+  for (int sweep = 0; sweep < maximum_sweeps && change > tolerance; ++sweep) {
+    change = 0;
+    for (std::size_t group : order_)
+      change = std::max(change, place(group, matched, contact_displacement, displacement));
+  }
 }
 
 } // namespace Shape_correspondence

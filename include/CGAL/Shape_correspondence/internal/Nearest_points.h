@@ -33,13 +33,27 @@ public:
   /// Distance to the nearest point but the one of index `ignored`.
   double distance(const Point& query, Eigen::Index ignored = -1) const
   {
-    double squared = std::numeric_limits<double>::infinity();
-    search(0, order_.size(), query, ignored, squared);
-    return std::sqrt(squared);
+    return std::sqrt(found(query, ignored).squared);
   }
+
+  /// Index of the nearest point but the one of index `ignored`; -1 if there is none.
+  Eigen::Index nearest(const Point& query, Eigen::Index ignored = -1) const { return found(query, ignored).index; }
 
 private:
   static constexpr std::size_t leaf_size = 8;
+
+  struct Candidate
+  {
+    double squared = std::numeric_limits<double>::infinity();
+    Eigen::Index index = -1;
+  };
+
+  Candidate found(const Point& query, Eigen::Index ignored) const
+  {
+    Candidate best;
+    search(0, order_.size(), query, ignored, best);
+    return best;
+  }
 
   void build(std::size_t begin, std::size_t end)
   {
@@ -64,35 +78,36 @@ private:
     build(middle + 1, end);
   }
 
-  void visit(std::size_t position, const Point& query, Eigen::Index ignored, double& squared) const
+  void visit(std::size_t position, const Point& query, Eigen::Index ignored, Candidate& best) const
   {
-    if (order_[position] != ignored) {
-      squared = std::min(squared, (points_.col(order_[position]) - query).squaredNorm());
+    const double squared = (points_.col(order_[position]) - query).squaredNorm();
+    if (order_[position] != ignored && squared < best.squared) {
+      best = {squared, order_[position]};
     }
   }
 
-  void search(std::size_t begin, std::size_t end, const Point& query, Eigen::Index ignored, double& squared) const
+  void search(std::size_t begin, std::size_t end, const Point& query, Eigen::Index ignored, Candidate& best) const
   {
     if (end - begin <= leaf_size) {
       for (std::size_t i = begin; i < end; ++i) {
-        visit(i, query, ignored, squared);
+        visit(i, query, ignored, best);
       }
       return;
     }
     const std::size_t middle = (begin + end) / 2;
     const int axis = split_axes_[middle];
     const double offset = query[axis] - points_(axis, order_[middle]);
-    visit(middle, query, ignored, squared);
+    visit(middle, query, ignored, best);
     if (offset < 0) {
-      search(begin, middle, query, ignored, squared);
+      search(begin, middle, query, ignored, best);
     } else {
-      search(middle + 1, end, query, ignored, squared);
+      search(middle + 1, end, query, ignored, best);
     }
-    if (offset * offset < squared) {
+    if (offset * offset < best.squared) {
       if (offset < 0) {
-        search(middle + 1, end, query, ignored, squared);
+        search(middle + 1, end, query, ignored, best);
       } else {
-        search(begin, middle, query, ignored, squared);
+        search(begin, middle, query, ignored, best);
       }
     }
   }

@@ -51,7 +51,9 @@ inline Part_abstraction moved_copy(const Part_abstraction& original, const Motio
   Part_abstraction result = original;
   result.name = name;
   result.report.method = Abstraction_report::Method::COPY;
+  result.report.copy_of = original.name;
   result.report.milliseconds = 0;
+  result.report.phases = {};
   move_points(result, motion);
   make_canonical(result);
   return result;
@@ -137,7 +139,7 @@ Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options
   frame.height = (high - low).norm();
   const Part_mesh mesh =
       internal::canonical_mesh({frame.to_frame(part.mesh.points), part.mesh.triangles}, internal::coordinate_grid);
-  Part_abstraction result = internal::abstract_mesh(part.name, mesh, options);
+  Part_abstraction result = internal::abstract_mesh({part.name, mesh}, options);
   internal::move_points(result, [&](const Points& points) { return frame.to_world(points); });
   internal::scale_measures(result, frame.height);
   if (options.progress) {
@@ -151,13 +153,16 @@ std::vector<Part_abstraction> abstract_parts(const Segmented_shape& shape, const
                                              const Abstraction_options& options)
 {
   const std::vector<Part_mesh> meshes = internal::meshes_in_frame(shape, frame);
-  const std::vector<internal::Congruence> congruences = internal::find_congruences(meshes);
+  const auto same_kind = [&](std::size_t i, std::size_t j) {
+    return options.kind_of(shape.parts()[i].name) == options.kind_of(shape.parts()[j].name);
+  };
+  const std::vector<internal::Congruence> congruences = internal::find_congruences(meshes, same_kind);
   const std::vector<std::size_t> originals = internal::originals_by_size(meshes, congruences);
   std::vector<Part_abstraction> result(meshes.size());
   internal::Progress progress(options, meshes.size());
   internal::for_each_index<ConcurrencyTag>(originals.size(), [&](std::size_t k) {
     const std::size_t i = originals[k];
-    result[i] = internal::abstract_mesh(shape.parts()[i].name, meshes[i], options);
+    result[i] = internal::abstract_mesh({shape.parts()[i].name, meshes[i]}, options);
     progress.one_done();
   });
   for (std::size_t i = 0; i < meshes.size(); ++i) {

@@ -7,14 +7,16 @@
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ALIGN_SHAPES_IMPL_H
 
 #include <CGAL/Shape_correspondence/align_shapes.h>
-
 #include <CGAL/Shape_correspondence/internal/quantized.h>
+
+#include <CGAL/assertions.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -44,6 +46,8 @@ inline Sampled_part sampled_part(const Part_abstraction& part, const Shape_frame
                                          : Sampled_part::Kind::CURVE;
   result.samples = turn * frame.to_frame(sample(part, samples_per_side));
   result.centroid = result.samples.rowwise().mean();
+  const Eigen::Index n = std::min<Eigen::Index>(part.surface.cols(), surface_samples);
+  result.surface = n > 0 ? Points(turn * frame.to_frame(part.surface.leftCols(n))) : result.samples;
   return result;
 }
 
@@ -83,7 +87,129 @@ inline std::size_t nearest_sample(const Points& samples, const Point& p)
   return std::size_t(nearest);
 }
 
+inline void number_groups(Aligned_shape& shape)
+{
+  shape.group_of.resize(shape.parts.size());
+  for (std::size_t g = 0; g < shape.groups.size(); ++g)
+    for (std::size_t part : shape.groups[g].parts)
+      shape.group_of[part] = g;
+}
+
+// Samples in their own number, or a curve's repeated in a sheet's.
+inline Eigen::Index lifted_count(const Sampled_part& part, bool lift)
+{
+  return lift ? samples_per_side * samples_per_side : part.samples.cols();
+}
+
+inline Aligned_shape::Contact_rods contact_rods(const Sampled_part& first, const Sampled_part& second)
+{
+  using Kind = Sampled_part::Kind;
+  Aligned_shape::Contact_rods rods;
+  for (bool lift_first : {false, true})
+    for (bool lift_second : {false, true}) {
+      if ((lift_first && first.kind == Kind::SHEET) || (lift_second && second.kind == Kind::SHEET)) continue;
+      rods[2 * std::size_t(lift_first) + std::size_t(lift_second)] =
+          Structural_rods(lifted_samples(first, lifted_count(first, lift_first)),
+                          lifted_samples(second, lifted_count(second, lift_second)));
+    }
+  return rods;
+}
+
+inline void list_contacts(Aligned_shape& shape)
+{
+  for (std::size_t c = 0; c < shape.contacts.size(); ++c) {
+    const std::size_t g = shape.group_of[shape.contacts[c].parts[0]], h = shape.group_of[shape.contacts[c].parts[1]];
+    shape.groups[g].contacts.push_back(c);
+    if (h != g) shape.groups[h].contacts.push_back(c);
+  }
+}
+
 } // namespace internal
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is_kept)
+{
+  Aligned_shape result;
+  std::vector<std::size_t> index(shape.parts.size());
+  std::vector<Eigen::Index> kept;
+  for (std::size_t part = 0; part < shape.parts.size(); ++part) {
+    if (!is_kept[part]) continue;
+    index[part] = result.parts.size();
+    kept.push_back(Eigen::Index(part));
+    result.parts.push_back(shape.parts[part]);
+    result.original.push_back(shape.original[part]);
+    result.prominence.push_back(shape.prominence[part]);
+  }
+  for (const Aligned_shape::Group& group : shape.groups) {
+    Aligned_shape::Group smaller = group;
+    smaller.parts.clear();
+    smaller.contacts.clear();
+    for (std::size_t part : group.parts)
+      if (is_kept[part]) smaller.parts.push_back(index[part]);
+    if (!smaller.parts.empty()) result.groups.push_back(std::move(smaller));
+  }
+  auto rods = std::make_shared<std::vector<Aligned_shape::Contact_rods>>();
+  for (std::size_t c = 0; c < shape.contacts.size(); ++c) {
+    Aligned_shape::Contact contact = shape.contacts[c];
+    if (!is_kept[contact.parts[0]] || !is_kept[contact.parts[1]]) continue;
+    rods->push_back((*shape.rods)[c]);
+    contact.parts = {index[contact.parts[0]], index[contact.parts[1]]};
+    result.contacts.push_back(contact);
+  }
+  internal::number_groups(result);
+  internal::list_contacts(result);
+  result.distance = shape.distance(kept, kept);
+  result.rods = std::move(rods);
+  return result;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t count)
+{
+  const auto prominence = [&](std::size_t group) {
+    double most = 0;
+    for (std::size_t part : shape.groups[group].parts)
+      most = std::max(most, shape.prominence[part]);
+    return most;
+  };
+  std::vector<std::size_t> order(shape.groups.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return prominence(a) > prominence(b); });
+  std::vector<char> is_kept(shape.parts.size(), 0);
+  std::size_t kept = 0;
+  for (std::size_t group : order) {
+    const auto& parts = shape.groups[group].parts;
+    if (kept > 0 && kept + parts.size() > count) break;
+    for (std::size_t part : parts)
+      is_kept[part] = 1;
+    kept += parts.size();
+  }
+  return is_kept;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Points lifted_samples(const Sampled_part& part, Eigen::Index count)
+{
+  if (part.samples.cols() == count) return part.samples;
+  Points result(3, count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    result.col(i) = part.samples.col(i / samples_per_side);
+  return result;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Sampled_part segment(const Sampled_part& curve, int index, int count)
+{
+  CGAL_precondition(curve.kind == Sampled_part::Kind::CURVE && 0 <= index && index < count);
+  // Samples are equally spaced along the curve
+  Sampled_part result;
+  result.samples.resize(3, samples_per_side);
+  for (int i = 0; i < samples_per_side; ++i) {
+    const double at = (index * (samples_per_side - 1) + i) / double(count);
+    const int before = std::min(int(at), samples_per_side - 2);
+    result.samples.col(i) =
+        curve.samples.col(before) + (at - before) * (curve.samples.col(before + 1) - curve.samples.col(before));
+  }
+  result.centroid = result.samples.rowwise().mean();
+  return result;
+}
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns)
 {
@@ -122,10 +248,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape align_shape(const Structural_grap
   }
   std::sort(result.groups.begin(), result.groups.end(),
             [](const Aligned_shape::Group& a, const Aligned_shape::Group& b) { return a.parts[0] < b.parts[0]; });
-  result.group_of.resize(rank.size());
-  for (std::size_t g = 0; g < result.groups.size(); ++g)
-    for (std::size_t part : result.groups[g].parts)
-      result.group_of[part] = g;
+  number_groups(result);
 
   for (const Contact& contact : shape.contacts) {
     Aligned_shape::Contact c;
@@ -139,13 +262,26 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape align_shape(const Structural_grap
     result.contacts.push_back(c);
   }
   std::sort(result.contacts.begin(), result.contacts.end(),
-            [](const Aligned_shape::Contact& a, const Aligned_shape::Contact& b) { return a.parts < b.parts; });
-  for (std::size_t c = 0; c < result.contacts.size(); ++c) {
-    const std::size_t g = result.group_of[result.contacts[c].parts[0]],
-                      h = result.group_of[result.contacts[c].parts[1]];
-    result.groups[g].contacts.push_back(c);
-    if (h != g) result.groups[h].contacts.push_back(c);
-  }
+            [](const Aligned_shape::Contact& a, const Aligned_shape::Contact& b) {
+              return std::tie(a.parts, a.samples) < std::tie(b.parts, b.samples);
+            });
+  const auto same_parts = [](const Aligned_shape::Contact& a, const Aligned_shape::Contact& b) {
+    return a.parts == b.parts;
+  };
+  result.contacts.erase(std::unique(result.contacts.begin(), result.contacts.end(), same_parts), result.contacts.end());
+  list_contacts(result);
+
+  const Eigen::Index n = Eigen::Index(result.parts.size());
+  result.distance = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < i; ++j)
+      result.distance(i, j) = result.distance(j, i) =
+          least_distance(result.parts[std::size_t(i)].samples, result.parts[std::size_t(j)].samples);
+
+  auto rods = std::make_shared<std::vector<Aligned_shape::Contact_rods>>();
+  for (const Aligned_shape::Contact& contact : result.contacts)
+    rods->push_back(contact_rods(result.parts[contact.parts[0]], result.parts[contact.parts[1]]));
+  result.rods = std::move(rods);
   return result;
 }
 

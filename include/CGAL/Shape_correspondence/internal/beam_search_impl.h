@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace CGAL {
@@ -19,49 +20,66 @@ namespace Shape_correspondence {
 namespace internal {
 
 // The order of assignment: the group with most contacts first, then always the one with most contacts to those before.
-inline std::vector<std::size_t> assignment_order(const Matching_problem& problem)
+inline std::vector<std::size_t> assignment_order(const Aligned_shape& shape)
 {
-  const std::vector<std::size_t>& groups = problem.active_groups();
-  const std::size_t n = problem.source().groups.size();
+  const Eigen::Index n = Eigen::Index(shape.groups.size());
   Eigen::MatrixXi contacts = Eigen::MatrixXi::Zero(n, n);
-  for (const Matching_problem::Edge& edge : problem.edges())
-    contacts(edge.first, edge.second) = contacts(edge.second, edge.first) = int(edge.contacts.size());
+  for (const Aligned_shape::Contact& contact : shape.contacts) {
+    const Eigen::Index g = Eigen::Index(shape.group_of[contact.parts[0]]),
+                       h = Eigen::Index(shape.group_of[contact.parts[1]]);
+    if (g != h) ++contacts(g, h), ++contacts(h, g);
+  }
   const Eigen::VectorXi degree = contacts.rowwise().sum();
 
   std::vector<std::size_t> order;
-  std::vector<char> placed(n, 0);
+  std::vector<char> placed(std::size_t(n), 0);
   Eigen::VectorXi to_placed = Eigen::VectorXi::Zero(n);
-  while (order.size() < groups.size()) {
-    std::size_t best = n;
-    for (std::size_t g : groups) {
-      if (placed[g]) continue;
+  while (order.size() < std::size_t(n)) {
+    Eigen::Index best = n;
+    for (Eigen::Index g = 0; g < n; ++g) {
+      if (placed[std::size_t(g)]) continue;
       if (best == n || std::make_pair(to_placed[g], degree[g]) > std::make_pair(to_placed[best], degree[best]))
         best = g;
     }
-    order.push_back(best);
-    placed[best] = 1;
+    order.push_back(std::size_t(best));
+    placed[std::size_t(best)] = 1;
     to_placed += contacts.col(best);
   }
   return order;
 }
 
-// Rates partial solutions: contacts between assigned groups by the tables, others by rods with propagated parts.
+// Rates partial solutions: contacts between assigned groups by the tables, others by rods with propagated parts. What
+// an expansion leaves alone keeps the energy that it has in the parent.
 class Partial_energy
 {
 public:
   explicit Partial_energy(const Matching_problem& problem)
       : problem_(problem),
-        displacement_(3, problem.source().parts.size()),
-        contact_displacement_(problem.source().contacts.size()),
-        matched_(problem.source().groups.size()),
-        energies_(problem.source().contacts.size())
-  {}
+        shape_(problem.source()),
+        propagation_(shape_),
+        displacement_(Points::Zero(3, Eigen::Index(shape_.parts.size()))),
+        contact_displacement_(shape_.contacts.size()),
+        matched_(shape_.groups.size()),
+        energies_(shape_.contacts.size()),
+        moved_by_(displacement_)
+  {
+    for (const Sampled_part& part : shape_.parts)
+      moved_.emplace_back(part.samples);
+    for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
+      for (std::size_t side : {0, 1}) {
+        const std::size_t group = shape_.group_of[shape_.contacts[contact].parts[side]];
+        contact_movement_.emplace_back();
+        for (std::size_t label = 0; label < problem.number_of_labels(group); ++label)
+          contact_movement_.back().push_back(contact_movement(contact, int(side), label));
+      }
+  }
 
   // The solution whose expansions are rated next.
   void set_parent(const Assignment& assignment)
   {
-    parent_.clear();
+    has_parent_ = false;
     (*this)(assignment);
+    has_parent_ = true;
     parent_ = assignment;
     parent_displacement_ = displacement_;
     parent_energies_ = energies_;
@@ -69,34 +87,47 @@ public:
 
   double operator()(const Assignment& assignment)
   {
-    const Aligned_shape& shape = problem_.source();
     for (std::size_t g = 0; g < matched_.size(); ++g)
-      matched_[g] = assignment[g] != unassigned;
-    move_contact_points(assignment);
-    propagate(shape, matched_, contact_displacement_, displacement_);
-
-    Energy_terms terms;
-    for (std::size_t contact : problem_.active_contacts()) {
-      const bool known = same_as_parent(contact, assignment);
-      energies_[contact] = known ? parent_energies_[contact] : contact_energy(contact, assignment);
-      terms.distortion += energies_[contact].distortion;
-      terms.connectedness += energies_[contact].connectedness;
-    }
-    ratios_.clear();
-    for (std::size_t g : problem_.active_groups())
-      ratios_.push_back(matched_[g] ? problem_.label(g, std::size_t(assignment[g])).solidity_ratio : 1.0);
-    terms.split = split_energy(ratios_);
-    return weighted_sum(terms, problem_.weights());
+      matched_[g] = assignment[g] != unassigned && !problem_.is_unmatched(g, std::size_t(assignment[g]));
+    for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
+      for (std::size_t side : {0, 1}) {
+        const std::size_t group = shape_.group_of[shape_.contacts[contact].parts[side]];
+        if (matched_[group])
+          contact_displacement_[contact][side] = contact_movement_[2 * contact + side][std::size_t(assignment[group])];
+      }
+    propagation_(matched_, contact_displacement_, displacement_);
+    for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
+      energies_[contact] =
+          same_as_parent(contact, assignment) ? parent_energies_[contact] : contact_energy(contact, assignment);
+    return weighted_sum(problem_.terms(assignment, energies_), problem_.options().weights);
   }
 
 private:
-  // An expansion changes little: far from the new label, contacts keep their energies
+  // How far the contact point of a matched part moves; that of a part with clones by their mean.
+  Point contact_movement(std::size_t contact, int side, std::size_t label) const
+  {
+    const Points& samples = shape_.parts[shape_.contacts[contact].parts[std::size_t(side)]].samples;
+    const std::size_t at = shape_.contacts[contact].samples[std::size_t(side)];
+    const auto& clones = problem_.touching(contact, side, label);
+    if (clones.empty()) return Point::Zero();
+    Point sum = Point::Zero();
+    for (std::size_t clone : clones) {
+      const Matching_problem::Fitted& fitted = problem_.fitted(clone);
+      const Points& target = problem_.target_piece(fitted.target_index).samples;
+      const std::size_t count = fitted.order->size();
+      const std::size_t on_piece =
+          at * std::size_t(fitted.source.count) - std::size_t(fitted.source.index) * (samples_per_side - 1);
+      const std::size_t from = on_piece * (count / std::size_t(samples.cols()));
+      sum += target.col((*fitted.order)[from] / int(count / std::size_t(target.cols())));
+    }
+    return sum / double(clones.size()) - samples.col(Eigen::Index(at));
+  }
+
   bool same_as_parent(std::size_t contact, const Assignment& assignment) const
   {
-    if (parent_.empty()) return false;
-    const Aligned_shape& shape = problem_.source();
-    for (std::size_t part : shape.contacts[contact].parts) {
-      const std::size_t group = shape.group_of[part];
+    if (!has_parent_) return false;
+    for (std::size_t part : shape_.contacts[contact].parts) {
+      const std::size_t group = shape_.group_of[part];
       if (assignment[group] != parent_[group]) return false;
       if (!matched_[group] && displacement_.col(Eigen::Index(part)) != parent_displacement_.col(Eigen::Index(part)))
         return false;
@@ -104,130 +135,136 @@ private:
     return true;
   }
 
-  const std::vector<std::size_t>& images(const Assignment& assignment, std::size_t part) const
+  // The samples of an unmatched part, moved; often they were moved like that before.
+  const Sample_lanes& moved(std::size_t part)
   {
-    const Aligned_shape& shape = problem_.source();
-    const std::size_t group = shape.group_of[part];
-    const auto& members = shape.groups[group].parts;
-    const auto member = std::lower_bound(members.begin(), members.end(), part) - members.begin();
-    return problem_.label(group, std::size_t(assignment[group])).images[std::size_t(member)];
+    const Eigen::Index column = Eigen::Index(part);
+    if (moved_by_.col(column) == displacement_.col(column)) return moved_[part];
+    const Points& samples = shape_.parts[part].samples;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      for (Eigen::Index i = 0; i < samples.cols(); ++i)
+        moved_[part].coordinates[axis][i] = float(samples(axis, i) + displacement_(axis, column));
+    moved_by_.col(column) = displacement_.col(column);
+    return moved_[part];
   }
 
-  // A contact point of a part with clones moves by their mean
-  void move_contact_points(const Assignment& assignment)
+  Rod_energy contact_energy(std::size_t contact, const Assignment& assignment)
   {
-    const Aligned_shape& shape = problem_.source();
-    for (std::size_t c : problem_.active_contacts())
-      for (int side : {0, 1}) {
-        const std::size_t part = shape.contacts[c].parts[side];
-        if (!matched_[shape.group_of[part]]) continue;
-        const Points& samples = shape.parts[part].samples;
-        const auto& clones = images(assignment, part);
-        Point sum = Point::Zero();
-        for (std::size_t image : clones) {
-          const Points& deformed = problem_.deformed(part, image);
-          const Eigen::Index lift = deformed.cols() / samples.cols();
-          sum += deformed.col(Eigen::Index(shape.contacts[c].samples[side]) * lift);
-        }
-        contact_displacement_[c][side] =
-            sum / double(clones.size()) - samples.col(Eigen::Index(shape.contacts[c].samples[side]));
-      }
-  }
-
-  Rod_energy contact_energy(std::size_t contact, const Assignment& assignment) const
-  {
-    const Aligned_shape& shape = problem_.source();
-    const auto& parts = shape.contacts[contact].parts;
-    const std::size_t g = shape.group_of[parts[0]], h = shape.group_of[parts[1]];
+    const auto& parts = shape_.contacts[contact].parts;
+    const std::size_t g = shape_.group_of[parts[0]], h = shape_.group_of[parts[1]];
     if (matched_[g] && matched_[h])
       return problem_.contact_energy(contact, std::size_t(assignment[g]), std::size_t(assignment[h]));
+    for (std::size_t group : {g, h})
+      if (!matched_[group] && assignment[group] != unassigned) return {}; // left unmatched, has its own cost
 
-    // Parts that move alike keep their rods
-    const bool alike = (displacement_.col(parts[0]) - displacement_.col(parts[1])).squaredNorm() < zero_squared_length;
-    if (!matched_[g] && !matched_[h] && alike) return {};
-
-    const Points moved_first = shape.parts[parts[0]].samples.colwise() + displacement_.col(parts[0]);
-    const Points moved_second = shape.parts[parts[1]].samples.colwise() + displacement_.col(parts[1]);
-    if (!matched_[g] && !matched_[h])
-      return problem_.rods(contact, moved_first.cols(), moved_second.cols()).energy(moved_first, moved_second);
+    if (!matched_[g] && !matched_[h]) {
+      // Parts that move alike keep their rods
+      const Point difference = displacement_.col(Eigen::Index(parts[0])) - displacement_.col(Eigen::Index(parts[1]));
+      if (difference.squaredNorm() < zero_rod) return {};
+      return rod_energy(contact, false, moved(parts[0]), int(shape_.parts[parts[0]].samples.cols()), false,
+                        moved(parts[1]));
+    }
 
     // One side is assigned: the propagated part keeps to the nearest of its clones
     const int side = matched_[g] ? 0 : 1;
+    const std::size_t matched_part = parts[std::size_t(side)], moved_part = parts[std::size_t(1 - side)];
+    const Eigen::Index own = shape_.parts[matched_part].samples.cols();
+    const Sample_lanes& other = moved(moved_part);
     Rod_energy best;
     double best_cost = std::numeric_limits<double>::infinity();
-    for (std::size_t image : images(assignment, parts[side])) {
-      const Points& deformed = problem_.deformed(parts[side], image);
-      const Points& first = side == 0 ? deformed : moved_first;
-      const Points& second = side == 0 ? moved_second : deformed;
-      const Rod_energy energy = problem_.rods(contact, first.cols(), second.cols()).energy(first, second);
-      const double cost = energy.distortion + problem_.weights().connectedness * energy.connectedness;
+    const Energy_weights& weights = problem_.options().weights;
+    for (std::size_t clone : problem_.touching(contact, side, std::size_t(assignment[shape_.group_of[matched_part]]))) {
+      const Matching_problem::Fitted& fitted = problem_.fitted(clone);
+      const bool lift = Eigen::Index(fitted.order->size()) != own && fitted.source.count == 1;
+      const Rod_energy energy =
+          side == 0
+              ? rod_energy(contact, lift, fitted.samples, int(fitted.order->size()), false, other)
+              : rod_energy(contact, false, other, int(shape_.parts[moved_part].samples.cols()), lift, fitted.samples);
+      const double cost = weights.distortion * energy.distortion + weights.connectedness * energy.connectedness;
       if (cost < best_cost) best = energy, best_cost = cost;
     }
     return best;
   }
 
+  Rod_energy rod_energy(std::size_t contact, bool lift_first, const Sample_lanes& first, int first_count,
+                        bool lift_second, const Sample_lanes& second) const
+  {
+    const Structural_rods& rods = problem_.rods(contact, lift_first, lift_second);
+    return {rods.distortion(first, second), rods.connectedness(least_distance(first, first_count, second))};
+  }
+
   const Matching_problem& problem_;
+  const Aligned_shape& shape_;
+  Propagation propagation_;
+  std::vector<std::vector<Point>> contact_movement_; // by side of contact and label
   Points displacement_;
   std::vector<std::array<Point, 2>> contact_displacement_;
   std::vector<char> matched_;
-  std::vector<double> ratios_;
   std::vector<Rod_energy> energies_;
-  Assignment parent_; // empty: none
+  std::vector<Sample_lanes> moved_; // by part, its samples moved by
+  Points moved_by_;
+  bool has_parent_ = false;
+  Assignment parent_;
   Points parent_displacement_;
   std::vector<Rod_energy> parent_energies_;
 };
 
-struct Beam_state
+struct Expansion
 {
-  long energy; // quantized, so that ties are settled by the labels
-  Assignment assignment;
+  long energy; // quantized, so that ties are settled by the indices
+  std::size_t parent;
+  int label;
 
-  bool operator<(const Beam_state& other) const
+  bool operator<(const Expansion& other) const
   {
-    return energy != other.energy ? energy < other.energy : assignment < other.assignment;
+    return std::tie(energy, parent, label) < std::tie(other.energy, other.parent, other.label);
   }
 };
 
-inline void keep_best(std::vector<Beam_state>& states, std::size_t count)
+// Drops all but the `count` best of the expansions from `begin` on, which are sorted.
+inline void keep_best(std::vector<Expansion>& expansions, std::size_t begin, std::size_t count)
 {
-  std::sort(states.begin(), states.end());
-  if (states.size() > count) states.resize(count);
+  std::sort(expansions.begin() + std::ptrdiff_t(begin), expansions.end());
+  expansions.resize(std::min(expansions.size(), begin + count));
 }
 
 } // namespace internal
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Search_result beam_search(const Matching_problem& problem, const Beam_options& options)
 {
-  using internal::Beam_state;
   if (options.beam_width < 1 || options.expansions < 1)
     throw Invalid_input("beam search: the beam width K and the number of expansions k must be at least 1");
 
   Search_result result;
-  result.summary.lower_bound = problem.lower_bound();
   internal::Partial_energy partial_energy(problem);
-  std::vector<Beam_state> beam{{0, Assignment(problem.source().groups.size(), unassigned)}};
-  for (std::size_t group : internal::assignment_order(problem)) {
-    std::vector<Beam_state> level;
-    for (const Beam_state& state : beam) {
-      std::vector<Beam_state> expansions;
-      partial_energy.set_parent(state.assignment);
-      for (std::size_t label = 0; label < problem.number_of_labels(); ++label) {
-        Beam_state next{0, state.assignment};
-        next.assignment[group] = int(label);
-        next.energy = internal::quantized(partial_energy(next.assignment));
-        expansions.push_back(std::move(next));
+  std::vector<Assignment> beam{Assignment(problem.source().groups.size(), unassigned)}, next;
+  std::vector<internal::Expansion> level;
+  for (std::size_t group : internal::assignment_order(problem.source())) {
+    level.clear();
+    for (std::size_t parent = 0; parent < beam.size(); ++parent) {
+      partial_energy.set_parent(beam[parent]);
+      const std::size_t begin = level.size();
+      for (int label = 0; label < int(problem.number_of_labels(group)); ++label) {
+        beam[parent][group] = label;
+        level.push_back({internal::quantized(partial_energy(beam[parent])), parent, label});
       }
-      result.summary.evaluations += expansions.size();
-      internal::keep_best(expansions, std::size_t(options.expansions));
-      level.insert(level.end(), expansions.begin(), expansions.end());
+      beam[parent][group] = unassigned;
+      result.summary.evaluations += level.size() - begin;
+      internal::keep_best(level, begin, std::size_t(options.expansions));
     }
-    internal::keep_best(level, std::size_t(options.beam_width));
+    internal::keep_best(level, 0, std::size_t(options.beam_width));
     result.summary.states += level.size();
-    beam = std::move(level);
+    next.resize(level.size());
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      next[i] = beam[level[i].parent];
+      next[i][group] = level[i].label;
+    }
+    beam.swap(next);
   }
-  result.assignment = beam.front().assignment;
-  result.energy = problem.energy(result.assignment);
-  result.optimal = result.energy <= result.summary.lower_bound && !problem.has_shortlists();
+  for (Assignment& assignment : beam)
+    result.solutions.push_back({problem.energy()(assignment), std::move(assignment)});
+  result.summary.lower_bound = std::min(problem.energy().lower_bound(), result.best().energy);
+  result.optimal = result.best().energy <= result.summary.lower_bound;
   return result;
 }
 

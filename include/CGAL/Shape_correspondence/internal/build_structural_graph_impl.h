@@ -78,9 +78,11 @@ inline Points sample_shape(const Segmented_shape& shape)
 inline void warn_of_fallbacks(const std::vector<Part_abstraction>& parts, std::vector<std::string>& warnings)
 {
   for (const Part_abstraction& part : parts) {
-    if (part.report.method != Abstraction_report::Method::BOUNDING_BOX) continue;
-    warnings.push_back("Part '" + part.name + "' is abstracted by its bounding box, since the flow " +
-                       (part.report.time_limit ? "ran into its time limit." : "cannot treat it."));
+    const Abstraction_report& report = part.report;
+    if (!report.is_fallback()) continue;
+    warnings.push_back("Part '" + part.name + "' is abstracted by its bounding box: " +
+                       (report.copy_of.empty() ? "" : "it is a copy of part '" + report.copy_of + "', and ") +
+                       report.fallback + ".");
   }
 }
 

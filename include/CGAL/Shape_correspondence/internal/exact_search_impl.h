@@ -6,11 +6,15 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_EXACT_SEARCH_IMPL_H
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_EXACT_SEARCH_IMPL_H
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/exact_search.h>
-#include <CGAL/Shape_correspondence/internal/bucket_elimination.h>
+#include <CGAL/Shape_correspondence/internal/message_passing.h>
+#include <CGAL/Shape_correspondence/internal/min_fill_order.h>
+#include <CGAL/Shape_correspondence/internal/mini_bucket_bound.h>
 #include <CGAL/Shape_correspondence/internal/quantized.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -21,184 +25,303 @@ namespace internal {
 // Energies closer than this are equal: the first solution found stays.
 constexpr double energy_tolerance = 1e-9;
 
-// The energy with E_s replaced by its tangent at the sum of squares q0: a sum of terms, nowhere above E.
-// E_s = 1 - sqrt(q / n) for q = sum of S_i², and -sqrt is convex.
-class Tangent_problem
+// The energy with its root terms replaced by their tangents at the sums `touched`: a sum of terms of one and of two
+// variables, nowhere above the energy, since -sqrt is convex.
+class Tangent_bound
 {
 public:
-  Tangent_problem(const Matching_problem& problem, const std::vector<std::size_t>& order, double q0,
-                  std::size_t table_limit)
-      : buckets(order.size(), problem.number_of_labels(), table_limit)
+  Tangent_bound(const Pairwise_energy& energy, const std::vector<std::size_t>& order,
+                const std::vector<double>& touched, std::size_t table_limit)
   {
-    const double n = double(order.size()), w = problem.weights().split;
-    offset = w * (1 - std::sqrt(q0 / n) / 2);
-    std::vector<std::size_t> position(problem.source().groups.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-      position[order[i]] = i;
-
+    std::vector<std::size_t> position(order.size()), labels(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
-      Cost_table table{{i}, {}};
-      for (std::size_t l = 0; l < problem.number_of_labels(); ++l) {
-        const double s = problem.label(order[i], l).solidity_ratio;
-        table.values.push_back(problem.unary_cost(order[i])[Eigen::Index(l)] - w * s * s / (2 * std::sqrt(n * q0)));
-      }
-      buckets.add(std::move(table));
+      position[order[i]] = i;
+      labels[i] = energy.number_of_labels(order[i]);
     }
-    for (const Matching_problem::Edge& edge : problem.edges()) {
-      const bool swap = position[edge.first] > position[edge.second];
-      const Eigen::MatrixXd cost = swap ? Eigen::MatrixXd(edge.cost.transpose()) : edge.cost;
-      Cost_table table{{position[swap ? edge.second : edge.first], position[swap ? edge.first : edge.second]}, {}};
-      for (Eigen::Index a = 0; a < cost.rows(); ++a)
-        for (Eigen::Index b = 0; b < cost.cols(); ++b)
-          table.values.push_back(cost(a, b));
-      buckets.add(std::move(table));
+    // w (1 - sqrt(Q / n)) >= w (1 - sqrt(q / n) / 2) - slope Q
+    std::vector<double> slopes;
+    for (std::size_t r = 0; r < touched.size(); ++r) {
+      const Pairwise_energy::Root_term& term = energy.root_terms[r];
+      offset_ += term.weight * (1 - std::sqrt(touched[r] / term.count) / 2);
+      slopes.push_back(term.weight / (2 * std::sqrt(term.count * touched[r])));
     }
-    buckets.run();
+
+    std::vector<Eigen::VectorXd> unary(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      unary[i] = energy.unary[order[i]];
+      for (std::size_t r = 0; r < slopes.size(); ++r)
+        unary[i] -= slopes[r] * energy.root_terms[r].unary[order[i]];
+    }
+    std::vector<Pair_cost> pairs;
+    for (std::size_t e = 0; e < energy.edges.size(); ++e) {
+      const Pairwise_energy::Edge& edge = energy.edges[e];
+      Eigen::MatrixXd cost = edge.cost;
+      for (std::size_t r = 0; r < slopes.size(); ++r)
+        if (!energy.root_terms[r].edge.empty()) cost -= slopes[r] * energy.root_terms[r].edge[e];
+      const std::size_t a = position[edge.first], b = position[edge.second];
+      if (a < b)
+        pairs.push_back({a, b, std::move(cost)});
+      else
+        pairs.push_back({b, a, cost.transpose()});
+    }
+
+    buckets_ = std::make_unique<Mini_bucket_bound>(labels, table_limit);
+    fill(unary, pairs);
+    if (buckets_->exact()) return;
+    constexpr int sweeps = 30; // of messages, where the tables do not fit
+    reparametrize(unary, pairs, sweeps);
+    buckets_ = std::make_unique<Mini_bucket_bound>(labels, table_limit);
+    fill(unary, pairs);
   }
 
-  double bound() const { return offset + buckets.bound(); }
-
-  Bucket_elimination buckets;
-  double offset;
-};
-
-// Depth-first branch and bound over the assignments whose tangent bound is below the incumbent's energy.
-class Branch_and_bound
-{
-public:
-  Branch_and_bound(const Matching_problem& problem, const std::vector<std::size_t>& order, std::size_t node_limit)
-      : problem_(problem),
-        order_(order),
-        node_limit_(node_limit),
-        assignment_(problem.source().groups.size(), unassigned)
-  {}
-
-  // With `first_leaf_only`, the solution that the bound leads to, without a proof.
-  void run(const Tangent_problem& tangent, bool first_leaf_only, Search_result& best)
-  {
-    tangent_ = &tangent;
-    best_ = &best;
-    first_leaf_only_ = first_leaf_only;
-    done_ = false;
-    labels_.assign(order_.size(), 0);
-    descend(0, tangent.offset);
-  }
-
-  std::size_t nodes() const { return nodes_; }
-  bool finished() const { return nodes_ < node_limit_; }
+  double bound() const { return offset_ + buckets_->bound(); }
+  double offset() const { return offset_; }
+  const Mini_bucket_bound& buckets() const { return *buckets_; }
 
 private:
-  void descend(std::size_t level, double cost)
+  void fill(const std::vector<Eigen::VectorXd>& unary, const std::vector<Pair_cost>& pairs)
   {
-    if (level == order_.size()) return leaf();
-    struct Child
-    {
-      double bound, cost;
-      int label;
-    };
-    std::vector<Child> children;
-    for (std::size_t l = 0; l < problem_.number_of_labels(); ++l) {
-      labels_[level] = int(l);
-      const double complete = cost + tangent_->buckets.cost(level, labels_);
-      const double bound = complete + tangent_->buckets.remainder(level, labels_);
-      if (bound < limit()) children.push_back({bound, complete, int(l)});
+    for (std::size_t i = 0; i < unary.size(); ++i)
+      buckets_->add({{i}, std::vector<double>(unary[i].begin(), unary[i].end())});
+    for (const Pair_cost& pair : pairs) {
+      Cost_table table{{pair.first, pair.second}, {}};
+      table.values.reserve(std::size_t(pair.cost.size()));
+      for (Eigen::Index a = 0; a < pair.cost.rows(); ++a)
+        for (Eigen::Index b = 0; b < pair.cost.cols(); ++b)
+          table.values.push_back(pair.cost(a, b));
+      buckets_->add(std::move(table));
     }
-    std::stable_sort(children.begin(), children.end(),
-                     [](const Child& a, const Child& b) { return quantized(a.bound) < quantized(b.bound); });
-    for (const Child& child : children) {
-      if (done_ || child.bound >= limit()) continue;
-      if (++nodes_ >= node_limit_) done_ = true;
-      labels_[level] = child.label;
-      assignment_[order_[level]] = child.label;
-      descend(level + 1, child.cost);
-    }
+    buckets_->run();
   }
 
-  void leaf()
-  {
-    const double energy = problem_.energy(assignment_);
-    if (best_->assignment.empty() || energy < best_->energy - energy_tolerance) {
-      best_->assignment = assignment_;
-      best_->energy = energy;
-    }
-    if (first_leaf_only_) done_ = true;
-  }
-
-  double limit() const
-  {
-    return best_->assignment.empty() || first_leaf_only_ ? std::numeric_limits<double>::infinity()
-                                                         : best_->energy - energy_tolerance;
-  }
-
-  const Matching_problem& problem_;
-  const std::vector<std::size_t>& order_;
-  std::size_t node_limit_, nodes_ = 0;
-  Assignment assignment_;
-  std::vector<int> labels_;
-  const Tangent_problem* tangent_ = nullptr;
-  Search_result* best_ = nullptr;
-  bool first_leaf_only_ = false, done_ = false;
+  std::unique_ptr<Mini_bucket_bound> buckets_;
+  double offset_ = 0;
 };
 
-inline std::vector<std::size_t> elimination_order(const Matching_problem& problem)
+inline std::vector<std::size_t> elimination_order(const Pairwise_energy& energy)
 {
-  const std::vector<std::size_t>& groups = problem.active_groups();
-  const auto index = [&](std::size_t group) {
-    return std::size_t(std::lower_bound(groups.begin(), groups.end(), group) - groups.begin());
-  };
   std::vector<std::pair<std::size_t, std::size_t>> edges;
-  for (const Matching_problem::Edge& edge : problem.edges())
-    edges.emplace_back(index(edge.first), index(edge.second));
-  std::vector<std::size_t> order;
-  for (std::size_t i : min_fill_order(groups.size(), edges))
-    order.push_back(groups[i]);
-  return order;
-}
-
-inline double squared_sum(const Matching_problem& problem, const Assignment& assignment)
-{
-  double sum = 0;
-  for (std::size_t g : problem.active_groups()) {
-    const double s = problem.label(g, std::size_t(assignment[g])).solidity_ratio;
-    sum += s * s;
-  }
-  return sum;
+  for (const Pairwise_energy::Edge& edge : energy.edges)
+    edges.emplace_back(edge.first, edge.second);
+  return min_fill_order(energy.number_of_variables(), edges);
 }
 
 } // namespace internal
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE Search_result exact_search(const Matching_problem& problem,
-                                                            const Exact_options& options)
+class Exact_search::Impl
 {
-  constexpr int maximum_tangents = 5;
-  const std::vector<std::size_t> order = internal::elimination_order(problem);
-  internal::Branch_and_bound search(problem, order, options.node_limit);
-  Search_result result;
-  result.summary.method = "exact";
-  result.summary.lower_bound = problem.lower_bound();
-
-  // Each tangent touches at the solution that the one before led to; the first at no split at all
-  double q0 = double(order.size()), best_q0 = q0, best_bound = -std::numeric_limits<double>::infinity();
-  for (int i = 0; i < maximum_tangents; ++i) {
-    const internal::Tangent_problem tangent(problem, order, q0, options.table_limit);
-    if (tangent.bound() > best_bound) best_bound = tangent.bound(), best_q0 = q0;
-    Search_result leaf;
-    search.run(tangent, true, leaf);
-    if (result.assignment.empty() || leaf.energy < result.energy - internal::energy_tolerance)
-      result.assignment = leaf.assignment, result.energy = leaf.energy;
-    const double touched = internal::squared_sum(problem, leaf.assignment);
-    if (std::abs(touched - q0) < internal::energy_tolerance || touched <= 0) break;
-    q0 = touched;
+public:
+  Impl(const Pairwise_energy& energy, const Exact_options& options)
+      : energy_(energy), options_(options), order_(internal::elimination_order(energy))
+  {
+    if (options.solutions < 1) throw Invalid_input("exact search: at least one solution must be asked for");
+    for (std::size_t v = 0; v < energy.number_of_variables(); ++v)
+      maximum_labels_ = std::max(maximum_labels_, energy.number_of_labels(v));
+    const std::size_t n = order_.size();
+    labels_.assign(n, 0);
+    assignment_.assign(n, unassigned);
+    costs_.resize(n * maximum_labels_);
+    bounds_.resize(n * maximum_labels_);
+    children_.resize(n * maximum_labels_);
+    choose_tangent();
   }
-  search.run(internal::Tangent_problem(problem, order, best_q0, options.table_limit), false, result);
 
-  result.optimal = search.finished() && !problem.has_shortlists();
-  // Rounding in the bound must not put it above the energy it proves
-  result.summary.lower_bound =
-      result.optimal ? result.energy : std::min(result.energy, std::max(result.summary.lower_bound, best_bound));
-  result.summary.states = search.nodes();
-  result.summary.evaluations = search.nodes();
-  return result;
+  Search_result run()
+  {
+    wanted_ = options_.solutions;
+    start(options_.node_limit);
+    descend(0, tangent_->offset());
+    Search_result result;
+    result.summary.method = "exact";
+    result.solutions = solutions_;
+    result.optimal = !stopped_;
+    // Rounding in the bound must not put it above the energy it proves
+    result.summary.lower_bound =
+        result.optimal ? result.best().energy
+                       : std::min(result.best().energy, std::max(energy_.lower_bound(), tangent_->bound()));
+    result.summary.states = result.summary.evaluations = nodes_;
+    return result;
+  }
+
+  std::vector<double> min_marginals(const Search_result& result)
+  {
+    std::vector<double> rises(order_.size(), std::numeric_limits<double>::infinity());
+    wanted_ = 1;
+    for (std::size_t level = 0; level < order_.size(); ++level) {
+      const std::size_t variable = order_[level];
+      if (energy_.number_of_labels(variable) < 2) continue;
+      forbidden_level_ = level;
+      forbidden_label_ = result.best().assignment[variable];
+      solutions_.clear();
+      start(options_.node_limit / order_.size());
+      descend(0, tangent_->offset());
+      rises[variable] = std::max(0.0, solutions_.front().energy - result.best().energy);
+    }
+    forbidden_level_ = order_.size();
+    return rises;
+  }
+
+private:
+  // Each tangent touches at the solution that the one before led to; the first at the greatest sums. The one with the
+  // greatest bound is kept.
+  void choose_tangent()
+  {
+    constexpr int maximum_tangents = 5;
+    wanted_ = options_.solutions;
+    std::vector<double> touched;
+    for (const Pairwise_energy::Root_term& term : energy_.root_terms)
+      touched.push_back(term.count);
+    for (int i = 0; i < maximum_tangents; ++i) {
+      auto tangent = std::make_unique<internal::Tangent_bound>(energy_, order_, touched, options_.table_limit);
+      const bool better = !tangent_ || tangent->bound() > tangent_->bound();
+      std::swap(tangent, better ? tangent_ : tangent);
+      start(options_.node_limit);
+      first_leaf_only_ = true;
+      const internal::Tangent_bound& current = better ? *tangent_ : *tangent;
+      descend_with(current);
+      first_leaf_only_ = false;
+      if (!current.buckets().exact()) improve();
+      keep();
+      bool moved = false;
+      for (std::size_t r = 0; r < touched.size(); ++r) {
+        const double sum = energy_.root_sum(energy_.root_terms[r], assignment_);
+        moved = moved || (std::abs(sum - touched[r]) > internal::energy_tolerance && sum > 0);
+        if (sum > 0) touched[r] = sum;
+      }
+      if (!moved) break;
+    }
+  }
+
+  void descend_with(const internal::Tangent_bound& tangent)
+  {
+    current_ = &tangent;
+    descend(0, tangent.offset());
+  }
+
+  void start(std::size_t node_limit)
+  {
+    current_ = tangent_.get();
+    nodes_ = 0;
+    node_limit_ = node_limit;
+    stopped_ = false;
+    begin_ = std::chrono::steady_clock::now();
+  }
+
+  void descend(std::size_t level, double cost)
+  {
+    if (level == order_.size()) {
+      keep();
+      stopped_ = stopped_ || first_leaf_only_;
+      return;
+    }
+    const std::size_t variable = order_[level], count = energy_.number_of_labels(variable);
+    double* costs = costs_.data() + level * maximum_labels_;
+    double* bounds = bounds_.data() + level * maximum_labels_;
+    int* children = children_.data() + level * maximum_labels_;
+    current_->buckets().extend(level, labels_, cost, costs, bounds);
+    int* end = children;
+    for (int l = 0; l < int(count); ++l)
+      if (bounds[l] < limit() && !(level == forbidden_level_ && l == forbidden_label_)) *end++ = l;
+    std::sort(children, end, [bounds](int a, int b) {
+      const long first = internal::quantized(bounds[a]), second = internal::quantized(bounds[b]);
+      return first != second ? first < second : a < b;
+    });
+    for (const int* child = children; child != end && !stopped_; ++child) {
+      if (bounds[*child] >= limit()) continue;
+      ++nodes_;
+      check_limits();
+      labels_[level] = assignment_[variable] = *child;
+      descend(level + 1, costs[*child]);
+    }
+  }
+
+  // A limit counts once there is a solution.
+  void check_limits()
+  {
+    if (solutions_.empty() || first_leaf_only_) return;
+    constexpr std::size_t interval = 1024; // nodes between two looks at the clock
+    stopped_ = stopped_ || nodes_ >= node_limit_;
+    if (options_.time_limit > 0 && nodes_ % interval == 0) {
+      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+      stopped_ = stopped_ || elapsed.count() > options_.time_limit;
+    }
+  }
+
+  // Changes labels one at a time while the energy falls.
+  void improve()
+  {
+    double least = energy_(assignment_);
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t v = 0; v < assignment_.size(); ++v) {
+        int best = assignment_[v];
+        for (int l = 0; l < int(energy_.number_of_labels(v)); ++l) {
+          assignment_[v] = l;
+          const double energy = energy_(assignment_);
+          if (energy < least - internal::energy_tolerance) least = energy, best = l, changed = true;
+        }
+        assignment_[v] = best;
+      }
+    }
+  }
+
+  // Puts the current assignment among the best ones, in their order; among equals, the first found comes first.
+  void keep()
+  {
+    const double energy = energy_(assignment_);
+    if (solutions_.size() == wanted_ && energy >= solutions_.back().energy - internal::energy_tolerance) return;
+    for (const Solution& solution : solutions_)
+      if (solution.assignment == assignment_) return;
+    if (solutions_.size() < wanted_) solutions_.emplace_back();
+    solutions_.back().energy = energy;
+    solutions_.back().assignment = assignment_;
+    for (std::size_t i = solutions_.size() - 1; i > 0 && energy < solutions_[i - 1].energy - internal::energy_tolerance;
+         --i)
+      std::swap(solutions_[i], solutions_[i - 1]);
+  }
+
+  double limit() const
+  {
+    return solutions_.size() < wanted_ || first_leaf_only_ ? std::numeric_limits<double>::infinity()
+                                                           : solutions_.back().energy - internal::energy_tolerance;
+  }
+
+  const Pairwise_energy& energy_;
+  const Exact_options options_;
+  const std::vector<std::size_t> order_;
+  std::unique_ptr<internal::Tangent_bound> tangent_; // the best one
+  const internal::Tangent_bound* current_ = nullptr;
+
+  std::size_t maximum_labels_ = 0;
+  std::vector<double> costs_, bounds_; // by level and label
+  std::vector<int> children_;
+  std::vector<int> labels_; // by level
+  Assignment assignment_;
+  std::vector<Solution> solutions_; // the best `wanted_` so far
+  std::size_t wanted_ = 1;
+  std::size_t forbidden_level_ = std::size_t(-1);
+  int forbidden_label_ = unassigned;
+  std::size_t nodes_ = 0, node_limit_ = 0;
+  bool first_leaf_only_ = false, stopped_ = false;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Exact_search::Exact_search(const Pairwise_energy& energy, const Exact_options& options)
+    : impl_(std::make_unique<Impl>(energy, options))
+{}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Exact_search::~Exact_search() = default;
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Search_result Exact_search::run() { return impl_->run(); }
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<double> Exact_search::min_marginals(const Search_result& result)
+{
+  return impl_->min_marginals(result);
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Search_result exact_search(const Pairwise_energy& energy, const Exact_options& options)
+{
+  return Exact_search(energy, options).run();
 }
 
 } // namespace Shape_correspondence

@@ -12,26 +12,66 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-// One run of the search: `deformed` is the shape that plays the paper's source.
+inline Matching_options without_cost_of_unmatched(Matching_options options)
+{
+  options.unmatched_cost = 0;
+  return options;
+}
+
+// One run of the search: the source of its problem is the shape that is deformed.
 struct Search_run
 {
   Matching_problem problem;
+  Direction direction;
+  int turns; // of the target
   Search_result result;
 
-  Search_run(const Aligned_shape& deformed, const Aligned_shape& other, const Search_options& options)
-      : problem(deformed, other, options.weights, options.maximum_parts),
-        result(options.method == Search_method::EXACT ? exact_search(problem, options.exact)
-                                                      : beam_search(problem, options.beam))
-  {}
+  Search_run(const Aligned_shape& source, const Aligned_shape& target, Direction direction, int turns,
+             const Search_options& options)
+      : problem(direction == Direction::SOURCE_TO_TARGET ? source : target,
+                direction == Direction::SOURCE_TO_TARGET ? target : source, options.matching),
+        direction(direction),
+        turns(turns)
+  {
+    if (options.method == Search_method::EXACT) {
+      Exact_options exact = options.exact;
+      exact.solutions = std::size_t(options.solutions);
+      result = exact_search(problem.energy(), exact);
+    } else {
+      result = beam_search(problem, options.beam);
+    }
+    if (result.solutions.size() > std::size_t(options.solutions))
+      result.solutions.resize(std::size_t(options.solutions));
+    result.optimal = result.optimal && !problem.has_shortlists();
+  }
+
+  // A mapping that was found by other means: the only label of every group of the source. What it leaves unmatched
+  // costs nothing.
+  Search_run(const Aligned_shape& source, const Aligned_shape& target, int turns,
+             std::vector<std::vector<Group_label>> labels, const Search_options& options)
+      : problem(source, target, std::move(labels), without_cost_of_unmatched(options.matching)),
+        direction(Direction::SOURCE_TO_TARGET),
+        turns(turns)
+  {
+    const Assignment assignment(source.groups.size(), 0);
+    result.solutions = {{problem.energy()(assignment), assignment}};
+    result.summary.method = "parts";
+    result.summary.states = result.summary.evaluations = 1;
+  }
 
   // Energy per pair of connected parts, which compares between directions
-  double score() const { return result.energy / double(std::max<std::size_t>(1, problem.active_contacts().size())); }
+  double score() const
+  {
+    return result.best().energy / double(std::max<std::size_t>(1, problem.source().contacts.size()));
+  }
 };
 
 inline std::vector<std::size_t> original_parts(const Aligned_shape& shape, const std::vector<std::size_t>& parts)
@@ -43,16 +83,18 @@ inline std::vector<std::size_t> original_parts(const Aligned_shape& shape, const
   return result;
 }
 
-// Half of every contact's cost to either of its groups.
-inline void share_energy(const Search_run& run, std::vector<Rod_energy>& group_energy, Correspondence& correspondence)
+// The energy of every contact, and half of it for either of its groups.
+inline std::vector<Rod_energy> share_energy(const Matching_problem& problem, const Assignment& assignment,
+                                            Correspondence& correspondence)
 {
-  const Matching_problem& problem = run.problem;
   const Aligned_shape& shape = problem.source();
-  for (std::size_t contact : problem.active_contacts()) {
+  std::vector<Rod_energy> group_energy;
+  for (std::size_t g = 0; g < shape.groups.size(); ++g)
+    group_energy.push_back(problem.cut_energy(g, std::size_t(assignment[g])));
+  for (std::size_t contact = 0; contact < shape.contacts.size(); ++contact) {
     const auto& parts = shape.contacts[contact].parts;
     const std::size_t g = shape.group_of[parts[0]], h = shape.group_of[parts[1]];
-    const Rod_energy energy =
-        problem.contact_energy(contact, std::size_t(run.result.assignment[g]), std::size_t(run.result.assignment[h]));
+    const Rod_energy energy = problem.contact_energy(contact, std::size_t(assignment[g]), std::size_t(assignment[h]));
     for (std::size_t group : {g, h}) {
       group_energy[group].distortion += energy.distortion / 2;
       group_energy[group].connectedness += energy.connectedness / 2;
@@ -64,28 +106,42 @@ inline void share_energy(const Search_run& run, std::vector<Rod_energy>& group_e
   }
   std::sort(correspondence.contacts.begin(), correspondence.contacts.end(),
             [](const Contact_energy& a, const Contact_energy& b) { return a.parts < b.parts; });
+  return group_energy;
 }
 
-inline void collect_groups(const Search_run& run, Correspondence& correspondence)
+// The target parts of a label, each once.
+inline std::vector<std::size_t> image_parts(const Group_label& label)
 {
-  const Matching_problem& problem = run.problem;
+  std::vector<std::size_t> parts;
+  for (const auto& images : label.images)
+    for (const Image& image : images)
+      parts.push_back(image.target.part);
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  return parts;
+}
+
+inline void collect_groups(const Matching_problem& problem, const Assignment& assignment,
+                           const std::vector<double>& min_marginals, Correspondence& correspondence)
+{
   const Aligned_shape &shape = problem.source(), &other = problem.target();
+  const Energy_weights& weights = problem.options().weights;
   const bool forward = correspondence.direction == Direction::SOURCE_TO_TARGET;
-  std::vector<Rod_energy> group_energy(shape.groups.size());
-  share_energy(run, group_energy, correspondence);
-  for (std::size_t g : problem.active_groups()) {
-    const Group_label& label = problem.label(g, std::size_t(run.result.assignment[g]));
+  const std::vector<Rod_energy> group_energy = share_energy(problem, assignment, correspondence);
+  for (std::size_t g = 0; g < shape.groups.size(); ++g) {
+    const Group_label& label = problem.label(g, std::size_t(assignment[g]));
     Group_match match;
     match.source = original_parts(shape, shape.groups[g].parts);
-    match.target = original_parts(other, other.groups[label.target_group].parts);
+    match.target = original_parts(other, image_parts(label));
     match.operation = label.operation;
     match.distortion = group_energy[g].distortion;
     match.connectedness = group_energy[g].connectedness;
-    match.energy = match.distortion + problem.weights().connectedness * match.connectedness;
+    match.energy = weights.distortion * match.distortion + weights.connectedness * match.connectedness;
     match.solidity_ratio = label.solidity_ratio;
-    for (std::size_t i = 0; i < label.images.size(); ++i)
-      for (std::size_t image : label.images[i]) {
-        const std::size_t part = shape.original[shape.groups[g].parts[i]], became = other.original[image];
+    if (!min_marginals.empty()) match.min_marginal = min_marginals[g];
+    for (const auto& images : label.images)
+      for (const Image& image : images) {
+        const std::size_t part = shape.original[image.source.part], became = other.original[image.target.part];
         correspondence.pairs.push_back(forward ? std::make_pair(part, became) : std::make_pair(became, part));
       }
     if (!forward) std::swap(match.source, match.target);
@@ -97,21 +153,30 @@ inline void collect_groups(const Search_run& run, Correspondence& correspondence
   std::sort(correspondence.pairs.begin(), correspondence.pairs.end());
 }
 
-inline std::vector<std::size_t> unmatched(const std::vector<char>& is_matched)
+// Parts without a pair.
+inline void collect_unmatched(std::size_t source_parts, std::size_t target_parts, Correspondence& correspondence)
 {
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < is_matched.size(); ++i)
-    if (!is_matched[i]) result.push_back(i);
-  return result;
+  std::vector<char> source(source_parts, 0), target(target_parts, 0);
+  for (const auto& pair : correspondence.pairs)
+    source[pair.first] = 1, target[pair.second] = 1;
+  const auto zeros = [](const std::vector<char>& is_matched) {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < is_matched.size(); ++i)
+      if (!is_matched[i]) result.push_back(i);
+    return result;
+  };
+  correspondence.unmatched_source = zeros(source);
+  correspondence.unmatched_target = zeros(target);
 }
 
-inline Correspondence correspondence_of(const Search_run& run, Direction direction, std::size_t source_parts,
-                                        std::size_t target_parts)
+inline Correspondence correspondence_of(const Search_run& run, const Solution& solution,
+                                        const std::vector<double>& min_marginals)
 {
   Correspondence correspondence;
-  correspondence.direction = direction;
-  correspondence.energy = run.result.energy;
-  correspondence.terms = run.problem.terms(run.result.assignment);
+  correspondence.direction = run.direction;
+  correspondence.target_quarter_turns = run.turns;
+  correspondence.energy = solution.energy;
+  correspondence.terms = run.problem.terms(solution.assignment);
   correspondence.complete = true;
   correspondence.optimal = run.result.optimal;
   correspondence.search = run.result.summary;
@@ -119,53 +184,220 @@ inline Correspondence correspondence_of(const Search_run& run, Direction directi
     correspondence.warnings.push_back("There are " + std::to_string(run.problem.target().groups.size()) +
                                       " groups to choose from; each was given the " + std::to_string(maximum_labels) +
                                       " nearest in place and size to choose from.");
-  collect_groups(run, correspondence);
-
-  std::vector<char> source(source_parts, 0), target(target_parts, 0);
-  for (const auto& pair : correspondence.pairs)
-    source[pair.first] = 1, target[pair.second] = 1;
-  correspondence.unmatched_source = unmatched(source);
-  correspondence.unmatched_target = unmatched(target);
+  collect_groups(run.problem, solution.assignment, min_marginals, correspondence);
   return correspondence;
 }
 
+inline void check(const Search_options& options)
+{
+  const Energy_weights& weights = options.matching.weights;
+  if (weights.distortion < 0 || weights.connectedness < 0 || weights.split < 0)
+    throw Invalid_input("find_correspondence: the weights of E_d, E_c and E_s must not be negative");
+  if (!(options.matching.unmatched_cost >= 0))
+    throw Invalid_input("find_correspondence: the cost of leaving a part unmatched must not be negative");
+  if (options.maximum_parts < 0 || options.alignments < 0)
+    throw Invalid_input("find_correspondence: the numbers of parts and of alignments must not be negative");
+  if (!(options.min_confidence >= 0 && options.min_confidence <= 1))
+    throw Invalid_input("find_correspondence: the least confidence must be between 0 and 1");
+  if (options.solutions < 1) throw Invalid_input("find_correspondence: at least one solution must be asked for");
+}
+
+// What a part matching makes of the groups of the source. S_i is known where a group becomes a group, as a whole.
+inline std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching, const Aligned_shape& source,
+                                                          const Aligned_shape& target)
+{
+  std::vector<std::vector<std::size_t>> images(source.parts.size());
+  for (const Part_match& pair : matching.pairs)
+    images[pair.source].push_back(pair.target);
+
+  std::vector<std::vector<Group_label>> labels;
+  for (const Aligned_shape::Group& group : source.groups) {
+    Group_label label;
+    for (std::size_t part : group.parts) {
+      label.images.emplace_back();
+      for (std::size_t image : images[part])
+        label.images.back().push_back({{part}, {image}});
+    }
+    const std::vector<std::size_t> parts = image_parts(label);
+    if (!parts.empty()) {
+      label.target_group = target.group_of[parts[0]];
+      label.operation = operation(group.parts.size(), parts.size());
+      if (target.groups[label.target_group].parts == parts)
+        label.solidity_ratio = solidity_ratio(group, target.groups[label.target_group]);
+    }
+    labels.push_back({std::move(label)});
+  }
+  return labels;
+}
+
+// How well the parts of two shapes go with one another: the mean of the least cost of every part.
+inline long matching_cost(const Part_matching& matching)
+{
+  return quantized(matching.costs.rowwise().minCoeff().mean() + matching.costs.colwise().minCoeff().mean());
+}
+
+// The confidences of pairs, in the order of the correspondence's pairs.
+inline std::vector<double> ordered_confidences(const Part_matching& matching, const Aligned_shape& source,
+                                               const Aligned_shape& target)
+{
+  std::vector<std::pair<std::pair<std::size_t, std::size_t>, double>> pairs;
+  for (const Part_match& pair : matching.pairs)
+    pairs.push_back({{source.original[pair.source], target.original[pair.target]}, pair.confidence});
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<double> result;
+  for (const auto& pair : pairs)
+    result.push_back(pair.second);
+  return result;
+}
+
+// The turns of the target that are tried.
+inline std::vector<int> tried_turns(const Shape_frame& source, const Shape_frame& target, int alignments)
+{
+  std::vector<int> turns = alignment_turns(source, target);
+  if (alignments > 0 && turns.size() > std::size_t(alignments)) turns.resize(std::size_t(alignments));
+  return turns;
+}
+
+inline void mark_cancelled(std::size_t done, std::size_t runs, Correspondence& correspondence)
+{
+  correspondence.complete = correspondence.optimal = false;
+  correspondence.warnings.push_back("The search was cancelled after " + std::to_string(done) + " of " +
+                                    std::to_string(runs) + " runs; this is the best result up to then.");
+}
+
+// The shape as far as it takes part.
+inline Aligned_shape participating(Aligned_shape shape, const std::vector<std::size_t>& chosen, int maximum_parts)
+{
+  if (!chosen.empty()) {
+    std::vector<char> is_kept(shape.parts.size(), 0);
+    for (std::size_t part : chosen) {
+      const auto found = std::find(shape.original.begin(), shape.original.end(), part);
+      if (found == shape.original.end())
+        throw Invalid_input("find_correspondence: there is no part number " + std::to_string(part) +
+                            " to choose, the shape has " + std::to_string(shape.parts.size()) + " parts");
+      is_kept[std::size_t(found - shape.original.begin())] = 1;
+    }
+    shape = restricted(shape, is_kept);
+  }
+  if (maximum_parts > 0) shape = restricted(shape, most_prominent_parts(shape, std::size_t(maximum_parts)));
+  return shape;
+}
+
 } // namespace internal
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence_finder::Correspondence_finder(const Structural_graph& source,
+                                                                              const Search_options& options)
+    : options_(options), source_frame_(structure(source).frame), number_of_parts_(structure(source).parts.size())
+{
+  internal::check(options);
+  source_ = internal::participating(align_shape(source), options.source_parts, options.maximum_parts);
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence Correspondence_finder::operator()(const Structural_graph& target) const
+{
+  return std::move(ranked(target).front());
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Correspondence>
+Correspondence_finder::ranked(const Structural_graph& target) const
+{
+  std::vector<Correspondence> result;
+  if (options_.method == Search_method::PARTS)
+    result.push_back(matched_parts(target));
+  else
+    result = least_energy(target);
+  for (Correspondence& correspondence : result)
+    internal::collect_unmatched(number_of_parts_, structure(target).parts.size(), correspondence);
+  return result;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape Correspondence_finder::aligned(const Structural_graph& target,
+                                                                              int quarter_turns) const
+{
+  return internal::participating(align_shape(target, quarter_turns), options_.target_parts, options_.maximum_parts);
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence
+Correspondence_finder::matched_parts(const Structural_graph& target) const
+{
+  const std::vector<int> turns = internal::tried_turns(source_frame_, structure(target).frame, options_.alignments);
+  Part_matching best;
+  int best_turn = 0;
+  long best_cost = std::numeric_limits<long>::max();
+  std::size_t done = 0;
+  for (int turn : turns) {
+    if (options_.progress && !options_.progress(double(done) / double(turns.size()))) break;
+    const Aligned_shape shape = aligned(target, turn);
+    Part_matching matching = match_parts(source_, shape, options_.parts);
+    ++done;
+    const long cost = internal::matching_cost(matching);
+    if (cost < best_cost) best_cost = cost, best_turn = turn, best = std::move(matching);
+  }
+  const auto unsure = [&](const Part_match& pair) { return pair.confidence < options_.min_confidence; };
+  best.pairs.erase(std::remove_if(best.pairs.begin(), best.pairs.end(), unsure), best.pairs.end());
+
+  const Aligned_shape shape = aligned(target, best_turn);
+  const internal::Search_run run(source_, shape, best_turn, internal::group_labels(best, source_, shape), options_);
+  Correspondence result = internal::correspondence_of(run, run.result.best(), {});
+  result.confidences = internal::ordered_confidences(best, source_, shape);
+  if (done < turns.size()) internal::mark_cancelled(done, turns.size(), result);
+  return result;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Correspondence>
+Correspondence_finder::least_energy(const Structural_graph& target) const
+{
+  const std::vector<int> turns = internal::tried_turns(source_frame_, structure(target).frame, options_.alignments);
+  std::vector<Direction> directions{Direction::SOURCE_TO_TARGET};
+  if (options_.both_directions) directions.push_back(Direction::TARGET_TO_SOURCE);
+
+  std::unique_ptr<const internal::Search_run> best;
+  std::size_t states = 0, evaluations = 0, done = 0;
+  const std::size_t run_count = turns.size() * directions.size();
+  bool cancelled = false;
+  for (std::size_t t = 0; t < turns.size() && !cancelled; ++t) {
+    const Aligned_shape shape = aligned(target, turns[t]);
+    for (Direction direction : directions) {
+      cancelled = cancelled || (options_.progress && !options_.progress(double(done) / double(run_count)));
+      if (cancelled) break;
+      auto run = std::make_unique<internal::Search_run>(source_, shape, direction, turns[t], options_);
+      ++done;
+      states += run->result.summary.states;
+      evaluations += run->result.summary.evaluations;
+      if (!best || internal::quantized(run->score()) < internal::quantized(best->score())) best = std::move(run);
+    }
+  }
+
+  std::vector<Correspondence> result;
+  if (best) {
+    std::vector<double> min_marginals;
+    if (options_.min_marginals)
+      min_marginals = Exact_search(best->problem.energy(), options_.exact).min_marginals(best->result);
+    for (const Solution& solution : best->result.solutions)
+      result.push_back(
+          internal::correspondence_of(*best, solution, result.empty() ? min_marginals : std::vector<double>()));
+  } else {
+    result.emplace_back();
+  }
+  for (Correspondence& correspondence : result) {
+    correspondence.search.states = states;
+    correspondence.search.evaluations = evaluations;
+    if (cancelled) internal::mark_cancelled(done, run_count, correspondence);
+  }
+  return result;
+}
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence find_correspondence(const Structural_graph& source,
                                                                     const Structural_graph& target,
                                                                     const Search_options& options)
 {
-  if (options.weights.connectedness < 0 || options.weights.split < 0)
-    throw Invalid_input("find_correspondence: the weights w_c and w_s must not be negative");
-  if (options.maximum_parts < 0 || options.alignments < 0)
-    throw Invalid_input("find_correspondence: the numbers of parts and of alignments must not be negative");
+  return Correspondence_finder(source, options)(target);
+}
 
-  std::vector<int> turns = alignment_turns(structure(source).frame, structure(target).frame);
-  if (options.alignments > 0 && turns.size() > std::size_t(options.alignments))
-    turns.resize(std::size_t(options.alignments));
-
-  const Aligned_shape from = align_shape(source);
-  Correspondence best;
-  long best_score = std::numeric_limits<long>::max();
-  std::size_t states = 0, evaluations = 0;
-  for (int turn : turns) {
-    const Aligned_shape to = align_shape(target, turn);
-    for (Direction direction : {Direction::SOURCE_TO_TARGET, Direction::TARGET_TO_SOURCE}) {
-      const bool forward = direction == Direction::SOURCE_TO_TARGET;
-      if (!forward && !options.both_directions) continue;
-      const internal::Search_run run(forward ? from : to, forward ? to : from, options);
-      states += run.result.summary.states;
-      evaluations += run.result.summary.evaluations;
-      const long score = internal::quantized(run.score());
-      if (score >= best_score) continue;
-      best_score = score;
-      best = internal::correspondence_of(run, direction, from.parts.size(), to.parts.size());
-      best.target_quarter_turns = turn;
-    }
-  }
-  best.search.states = states;
-  best.search.evaluations = evaluations;
-  return best;
+CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Correspondence>
+find_correspondences(const Structural_graph& source, const Structural_graph& target, const Search_options& options)
+{
+  return Correspondence_finder(source, options).ranked(target);
 }
 
 } // namespace Shape_correspondence

@@ -12,11 +12,16 @@
 
 #include <algorithm>
 #include <array>
-#include <variant>
 
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
+
+/// The diagonal of the axis-parallel bounding box; 0 of no points.
+inline double diagonal(const Points& points)
+{
+  return points.cols() == 0 ? 0. : (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+}
 
 /// A box with its axes in the order of their extents, longest first.
 struct Oriented_box
@@ -88,15 +93,6 @@ inline bool is_flat(const Eigen::Vector3d& extents)
 inline bool is_compact(const Eigen::Vector3d& extents)
 {
   return extents[1] > 0.2 * extents[0] && extents[2] >= 0.5 * extents[1];
-}
-
-/// The medial curve or sheet of the bounding box of points: what stands in where the flow cannot.
-inline std::variant<Curve, Sheet> medial_geometry(const Oriented_box& box, int curve_points, int sheet_points)
-{
-  if (is_flat(box.extents)) {
-    return medial_sheet(box, sheet_points);
-  }
-  return medial_curve(box, curve_points);
 }
 
 } // namespace internal

@@ -14,6 +14,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -130,7 +132,9 @@ struct Congruence
 
 /// Sorts meshes into classes of congruent ones. Which of a class is the original depends on their places, not on their
 /// order.
-inline std::vector<Congruence> find_congruences(const std::vector<Part_mesh>& meshes)
+/// \param comparable whether the meshes of two indices may be in one class
+inline std::vector<Congruence> find_congruences(const std::vector<Part_mesh>& meshes,
+                                                const std::function<bool(std::size_t, std::size_t)>& comparable)
 {
   std::vector<Mesh_signature> signatures(meshes.begin(), meshes.end());
   std::vector<std::size_t> order(meshes.size());
@@ -149,6 +153,9 @@ inline std::vector<Congruence> find_congruences(const std::vector<Part_mesh>& me
     vertices[i] = std::make_unique<Nearest_points>(meshes[i].points);
     result[i].original = i;
     for (std::size_t original : originals) {
+      if (!comparable(original, i)) {
+        continue;
+      }
       if (const auto motion = find_congruence(signatures[original], signatures[i], *vertices[original], *vertices[i])) {
         result[i] = {original, *motion};
         break;

@@ -41,6 +41,15 @@ struct Sheet_plane
   Points to_space(const Points& points) const { return (axes * points).colwise() + centre; }
 };
 
+/// Variances of points along their principal axes, the largest first.
+inline Eigen::Vector3d principal_variances(const Points& points)
+{
+  const Points centred = points.colwise() - points.rowwise().mean();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred * centred.transpose() / points.cols(),
+                                                              Eigen::EigenvaluesOnly);
+  return solver.eigenvalues().reverse().cwiseMax(1e-300);
+}
+
 inline Sheet_plane principal_plane(const Points& points)
 {
   Sheet_plane result;

@@ -6,18 +6,8 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_HULL_H
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_HULL_H
 
-#include <CGAL/Shape_correspondence/internal/abstraction/bounding_box.h>
-#include <CGAL/Shape_correspondence/internal/abstraction/meshes.h>
-#include <CGAL/Shape_correspondence/internal/abstraction/reproducible_hull.h>
-#include <CGAL/Shape_correspondence/internal/planar_hull.h>
-
-#include <Eigen/Geometry>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <vector>
+#include <CGAL/Shape_correspondence/Points.h>
+#include <CGAL/Shape_correspondence/config.h>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -29,91 +19,14 @@ struct Convex_hull
   double volume = 0; ///< 0 of flat points
 };
 
-/// Hull vertices of points that lie in a plane: those of the rectangle or polygon in it.
-inline Convex_hull flat_hull(const Points& points, const Oriented_box& box)
-{
-  Planar_points flat;
-  const Points turned = box.axes.transpose() * (points.colwise() - box.centre);
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    flat.push_back(turned.col(i).head<2>());
-  }
-  const Planar_points outline = planar_hull(flat);
-  Convex_hull result;
-  result.vertices.resize(3, static_cast<Eigen::Index>(outline.size()));
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    result.vertices.col(static_cast<Eigen::Index>(i)) = box.centre + box.axes.leftCols<2>() * outline[i];
-  }
-  return result;
-}
-
-/// The thinnest direction of points decides whether they are flat: a hull of rounding noise has no volume.
-inline Oriented_box thinnest_box(const Points& points)
-{
-  const Points centred = points.colwise() - points.rowwise().mean();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred * centred.transpose());
-  return box_along(points, solver.eigenvectors());
-}
-
-/// The vertices of a hull and its volume, both from a sorted mesh: the algorithm's output is ordered by addresses.
-inline Convex_hull measured_hull(const Surface& mesh)
-{
-  using Key = std::array<double, 3>;
-  const auto key = [&](Surface::Vertex_index v) {
-    return Key{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
-  };
-  std::map<Key, int> order;
-  for (auto v : mesh.vertices()) {
-    order[key(v)] = 0;
-  }
-  Convex_hull result;
-  result.vertices.resize(3, static_cast<Eigen::Index>(order.size()));
-  int count = 0;
-  for (auto& [position, index] : order) {
-    result.vertices.col(count) << position[0], position[1], position[2];
-    index = count++;
-  }
-  std::vector<std::vector<int>> faces;
-  for (auto f : mesh.faces()) {
-    faces.emplace_back();
-    for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
-      faces.back().push_back(order.at(key(v)));
-    }
-    std::rotate(faces.back().begin(), std::min_element(faces.back().begin(), faces.back().end()), faces.back().end());
-  }
-  std::sort(faces.begin(), faces.end());
-  const Point apex = result.vertices.col(0);
-  for (const auto& face : faces) {
-    for (std::size_t k = 2; k < face.size(); ++k) {
-      const Point a = result.vertices.col(face[0]) - apex, b = result.vertices.col(face[k - 1]) - apex,
-                  c = result.vertices.col(face[k]) - apex;
-      result.volume += a.dot(b.cross(c)) / 6;
-    }
-  }
-  result.volume = std::abs(result.volume);
-  return result;
-}
-
-inline Convex_hull convex_hull(const Points& points)
-{
-  const double thinnest = 1e-6;
-  if (points.cols() == 0) {
-    return {};
-  }
-  const Oriented_box box = thinnest_box(points);
-  if (box.extents[2] <= thinnest * box.extents[0]) {
-    return flat_hull(points, box);
-  }
-  std::vector<Mesh_point> input;
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    input.push_back(to_mesh_point(points.col(i)));
-  }
-  Surface hull;
-  CGAL::convex_hull_3(input.begin(), input.end(), hull, Hull_traits());
-  return measured_hull(hull);
-}
+Convex_hull convex_hull(const Points& points);
 
 } // namespace internal
 } // namespace Shape_correspondence
 } // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/abstraction/hull_impl.h>
+#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_HULL_H

@@ -7,6 +7,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_MESHES_H
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/internal/abstraction/bounding_box.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -27,11 +28,6 @@ using Surface = CGAL::Surface_mesh<Mesh_point>;
 
 inline Point to_point(const Mesh_point& p) { return {p.x(), p.y(), p.z()}; }
 inline Mesh_point to_mesh_point(const Point& p) { return {p.x(), p.y(), p.z()}; }
-
-inline double diagonal(const Points& points)
-{
-  return points.cols() == 0 ? 0. : (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
-}
 
 inline double diagonal(const Surface& mesh)
 {
@@ -60,12 +56,34 @@ inline Triangle_soup to_soup(const Part_mesh& mesh)
   return result;
 }
 
-inline Points vertex_positions(const Surface& mesh)
+/// \pre `mesh` has no garbage
+inline Part_mesh to_part_mesh(const Surface& mesh)
 {
-  Points result(3, static_cast<Eigen::Index>(mesh.number_of_vertices()));
-  Eigen::Index i = 0;
+  Part_mesh result;
+  result.points.resize(3, static_cast<Eigen::Index>(mesh.number_of_vertices()));
+  result.triangles.resize(3, static_cast<Eigen::Index>(mesh.number_of_faces()));
   for (auto v : mesh.vertices()) {
-    result.col(i++) = to_point(mesh.point(v));
+    result.points.col(static_cast<Eigen::Index>(v.idx())) = to_point(mesh.point(v));
+  }
+  for (auto f : mesh.faces()) {
+    int k = 0;
+    for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
+      result.triangles(k++, static_cast<Eigen::Index>(f.idx())) = static_cast<int>(v.idx());
+    }
+  }
+  return result;
+}
+
+/// \pre the triangles make a manifold, consistently oriented
+inline Surface to_surface(const Part_mesh& mesh)
+{
+  Surface result;
+  for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
+    result.add_vertex(to_mesh_point(mesh.points.col(v)));
+  }
+  const auto vertex = [](int v) { return Surface::Vertex_index(static_cast<Surface::size_type>(v)); };
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    result.add_face(vertex(mesh.triangles(0, t)), vertex(mesh.triangles(1, t)), vertex(mesh.triangles(2, t)));
   }
   return result;
 }

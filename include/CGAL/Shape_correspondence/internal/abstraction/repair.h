@@ -7,195 +7,36 @@
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_REPAIR_H
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
-#include <CGAL/Shape_correspondence/internal/abstraction/meshes.h>
-
-#include <CGAL/Polygon_mesh_processing/border.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/alpha_wrap_3.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <vector>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/internal/abstraction/deadline.h>
 
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-namespace PMP = CGAL::Polygon_mesh_processing;
-
 /// A part made fit for the flow.
 struct Repaired_part
 {
-  Surface mesh;      ///< closed, connected, oriented outwards
+  Part_mesh mesh;    ///< closed, connected, oriented outwards
   double volume = 0; ///< enclosed by the whole part, of all its components
   Abstraction_report::Repair repair = Abstraction_report::Repair::NONE;
   bool several_components = false;
 };
 
-/// Enclosed volume over area^1.5: 0.094 for a ball, 0.0035 for a plate a hundredth thick.
-inline double fullness(const Surface& mesh)
-{
-  const double area = PMP::area(mesh);
-  return area > 0 ? PMP::volume(mesh) / (area * std::sqrt(area)) : 0.;
-}
-
-inline Surface soup_to_mesh(const Part_mesh& part, bool& changed)
-{
-  Triangle_soup soup = to_soup(part);
-  const std::size_t points = soup.points.size(), triangles = soup.triangles.size();
-  PMP::repair_polygon_soup(soup.points, soup.triangles);
-  changed = soup.points.size() != points || soup.triangles.size() != triangles;
-  changed |= !PMP::orient_polygon_soup(soup.points, soup.triangles);
-  Surface mesh;
-  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
-  changed |= PMP::stitch_borders(mesh) > 0;
-  mesh.collect_garbage();
-  return mesh;
-}
-
-inline void turn_outwards(Surface& mesh)
-{
-  if (PMP::volume(mesh) < 0) {
-    PMP::reverse_face_orientations(mesh);
-  }
-}
-
-/// The connected components, the one of the largest area first.
-inline std::vector<Surface> components_by_area(const Surface& mesh)
-{
-  std::vector<Surface> components;
-  PMP::split_connected_components(mesh, components);
-  std::vector<double> areas;
-  std::vector<std::size_t> order;
-  for (const Surface& component : components) {
-    order.push_back(areas.size());
-    areas.push_back(PMP::area(component));
-  }
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
-  std::vector<Surface> result;
-  for (std::size_t c : order) {
-    result.push_back(std::move(components[c]));
-  }
-  return result;
-}
-
-/// Closes all holes by flat or minimal patches.
-/// \return whether that gave a solid to rely on; `mesh` is unchanged if not
-inline bool fill_holes(Surface& mesh)
-{
-  // A longer border is not a hole but the rim of a surface; triangulating it takes cubic time.
-  const std::size_t longest_border = 400;
-  const double smallest_fullness = 1e-3;
-  Surface filled = mesh;
-  std::vector<Surface::Halfedge_index> borders;
-  PMP::extract_boundary_cycles(filled, std::back_inserter(borders));
-  for (auto h : borders) {
-    if (halfedges_around_face(h, filled).size() > longest_border) {
-      return false;
-    }
-    std::vector<Surface::Face_index> patch;
-    PMP::triangulate_hole(filled, h, std::back_inserter(patch),
-                          CGAL::parameters::use_2d_constrained_delaunay_triangulation(true));
-  }
-  if (!CGAL::is_closed(filled) || PMP::does_self_intersect(filled)) {
-    return false;
-  }
-  turn_outwards(filled);
-  if (fullness(filled) < smallest_fullness) {
-    return false;
-  }
-  mesh = std::move(filled);
-  return true;
-}
-
-inline bool is_solid(Surface& mesh)
-{
-  const double smallest_fullness = 1e-4;
-  if (!CGAL::is_closed(mesh)) {
-    return false;
-  }
-  turn_outwards(mesh);
-  return fullness(mesh) > smallest_fullness;
-}
-
-/// A closed surface around everything, at a small distance.
-inline Surface wrap(const Part_mesh& part)
-{
-  const double size = diagonal(part.points);
-  const double alpha = size / 30, offset = size / 600;
-  const Triangle_soup soup = to_soup(part);
-  Surface result;
-  CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset, result);
-  turn_outwards(result);
-  return result;
-}
-
-/// Whether a component stands for its whole part: it spans the part and has most of its area.
-inline bool dominates(const Surface& component, const Part_mesh& part, double area)
-{
-  return diagonal(component) > 0.9 * diagonal(part.points) && PMP::area(component) > 0.5 * area;
-}
-
-/// Makes a closed and connected mesh of a part.
-inline Repaired_part repair_part(const Part_mesh& part)
-{
-  using Repair = Abstraction_report::Repair;
-  Repaired_part result;
-  bool soup_changed = false;
-  const Surface mesh = soup_to_mesh(part, soup_changed);
-  const double area = PMP::area(mesh);
-  std::vector<Surface> components = components_by_area(mesh);
-  result.several_components = components.size() > 1;
-  result.repair = soup_changed ? Repair::SOUP : Repair::NONE;
-
-  bool all_solid = true;
-  std::vector<bool> solid;
-  for (Surface& component : components) {
-    const bool closed = CGAL::is_closed(component);
-    solid.push_back(closed ? is_solid(component) : fill_holes(component));
-    if (!closed && solid.back()) {
-      result.repair = Repair::HOLES;
-    }
-    result.volume += solid.back() ? PMP::volume(component) : 0.;
-    all_solid = all_solid && solid.back();
-    if (!solid[0]) {
-      break; // everything is going to be wrapped
-    }
-  }
-  if (!components.empty() && solid[0] && dominates(components[0], part, area)) {
-    result.mesh = std::move(components[0]);
-    return result;
-  }
-  Surface wrapped = wrap(part);
-  if (!all_solid) {
-    result.volume = PMP::volume(wrapped);
-  }
-  result.mesh = std::move(components_by_area(wrapped).at(0));
-  turn_outwards(result.mesh);
-  result.repair = Repair::WRAP;
-  return result;
-}
+/// Makes a closed and connected mesh of a part: its dominant component, holes filled, or a wrap around everything.
+/// \throw Flow_failure
+Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline);
 
 /// Triangles of one size, as the flow needs them: a leg of eight vertices would collapse to a point.
-inline void remesh_evenly(Surface& mesh, double edge_length)
-{
-  const int iterations = 3;
-  PMP::isotropic_remeshing(faces(mesh), edge_length, mesh, CGAL::parameters::number_of_iterations(iterations));
-  mesh.collect_garbage();
-}
+/// \throw Flow_failure
+Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& deadline);
 
 } // namespace internal
 } // namespace Shape_correspondence
 } // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/abstraction/repair_impl.h>
+#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_REPAIR_H

@@ -31,8 +31,6 @@ struct Spatial_graph
 class Spatial_graph_view
 {
 public:
-  using Edge_length = std::function<double(int, int)>;
-
   explicit Spatial_graph_view(const Spatial_graph& graph)
       : points_(&graph.points), neighbours_(static_cast<std::size_t>(graph.points.cols()))
   {
@@ -64,7 +62,7 @@ public:
   }
 
   int size() const { return static_cast<int>(neighbours_.size()); }
-  Point point(int v) const { return points_->col(v); }
+  Points::ConstColXpr point(int v) const { return points_->col(v); }
   const std::vector<int>& neighbours(int v) const { return neighbours_[static_cast<std::size_t>(v)]; }
   int degree(int v) const { return static_cast<int>(neighbours(v).size()); }
   double length(int a, int b) const { return (point(a) - point(b)).norm(); }
@@ -102,9 +100,15 @@ public:
     return result;
   }
 
-  /// Distances of all vertices along edges (Dijkstra); infinite where there is no path.
-  Eigen::VectorXd distances_from(int source, std::vector<int>* parents = nullptr,
-                                 const Edge_length& edge_length = {}) const
+  /// Distances of all vertices along edges; infinite where there is no path.
+  Eigen::VectorXd distances_from(int source) const
+  {
+    return distances_from(source, nullptr, [this](int a, int b) { return length(a, b); });
+  }
+
+  /// The same by Dijkstra's algorithm with other lengths of edges.
+  template <typename Edge_length>
+  Eigen::VectorXd distances_from(int source, std::vector<int>* parents, const Edge_length& edge_length) const
   {
     using Entry = std::pair<double, int>;
     Eigen::VectorXd result = Eigen::VectorXd::Constant(size(), std::numeric_limits<double>::infinity());
@@ -121,7 +125,7 @@ public:
         continue;
       }
       for (int b : neighbours(a)) {
-        const double candidate = distance + (edge_length ? edge_length(a, b) : length(a, b));
+        const double candidate = distance + edge_length(a, b);
         if (candidate < result[b]) {
           result[b] = candidate;
           queue.emplace(candidate, b);
@@ -149,7 +153,13 @@ public:
   }
 
   /// The vertices of a shortest path; empty where there is none.
-  std::vector<int> path(int from, int to, const Edge_length& edge_length = {}) const
+  std::vector<int> path(int from, int to) const
+  {
+    return path(from, to, [this](int a, int b) { return length(a, b); });
+  }
+
+  template <typename Edge_length>
+  std::vector<int> path(int from, int to, const Edge_length& edge_length) const
   {
     std::vector<int> parents;
     if (!(distances_from(from, &parents, edge_length)[to] < std::numeric_limits<double>::infinity())) {

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_STRUCTURAL_GRAPH_CACHE_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_STRUCTURAL_GRAPH_CACHE_H
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/build_structural_graph.h>
+
+#include <optional>
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// Identifies what `build_structural_graph()` makes of a shape: a hash (SHA-1) of all names, coordinates and triangles to
+/// the bit, of all options that the graph depends on, and of the version of the algorithms. Of the abstractor it holds the
+/// type only: one that has a state needs a folder for every state. Linear time.
+std::string content_hash(const Segmented_shape& shape, const Structure_options& options);
+
+/// A folder of structural graphs, each under the content hash of what it was built from. Many processes may use one
+/// folder at a time. A file that is damaged, or is not what its name says, counts as missing.
+class Structural_graph_cache
+{
+public:
+  /// Makes the folder if there is none. \throw Invalid_input if it cannot be used
+  explicit Structural_graph_cache(std::string folder);
+
+  /// The graph of this content, the same to the bit but for the surface samples and hulls of the parts, which are not
+  /// saved; none if it is not there.
+  std::optional<Structural_graph> find(const std::string& content) const;
+
+  /// Saves a graph under its `content`, in place of what was there. One that depends on the machine's speed, since a part
+  /// reached the time limit, is not saved. \throw Invalid_input if the file cannot be written
+  void insert(const Structural_graph& graph) const;
+
+private:
+  std::string path(const std::string& content) const;
+
+  std::string folder_;
+};
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_STRUCTURAL_GRAPH_CACHE_H

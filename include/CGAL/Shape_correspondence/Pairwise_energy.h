@@ -1,0 +1,67 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_PAIRWISE_ENERGY_H
+#define CGAL_SHAPE_CORRESPONDENCE_PAIRWISE_ENERGY_H
+
+#include <CGAL/Shape_correspondence/config.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// A label index by variable; `unassigned` where a variable has none yet.
+using Assignment = std::vector<int>;
+constexpr int unassigned = -1;
+
+/// The energy of an assignment of labels to variables, as tables: terms of one and of two variables, and terms of the
+/// form w (1 - sqrt(Q / n)) where Q is again a sum of such terms (E_s of Eq. 5 is one; so is a pooled E_d).
+struct Pairwise_energy
+{
+  /// Two variables and a value for every pair of their labels.
+  struct Edge
+  {
+    std::size_t first, second; ///< first < second; a pair of variables has one edge at most
+    Eigen::MatrixXd cost;      ///< label of first × label of second
+  };
+
+  /// w (1 - sqrt(Q / n)). \pre 0 <= Q <= n for every assignment
+  struct Root_term
+  {
+    double weight = 0;                  ///< w, not negative
+    double count = 1;                   ///< n
+    std::vector<Eigen::VectorXd> unary; ///< share of Q by variable and label
+    std::vector<Eigen::MatrixXd> edge;  ///< share of Q by edge and pair of labels; empty: none
+  };
+
+  std::vector<Eigen::VectorXd> unary; ///< by variable, a cost for every label; as many labels as entries
+  std::vector<Edge> edges;
+  std::vector<Root_term> root_terms;
+
+  std::size_t number_of_variables() const { return unary.size(); }
+  std::size_t number_of_labels(std::size_t variable) const { return std::size_t(unary[variable].size()); }
+
+  /// Q of a root term.
+  double root_sum(const Root_term& term, const Assignment& assignment) const;
+
+  /// The energy of a complete assignment.
+  double operator()(const Assignment& assignment) const;
+
+  /// No assignment has a lower energy: the sum of the least values of all terms.
+  double lower_bound() const;
+};
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/Pairwise_energy_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_PAIRWISE_ENERGY_H

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SEARCH_RESULT_H
+#define CGAL_SHAPE_CORRESPONDENCE_SEARCH_RESULT_H
+
+#include <CGAL/Shape_correspondence/Correspondence.h>
+#include <CGAL/Shape_correspondence/Pairwise_energy.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// A complete assignment and its energy.
+struct Solution
+{
+  double energy = 0;
+  Assignment assignment;
+};
+
+/// What a search found.
+struct Search_result
+{
+  std::vector<Solution> solutions; ///< the best first; at least one
+  bool optimal = false;            ///< no assignments have lower energies than these
+  Search_summary summary;
+
+  const Solution& best() const { return solutions.front(); }
+};
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SEARCH_RESULT_H

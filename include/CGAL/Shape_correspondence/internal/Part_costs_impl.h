@@ -1,0 +1,381 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_PART_COSTS_IMPL_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_PART_COSTS_IMPL_H
+
+#include <CGAL/Shape_correspondence/Part_costs.h>
+
+#include <CGAL/Shape_correspondence/internal/quantized.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+// Lengths in the unit box
+constexpr double box_padding = 0.02;      // keeps the volume of flat boxes above 0
+constexpr double extent_padding = 0.03;   // under it, extents count as equal
+constexpr double ground_tolerance = 0.03; // a part that starts lower stands on the ground
+
+constexpr double anchor_confidence = 0.2; // pairs above it bend one box onto the other
+constexpr double warp_width = 0.15;       // standard deviation of their influence, in the unit box
+constexpr double warp_inertia = 0.3;      // weight of staying in place
+
+constexpr double group_share = 0.3;      // of a group's cost in those of its parts
+constexpr double whole_group_charge = 1; // added to the cost of their union
+
+using Axes = Eigen::Array3d;
+using Surface = Eigen::ArrayX3d; // a point a row
+
+// The boxes of all parts, one a row.
+struct Boxes
+{
+  Eigen::ArrayX3d low, high;
+};
+
+// A part, or several as one.
+struct Part_extent
+{
+  Eigen::Matrix3d orientation;
+  bool on_ground = false;
+};
+
+// The parts of a shape in its unit box.
+struct Compared_shape
+{
+  std::vector<Surface> surfaces;
+  std::vector<Part_extent> parts;
+  Boxes boxes;
+
+  std::vector<const Aligned_shape::Group*> wholes; // the groups that may stand for one part
+  std::vector<Part_extent> whole_parts;
+  Boxes whole_boxes;
+};
+
+// Square root of the covariance, of Frobenius norm 1: what is long where, whatever the size.
+inline Eigen::Matrix3d orientation(const Surface& surface)
+{
+  const Surface centred = surface.rowwise() - surface.colwise().mean();
+  const Eigen::Matrix3d covariance = centred.matrix().transpose() * centred.matrix() / double(surface.rows());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
+  const Eigen::Vector3d lengths = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
+  const double norm = lengths.norm();
+  if (norm == 0) return Eigen::Matrix3d::Zero();
+  return eigen.eigenvectors() * (lengths / norm).asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+inline Part_extent part_extent(const Surface& surface)
+{
+  return {orientation(surface), quantized(surface.col(1).minCoeff()) < quantized(ground_tolerance)};
+}
+
+inline Surface surface_of(const Compared_shape& shape, const std::vector<std::size_t>& parts)
+{
+  Eigen::Index n = 0;
+  for (std::size_t part : parts)
+    n += shape.surfaces[part].rows();
+  Surface result(n, 3);
+  for (std::size_t part : parts) {
+    const Surface& surface = shape.surfaces[part];
+    result.middleRows(result.rows() - n, surface.rows()) = surface;
+    n -= surface.rows();
+  }
+  return result;
+}
+
+inline void add_box(Boxes& boxes, Eigen::Index row, const Surface& surface)
+{
+  boxes.low.row(row) = surface.colwise().minCoeff();
+  boxes.high.row(row) = surface.colwise().maxCoeff();
+}
+
+inline Compared_shape compared_shape(const Aligned_shape& shape)
+{
+  Compared_shape result;
+  Axes low = Axes::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Sampled_part& part : shape.parts) {
+    low = low.min(part.surface.rowwise().minCoeff().array());
+    high = high.max(part.surface.rowwise().maxCoeff().array());
+  }
+  const Axes side = (high - low > comparison_grid).select(high - low, 1.);
+
+  const auto n = Eigen::Index(shape.parts.size());
+  result.boxes = {Eigen::ArrayX3d(n, 3), Eigen::ArrayX3d(n, 3)};
+  for (const Sampled_part& part : shape.parts) {
+    result.surfaces.push_back((part.surface.transpose().array().rowwise() - low.transpose()).rowwise() /
+                              side.transpose());
+    add_box(result.boxes, Eigen::Index(result.parts.size()), result.surfaces.back());
+    result.parts.push_back(part_extent(result.surfaces.back()));
+  }
+
+  for (const Aligned_shape::Group& group : shape.groups)
+    if (group.parts.size() >= whole_group_size && group.parts.size() < shape.parts.size())
+      result.wholes.push_back(&group);
+  const auto wholes = Eigen::Index(result.wholes.size());
+  result.whole_boxes = {Eigen::ArrayX3d(wholes, 3), Eigen::ArrayX3d(wholes, 3)};
+  for (const Aligned_shape::Group* group : result.wholes) {
+    const Surface surface = surface_of(result, group->parts);
+    add_box(result.whole_boxes, Eigen::Index(result.whole_parts.size()), surface);
+    result.whole_parts.push_back(part_extent(surface));
+  }
+  return result;
+}
+
+// Distances of the points of the parts of one shape from the parts of another: [part](point, other part).
+using Point_distances = std::vector<Eigen::ArrayXXd>;
+
+inline Point_distances room_for_distances(const Compared_shape& from, const Compared_shape& to)
+{
+  Point_distances result;
+  for (const Surface& surface : from.surfaces)
+    result.emplace_back(surface.rows(), Eigen::Index(to.surfaces.size()));
+  return result;
+}
+
+// Both at once, since they need the same distances of points.
+inline void point_distances(const Compared_shape& a, const Compared_shape& b, Point_distances& a_from_b,
+                            Point_distances& b_from_a)
+{
+  a_from_b = room_for_distances(a, b);
+  b_from_a = room_for_distances(b, a);
+  Eigen::ArrayXd squared, nearest;
+  for (std::size_t i = 0; i < a.surfaces.size(); ++i)
+    for (std::size_t j = 0; j < b.surfaces.size(); ++j) {
+      const Surface &p = a.surfaces[i], &q = b.surfaces[j];
+      nearest.setConstant(q.rows(), std::numeric_limits<double>::infinity());
+      for (Eigen::Index k = 0; k < p.rows(); ++k) {
+        squared = (q.col(0) - p(k, 0)).square() + (q.col(1) - p(k, 1)).square() + (q.col(2) - p(k, 2)).square();
+        nearest = nearest.min(squared);
+        a_from_b[i](k, Eigen::Index(j)) = std::sqrt(squared.minCoeff());
+      }
+      b_from_a[j].col(Eigen::Index(i)) = nearest.sqrt();
+    }
+}
+
+inline double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i, std::size_t j)
+{
+  return (a_from_b[i].col(Eigen::Index(j)).mean() + b_from_a[j].col(Eigen::Index(i)).mean()) / 2;
+}
+
+// The chamfer distance of a part and the union of several.
+inline double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i,
+                      const std::vector<std::size_t>& parts)
+{
+  Eigen::ArrayXd nearest = a_from_b[i].col(Eigen::Index(parts[0]));
+  double sum = 0, n = 0;
+  for (std::size_t j : parts) {
+    nearest = nearest.min(a_from_b[i].col(Eigen::Index(j)));
+    sum += b_from_a[j].col(Eigen::Index(i)).sum();
+    n += double(b_from_a[j].rows());
+  }
+  return (nearest.mean() + sum / n) / 2;
+}
+
+// The costs that no place changes.
+inline double cost_of_kind(const Part_extent& a, const Part_extent& b, const Part_cost_weights& weights)
+{
+  return (a.on_ground != b.on_ground ? weights.ground : 0) +
+         weights.orientation * (a.orientation - b.orientation).norm();
+}
+
+// The costs of places and extents.
+inline Eigen::MatrixXd costs_of_boxes(const Boxes& a, const Boxes& b, const Part_cost_weights& weights)
+{
+  const auto extents = [](const Boxes& boxes) -> Eigen::ArrayX3d { return (boxes.high - boxes.low).max(0.); };
+  const Eigen::ArrayX3d a_extents = extents(a), b_extents = extents(b);
+  const Eigen::ArrayXd a_volumes = (a_extents + box_padding).rowwise().prod();
+  const Eigen::ArrayXd b_volumes = (b_extents + box_padding).rowwise().prod();
+  const Eigen::ArrayX3d a_logs = (a_extents + extent_padding).log(), b_logs = (b_extents + extent_padding).log();
+
+  Eigen::MatrixXd result(a.low.rows(), b.low.rows());
+  for (Eigen::Index j = 0; j < result.cols(); ++j)
+    for (Eigen::Index i = 0; i < result.rows(); ++i) {
+      const double overlap =
+          (a.high.row(i).min(b.high.row(j)) - a.low.row(i).max(b.low.row(j)) + box_padding).max(0.).prod();
+      const Axes apart = ((a.low.row(i) + a.high.row(i)) - (b.low.row(j) + b.high.row(j))).abs().transpose() / 2;
+      result(i, j) = weights.overlap * (1 - overlap / std::min(a_volumes[i], b_volumes[j])) +
+                     weights.extent * (a_logs.row(i) - b_logs.row(j)).abs().sum() + weights.side * apart[0] +
+                     weights.front * apart[2];
+    }
+  return result;
+}
+
+// Ends of boxes and where they belong in the other shape.
+struct Anchors
+{
+  Eigen::ArrayX3d from, to;
+  Eigen::ArrayXd weights;
+};
+
+// Where the anchors pull the ends of boxes to: along each axis, the kernel-weighted mean of their displacements.
+inline Eigen::ArrayX3d warped(const Eigen::ArrayX3d& ends, const Anchors& anchors)
+{
+  Eigen::ArrayX3d result = ends;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::ArrayXd from = anchors.from.col(axis), displacement = anchors.to.col(axis) - from;
+    const auto influence = [&](const Eigen::ArrayXd& at, double x) -> Eigen::ArrayXd {
+      return anchors.weights * (-((at - x) / warp_width).square() / 2).exp();
+    };
+    for (Eigen::Index i = 0; i < ends.rows(); ++i) {
+      const Eigen::ArrayXd near = influence(from, ends(i, axis));
+      double pull = (near * displacement).sum(), weight = near.sum();
+      if (axis == 0) { // what is true of the left side is true of the right one
+        const Eigen::ArrayXd mirrored = influence(1 - from, ends(i, axis));
+        pull -= (mirrored * displacement).sum();
+        weight += mirrored.sum();
+      }
+      result(i, axis) += pull / (weight + warp_inertia);
+    }
+  }
+  return result;
+}
+
+inline Boxes warped(const Boxes& boxes, const Anchors& anchors)
+{
+  return {warped(boxes.low, anchors), warped(boxes.high, anchors)};
+}
+
+// How likely parts are to stand for one another, going by either of them: geometric mean of the two softmaxes.
+inline Eigen::ArrayXXd mutual_softmax(const Eigen::MatrixXd& costs)
+{
+  const Eigen::ArrayXXd likelihood = (-costs.array()).exp();
+  const Eigen::ArrayXd rows = likelihood.rowwise().sum();
+  const Eigen::RowVectorXd columns = likelihood.colwise().sum();
+  return likelihood / (rows.matrix() * columns).array().sqrt();
+}
+
+inline Anchors anchors_of(const Boxes& a, const Boxes& b, const Eigen::MatrixXd& costs)
+{
+  const Eigen::ArrayXXd likely = mutual_softmax(costs);
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> pairs;
+  for (Eigen::Index i = 0; i < costs.rows(); ++i)
+    for (Eigen::Index j = 0; j < costs.cols(); ++j)
+      if (quantized(likely(i, j)) > quantized(anchor_confidence)) pairs.emplace_back(i, j);
+
+  const auto n = Eigen::Index(2 * pairs.size());
+  Anchors result{Eigen::ArrayX3d(n, 3), Eigen::ArrayX3d(n, 3), Eigen::ArrayXd(n)};
+  for (Eigen::Index k = 0; k < n; k += 2) {
+    const auto& [i, j] = pairs[std::size_t(k / 2)];
+    result.from.row(k) = a.low.row(i), result.from.row(k + 1) = a.high.row(i);
+    result.to.row(k) = b.low.row(j), result.to.row(k + 1) = b.high.row(j);
+    result.weights.segment(k, 2) = likely(i, j) / 2;
+  }
+  return result;
+}
+
+inline Eigen::MatrixXd costs_after_warping(const Boxes& a, const Boxes& b, const Eigen::MatrixXd& costs_of_kind,
+                                           const Part_cost_weights& weights)
+{
+  const Eigen::MatrixXd given = costs_of_boxes(a, b, weights);
+  const Anchors there = anchors_of(a, b, costs_of_kind + given), back{there.to, there.from, there.weights};
+  const Eigen::MatrixXd source_warped = costs_of_boxes(warped(a, there), b, weights);
+  const Eigen::MatrixXd target_warped = costs_of_boxes(a, warped(b, back), weights);
+  return costs_of_kind + (given + (source_warped + target_warped)) / 3;
+}
+
+inline Eigen::MatrixXd shared_in_groups(const Eigen::MatrixXd& costs, const Aligned_shape& source,
+                                        const Aligned_shape& target)
+{
+  Eigen::MatrixXd result(costs.rows(), costs.cols());
+  for (const Aligned_shape::Group& g : source.groups)
+    for (const Aligned_shape::Group& h : target.groups) {
+      const double group_cost = set_cost(costs, g.parts, h.parts);
+      for (std::size_t i : g.parts)
+        for (std::size_t j : h.parts) {
+          const auto row = Eigen::Index(i), column = Eigen::Index(j);
+          result(row, column) = (1 - group_share) * costs(row, column) + group_share * group_cost;
+        }
+    }
+  return result;
+}
+
+// What it costs that a part of `a` stands for a whole group of `b`; infinite for parts in no such group.
+inline Eigen::MatrixXd costs_of_wholes(const Compared_shape& a, const Compared_shape& b,
+                                       const Point_distances& a_from_b, const Point_distances& b_from_a,
+                                       const Part_cost_weights& weights)
+{
+  Eigen::MatrixXd result = Eigen::MatrixXd::Constant(Eigen::Index(a.parts.size()), Eigen::Index(b.parts.size()),
+                                                     std::numeric_limits<double>::infinity());
+  const Eigen::MatrixXd boxes = costs_of_boxes(a.boxes, b.whole_boxes, weights);
+  for (std::size_t h = 0; h < b.wholes.size(); ++h)
+    for (std::size_t i = 0; i < a.parts.size(); ++i) {
+      const std::vector<std::size_t>& parts = b.wholes[h]->parts;
+      const double cost = cost_of_kind(a.parts[i], b.whole_parts[h], weights) +
+                          boxes(Eigen::Index(i), Eigen::Index(h)) +
+                          weights.chamfer * chamfer(a_from_b, b_from_a, i, parts) + whole_group_charge;
+      for (std::size_t j : parts)
+        result(Eigen::Index(i), Eigen::Index(j)) = cost;
+    }
+  return result;
+}
+
+// The costs that no warp changes.
+inline Eigen::MatrixXd costs_of_kind(const Compared_shape& a, const Compared_shape& b, const Point_distances& a_from_b,
+                                     const Point_distances& b_from_a, const Part_cost_weights& weights)
+{
+  Eigen::MatrixXd result(Eigen::Index(a.parts.size()), Eigen::Index(b.parts.size()));
+  for (std::size_t i = 0; i < a.parts.size(); ++i)
+    for (std::size_t j = 0; j < b.parts.size(); ++j)
+      result(Eigen::Index(i), Eigen::Index(j)) =
+          cost_of_kind(a.parts[i], b.parts[j], weights) + weights.chamfer * chamfer(a_from_b, b_from_a, i, j);
+  return result;
+}
+
+} // namespace internal
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE double set_cost(const Eigen::MatrixXd& costs, const std::vector<std::size_t>& rows,
+                                                 const std::vector<std::size_t>& columns)
+{
+  double over_rows = 0, over_columns = 0;
+  for (std::size_t i : rows) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t j : columns)
+      least = std::min(least, costs(Eigen::Index(i), Eigen::Index(j)));
+    over_rows += least;
+  }
+  for (std::size_t j : columns) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i : rows)
+      least = std::min(least, costs(Eigen::Index(i), Eigen::Index(j)));
+    over_columns += least;
+  }
+  return (over_rows / double(rows.size()) + over_columns / double(columns.size())) / 2;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
+                                                            const Part_cost_weights& weights)
+{
+  using namespace internal;
+  const Compared_shape a = compared_shape(source), b = compared_shape(target);
+  Point_distances a_from_b, b_from_a;
+  point_distances(a, b, a_from_b, b_from_a);
+
+  const Eigen::MatrixXd of_kind = costs_of_kind(a, b, a_from_b, b_from_a, weights);
+  const Eigen::MatrixXd of_parts = costs_after_warping(a.boxes, b.boxes, of_kind, weights);
+  return shared_in_groups(of_parts, source, target)
+      .cwiseMin(costs_of_wholes(a, b, a_from_b, b_from_a, weights))
+      .cwiseMin(costs_of_wholes(b, a, b_from_a, a_from_b, weights).transpose());
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd part_costs(const Aligned_shape& shape,
+                                                            const Part_cost_weights& weights)
+{
+  using namespace internal;
+  const Compared_shape a = compared_shape(shape);
+  Point_distances distances, same_distances;
+  point_distances(a, a, distances, same_distances);
+  return costs_of_kind(a, a, distances, distances, weights) + costs_of_boxes(a.boxes, a.boxes, weights);
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif

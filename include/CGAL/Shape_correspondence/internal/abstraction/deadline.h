@@ -1,0 +1,74 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_DEADLINE_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_DEADLINE_H
+
+#include <chrono>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// Thrown inside the room only: the flow cannot treat a part, something else must stand in. The message says why.
+class Flow_failure : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A failure for want of time.
+class Out_of_time : public Flow_failure
+{
+public:
+  using Flow_failure::Flow_failure;
+};
+
+class Stop_watch
+{
+public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  /// Milliseconds since the last call, or the start.
+  double lap()
+  {
+    const Clock::time_point now = Clock::now();
+    const double result = std::chrono::duration<double, std::milli>(now - last_).count();
+    last_ = now;
+    return result;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_ = start_;
+};
+
+/// The time that a part may take. Steps that cannot be interrupted are bounded by the size of their input.
+class Deadline
+{
+public:
+  explicit Deadline(double seconds) : seconds_(seconds) {}
+
+  void check() const
+  {
+    if (watch_.seconds() >= seconds_) {
+      throw Out_of_time("it needs more time than allowed");
+    }
+  }
+
+private:
+  Stop_watch watch_;
+  double seconds_;
+};
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_DEADLINE_H

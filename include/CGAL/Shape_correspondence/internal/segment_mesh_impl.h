@@ -1,0 +1,88 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_SEGMENT_MESH_IMPL_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_SEGMENT_MESH_IMPL_H
+
+#include <CGAL/Shape_correspondence/internal/abstraction/meshes.h>
+#include <CGAL/Shape_correspondence/segment_mesh.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/mesh_segmentation.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// A manifold mesh of a soup's triangles; where they make no manifold, vertices are doubled.
+inline Surface welded_surface(const Part_mesh& mesh)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  Triangle_soup soup = to_soup(mesh);
+  PMP::repair_polygon_soup(soup.points, soup.triangles);
+  PMP::orient_polygon_soup(soup.points, soup.triangles);
+  Surface result;
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, result);
+  if (CGAL::is_closed(result)) {
+    PMP::orient_to_bound_a_volume(result);
+  }
+  return result;
+}
+
+/// Segment ids of a closed connected mesh, from 0 on.
+inline std::vector<std::size_t> sdf_segments(const Surface& mesh, const Segmentation_options& options)
+{
+  std::vector<double> sdf(mesh.number_of_faces());
+  std::vector<std::size_t> segments(mesh.number_of_faces());
+  const auto id = CGAL::get(boost::face_index, mesh);
+  const auto sdf_map = boost::make_iterator_property_map(sdf.begin(), id);
+  CGAL::sdf_values(mesh, sdf_map);
+  CGAL::segmentation_from_sdf_values(mesh, sdf_map, boost::make_iterator_property_map(segments.begin(), id),
+                                     static_cast<std::size_t>(options.clusters), options.smoothness);
+  return segments;
+}
+
+} // namespace internal
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE
+Segmented_shape segment_mesh(const Part_mesh& mesh, const Segmentation_options& options, std::string name,
+                             const Point& up)
+{
+  internal::Surface surface = internal::welded_surface(mesh);
+  std::vector<internal::Surface> components;
+  CGAL::Polygon_mesh_processing::split_connected_components(surface, components);
+  Segmented_shape result(std::move(name), up);
+  std::size_t parts = 0;
+  for (internal::Surface& component : components) {
+    component.collect_garbage();
+    std::vector<std::size_t> segments(component.number_of_faces(), 0);
+    if (CGAL::is_closed(component)) {
+      segments = internal::sdf_segments(component, options);
+    }
+    std::map<std::size_t, internal::Part_mesh_builder<internal::Surface>> builders;
+    for (auto face : component.faces()) {
+      builders.try_emplace(segments[face.idx()], component).first->second.add_face(face);
+    }
+    for (const auto& [segment, builder] : builders) {
+      result.add_part("segment_" + std::to_string(parts++), builder.build());
+    }
+  }
+  return result;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_SEGMENT_MESH_IMPL_H

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SEGMENT_MESH_H
+#define CGAL_SHAPE_CORRESPONDENCE_SEGMENT_MESH_H
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/config.h>
+
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// Options of `segment_mesh()`, those of `CGAL::segmentation_from_sdf_values()`.
+struct Segmentation_options
+{
+  int clusters = 2;         ///< levels of thickness that are told apart, for each connected component
+  double smoothness = 0.26; ///< in [0, 1]: how much short borders between segments count
+};
+
+/// Makes parts of a mesh that has none: its connected components, and of each closed one the segments that CGAL's
+/// package Triangulated Surface Mesh Segmentation finds by the shape diameter function (Shapira, Shamir and Cohen-Or
+/// 2008). Part names are `segment_0`, `segment_1`, … A rough stand-in for a segmentation by hand.
+/// \throw Invalid_input if the mesh cannot be used
+Segmented_shape segment_mesh(const Part_mesh& mesh, const Segmentation_options& options = {},
+                             std::string name = "shape", const Point& up = Point::UnitY());
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/segment_mesh_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SEGMENT_MESH_H

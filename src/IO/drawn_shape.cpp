@@ -1,0 +1,138 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "drawn_shape.h"
+
+#include "picture_geometry.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+namespace {
+
+constexpr double gap = 0.25;             // between the shapes, over the wider one's width
+constexpr double tube_radius = 0.009;    // over the shape's diagonal
+constexpr double contact_radius = 0.014; // over the shape's diagonal
+
+Eigen::Matrix3d quarter_turns(int turns)
+{
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d quarter;
+  quarter << 0, 0, 1, 0, 1, 0, -1, 0, 0; // counter-clockwise about y
+  for (int i = 0; i < ((turns % 4) + 4) % 4; ++i)
+    turn = quarter * turn;
+  return turn;
+}
+
+/// Sets of things that belong together, by union and find.
+class Components
+{
+public:
+  explicit Components(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t(0)); }
+
+  std::size_t find(std::size_t i) const
+  {
+    while (parent_[i] != i)
+      i = parent_[i];
+    return i;
+  }
+
+  /// The smallest element stands for its component.
+  void join(std::size_t i, std::size_t j)
+  {
+    const std::size_t a = find(i), b = find(j);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+private:
+  std::vector<std::size_t> parent_;
+};
+
+/// Parts of both shapes that groups and pairs connect; target parts are numbered after the source's.
+Components connected_parts(const Correspondence& correspondence, std::size_t sources, std::size_t targets)
+{
+  Components components(sources + targets);
+  for (const Group_match& group : correspondence.groups) {
+    if (group.source.empty() || group.target.empty()) continue;
+    for (std::size_t s : group.source)
+      components.join(group.source[0], s);
+    for (std::size_t t : group.target)
+      components.join(group.source[0], sources + t);
+  }
+  for (const auto& [s, t] : correspondence.pairs)
+    components.join(s, sources + t);
+  return components;
+}
+
+} // namespace
+
+Drawn_shape::Drawn_shape(const Structural_graph& graph, const Segmented_shape* shape, int turns)
+    : structure_(structure(graph)), shape_(shape), turn_(quarter_turns(turns))
+{
+  for (std::size_t part = 0; part < structure_.parts.size(); ++part) {
+    const Points points = has_mesh() ? shape_->parts()[part].mesh.points : structure_.parts[part].control_points();
+    const Points drawn = to_picture(points);
+    lower_ = lower_.cwiseMin(drawn.rowwise().minCoeff());
+    upper_ = upper_.cwiseMax(drawn.rowwise().maxCoeff());
+  }
+}
+
+Drawn_mesh Drawn_shape::surface(std::size_t part) const
+{
+  const Part_mesh& mesh = shape_->parts()[part].mesh;
+  return shaded(to_picture(mesh.points), mesh.triangles);
+}
+
+Drawn_mesh Drawn_shape::abstraction(std::size_t part) const
+{
+  const auto& geometry = structure_.parts[part].geometry;
+  if (const Sheet* sheet = std::get_if<Sheet>(&geometry))
+    return patch(to_picture(sheet->points), sheet->rows, sheet->cols);
+  const Curve& curve = std::get<Curve>(geometry);
+  return tube(to_picture(curve.points), curve.closed, tube_radius * diagonal());
+}
+
+Drawn_mesh Drawn_shape::contacts() const
+{
+  std::vector<Drawn_mesh> spheres;
+  for (const Contact& contact : structure_.contacts) {
+    for (int side = 0; side < 2; ++side) {
+      const Points world = evaluate(structure_.parts[contact.parts[side]], contact.parameters[side]);
+      spheres.push_back(sphere(to_picture(world), contact_radius * diagonal()));
+    }
+  }
+  return joined(spheres);
+}
+
+std::array<Point, 2> side_by_side(const Drawn_shape& left, const Drawn_shape& right)
+{
+  const double widths[] = {left.upper().x() - left.lower().x(), right.upper().x() - right.lower().x()};
+  const double half_gap = gap / 2 * std::max(widths[0], widths[1]);
+  return {Point(-half_gap - left.upper().x(), 0, 0), Point(half_gap - right.lower().x(), 0, 0)};
+}
+
+std::vector<int> match_numbers(const Correspondence& correspondence, std::size_t sources, std::size_t targets)
+{
+  const Components components = connected_parts(correspondence, sources, targets);
+  std::vector<bool> matched(sources + targets, false);
+  for (const auto& [s, t] : correspondence.pairs)
+    matched[s] = matched[sources + t] = true;
+  std::vector<std::size_t> roots;
+  std::vector<int> result(matched.size(), -1);
+  for (std::size_t i = 0; i < matched.size(); ++i) {
+    if (!matched[i]) continue;
+    const auto found = std::find(roots.begin(), roots.end(), components.find(i));
+    result[i] = static_cast<int>(found - roots.begin());
+    if (found == roots.end()) roots.push_back(components.find(i));
+  }
+  return result;
+}
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_IO_REPORT_TEXT_H
+#define CGAL_SHAPE_CORRESPONDENCE_SRC_IO_REPORT_TEXT_H
+
+#include <CGAL/Shape_correspondence/Part_abstraction.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// The words of a report, as files have them.
+const char* name_of(Abstraction_report::Method method);
+const char* name_of(Abstraction_report::Repair repair);
+std::vector<std::string> flags_of(const Abstraction_report& report);
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_IO_REPORT_TEXT_H

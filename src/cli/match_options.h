@@ -1,0 +1,47 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_MATCH_OPTIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_MATCH_OPTIONS_H
+
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+
+#include <boost/program_options.hpp>
+
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+
+/// The options of the search as they are written on the command line.
+struct Match_options
+{
+  Search_options search;
+  std::string method = "auto";
+  std::string direction = "both";
+  std::string alignments = "auto";
+  std::string front = "given";
+  std::string weights = "0.6,0.4";
+  std::string norm = "sum";
+  std::string without;
+  std::string source_parts, target_parts;
+  bool paper = false;
+};
+
+boost::program_options::options_description match_options(Match_options& match);
+
+/// The search that the options ask for, but for the chosen parts. \throw Usage_error
+Search_options search_options(const Match_options& match, const boost::program_options::variables_map& values);
+
+/// The parts of a shape that a comma-separated list of names chooses; none for an empty list.
+/// \throw Invalid_input if the shape `path` has no part of such a name
+std::vector<std::size_t> chosen_parts(const std::string& names, const Structural_graph& graph, const std::string& path);
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_MATCH_OPTIONS_H

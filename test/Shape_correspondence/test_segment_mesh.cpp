@@ -1,0 +1,85 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Shape_correspondence/segment_mesh.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace CGAL::Shape_correspondence;
+
+namespace {
+
+/// A dumb-bell: a surface of revolution, thick at both ends.
+Part_mesh dumb_bell()
+{
+  const int rings = 60, sides = 24;
+  Part_mesh mesh;
+  mesh.points.resize(3, rings * sides + 2);
+  for (int i = 0; i < rings; ++i) {
+    const double x = -1 + 2. * i / (rings - 1);
+    const double r = std::abs(x) > 0.5 ? 0.5 : 0.1;
+    for (int j = 0; j < sides; ++j) {
+      const double angle = 2 * EIGEN_PI * j / sides;
+      mesh.points.col(i * sides + j) << 2 * x, r * std::cos(angle), r * std::sin(angle);
+    }
+  }
+  mesh.points.col(rings * sides) << -2, 0, 0;
+  mesh.points.col(rings * sides + 1) << 2, 0, 0;
+  mesh.triangles.resize(3, 2 * rings * sides);
+  Eigen::Index t = 0;
+  for (int j = 0; j < sides; ++j) {
+    const int k = (j + 1) % sides, last = (rings - 1) * sides;
+    for (int i = 0; i + 1 < rings; ++i) {
+      mesh.triangles.col(t++) << i * sides + j, (i + 1) * sides + k, i * sides + k;
+      mesh.triangles.col(t++) << i * sides + j, (i + 1) * sides + j, (i + 1) * sides + k;
+    }
+    mesh.triangles.col(t++) << rings * sides, j, k;
+    mesh.triangles.col(t++) << rings * sides + 1, last + k, last + j;
+  }
+  return mesh;
+}
+
+Part_mesh twice(const Part_mesh& mesh)
+{
+  Part_mesh result;
+  result.points.resize(3, 2 * mesh.points.cols());
+  result.points << mesh.points, mesh.points.colwise() + Point(0, 3, 0);
+  result.triangles.resize(3, 2 * mesh.triangles.cols());
+  result.triangles << mesh.triangles, (mesh.triangles.array() + int(mesh.points.cols())).matrix();
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("Thick and thin pieces of a mesh become parts")
+{
+  const Segmented_shape shape = segment_mesh(dumb_bell(), {}, "bell", Point::UnitZ());
+  CHECK(shape.name() == "bell");
+  CHECK(shape.up() == Point::UnitZ());
+  REQUIRE(shape.parts().size() == 3);
+  Eigen::Index triangles = 0;
+  for (const Shape_part& part : shape.parts()) {
+    CHECK(part.name.rfind("segment_", 0) == 0);
+    triangles += part.mesh.triangles.cols();
+  }
+  CHECK(triangles == dumb_bell().triangles.cols());
+
+  SECTION("the same in every run")
+  {
+    const Segmented_shape again = segment_mesh(dumb_bell());
+    for (std::size_t i = 0; i < 3; ++i)
+      CHECK(again.parts()[i].mesh.points == shape.parts()[i].mesh.points);
+  }
+}
+
+TEST_CASE("Connected components are parts, open ones as they are")
+{
+  CHECK(segment_mesh(twice(dumb_bell())).parts().size() == 6);
+  Part_mesh open = twice(dumb_bell());
+  open.triangles = open.triangles.leftCols(open.triangles.cols() - 5).eval();
+  CHECK(segment_mesh(open).parts().size() == 4);
+}
