@@ -25,6 +25,32 @@ constexpr const char* inputs_key = "INPUT";
 
 constexpr int help_width = 100, description_width = 68;
 
+/// The words of a list with commas in between.
+std::vector<std::string> words_of(const std::string& list)
+{
+  std::vector<std::string> words;
+  std::istringstream in(list);
+  for (std::string word; std::getline(in, word, ',');)
+    words.push_back(word);
+  return words;
+}
+
+/// A number without the noise of its last digits.
+std::string short_text(double number)
+{
+  std::ostringstream out;
+  out << number;
+  return out.str();
+}
+
+void check_between(const std::string& option, double value, double least, double most)
+{
+  if (value >= least && value <= most) return;
+  std::ostringstream message;
+  message << "--" << option << " must be between " << least << " and " << most << ", not " << value;
+  throw Usage_error(message.str());
+}
+
 Abstraction_kind parse_kind(const std::string& option, const std::string& word)
 {
   check_word(option, word, {"auto", "curve", "sheet"});
@@ -55,32 +81,6 @@ void check_abstraction(const Abstraction_options& options)
   check_at_least("max-iterations", options.maximum_iterations, 1);
   check_at_least("curve-points", options.curve_points, 2);
   check_at_least("sheet-points", options.sheet_points, 2);
-}
-
-/// The words of a list with commas in between.
-std::vector<std::string> words_of(const std::string& list)
-{
-  std::vector<std::string> words;
-  std::istringstream in(list);
-  for (std::string word; std::getline(in, word, ',');)
-    words.push_back(word);
-  return words;
-}
-
-/// A number without the noise of its last digits.
-std::string short_text(double number)
-{
-  std::ostringstream out;
-  out << number;
-  return out.str();
-}
-
-void check_between(const std::string& option, double value, double least, double most)
-{
-  if (value >= least && value <= most) return;
-  std::ostringstream message;
-  message << "--" << option << " must be between " << least << " and " << most << ", not " << value;
-  throw Usage_error(message.str());
 }
 
 } // namespace

@@ -36,11 +36,11 @@ struct Common_options
   std::string up = "y";          ///< x, y or z
   std::string progress = "auto"; ///< auto, always or never
   bool no_symmetry = false;
-  bool segment = false;
-  Abstraction_options abstraction;
   double symmetry_tolerance = 0.05;
   std::string symmetries = "reflection,rotation,translation";
   double contact_tolerance = 0.02;
+  bool segment = false;
+  Abstraction_options abstraction;
   bool quiet = false;
   int threads = 0; ///< 0: all
   long seed = 0;
