@@ -3,9 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Times the search on pairs of saved structural graphs, single-threaded: tables and exact search, and the paper's beam,
-// each with both directions. Prints medians and 95th percentiles in milliseconds, and how far the beam is from the
-// optimum.
+// Times the search on pairs of saved structural graphs, single-threaded: matching by parts, tables and exact search,
+// and the paper's beam, the searches with both directions. Prints medians and 95th percentiles in milliseconds, how far
+// the beam is from the optimum, the speed of the rod kernel against the machine's best loop, and a synthetic problem.
 //   benchmark_search GRAPH.json GRAPH.json ...     all pairs of the graphs given
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
@@ -17,6 +17,7 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <random>
 
 namespace SC = CGAL::Shape_correspondence;
 
@@ -43,6 +44,69 @@ void print(const char* what, const std::vector<double>& values)
               quantile(values, 1));
 }
 
+// Rods a nanosecond of one kernel on sheets, best of many runs.
+double kernel_speed(const SC::internal::Rod_kernels& kernel)
+{
+  std::srand(1);
+  const SC::internal::Sample_lanes first(SC::Points::Random(3, 36)), second(SC::Points::Random(3, 36));
+  std::vector<SC::internal::Rod_row> rows(36);
+  for (SC::internal::Rod_row& row : rows)
+    for (int j = 0; j < SC::internal::lane_count; ++j)
+      row.direction[0][j] = row.direction[1][j] = row.direction[2][j] = row.squared_length[j] = 1;
+  constexpr int repeats = 200, runs = 50;
+  double best = 1e9, sum = 0;
+  for (int run = 0; run < runs; ++run)
+    best = std::min(best, milliseconds([&] {
+                      for (int i = 0; i < repeats; ++i)
+                        sum += kernel.squared_cosines(rows.data(), 36, first, second);
+                    }));
+  return sum > 0 ? 36 * 36 * repeats / (best * 1e6) : 0;
+}
+
+// 22 groups in a graph of width 5 and 20 labels: rods between random points, as between parts far smaller than the
+// shape.
+SC::Pairwise_energy synthetic_problem(unsigned seed)
+{
+  constexpr int groups = 22, labels = 20, width = 5;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto points = [&](int count) {
+    return SC::Points(SC::Points::NullaryExpr(3, count, [&] { return unit(random); }));
+  };
+  const SC::Points source = points(groups), target = points(labels);
+  SC::Pairwise_energy energy;
+  SC::Pairwise_energy::Root_term split{SC::Energy_weights().split, groups, {}, {}};
+  for (int v = 0; v < groups; ++v) {
+    energy.unary.push_back(Eigen::VectorXd::Zero(labels));
+    split.unary.push_back(Eigen::VectorXd::NullaryExpr(labels, [&] { return unit(random); }));
+    for (int u = std::max(0, v - width); u < v; ++u) {
+      Eigen::MatrixXd cost(labels, labels);
+      for (int a = 0; a < labels; ++a)
+        for (int b = 0; b < labels; ++b) {
+          const SC::Structural_rods rod(source.col(u), source.col(v));
+          const SC::Rod_energy e = rod.energy(target.col(a), target.col(b));
+          cost(a, b) = e.distortion + SC::Energy_weights().connectedness * e.connectedness;
+        }
+      energy.edges.push_back({std::size_t(u), std::size_t(v), cost});
+    }
+  }
+  energy.root_terms.push_back(split);
+  return energy;
+}
+
+void print_synthetic_problems()
+{
+  std::vector<double> times;
+  std::size_t proven = 0;
+  constexpr unsigned problems = 20;
+  for (unsigned seed = 0; seed < problems; ++seed) {
+    const SC::Pairwise_energy energy = synthetic_problem(seed);
+    times.push_back(milliseconds([&] { proven += SC::exact_search(energy).optimal; }));
+  }
+  print("22 groups x 20 labels, width 5", times);
+  std::printf("proven optimal: %zu of %u\n", proven, problems);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -62,18 +126,21 @@ int main(int argc, char** argv)
     }
   }
 
-  std::vector<double> align, tables, exact, beam, gap;
+  std::vector<double> align, parts, tables, exact, both, beam, gap;
   std::size_t proven = 0, at_optimum = 0, runs = 0;
   for (std::size_t i = 0; i < graphs.size(); ++i)
     for (std::size_t j = i + 1; j < graphs.size(); ++j) {
       double align_time = 0, tables_time = 0, exact_time = 0, beam_time = 0;
+      {
+        const SC::Aligned_shape from = SC::align_shape(graphs[i]), to = SC::align_shape(graphs[j]);
+        parts.push_back(milliseconds([&] { SC::match_parts(from, to); }));
+      }
       for (const bool forward : {true, false}) {
         const SC::Structural_graph &a = graphs[forward ? i : j], &b = graphs[forward ? j : i];
         SC::Aligned_shape from, to;
         align_time += milliseconds([&] { from = SC::align_shape(a), to = SC::align_shape(b); });
         std::unique_ptr<SC::Matching_problem> problem;
-        tables_time +=
-            milliseconds([&] { problem = std::make_unique<SC::Matching_problem>(from, to); });
+        tables_time += milliseconds([&] { problem = std::make_unique<SC::Matching_problem>(from, to); });
         SC::Search_result exact_result, beam_result;
         exact_time += milliseconds([&] { exact_result = SC::exact_search(problem->energy()); });
         beam_time += milliseconds([&] { beam_result = SC::beam_search(*problem); });
@@ -84,14 +151,19 @@ int main(int argc, char** argv)
         if (least > 0) gap.push_back(found / least);
       }
       align.push_back(align_time), tables.push_back(tables_time), exact.push_back(exact_time),
-          beam.push_back(beam_time);
+          both.push_back(tables_time + exact_time), beam.push_back(tables_time + beam_time);
     }
 
   std::printf("%zu pairs of %zu graphs, both directions; milliseconds a pair\n", align.size(), graphs.size());
   print("alignment", align);
+  print("matching by parts", parts);
   print("tables", tables);
   print("exact search", exact);
-  print("beam search (K = 20, k = 4)", beam);
+  print("tables and exact search", both);
+  print("tables and beam (K = 20, k = 4)", beam);
   print("energy, beam over exact", gap);
   std::printf("proven optimal: %zu of %zu; beam at the optimum: %zu\n", proven, runs, at_optimum);
+  for (const SC::internal::Rod_kernels& kernel : SC::internal::available_rod_kernels())
+    std::printf("rod kernel: %.2f rods a nanosecond\n", kernel_speed(kernel));
+  print_synthetic_problems();
 }

@@ -23,7 +23,7 @@ int main(int argc, char** argv)
         SC::build_structural_graph<CGAL::Parallel_if_available_tag>(SC::IO::read_segmented_shape(target_file));
 
     const SC::Correspondence correspondence =
-        SC::find_correspondence(source, target, SC::parameters::beam_width(20).expansions(4));
+        SC::find_correspondence(source, target, SC::parameters::min_confidence(0.3));
 
     std::cout << "energy " << correspondence.energy << '\n';
     for (const auto& pair : correspondence.pairs)

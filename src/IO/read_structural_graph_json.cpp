@@ -6,6 +6,7 @@
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
+#include "frame_of_abstractions.h"
 #include "json_field.h"
 
 #include <Eigen/Geometry>
@@ -21,7 +22,6 @@ namespace {
 
 using Part_indices = std::map<std::string, std::size_t>;
 
-constexpr int samples_for_frame = 6;    // of a curve; of a sheet along each side
 constexpr double same_direction = 1e-6; // of unit vectors that a person may have typed
 
 Points points_of(const std::vector<Json_field>& list)
@@ -159,7 +159,7 @@ Symmetry read_symmetry(const Json_field& group)
                                                                  {"reflection", Symmetry_type::REFLECTION},
                                                                  {"rotation", Symmetry_type::ROTATION},
                                                                  {"translation", Symmetry_type::TRANSLATION}});
-  if (symmetry.type == Symmetry_type::REFLECTION) {
+  if (symmetry.type == Symmetry_type::REFLECTION || (symmetry.type == Symmetry_type::SELF && group.has("plane"))) {
     symmetry.point = group["plane"]["point"].point();
     symmetry.direction = group["plane"]["normal"].unit_vector();
   } else if (symmetry.type == Symmetry_type::ROTATION) {
@@ -244,15 +244,22 @@ Contact read_contact(const Json_field& field, const std::vector<Part_abstraction
   return contact;
 }
 
+/// Contacts of the same parts are regions of one.
 std::vector<Contact> read_contacts(const Json_field& list, const std::vector<Part_abstraction>& parts,
                                    const Part_indices& indices)
 {
   std::vector<Contact> contacts;
-  std::set<std::pair<std::size_t, std::size_t>> seen;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> earlier;
   for (const Json_field& element : list.elements()) {
-    contacts.push_back(read_contact(element, parts, indices));
-    const auto& [a, b] = contacts.back().parts;
-    if (!seen.insert(std::minmax(a, b)).second) element["parts"].fail("are two parts that an earlier contact joins");
+    Contact contact = read_contact(element, parts, indices);
+    const auto [place, is_new] = earlier.emplace(std::minmax(contact.parts[0], contact.parts[1]), contacts.size());
+    if (is_new) {
+      contacts.push_back(contact);
+      continue;
+    }
+    Contact& known = contacts[place->second];
+    if (known.parts != contact.parts) std::swap(contact.parameters[0], contact.parameters[1]);
+    known.further.push_back(contact.parameters);
   }
   return contacts;
 }
@@ -274,17 +281,6 @@ Shape_frame read_frame(const Json_field& field, const Point& up)
   return frame;
 }
 
-Shape_frame frame_of(const std::vector<Part_abstraction>& parts, const Point& up)
-{
-  Points all(3, 0);
-  for (const Part_abstraction& part : parts) {
-    const Points samples = sample(part, samples_for_frame);
-    all.conservativeResize(Eigen::NoChange, all.cols() + samples.cols());
-    all.rightCols(samples.cols()) = samples;
-  }
-  return compute_shape_frame(all, up);
-}
-
 void check_format(const Json_field& document)
 {
   if (document["format"].text() != "shape_correspondence/graph")
@@ -304,7 +300,7 @@ Structural_graph read_graph(const Json_field& document, const Structure_options&
   if (shape.parts.size() < 2)
     document["parts"].fail("has fewer than two parts; a correspondence needs a shape of two or more");
   const Point up = document.has("up") ? document["up"].unit_vector() : Point::UnitY();
-  shape.frame = document.has("frame") ? read_frame(document["frame"], up) : frame_of(shape.parts, up);
+  shape.frame = document.has("frame") ? read_frame(document["frame"], up) : frame_of_abstractions(shape.parts, up);
   std::vector<Part_group> groups;
   if (document.has("groups") && options.symmetry.enabled)
     groups = read_groups(document["groups"], shape.parts, indices);

@@ -72,7 +72,9 @@ void set_symmetry(Json& group, const Symmetry& symmetry)
   switch (symmetry.type) {
   case Symmetry_type::SELF:
     group["symmetry"] = "self";
-    return;
+    if (symmetry.direction.isZero()) return;
+    group["plane"] = {{"point", point(symmetry.point)}, {"normal", point(symmetry.direction)}};
+    break;
   case Symmetry_type::REFLECTION:
     group["symmetry"] = "reflection";
     group["plane"] = {{"point", point(symmetry.point)}, {"normal", point(symmetry.direction)}};
@@ -110,11 +112,16 @@ Json parameter(const Part_abstraction& part, const Eigen::Vector2d& parameter)
   return Json::array({parameter.x()});
 }
 
-Json contact(const Contact& contact, const Shape_structure& shape)
+/// A contact of several regions is written as several, of the same parts.
+void add_contact(Json& list, const Contact& contact, const Shape_structure& shape)
 {
   const Part_abstraction &first = shape.parts[contact.parts[0]], &second = shape.parts[contact.parts[1]];
-  return {{"parts", {first.name, second.name}},
-          {"parameters", {parameter(first, contact.parameters[0]), parameter(second, contact.parameters[1])}}};
+  const auto add = [&](const Contact::Parameters& p) {
+    list.push_back({{"parts", {first.name, second.name}}, {"parameters", {parameter(first, p[0]), parameter(second, p[1])}}});
+  };
+  add(contact.parameters);
+  for (const Contact::Parameters& parameters : contact.further)
+    add(parameters);
 }
 
 } // namespace
@@ -138,7 +145,7 @@ void write_structural_graph_json(std::ostream& out, const Structural_graph& grap
     result["groups"].push_back(group(graph[v], shape));
   result["contacts"] = Json::array();
   for (const Contact& c : shape.contacts)
-    result["contacts"].push_back(contact(c, shape));
+    add_contact(result["contacts"], c, shape);
   result["warnings"] = shape.warnings;
   write_json(out, result);
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace CGAL {
@@ -23,6 +24,32 @@ namespace {
 constexpr const char* inputs_key = "INPUT";
 
 constexpr int help_width = 100, description_width = 68;
+
+/// The words of a list with commas in between.
+std::vector<std::string> words_of(const std::string& list)
+{
+  std::vector<std::string> words;
+  std::istringstream in(list);
+  for (std::string word; std::getline(in, word, ',');)
+    words.push_back(word);
+  return words;
+}
+
+/// A number without the noise of its last digits.
+std::string short_text(double number)
+{
+  std::ostringstream out;
+  out << number;
+  return out.str();
+}
+
+void check_between(const std::string& option, double value, double least, double most)
+{
+  if (value >= least && value <= most) return;
+  std::ostringstream message;
+  message << "--" << option << " must be between " << least << " and " << most << ", not " << value;
+  throw Usage_error(message.str());
+}
 
 Abstraction_kind parse_kind(const std::string& option, const std::string& word)
 {
@@ -63,6 +90,20 @@ Point Common_options::up_vector() const
   return up == "x" ? Point::UnitX() : up == "y" ? Point::UnitY() : Point::UnitZ();
 }
 
+Symmetry_options Common_options::symmetry_options() const
+{
+  Symmetry_options result;
+  result.enabled = !no_symmetry;
+  result.tolerance = symmetry_tolerance;
+  const auto allows = [words = words_of(symmetries)](const char* kind) {
+    return std::find(words.begin(), words.end(), kind) != words.end();
+  };
+  result.reflection = allows("reflection");
+  result.rotation = allows("rotation");
+  result.translation = allows("translation");
+  return result;
+}
+
 po::options_description common_options(Common_options& options)
 {
   po::options_description result("Options of all commands", help_width, description_width);
@@ -71,6 +112,18 @@ po::options_description common_options(Common_options& options)
       "the upright axis of model files: x, y or z. COLLADA files say it themselves and are turned to y up; a graph "
       "file says it, too");
   add("no-symmetry", po::bool_switch(&options.no_symmetry), "take every part as a group of its own");
+  add("symmetries", po::value(&options.symmetries)->value_name("KINDS")->default_value(options.symmetries),
+      "the kinds of symmetry groups that are looked for");
+  add("symmetry-tolerance",
+      po::value(&options.symmetry_tolerance)
+          ->value_name("T")
+          ->default_value(options.symmetry_tolerance, short_text(options.symmetry_tolerance)),
+      "how far a part may be from its image, over the part's diagonal");
+  add("contact-tolerance",
+      po::value(&options.contact_tolerance)
+          ->value_name("T")
+          ->default_value(options.contact_tolerance, short_text(options.contact_tolerance)),
+      "the widest gap between parts in contact, over the shape's diagonal");
   add("threads", po::value(&options.threads)->value_name("N")->notifier([](int n) { check_at_least("threads", n, 1); }),
       "threads to use; default: all of the machine. The result is the same for any number");
   add("seed", po::value(&options.seed)->value_name("N"),
@@ -148,6 +201,10 @@ Arguments parse(const std::vector<std::string>& arguments, const po::options_des
 void check(const Common_options& options)
 {
   check_word("up", options.up, {"x", "y", "z"});
+  for (const std::string& kind : words_of(options.symmetries))
+    check_word("symmetries", kind, {"reflection", "rotation", "translation"});
+  check_between("symmetry-tolerance", options.symmetry_tolerance, 0, 0.5);
+  check_between("contact-tolerance", options.contact_tolerance, 0, 0.5);
   check_word("progress", options.progress, {"auto", "always", "never"});
   check_abstraction(options.abstraction);
   std::set<std::string> outputs;

@@ -7,6 +7,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COMMON_OPTIONS_H
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
+#include <CGAL/Shape_correspondence/detect_symmetry_groups.h>
 
 #include <boost/program_options.hpp>
 
@@ -35,6 +36,9 @@ struct Common_options
   std::string up = "y";          ///< x, y or z
   std::string progress = "auto"; ///< auto, always or never
   bool no_symmetry = false;
+  double symmetry_tolerance = 0.05;
+  std::string symmetries = "reflection,rotation,translation";
+  double contact_tolerance = 0.02;
   bool segment = false;
   Abstraction_options abstraction;
   bool quiet = false;
@@ -42,6 +46,7 @@ struct Common_options
   long seed = 0;
 
   Point up_vector() const;
+  Symmetry_options symmetry_options() const;
   /// Whether a table belongs on standard output: not where the JSON goes.
   bool prints_table() const { return !quiet && json != "-"; }
 };

@@ -11,6 +11,7 @@
 
 #include "../IO/atomic_file.h"
 
+#include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
 #include <CGAL/Shape_correspondence/IO/write_html.h>
@@ -32,13 +33,19 @@ Builds the structural graph of a segmented shape: a curve or a sheet for every p
 are symmetric, and contacts between parts.
 
 MODEL is a file (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA: one node is one part), a folder of part
-meshes (one file is one part, its stem the part's name), or a structural graph (.json).
+meshes (one file is one part, its stem the part's name), or a structural graph (.json, .xml).
 
 Example: shape_correspondence graph chair.obj -o chair.json --glb chair.glb
 
 )";
 
-po::options_description graph_options(Common_options& common)
+/// Files for graph tools; empty: none.
+struct Graph_files
+{
+  std::string graphml, dot;
+};
+
+po::options_description graph_options(Common_options& common, Graph_files& files)
 {
   po::options_description result("Options of graph", 100, 68);
   auto add = result.add_options();
@@ -49,6 +56,9 @@ po::options_description graph_options(Common_options& common)
       "contact");
   add("html", po::value(&common.html)->value_name("FILE"),
       "write the same picture as a web page that needs no network, with a table of the parts");
+  add("graphml", po::value(&files.graphml)->value_name("FILE"),
+      "write groups and contacts as GraphML, for graph tools: names, symmetries and solidities, no geometry");
+  add("dot", po::value(&files.dot)->value_name("FILE"), "the same for Graphviz");
   return result;
 }
 
@@ -107,14 +117,17 @@ void print_graph(const std::string& path, const Structural_graph& graph)
 void run_graph(const std::vector<std::string>& arguments)
 {
   Common_options common;
+  Graph_files files;
   po::options_description options;
-  options.add(graph_options(common)).add(model_options(common)).add(common_options(common));
+  options.add(graph_options(common, files)).add(model_options(common)).add(common_options(common));
   const Arguments parsed = parse(arguments, options, 1);
   if (parsed.help) {
     std::cout << help_text << options;
     return;
   }
   check(common);
+  for (const std::string& file : {files.graphml, files.dot})
+    if (!file.empty()) IO::check_writable(file);
   const Thread_limit limit(common.threads);
   const Loaded_shape shape = load_shape(parsed.inputs[0], common);
   if (!common.json.empty())
@@ -127,6 +140,10 @@ void run_graph(const std::vector<std::string>& arguments)
     IO::write_atomically(common.html, [&](std::ostream& out) {
       IO::write_structural_graph_html(out, shape.graph, shape.model_pointer());
     });
+  if (!files.graphml.empty())
+    IO::write_atomically(files.graphml, [&](std::ostream& out) { IO::write_structural_graph_graphml(out, shape.graph); });
+  if (!files.dot.empty())
+    IO::write_atomically(files.dot, [&](std::ostream& out) { IO::write_structural_graph_dot(out, shape.graph); });
   if (common.prints_table()) print_graph(parsed.inputs[0], shape.graph);
 }
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
+#include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
@@ -31,21 +32,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_graph_file(const std::string& path)
+bool has_extension(const std::string& path, const char* wanted)
 {
   std::string extension = fs::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
-  return extension == ".json" && !fs::is_directory(path);
+  return extension == wanted && !fs::is_directory(path);
 }
 
-void load_graph(const std::string& path, const Structure_options& options, Loaded_shape& shape)
+bool is_graph_file(const std::string& path) { return has_extension(path, ".json") || has_extension(path, ".xml"); }
+
+void load_graph(const std::string& path, const Common_options& common, const Structure_options& options,
+                Loaded_shape& shape)
 {
   const double begin = now();
   if (!fs::exists(path)) throw Invalid_input(path + ": there is no such file or folder");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Invalid_input(path + ": it cannot be opened for reading; check its permissions");
-  shape.graph = IO::read_structural_graph_json(in, path, options);
+  shape.graph = has_extension(path, ".xml") ? IO::read_structural_graph_xml(in, path, common.up_vector(), options)
+                                            : IO::read_structural_graph_json(in, path, options);
   shape.read_seconds = now() - begin;
 }
 
@@ -103,12 +108,13 @@ Loaded_shape load_shape(const std::string& path, const Common_options& common)
   Progress_bar bar(common, path);
   Structure_options options;
   options.abstraction = common.abstraction;
-  options.symmetry.enabled = !common.no_symmetry;
+  options.symmetry = common.symmetry_options();
+  options.contacts.tolerance = common.contact_tolerance;
   options.abstraction.progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
   Loaded_shape shape;
   try {
     if (is_graph_file(path))
-      load_graph(path, options, shape);
+      load_graph(path, common, options, shape);
     else
       load_model(path, common, options, shape);
   } catch (const Invalid_input& error) {

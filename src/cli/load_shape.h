@@ -31,7 +31,7 @@ struct Loaded_shape
   const Segmented_shape* model_pointer() const { return model ? &*model : nullptr; }
 };
 
-/// Reads a model, or a structural graph from a file that ends in `.json`, and builds what is missing of its graph.
+/// Reads a model, or a structural graph from a file that ends in `.json` or `.xml`, and builds what is missing of its graph.
 /// \throw Invalid_input; the message names `path`
 Loaded_shape load_shape(const std::string& path, const Common_options& options);
 

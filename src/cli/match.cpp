@@ -35,7 +35,7 @@ the target into the source, and the correspondence that costs the least deformat
 may correspond to many.
 
 SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA: one node is one part),
-folders of part meshes (one file is one part, its stem the part's name), or structural graphs (.json).
+folders of part meshes (one file is one part, its stem the part's name), or structural graphs (.json, .xml).
 
 Example: shape_correspondence match chair.obj swivel_chair.obj --json result.json --glb result.glb
 

@@ -112,15 +112,51 @@ inline Structural_graph slatted_chair()
                                 group({4, 5}, pair, Point::UnitX(), .1), group({6, 7}, pair, Point::UnitX(), .1)});
 }
 
+// A square top (part 0) on four legs (1 to 4) at its corners, 1 high. \param grouped the legs are one group
+inline Structural_graph table(bool grouped = true)
+{
+  Shape_structure shape;
+  shape.name = "table";
+  shape.frame.mirror_x = shape.frame.mirror_z = true;
+  shape.parts = {sheet("top", {-.5, 1, -.5}, {1, 0, 0}, {0, 0, 1})};
+  for (double z : {-.5, .5})
+    for (double x : {-.5, .5}) {
+      shape.parts.push_back(curve("leg " + std::to_string(shape.parts.size()), {x, 0, z}, {x, 1, z}));
+      shape.contacts.push_back(contact(shape, 0, shape.parts.size() - 1, {x, 1, z}));
+    }
+  std::vector<Part_group> groups = {group({0})};
+  if (grouped)
+    groups.push_back(group({1, 2, 3, 4}, Symmetry_type::REFLECTION, Point::UnitX(), .1));
+  else
+    for (std::size_t leg = 1; leg <= 4; ++leg)
+      groups.push_back(group({leg}));
+  return make_structural_graph(std::move(shape), std::move(groups));
+}
+
+// The same top on one thick column in the middle, whose surface is known.
+inline Structural_graph pedestal_table()
+{
+  Shape_structure shape;
+  shape.name = "pedestal table";
+  shape.frame.mirror_x = shape.frame.mirror_z = true;
+  shape.parts = {sheet("top", {-.5, 1, -.5}, {1, 0, 0}, {0, 0, 1}), curve("column", {0, 0, 0}, {0, 1, 0})};
+  shape.parts[1].surface = points(
+      {{-.3, 0, -.3}, {.3, 0, -.3}, {-.3, 0, .3}, {.3, 0, .3}, {-.3, 1, -.3}, {.3, 1, -.3}, {-.3, 1, .3}, {.3, 1, .3}});
+  shape.contacts = {contact(shape, 0, 1, {0, 1, 0})};
+  return make_structural_graph(std::move(shape), {group({0}), group({1})});
+}
+
 // The same graph with everything moved: turned about up, scaled, translated.
 inline Structural_graph moved(const Structural_graph& graph, double angle, double scale, const Point& shift)
 {
   Structural_graph result = graph;
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Point::UnitY()).toRotationMatrix();
   Shape_structure& shape = structure(result);
-  for (Part_abstraction& part : shape.parts)
+  for (Part_abstraction& part : shape.parts) {
+    part.surface = ((scale * turn * part.surface).colwise() + shift).eval();
     std::visit([&](auto& geometry) { geometry.points = ((scale * turn * geometry.points).colwise() + shift).eval(); },
                part.geometry);
+  }
   shape.frame.axes = turn * shape.frame.axes;
   shape.frame.origin = scale * turn * shape.frame.origin + shift;
   shape.frame.height *= scale;

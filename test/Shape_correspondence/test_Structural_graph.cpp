@@ -87,3 +87,45 @@ TEST_CASE("A graph of one group needs no edge")
   shape.parts = {curve("a", {0, 0, 0}, {0, 1, 0}), curve("b", {1, 0, 0}, {1, 1, 0})};
   CHECK(is_valid_structural_graph(make_structural_graph(shape, {group({0, 1}, Symmetry_type::REFLECTION, {1, 0, 0})})));
 }
+
+TEST_CASE("Graphs are the same in any pose and order, and only then")
+{
+  const Structural_graph graph = make_structural_graph(trestle(), trestle_groups());
+  const Eigen::Matrix3d turn = 2 * Eigen::AngleAxisd(0.7, Point::UnitY()).toRotationMatrix();
+  const Point shift(3, -1, 2);
+  const auto moved = [&](const Point& p) { return Point(turn * p + shift); };
+  const std::vector<std::size_t> order = {2, 0, 3, 1}; // of the old parts; where they go: 1, 3, 0, 2
+  Shape_structure shape = trestle();
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    shape.parts[i] = trestle().parts[order[i]];
+    std::visit([&](auto& geometry) { geometry.points = (turn * geometry.points).colwise() + shift; },
+               shape.parts[i].geometry);
+  }
+  const std::vector<std::size_t> place = {1, 3, 0, 2};
+  for (Contact& contact : shape.contacts)
+    contact.parts = {place[contact.parts[0]], place[contact.parts[1]]};
+  shape.frame.height = 2;
+  std::vector<Part_group> groups = trestle_groups();
+  for (Part_group& group : groups) {
+    for (std::size_t& part : group.parts)
+      part = place[part];
+    group.symmetry.point = moved(group.symmetry.point);
+    group.symmetry.direction = turn * group.symmetry.direction / 2;
+  }
+  CHECK(are_same_structural_graphs(graph, graph));
+  CHECK(are_same_structural_graphs(graph, make_structural_graph(shape, groups)));
+  SECTION("another name") { shape.parts[0].name = "leg_3"; }
+  SECTION("a part elsewhere") { std::get<Curve>(shape.parts[0].geometry).points(0, 0) += 0.01; }
+  SECTION("another kind of symmetry") { groups[1].symmetry.type = Symmetry_type::TRANSLATION; }
+  SECTION("another plane") { groups[1].symmetry.point += 0.1 * groups[1].symmetry.direction; }
+  SECTION("another order of members") { std::swap(groups[1].parts[0], groups[1].parts[1]); }
+  SECTION("a contact less") { shape.contacts.pop_back(); }
+  SECTION("a contact elsewhere") { shape.contacts[0].parameters[0].x() = 0.4; }
+  SECTION("a region more") { shape.contacts[0].further = {shape.contacts[0].parameters}; }
+  SECTION("another number of groups")
+  {
+    groups[1].parts.pop_back();
+    groups.push_back(group({place[2]}));
+  }
+  CHECK_FALSE(are_same_structural_graphs(graph, make_structural_graph(shape, groups)));
+}

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "box_shapes.h"
+#include "generated_shapes.h"
 
 #include <CGAL/Shape_correspondence/detect_contacts.h>
 #include <catch2/catch.hpp>
@@ -148,6 +149,50 @@ TEST_CASE("A gap within the tolerance is a contact, also beside a part that touc
   shape.add_part("a", box({0, 0.5, 0}, {1, 1, 1}));
   shape.add_part("b", box({1.03, 0.5, 0}, {1, 1, 1}));
   CHECK(contacts_of(shape).pairs == std::set<Names>{{"board", "a"}, {"board", "b"}, {"a", "b"}});
+}
+
+TEST_CASE("Contacts of the models in data are the parts that a brute-force distance finds near, in any pose")
+{
+  std::mt19937 random(6);
+  for (const auto& model : generated_shapes::gen::models()) {
+    INFO(model.name);
+    const auto assembly = model.make();
+    std::set<Names> near;
+    for (const auto& pair : assembly.near_parts(0.02))
+      near.insert({assembly.parts[pair.parts[0]].name, assembly.parts[pair.parts[1]].name});
+    const Segmented_shape shape = generated_shapes::shape_of(assembly);
+    const Found found = contacts_of(shape);
+    CHECK(found.pairs == near);
+    CHECK(found.contacts.size() == near.size());
+    CHECK(contacts_of(moved(shape, random_motion(random), random_order(shape.parts().size(), random))).pairs == near);
+  }
+}
+
+TEST_CASE("An arm that touches the back twice has a contact of two regions")
+{
+  // An arm like a C: a bar away from the back, and two bars that reach it
+  const Part_mesh pieces[] = {box({0.3, 1, 0}, {0.05, 0.6, 0.05}), box({0.15, 0.75, 0}, {0.3, 0.04, 0.05}),
+                              box({0.15, 1.25, 0}, {0.3, 0.04, 0.05})};
+  Part_mesh arm = pieces[0];
+  for (int i = 1; i < 3; ++i) {
+    const Eigen::Index points = arm.points.cols(), triangles = arm.triangles.cols();
+    arm.points.conservativeResize(3, points + pieces[i].points.cols());
+    arm.points.rightCols(pieces[i].points.cols()) = pieces[i].points;
+    arm.triangles.conservativeResize(3, triangles + pieces[i].triangles.cols());
+    arm.triangles.rightCols(pieces[i].triangles.cols()) = pieces[i].triangles.array() + static_cast<int>(points);
+  }
+  Segmented_shape shape("back with an arm");
+  shape.add_part("back", box({-0.02, 1, 0}, {0.04, 1, 0.1}));
+  shape.add_part("arm", arm);
+  const Found found = contacts_of(shape);
+  REQUIRE(found.contacts.size() == 1);
+  REQUIRE(found.contacts[0].further.size() == 1);
+  const auto height = [&](const Contact::Parameters& parameters) { return evaluate(found.parts[0], parameters[0]).y(); };
+  const double one = height(found.contacts[0].parameters), other = height(found.contacts[0].further[0]);
+  CHECK(std::min(one, other) == Approx(0.75).margin(0.02));
+  CHECK(std::max(one, other) == Approx(1.25).margin(0.02));
+  for (const Contact& contact : contacts_of(chair()).contacts)
+    CHECK(contact.further.empty());
 }
 
 TEST_CASE("Contacts without meshes")

@@ -10,15 +10,27 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
+namespace {
+
+Search_options least_energy()
+{
+  Search_options options;
+  options.method = Search_method::BEAM;
+  return options;
+}
+
+} // namespace
+
 TEST_CASE("A shape corresponds to itself, at no cost")
 {
-  const Correspondence c = find_correspondence(chair(), chair());
+  const Correspondence c = find_correspondence(chair(), chair(), least_energy());
   CHECK(c.energy == 0);
   CHECK(c.complete);
   CHECK(c.pairs == Pairs{{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}});
@@ -30,7 +42,7 @@ TEST_CASE("A shape corresponds to itself, at no cost")
 TEST_CASE("A back splits into slats, and slats merge into a back")
 {
   const Pairs expected = {{0, 0}, {1, 1}, {1, 2}, {1, 3}, {2, 4}, {3, 5}, {4, 6}, {5, 7}};
-  Search_options forward;
+  Search_options forward = least_energy();
   forward.both_directions = false;
   const Correspondence split = find_correspondence(chair(), slatted_chair(), forward);
   CHECK(split.pairs == expected);
@@ -48,13 +60,13 @@ TEST_CASE("A back splits into slats, and slats merge into a back")
   CHECK(merge.groups[1].operation == Operation::MERGE);
 
   // Both directions: pairs stay (source, target) whichever direction won
-  CHECK(find_correspondence(chair(), slatted_chair()).pairs == expected);
-  CHECK(find_correspondence(slatted_chair(), chair()).pairs == turned);
+  CHECK(find_correspondence(chair(), slatted_chair(), least_energy()).pairs == expected);
+  CHECK(find_correspondence(slatted_chair(), chair(), least_energy()).pairs == turned);
 }
 
 TEST_CASE("The parts of the energy add up")
 {
-  const Correspondence c = find_correspondence(chair(), slatted_chair());
+  const Correspondence c = find_correspondence(chair(), slatted_chair(), least_energy());
   CHECK(c.energy == Approx(c.terms.distortion + 0.6 * c.terms.connectedness + 0.4 * c.terms.split));
   Energy_terms sum;
   for (const Contact_energy& contact : c.contacts) {
@@ -77,11 +89,11 @@ TEST_CASE("The parts of the energy add up")
 
 TEST_CASE("Moving, scaling and turning a shape changes no pair")
 {
-  const Pairs expected = find_correspondence(chair(), slatted_chair()).pairs;
+  const Pairs expected = find_correspondence(chair(), slatted_chair(), least_energy()).pairs;
   for (const double angle : {0.5236, -0.7, 0.2})
     for (const double scale : {0.01, 40.0}) {
       const Structural_graph turned = moved(slatted_chair(), angle, scale, {3, 100, -7});
-      CHECK(find_correspondence(chair(), turned).pairs == expected);
+      CHECK(find_correspondence(chair(), turned, least_energy()).pairs == expected);
     }
 }
 
@@ -90,7 +102,7 @@ TEST_CASE("A chair turned back to front is recognised when all alignments are tr
   // The frame of a chair that was given back to front looks the other way
   Structural_graph turned = moved(chair(), EIGEN_PI, 1, {0, 0, 0});
   structure(turned).frame.axes.setIdentity();
-  Search_options all;
+  Search_options all = least_energy();
   all.alignments = 0;
   const Correspondence c = find_correspondence(chair(), turned, all);
   CHECK(c.target_quarter_turns == 2);
@@ -100,7 +112,7 @@ TEST_CASE("A chair turned back to front is recognised when all alignments are tr
 
 TEST_CASE("Coarse correspondence leaves the lesser parts out and says so")
 {
-  Search_options coarse;
+  Search_options coarse = least_energy();
   coarse.maximum_parts = 2;
   const Correspondence c = find_correspondence(chair(), chair(), coarse);
   CHECK(c.pairs == Pairs{{0, 0}, {1, 1}});
@@ -109,20 +121,20 @@ TEST_CASE("Coarse correspondence leaves the lesser parts out and says so")
 
 TEST_CASE("Options out of range are refused")
 {
-  Search_options options;
+  Search_options options = least_energy();
   options.matching.weights.split = -1;
   CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);
   options = {};
   options.alignments = -1;
   CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);
-  options = {};
+  options = least_energy();
   options.beam.beam_width = 0;
   CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);
 }
 
 TEST_CASE("Only the chosen parts take part")
 {
-  Search_options options;
+  Search_options options = least_energy();
   options.source_parts = {0, 2, 3};
   options.target_parts = {0, 4, 5};
   const Correspondence c = find_correspondence(chair(), chair(), options);
@@ -150,7 +162,7 @@ TEST_CASE("Partial matching: what the other shape does not have stays unmatched 
   stool = make_structural_graph(
       shape, {group({0}), group({1, 2}, pair, Point::UnitX(), .1), group({3, 4}, pair, Point::UnitX(), .1)});
   for (const Search_method method : {Search_method::BEAM, Search_method::EXACT}) {
-    Search_options options;
+    Search_options options = least_energy();
     options.method = method;
     options.both_directions = false;
     options.matching.unmatched_cost = 0.1;
@@ -167,7 +179,7 @@ TEST_CASE("Partial matching: what the other shape does not have stays unmatched 
 
 TEST_CASE("Ranked correspondences: ascending, different, the first is the result")
 {
-  Search_options options;
+  Search_options options = least_energy();
   options.method = Search_method::EXACT;
   options.solutions = 5;
   const auto ranked = find_correspondences(chair(), slatted_chair(), options);
@@ -181,7 +193,7 @@ TEST_CASE("Ranked correspondences: ascending, different, the first is the result
 
 TEST_CASE("Min-marginals tell how sure a match is")
 {
-  Search_options options;
+  Search_options options = least_energy();
   options.method = Search_method::EXACT;
   options.min_marginals = true;
   options.both_directions = false;
@@ -196,9 +208,9 @@ TEST_CASE("Min-marginals tell how sure a match is")
 
 TEST_CASE("A finder gives what the function gives")
 {
-  const Correspondence_finder find(chair());
+  const Correspondence_finder find(chair(), least_energy());
   for (const Structural_graph& target : {chair(), slatted_chair(), chair(false)}) {
-    const Correspondence found = find(target), expected = find_correspondence(chair(), target);
+    const Correspondence found = find(target), expected = find_correspondence(chair(), target, least_energy());
     CHECK(found.pairs == expected.pairs);
     CHECK(found.energy == expected.energy);
   }
@@ -206,7 +218,7 @@ TEST_CASE("A finder gives what the function gives")
 
 TEST_CASE("A cancelled search says so")
 {
-  Search_options options;
+  Search_options options = least_energy();
   std::vector<double> done;
   options.progress = [&](double share) {
     done.push_back(share);
@@ -226,8 +238,76 @@ TEST_CASE("A cancelled search says so")
 
 TEST_CASE("A term that is switched off has no say")
 {
-  Search_options options;
+  Search_options options = least_energy();
   options.matching.weights = {0, 0, 1};
   const Correspondence c = find_correspondence(chair(), slatted_chair(), options);
   CHECK(c.energy == Approx(c.terms.distortion));
+}
+
+TEST_CASE("By default parts are matched by their costs, with a confidence each, and rated by the energy")
+{
+  const Correspondence self = find_correspondence(chair(), chair());
+  CHECK(self.pairs == Pairs{{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}});
+  CHECK(self.energy == 0);
+  CHECK(self.complete);
+  CHECK(self.search.method == "parts");
+
+  const Correspondence split = find_correspondence(chair(), slatted_chair());
+  CHECK(split.pairs == Pairs{{0, 0}, {1, 1}, {1, 2}, {1, 3}, {2, 4}, {3, 5}, {4, 6}, {5, 7}});
+  REQUIRE(split.confidences.size() == split.pairs.size());
+  for (double confidence : split.confidences)
+    CHECK((confidence > 0 && confidence < 1));
+  CHECK(split.groups[1].operation == Operation::SPLIT);
+  CHECK(split.groups[1].solidity_ratio == Approx(0.4));
+  CHECK(split.energy == Approx(weighted_sum(split.terms, {})));
+  // The mapping is the one that the least energy has, too, and so is what it costs
+  Search_options exact;
+  exact.method = Search_method::EXACT;
+  exact.both_directions = false;
+  CHECK(split.energy == Approx(find_correspondence(chair(), slatted_chair(), exact).energy));
+}
+
+TEST_CASE("The default gives the same pairs with the shapes swapped")
+{
+  Pairs turned;
+  for (const auto& pair : find_correspondence(slatted_chair(), chair()).pairs)
+    turned.emplace_back(pair.second, pair.first);
+  std::sort(turned.begin(), turned.end());
+  CHECK(turned == find_correspondence(chair(), slatted_chair()).pairs);
+}
+
+TEST_CASE("Pairs that are not sure enough can be left out; other parts stay matched")
+{
+  Search_options options;
+  const Correspondence all = find_correspondence(chair(), slatted_chair(), options);
+  options.min_confidence = *std::max_element(all.confidences.begin(), all.confidences.end());
+  const Correspondence sure = find_correspondence(chair(), slatted_chair(), options);
+  CHECK(!sure.pairs.empty());
+  CHECK(sure.pairs.size() <= all.pairs.size());
+  for (double confidence : sure.confidences)
+    CHECK(confidence == options.min_confidence);
+  options.min_confidence = 1;
+  const Correspondence none = find_correspondence(chair(), slatted_chair(), options);
+  CHECK(none.pairs.empty());
+  CHECK(none.unmatched_source.size() == 6);
+  CHECK(std::isfinite(none.energy));
+  options.min_confidence = 2;
+  CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);
+}
+
+TEST_CASE("The default takes chosen parts only, and any alignment where asked to")
+{
+  Search_options options;
+  options.source_parts = {0, 2, 3};
+  options.target_parts = {0, 4, 5};
+  const Correspondence c = find_correspondence(chair(), chair(), options);
+  for (const auto& pair : c.pairs) {
+    CHECK((pair.first == 0 || pair.first == 2 || pair.first == 3));
+    CHECK((pair.second == 0 || pair.second == 4 || pair.second == 5));
+  }
+  Structural_graph turned = moved(chair(), EIGEN_PI, 1, {0, 0, 0});
+  structure(turned).frame.axes.setIdentity();
+  options = {};
+  options.alignments = 0;
+  CHECK(find_correspondence(chair(), turned, options).target_quarter_turns == 2);
 }

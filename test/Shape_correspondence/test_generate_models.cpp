@@ -26,7 +26,8 @@ namespace {
 
 using gen::Mesh;
 using gen::Point;
-using Box = Eigen::AlignedBox3d;
+using gen::Box;
+using gen::box_of;
 
 const fs::path data_folder = SHAPE_CORRESPONDENCE_DATA_DIR;
 
@@ -87,67 +88,6 @@ bool self_intersects(const Mesh& mesh)
   return CGAL::Polygon_mesh_processing::does_self_intersect(surface);
 }
 
-double squared_distance_to_segment(const Point& p, const Point& a, const Point& b)
-{
-  const double t = (p - a).dot(b - a) / (b - a).squaredNorm();
-  return (p - gen::between(a, b, std::min(1., std::max(0., t)))).squaredNorm();
-}
-
-double squared_distance(const Point& p, const Point& a, const Point& b, const Point& c)
-{
-  const Point normal = (b - a).cross(c - a);
-  auto inside = [&](const Point& from, const Point& to) { return normal.dot((to - from).cross(p - from)) >= 0; };
-  if (inside(a, b) && inside(b, c) && inside(c, a)) return std::pow(normal.dot(p - a), 2) / normal.squaredNorm();
-  return std::min({squared_distance_to_segment(p, a, b), squared_distance_to_segment(p, b, c),
-                   squared_distance_to_segment(p, c, a)});
-}
-
-bool crosses(const Point& p, const Point& q, const Point& a, const Point& b, const Point& c)
-{
-  auto side = [](const Point& u, const Point& v, const Point& w, const Point& x) {
-    return (v - u).cross(w - u).dot(x - u) > 0;
-  };
-  return side(a, b, c, p) != side(a, b, c, q) && side(p, q, a, b) == side(p, q, b, c) &&
-         side(p, q, b, c) == side(p, q, c, a);
-}
-
-Box box_of(const std::vector<Point>& points)
-{
-  Box box;
-  for (const Point& p : points)
-    box.extend(p);
-  return box;
-}
-
-/// Whether a point or an edge of `one` comes nearer than `tolerance` to a face of `other`, or goes through it.
-bool reaches(const Mesh& one, const Mesh& other, const Box& overlap, double tolerance)
-{
-  for (const auto& g : other.faces) {
-    const Point &a = other.points[g[0]], &b = other.points[g[1]], &c = other.points[g[2]];
-    Box around = box_of({a, b, c});
-    if (!around.intersects(overlap)) continue;
-    around.extend(around.min() - Point::Constant(tolerance));
-    around.extend(around.max() + Point::Constant(tolerance));
-    for (const auto& f : one.faces)
-      for (int i = 0; i < 3; ++i) {
-        const Point &p = one.points[f[i]], &q = one.points[f[(i + 1) % 3]];
-        if (!box_of({p, q}).intersects(around)) continue;
-        if (squared_distance(p, a, b, c) < tolerance * tolerance || crosses(p, q, a, b, c)) return true;
-      }
-  }
-  return false;
-}
-
-bool touch(const Mesh& one, const Mesh& other, double tolerance)
-{
-  const Point margin = Point::Constant(tolerance);
-  const Box a = box_of(one.points), b = box_of(other.points);
-  const Box wide_a(a.min() - margin, a.max() + margin), wide_b(b.min() - margin, b.max() + margin);
-  if (!wide_a.intersects(wide_b)) return false;
-  const Box overlap = wide_a.intersection(wide_b);
-  return reaches(one, other, overlap, tolerance) || reaches(other, one, overlap, tolerance);
-}
-
 /// Mirrored copies are exact; others differ by the rounding of both, the first one's turned along.
 constexpr double copy_tolerance = 1.25 * gen::grid_step;
 
@@ -156,14 +96,6 @@ constexpr double near_copy_tolerance = 0.01;
 
 /// Parts closer than this part of the shape's diagonal count as touching.
 constexpr double touch_tolerance = 5e-4;
-
-double diagonal(const gen::Assembly& shape)
-{
-  Box box;
-  for (const gen::Part& part : shape.parts)
-    box.extend(box_of(part.solid.mesh.points));
-  return box.diagonal().norm();
-}
 
 const gen::Part& part_of(const gen::Assembly& shape, const std::string& name) { return shape.parts[shape.index(name)]; }
 
@@ -288,13 +220,24 @@ TEST_CASE("the stated contacts are the parts that touch", "[generate_models]")
 {
   for (const gen::Model& model : gen::models()) {
     const gen::Assembly shape = model.make();
-    const double tolerance = touch_tolerance * diagonal(shape);
+    std::set<std::array<int, 2>> touching;
+    for (const auto& near : shape.near_parts(touch_tolerance))
+      touching.insert(near.parts);
     const std::set<std::array<int, 2>> stated(shape.contacts.begin(), shape.contacts.end());
+    INFO(model.name);
     CHECK(stated.size() == shape.contacts.size());
-    for (int i = 0; i < int(shape.parts.size()); ++i)
-      for (int j = i + 1; j < int(shape.parts.size()); ++j) {
-        INFO(model.name << ": " << shape.parts[i].name << " and " << shape.parts[j].name);
-        CHECK(touch(shape.parts[i].solid.mesh, shape.parts[j].solid.mesh, tolerance) == (stated.count({i, j}) == 1));
-      }
+    CHECK(touching == stated);
   }
+}
+
+TEST_CASE("distances of surfaces, worked out by hand", "[generate_models]")
+{
+  const auto triangle = [](const Point& a, const Point& b, const Point& c) { return Mesh{{a, b, c}, {{0, 1, 2}}}; };
+  const Mesh flat = triangle({0, 0, 0}, {2, 0, 0}, {0, 2, 0});
+  const auto distance = [&](const Mesh& other) { return gen::surface_distance(flat, other, 10); };
+  CHECK(distance(triangle({.5, .5, 1}, {.5, .5, 3}, {.6, .6, 3})) == Approx(1));          // a corner over a face
+  CHECK(distance(triangle({.5, .5, -1}, {.5, .5, 3}, {.6, .6, 3})) == 0);                 // an edge through a face
+  CHECK(distance(triangle({1, -1, -1}, {1, -1, 1}, {1, -3, 0})) == Approx(1));            // two edges
+  CHECK(distance(triangle({-1, -1, 0}, {-2, -1, 0}, {-1, -2, 0})) == Approx(std::sqrt(2))); // two corners
+  CHECK(gen::surface_distance(flat, triangle({0, 0, 5}, {1, 0, 5}, {0, 1, 5}), 2) == 2);  // beyond the limit
 }

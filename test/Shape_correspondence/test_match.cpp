@@ -196,3 +196,53 @@ TEST_CASE("The exact search costs no more than the beam, and proves it")
   CHECK(exact["optimal"] == true);
   CHECK(exact["search"]["lower_bound"] == exact["energy"]);
 }
+
+TEST_CASE("Every model of data/ corresponds to itself, part by part, at no cost, by every method")
+{
+  for (const auto& entry : fs::directory_iterator(data)) {
+    if (!entry.is_directory()) continue;
+    const fs::path graph = scratch() / (entry.path().filename().string() + ".json");
+    REQUIRE(std::system((quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " graph " + quoted(entry.path()) + " --quiet -o " +
+                         quoted(graph))
+                            .c_str()) == 0);
+    for (const char* method : {"parts", "beam", "exact"}) {
+      INFO(entry.path() << ' ' << method);
+      const json result = match(graph, graph, std::string("--search ") + method);
+      CHECK(result["energy"] == 0);
+      CHECK(result["unmatched_source"].empty());
+      for (const json& pair : result["pairs"])
+        CHECK(pair[0] == pair[1]);
+    }
+  }
+}
+
+TEST_CASE("The method follows from the options, where it is not named")
+{
+  const auto method = [](const std::string& options) {
+    return match(data / "stool", data / "stool", options)["search"]["method"].get<std::string>();
+  };
+  CHECK(method("") == "parts");
+  CHECK(method("--paper") == "beam");
+  CHECK(method("--beam-width 5") == "beam");
+  CHECK(method("--solutions 2") == "exact");
+  CHECK(method("--allow-unmatched") == "exact");
+}
+
+TEST_CASE("Ranked solutions, min-marginals and chosen parts are in the result file")
+{
+  const json ranked = match(data / "chair_four_legged", data / "chair_slatted", "--solutions 3 --min-marginals");
+  REQUIRE(ranked["solutions"].size() == 3);
+  CHECK(ranked["solutions"][0]["pairs"] == ranked["pairs"]);
+  CHECK(ranked["solutions"][0]["energy"].get<double>() <= ranked["solutions"][1]["energy"].get<double>());
+  for (const json& group : ranked["groups"])
+    CHECK(group.contains("min_marginal"));
+
+  const json parts = match(data / "stool", data / "stool");
+  CHECK(parts["confidences"].size() == parts["pairs"].size());
+  const std::string name = parts["pairs"][0][0];
+  const json chosen = match(data / "stool", data / "stool", "--source-parts " + name + " --target-parts " + name);
+  CHECK(chosen["pairs"] == json::array({{name, name}}));
+  const std::string none = quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " match " + quoted(data / "stool") + " " +
+                           quoted(data / "stool") + " --quiet --source-parts nobody 2> /dev/null";
+  CHECK(std::system(none.c_str()) != 0);
+}

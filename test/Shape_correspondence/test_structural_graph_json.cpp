@@ -7,6 +7,7 @@
 #include "model_files.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+#include <CGAL/Shape_correspondence/align_shapes.h>
 
 #include <catch2/catch.hpp>
 
@@ -56,6 +57,7 @@ Structural_graph crooked(const Structural_graph& graph)
     part.report.method = Abstraction_report::Method::MESO_SKELETON;
     part.report.repair = Abstraction_report::Repair::HOLES;
     part.report.tube = true;
+    part.surface = 1e3 / 7 * Points::Random(3, surface_samples + 5);
   }
   return result;
 }
@@ -64,7 +66,7 @@ bool same_parts(const Part_abstraction& a, const Part_abstraction& b)
 {
   return a.name == b.name && a.is_sheet() == b.is_sheet() && a.is_closed_curve() == b.is_closed_curve() &&
          a.control_points() == b.control_points() && a.volume == b.volume && a.hull_volume == b.hull_volume &&
-         a.area == b.area && a.report.method == b.report.method && a.report.repair == b.report.repair &&
+         a.area == b.area && a.surface.leftCols(surface_samples) == b.surface && a.report.method == b.report.method && a.report.repair == b.report.repair &&
          a.report.residual == b.report.residual && a.report.tube == b.report.tube && a.report.blob == b.report.blob;
 }
 
@@ -104,6 +106,23 @@ TEST_CASE("A graph that is written and read is the same to the bit")
   }
 }
 
+TEST_CASE("Contacts of several regions are several entries")
+{
+  json document = json::parse(written(hand_made::chair()));
+  const std::size_t contacts = document["contacts"].size();
+  json again = document["contacts"][1];
+  std::swap(again["parts"][0], again["parts"][1]);
+  again["parameters"] = json::parse("[[0.25], [0.5, 0.75]]");
+  document["contacts"].push_back(again);
+  const Structural_graph graph = read(document.dump());
+  REQUIRE(structure(graph).contacts.size() == contacts);
+  const Contact& contact = structure(graph).contacts[1];
+  REQUIRE(contact.further.size() == 1);
+  CHECK(contact.further[0][0] == Eigen::Vector2d(0.5, 0.75));
+  CHECK(contact.further[0][1] == Eigen::Vector2d(0.25, 0));
+  CHECK(json::parse(written(graph))["contacts"].size() == contacts + 1);
+}
+
 TEST_CASE("The keys are those of the format")
 {
   const json document = json::parse(written(hand_made::chair()));
@@ -118,6 +137,7 @@ TEST_CASE("The keys are those of the format")
   CHECK(leg["type"] == "curve");
   CHECK(leg["closed"] == false);
   CHECK(leg["points"].size() == 2);
+  CHECK_FALSE(leg.contains("surface")); // unknown
   CHECK(leg["abstraction"]["method"] == "given");
   CHECK(leg["abstraction"]["repair"] == "none");
   CHECK(leg["abstraction"]["coverage"] == 1.0);

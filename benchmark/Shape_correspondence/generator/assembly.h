@@ -7,6 +7,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_ASSEMBLY_H
 
 #include "primitives.h"
+#include "surface_distance.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -146,6 +147,34 @@ public:
   {
     for (std::size_t i = 0; i < ones.size(); ++i)
       touch(ones[i], {others.at(i)});
+  }
+
+  double diagonal() const
+  {
+    Box box;
+    for (const Part& part : parts)
+      box.extend(box_of(part.solid.mesh.points));
+    return box.diagonal().norm();
+  }
+
+  /// Two parts, the smaller index first, and how far apart they are, over the diagonal.
+  struct Near_parts
+  {
+    std::array<int, 2> parts;
+    double gap;
+  };
+
+  /// All pairs of parts that are within a fraction of the diagonal of each other, by brute force.
+  std::vector<Near_parts> near_parts(double fraction) const
+  {
+    std::vector<Near_parts> result;
+    const double limit = fraction * diagonal();
+    for (int a = 0; a < int(parts.size()); ++a)
+      for (int b = a + 1; b < int(parts.size()); ++b) {
+        const double distance = surface_distance(parts[a].solid.mesh, parts[b].solid.mesh, limit);
+        if (distance < limit) result.push_back({{a, b}, distance / diagonal()});
+      }
+    return result;
   }
 
   int index(const std::string& part) const

@@ -190,7 +190,7 @@ inline void add_bicycle_wheels(Assembly& bike, const Bicycle_joints& at)
   bike.touch("rear_spokes", {"rear_tyre", "rear_hub"});
   bike.touch("front_hub", {"fork_blade_l", "fork_blade_r"});
   bike.touch("rear_hub", {"chain_stay_l", "chain_stay_r", "seat_stay_l", "seat_stay_r", "chain"});
-  bike.touch("chain", {"chainring"});
+  bike.touch("chain", {"chainring", "seat_stay_r"});
 }
 
 /// A city bicycle.

@@ -18,6 +18,9 @@ namespace generator {
 /// Contents of files by their path, relative to the output folder.
 using Files = std::map<std::string, std::string>;
 
+/// The widest gap of a contact, over the shape's diagonal.
+constexpr double contact_tolerance = 0.02;
+
 constexpr const char* model_license = "GPL-3.0-or-later";
 
 inline std::string number(double x)
@@ -149,8 +152,9 @@ inline std::string structure_text(const Assembly& shape)
     parts.push_back(part_structure_text(part));
   for (const Part_group& group : shape.groups)
     groups.push_back(group_text(group));
-  for (const auto& [a, b] : shape.contacts)
-    contacts.push_back("{\"parts\": " + json_names({shape.parts[a].name, shape.parts[b].name}) + "}");
+  for (const auto& [pair, gap] : shape.near_parts(contact_tolerance))
+    contacts.push_back("{\"parts\": " + json_names({shape.parts[pair[0]].name, shape.parts[pair[1]].name}) +
+                       ", \"gap\": " + number(gap) + "}");
   return "{\n  \"format\": \"shape_correspondence/made\",\n  \"version\": 1,\n  \"name\": " + quoted(shape.name) +
          ",\n  \"up\": [0, 1, 0],\n  \"parts\": " + json_lines(parts) + ",\n  \"groups\": " + json_lines(groups) +
          ",\n  \"contacts\": " + json_lines(contacts) + "\n}\n";

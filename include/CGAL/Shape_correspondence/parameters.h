@@ -49,6 +49,9 @@ struct Named_parameters;
   X(progress, Structure_options, abstraction.progress)                                                                 \
   X(detect_symmetry, Structure_options, symmetry.enabled)                                                              \
   X(symmetry_tolerance, Structure_options, symmetry.tolerance)                                                         \
+  X(detect_reflections, Structure_options, symmetry.reflection)                                                        \
+  X(detect_rotations, Structure_options, symmetry.rotation)                                                            \
+  X(detect_translations, Structure_options, symmetry.translation)                                                      \
   X(contact_tolerance, Structure_options, contacts.tolerance)
 
 #define CGAL_SHAPE_CORRESPONDENCE_TAG(name, options, field)                                                            \

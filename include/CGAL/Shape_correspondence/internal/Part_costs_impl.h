@@ -25,6 +25,8 @@ constexpr double box_padding = 0.02;      // keeps the volume of flat boxes abov
 constexpr double extent_padding = 0.03;   // under it, extents count as equal
 constexpr double ground_tolerance = 0.03; // a part that starts lower stands on the ground
 
+constexpr double flat = 1e-12; // variance in a direction, over the largest, that counts as none
+
 constexpr double anchor_confidence = 0.2; // pairs above it bend one box onto the other
 constexpr double warp_width = 0.15;       // standard deviation of their influence, in the unit box
 constexpr double warp_inertia = 0.3;      // weight of staying in place
@@ -66,9 +68,12 @@ inline Eigen::Matrix3d orientation(const Surface& surface)
   const Surface centred = surface.rowwise() - surface.colwise().mean();
   const Eigen::Matrix3d covariance = centred.matrix().transpose() * centred.matrix() / double(surface.rows());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
-  const Eigen::Vector3d lengths = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
+  const Eigen::Array3d squares = eigen.eigenvalues();
+  const double largest = squares.maxCoeff();
+  if (!(largest > zero_squared_length)) return Eigen::Matrix3d::Zero();
+  // What is flat is exactly flat: a root would blow rounding noise up
+  const Eigen::Vector3d lengths = (squares > flat * largest).select(squares.sqrt(), 0.);
   const double norm = lengths.norm();
-  if (norm == 0) return Eigen::Matrix3d::Zero();
   return eigen.eigenvectors() * (lengths / norm).asDiagonal() * eigen.eigenvectors().transpose();
 }
 
@@ -140,23 +145,32 @@ inline Point_distances room_for_distances(const Compared_shape& from, const Comp
   return result;
 }
 
-// Both at once, since they need the same distances of points.
+// Distances of the points of either surface from the other; both at once, since they need the same distances of points.
+inline void nearest_distances(const Surface& p, const Surface& q, Eigen::ArrayXd& p_from_q, Eigen::ArrayXd& q_from_p)
+{
+  p_from_q.resize(p.rows());
+  q_from_p.setConstant(q.rows(), std::numeric_limits<double>::infinity());
+  for (Eigen::Index k = 0; k < p.rows(); ++k) {
+    const Eigen::ArrayXd squared =
+        (q.col(0) - p(k, 0)).square() + (q.col(1) - p(k, 1)).square() + (q.col(2) - p(k, 2)).square();
+    p_from_q[k] = squared.minCoeff();
+    q_from_p = q_from_p.min(squared);
+  }
+  p_from_q = p_from_q.sqrt();
+  q_from_p = q_from_p.sqrt();
+}
+
 inline void point_distances(const Compared_shape& a, const Compared_shape& b, Point_distances& a_from_b,
                             Point_distances& b_from_a)
 {
   a_from_b = room_for_distances(a, b);
   b_from_a = room_for_distances(b, a);
-  Eigen::ArrayXd squared, nearest;
+  Eigen::ArrayXd p_from_q, q_from_p;
   for (std::size_t i = 0; i < a.surfaces.size(); ++i)
     for (std::size_t j = 0; j < b.surfaces.size(); ++j) {
-      const Surface &p = a.surfaces[i], &q = b.surfaces[j];
-      nearest.setConstant(q.rows(), std::numeric_limits<double>::infinity());
-      for (Eigen::Index k = 0; k < p.rows(); ++k) {
-        squared = (q.col(0) - p(k, 0)).square() + (q.col(1) - p(k, 1)).square() + (q.col(2) - p(k, 2)).square();
-        nearest = nearest.min(squared);
-        a_from_b[i](k, Eigen::Index(j)) = std::sqrt(squared.minCoeff());
-      }
-      b_from_a[j].col(Eigen::Index(i)) = nearest.sqrt();
+      nearest_distances(a.surfaces[i], b.surfaces[j], p_from_q, q_from_p);
+      a_from_b[i].col(Eigen::Index(j)) = p_from_q;
+      b_from_a[j].col(Eigen::Index(i)) = q_from_p;
     }
 }
 
@@ -370,9 +384,17 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd part_costs(const Aligned_shape&
 {
   using namespace internal;
   const Compared_shape a = compared_shape(shape);
-  Point_distances distances, same_distances;
-  point_distances(a, a, distances, same_distances);
-  return costs_of_kind(a, a, distances, distances, weights) + costs_of_boxes(a.boxes, a.boxes, weights);
+  Eigen::MatrixXd result = costs_of_boxes(a.boxes, a.boxes, weights);
+  Eigen::ArrayXd i_from_j, j_from_i;
+  for (std::size_t i = 0; i < a.parts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      nearest_distances(a.surfaces[i], a.surfaces[j], i_from_j, j_from_i);
+      const auto row = Eigen::Index(i), column = Eigen::Index(j);
+      result(row, column) +=
+          cost_of_kind(a.parts[i], a.parts[j], weights) + weights.chamfer * (i_from_j.mean() + j_from_i.mean()) / 2;
+      result(column, row) = result(row, column);
+    }
+  return result;
 }
 
 } // namespace Shape_correspondence

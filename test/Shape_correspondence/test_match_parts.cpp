@@ -1,0 +1,199 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Shape_correspondence/match_parts.h>
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include "hand_made_graphs.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+using namespace CGAL::Shape_correspondence;
+
+namespace {
+
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+// By index in the structural graphs.
+Part_matching matching(const Structural_graph& a, const Structural_graph& b, const Part_matching_options& options = {})
+{
+  const Aligned_shape source = align_shape(a), target = align_shape(b);
+  const Part_matching aligned = match_parts(source, target, options);
+  Part_matching result = aligned;
+  for (Part_match& pair : result.pairs) {
+    pair.source = source.original[pair.source];
+    pair.target = target.original[pair.target];
+  }
+  std::sort(result.pairs.begin(), result.pairs.end(), [](const Part_match& p, const Part_match& q) {
+    return std::make_pair(p.source, p.target) < std::make_pair(q.source, q.target);
+  });
+  for (Eigen::Index i = 0; i < aligned.costs.rows(); ++i)
+    for (Eigen::Index j = 0; j < aligned.costs.cols(); ++j)
+      result.costs(Eigen::Index(source.original[std::size_t(i)]), Eigen::Index(target.original[std::size_t(j)])) =
+          aligned.costs(i, j);
+  return result;
+}
+
+Pairs pairs(const Part_matching& matching)
+{
+  Pairs result;
+  for (const Part_match& pair : matching.pairs)
+    result.emplace_back(pair.source, pair.target);
+  return result;
+}
+
+Pairs pairs(const Structural_graph& a, const Structural_graph& b, const Part_matching_options& options = {})
+{
+  return pairs(matching(a, b, options));
+}
+
+Pairs identity(std::size_t parts)
+{
+  Pairs result;
+  for (std::size_t i = 0; i < parts; ++i)
+    result.emplace_back(i, i);
+  return result;
+}
+
+// The graph with its parts in the opposite order.
+Structural_graph reversed(const Structural_graph& graph)
+{
+  Shape_structure shape = structure(graph);
+  const std::size_t last = shape.parts.size() - 1;
+  std::reverse(shape.parts.begin(), shape.parts.end());
+  for (Contact& contact : shape.contacts)
+    for (std::size_t& part : contact.parts)
+      part = last - part;
+  std::vector<Part_group> groups;
+  for (std::size_t v = num_vertices(graph); v-- > 0;) {
+    groups.push_back(graph[v]);
+    for (std::size_t& part : groups.back().parts)
+      part = last - part;
+  }
+  return make_structural_graph(std::move(shape), std::move(groups));
+}
+
+// A table with a second row of legs next to the first: a group of its own.
+Structural_graph table_with_double_legs()
+{
+  Structural_graph table = hand_made::table();
+  Shape_structure shape = structure(table);
+  for (double z : {-.5, .5})
+    for (double x : {-.4, .4}) {
+      shape.parts.push_back(hand_made::curve("leg " + std::to_string(shape.parts.size()), {x, 0, z}, {x, 1, z}));
+      shape.contacts.push_back(hand_made::contact(shape, 0, shape.parts.size() - 1, {x, 1, z}));
+    }
+  return make_structural_graph(
+      std::move(shape),
+      {table[0], table[1], hand_made::group({5, 6, 7, 8}, Symmetry_type::REFLECTION, Point::UnitX(), .1)});
+}
+
+} // namespace
+
+TEST_CASE("Parts of a shape match themselves, one to one")
+{
+  CHECK(pairs(hand_made::chair(), hand_made::chair()) == identity(6));
+  CHECK(pairs(hand_made::slatted_chair(), hand_made::slatted_chair()) == identity(8));
+  CHECK(pairs(hand_made::table(), hand_made::table()) == identity(5));
+}
+
+TEST_CASE("A back matches all slats, legs match legs")
+{
+  CHECK(pairs(hand_made::chair(), hand_made::slatted_chair()) ==
+        Pairs{{0, 0}, {1, 1}, {1, 2}, {1, 3}, {2, 4}, {3, 5}, {4, 6}, {5, 7}});
+}
+
+TEST_CASE("Four legs match one pedestal")
+{
+  CHECK(pairs(hand_made::table(), hand_made::pedestal_table()) == Pairs{{0, 0}, {1, 1}, {2, 1}, {3, 1}, {4, 1}});
+}
+
+TEST_CASE("Eight legs in two groups match four, every one every one")
+{
+  Pairs expected = {{0, 0}};
+  for (std::size_t i = 1; i <= 8; ++i)
+    for (std::size_t j = 1; j <= 4; ++j)
+      expected.emplace_back(i, j);
+  CHECK(pairs(table_with_double_legs(), hand_made::table()) == expected);
+
+  // the second group is in the block only because it resembles the first
+  Part_matching_options strangers;
+  strangers.sibling = 0;
+  strangers.excess = strangers.sure_excess;
+  CHECK(pairs(table_with_double_legs(), hand_made::table(), strangers) == identity(5));
+}
+
+TEST_CASE("Source and target have the same standing, to the bit")
+{
+  const Part_matching there = matching(hand_made::chair(), hand_made::slatted_chair());
+  const Part_matching back = matching(hand_made::slatted_chair(), hand_made::chair());
+  CHECK(there.costs == back.costs.transpose());
+  REQUIRE(there.pairs.size() == back.pairs.size());
+  for (const Part_match& pair : there.pairs) {
+    const auto same = std::find_if(back.pairs.begin(), back.pairs.end(), [&](const Part_match& other) {
+      return other.source == pair.target && other.target == pair.source;
+    });
+    REQUIRE(same != back.pairs.end());
+    CHECK(same->confidence == pair.confidence);
+  }
+}
+
+TEST_CASE("Matches do not depend on position, scale, turning and part order")
+{
+  const Structural_graph chair = hand_made::chair(), slats = hand_made::slatted_chair();
+  const Pairs expected = pairs(chair, slats);
+  CHECK(pairs(chair, hand_made::moved(slats, -0.6, 0.01, {70, 3, -4})) == expected);
+
+  Pairs in_order = pairs(chair, reversed(slats));
+  for (auto& pair : in_order)
+    pair.second = 7 - pair.second;
+  std::sort(in_order.begin(), in_order.end());
+  CHECK(in_order == expected);
+  CHECK(matching(chair, reversed(slats)).costs == matching(chair, slats).costs.rowwise().reverse());
+}
+
+TEST_CASE("Less excess leaves fewer pairs, all of them among the others'")
+{
+  Part_matching_options strict;
+  strict.excess = strict.sure_excess = strict.sibling = 0;
+  const Pairs few = pairs(table_with_double_legs(), hand_made::table(), strict);
+  const Pairs many = pairs(table_with_double_legs(), hand_made::table());
+  CHECK(few.size() < many.size());
+  CHECK(std::includes(many.begin(), many.end(), few.begin(), few.end()));
+}
+
+TEST_CASE("Confidence: a probability, high where there is no doubt and lower where there is")
+{
+  const auto confidence = [](const Part_matching& matching, std::size_t source, std::size_t target) {
+    for (const Part_match& pair : matching.pairs)
+      if (pair.source == source && pair.target == target) return pair.confidence;
+    return 0.;
+  };
+  const Part_matching same = matching(hand_made::chair(), hand_made::chair());
+  for (const Part_match& pair : same.pairs) {
+    CHECK(pair.confidence > 0.8);
+    CHECK(pair.confidence < 1);
+  }
+  Part_matching_options strict; // either of two legs side by side would do, but only one top
+  strict.excess = strict.sure_excess = strict.sibling = 0;
+  const Part_matching doubtful = matching(table_with_double_legs(), hand_made::table(), strict);
+  CHECK(confidence(doubtful, 1, 1) > 0);
+  CHECK(confidence(doubtful, 1, 1) < confidence(doubtful, 0, 0));
+}
+
+TEST_CASE("Weights and bounds that are negative or not finite are refused")
+{
+  Part_matching_options options;
+  options.excess = -1;
+  CHECK_THROWS_AS(matching(hand_made::chair(), hand_made::chair(), options), Invalid_input);
+  options = {};
+  options.weights.chamfer = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(matching(hand_made::chair(), hand_made::chair(), options), Invalid_input);
+}
