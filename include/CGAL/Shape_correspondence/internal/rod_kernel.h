@@ -64,7 +64,7 @@ template <int Width>
 struct Lane_vector
 {
 #ifdef __GNUC__
-  typedef float type __attribute__((vector_size(Width * sizeof(float))));
+  typedef float type __attribute__((vector_size(Width * sizeof(float)), may_alias));
 #else
   static_assert(Width == 1, "vector types need GCC or Clang");
   using type = float;
@@ -77,6 +77,13 @@ struct Lane_vector<1>
   using type = float;
 };
 
+// A block of lanes in memory. A copy by memcpy() would go through the stack in narrower pieces.
+template <int Width>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE const typename Lane_vector<Width>::type& lanes_at(const float* lanes, int block)
+{
+  return *reinterpret_cast<const typename Lane_vector<Width>::type*>(lanes + block * Width);
+}
+
 // For a block of lanes of a row: squared cosine between before and after, 0 beyond a right angle, as a fraction, which
 // is exactly 1 for an unmoved rod.
 template <int Width, typename Lanes>
@@ -88,19 +95,16 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void squared_cosine(const Rod_row& row, 
 #pragma STDC FP_CONTRACT OFF
 #endif
   const Lanes zero = {}, shortest = zero + zero_rod;
-  Lanes after[3], before[3], squared_length;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::memcpy(&after[axis], second.coordinates[axis] + block * Width, sizeof(Lanes));
-    std::memcpy(&before[axis], row.direction[axis] + block * Width, sizeof(Lanes));
-    after[axis] -= from[axis];
-  }
-  std::memcpy(&squared_length, row.squared_length + block * Width, sizeof(Lanes));
-  Lanes moved = after[0] * after[0] + after[1] * after[1] + after[2] * after[2];
-  Lanes product = before[0] * after[0] + before[1] * after[1] + before[2] * after[2];
+  const Lanes x = lanes_at<Width>(second.coordinates[0], block) - from[0],
+              y = lanes_at<Width>(second.coordinates[1], block) - from[1],
+              z = lanes_at<Width>(second.coordinates[2], block) - from[2];
+  Lanes moved = x * x + y * y + z * z;
+  Lanes product = lanes_at<Width>(row.direction[0], block) * x + lanes_at<Width>(row.direction[1], block) * y +
+                  lanes_at<Width>(row.direction[2], block) * z;
   moved = moved > shortest ? moved : shortest;
   product = product > zero ? product : zero;
   numerator = product * product;
-  denominator = squared_length * moved;
+  denominator = lanes_at<Width>(row.squared_length, block) * moved;
 }
 
 // Sum over all rods of the squared cosine. The rods of row i go from point i of `first`. Rows are taken in pairs, whose
@@ -162,9 +166,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE float least_squared_distance(const Sampl
     for (int b = 0; b < blocks; ++b) {
       Lanes squares = zero;
       for (int axis = 0; axis < 3; ++axis) {
-        Lanes to;
-        std::memcpy(&to, second.coordinates[axis] + b * Width, sizeof(Lanes));
-        const Lanes difference = to - (zero + first.coordinates[axis][i]);
+        const Lanes difference = lanes_at<Width>(second.coordinates[axis], b) - (zero + first.coordinates[axis][i]);
         squares += difference * difference;
       }
       least = squares < least ? squares : least;
