@@ -69,7 +69,7 @@ int parse_alignments(const Match_options& match)
 /// Options that only a search for the least energy has, and the method that they ask for.
 const std::pair<const char*, Search_method> energy_options[] = {
     {"beam-width", Search_method::BEAM},       {"expansions", Search_method::BEAM},
-    {"allow-unmatched", Search_method::EXACT}, {"time-limit", Search_method::EXACT},
+    {"allow-unmatched", Search_method::EXACT}, {"search-time-limit", Search_method::EXACT},
     {"min-marginals", Search_method::EXACT},   {"solutions", Search_method::EXACT}};
 
 bool is_given(const po::variables_map& values, const char* option)
@@ -136,7 +136,7 @@ po::options_description match_options(Match_options& match)
       "write the N best correspondences into the result, ranked by their energy");
   add("min-marginals", po::bool_switch(&match.search.min_marginals),
       "say of every group by how much the energy rises if it may not have its match: how sure the match is");
-  add("time-limit", po::value(&match.search.exact.time_limit)->value_name("SECONDS"),
+  add("search-time-limit", po::value(&match.search.exact.time_limit)->value_name("SECONDS"),
       "end an exact search that takes longer with the best result so far and the gap to its lower bound");
   add("source-parts", po::value(&match.source_parts)->value_name("NAMES"),
       "match only these parts of the source, their names separated by commas");
@@ -154,7 +154,7 @@ Search_options search_options(const Match_options& match, const po::variables_ma
   if (!(match.search.min_confidence >= 0 && match.search.min_confidence <= 1))
     throw Usage_error("--min-confidence must be between 0 and 1");
   if (!(match.search.matching.unmatched_cost >= 0)) throw Usage_error("--allow-unmatched must not be negative");
-  if (!(match.search.exact.time_limit >= 0)) throw Usage_error("--time-limit must not be negative");
+  if (!(match.search.exact.time_limit >= 0)) throw Usage_error("--search-time-limit must not be negative");
   check_at_least("beam-width", match.search.beam.beam_width, 1);
   check_at_least("expansions", match.search.beam.expansions, 1);
   if (values.count("max-parts")) check_at_least("max-parts", match.search.maximum_parts, 1);

@@ -230,6 +230,8 @@ TEST_CASE("The method follows from the options, where it is not named")
   CHECK(method("--beam-width 5") == "beam");
   CHECK(method("--solutions 2") == "exact");
   CHECK(method("--allow-unmatched") == "exact");
+  CHECK(method("--search-time-limit 10") == "exact");
+  CHECK(method("--time-limit 10") == "parts"); // of the abstraction of a part
 }
 
 TEST_CASE("Ranked solutions, min-marginals and chosen parts are in the result file")

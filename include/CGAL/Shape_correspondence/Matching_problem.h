@@ -63,7 +63,7 @@ public:
     return labels_[group][label].target_group == Group_label::no_group;
   }
   /// Whether the labels of a group are fewer than the target groups, so that no search proves an optimum.
-  bool has_shortlists() const { return target_.groups.size() > maximum_labels; }
+  bool has_shortlists() const { return has_shortlists_; }
 
   /// E of Eq. 1 of complete assignments: a variable a source group.
   const Pairwise_energy& energy() const { return energy_; }
@@ -121,6 +121,7 @@ private:
 
   Aligned_shape source_, target_;
   Matching_options options_;
+  bool has_shortlists_ = false;
   std::vector<std::vector<Group_label>> labels_;
   std::vector<Sampled_part> source_pieces_, target_pieces_; // the parts, then segments
   std::vector<Piece> source_segments_, target_segments_;

@@ -106,13 +106,14 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::choose_labels()
 {
   const Eigen::Matrix<double, 6, Eigen::Dynamic> from = internal::group_boxes(source_),
                                                  to = internal::group_boxes(target_);
+  has_shortlists_ = target_.groups.size() > maximum_labels;
   labels_.resize(source_.groups.size());
   std::vector<std::pair<long, std::size_t>> candidates;
   for (std::size_t g = 0; g < labels_.size(); ++g) {
     candidates.clear();
     for (std::size_t h = 0; h < target_.groups.size(); ++h)
       candidates.emplace_back(internal::quantized((from.col(Eigen::Index(g)) - to.col(Eigen::Index(h))).norm()), h);
-    if (has_shortlists()) {
+    if (has_shortlists_) {
       std::sort(candidates.begin(), candidates.end());
       candidates.resize(maximum_labels);
       std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
