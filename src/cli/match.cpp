@@ -30,14 +30,16 @@ namespace {
 const char* const help_text =
     R"(Usage: shape_correspondence match SOURCE TARGET [options]
 
-Finds which parts of two segmented shapes of one kind correspond: the source is deformed into the target and
-the target into the source, and the correspondence that costs the least deformation energy is taken. A part
-may correspond to many.
+Finds which parts of two segmented shapes of one kind correspond. A part may correspond to many, or to none.
+Parts are compared by place, size and shape, which agrees best with people, and the result is rated by the
+energy of deforming the source into the target. With --paper, --search beam or --search exact, the
+correspondence of least deformation energy is searched for instead.
 
 SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA: one node is one part),
 folders of part meshes (one file is one part, its stem the part's name), or structural graphs (.json, .xml).
 
-Example: shape_correspondence match chair.obj swivel_chair.obj --json result.json --glb result.glb
+Examples: shape_correspondence match chair.obj swivel_chair.obj --json result.json --html result.html
+          shape_correspondence match chair.obj stool.obj --search exact --allow-unmatched --solutions 3
 
 )";
 
