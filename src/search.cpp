@@ -11,9 +11,9 @@
 #include <CGAL/Shape_correspondence/internal/Geotopo_transform_impl.h>
 #include <CGAL/Shape_correspondence/internal/Matching_problem_impl.h>
 #include <CGAL/Shape_correspondence/internal/Pairwise_energy_impl.h>
+#include <CGAL/Shape_correspondence/internal/Part_costs_impl.h>
 #include <CGAL/Shape_correspondence/internal/align_shapes_impl.h>
 #include <CGAL/Shape_correspondence/internal/beam_search_impl.h>
 #include <CGAL/Shape_correspondence/internal/exact_search_impl.h>
 #include <CGAL/Shape_correspondence/internal/find_correspondence_impl.h>
 #include <CGAL/Shape_correspondence/internal/match_parts_impl.h>
-#include <CGAL/Shape_correspondence/internal/Part_costs_impl.h>

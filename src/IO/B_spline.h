@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 
-/// The values at `t` in [0, 1] of the basis of a B-spline with `n` control points and clamped uniform knots; cubic, or of
-/// the highest degree that so few points have (recurrence of Cox and de Boor).
+/// The values at `t` in [0, 1] of the basis of a B-spline with `n` control points and clamped uniform knots; cubic, or
+/// of the highest degree that so few points have (recurrence of Cox and de Boor).
 inline Eigen::VectorXd b_spline_basis(int n, double t)
 {
   const int degree = std::min(3, n - 1), inner = n - degree;

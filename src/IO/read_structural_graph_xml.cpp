@@ -194,7 +194,8 @@ Contact read_edge(const Xml_reader& edge, const std::vector<Spline_part>& parts,
   Contact contact{{ends[0], ends[1]}, {}, {}};
   std::vector<std::vector<Eigen::Vector2d>> places;
   for (const auto& [name, child] : edge.tree())
-    if (name == "coord" && places.size() < 2) places.push_back(read_coordinates(edge, child, parts[ends[places.size()]]));
+    if (name == "coord" && places.size() < 2)
+      places.push_back(read_coordinates(edge, child, parts[ends[places.size()]]));
   if (places.size() < 2) {
     contact.parameters = nearest_places(parts[ends[0]].part, parts[ends[1]].part);
     return contact;
@@ -205,8 +206,8 @@ Contact read_edge(const Xml_reader& edge, const std::vector<Spline_part>& parts,
   return contact;
 }
 
-/// The symmetry of a group of which the document says its members alone: that which is detected, or else the mirror plane
-/// half-way between two, the mean step of several.
+/// The symmetry of a group of which the document says its members alone: that which is detected, or else the mirror
+/// plane half-way between two, the mean step of several.
 Part_group make_group(const std::vector<std::size_t>& parts, const Shape_structure& shape,
                       const std::vector<Part_group>& detected)
 {

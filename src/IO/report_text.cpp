@@ -55,6 +55,21 @@ std::vector<std::string> flags_of(const Abstraction_report& report)
   return result;
 }
 
+std::string name_of(const Symmetry& symmetry)
+{
+  switch (symmetry.type) {
+  case Symmetry_type::REFLECTION:
+    return "reflection";
+  case Symmetry_type::ROTATION:
+    return "rotation, " + std::to_string(symmetry.order) + "-fold";
+  case Symmetry_type::TRANSLATION:
+    return "translation";
+  case Symmetry_type::SELF:
+    break;
+  }
+  return "self";
+}
+
 } // namespace IO
 } // namespace Shape_correspondence
 } // namespace CGAL

@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_IO_REPORT_TEXT_H
 #define CGAL_SHAPE_CORRESPONDENCE_SRC_IO_REPORT_TEXT_H
 
-#include <CGAL/Shape_correspondence/Part_abstraction.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <string>
 #include <vector>
@@ -19,6 +19,9 @@ namespace IO {
 const char* name_of(Abstraction_report::Method method);
 const char* name_of(Abstraction_report::Repair repair);
 std::vector<std::string> flags_of(const Abstraction_report& report);
+
+/// The kind of a symmetry in words.
+std::string name_of(const Symmetry& symmetry);
 
 } // namespace IO
 } // namespace Shape_correspondence

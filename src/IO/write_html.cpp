@@ -60,21 +60,6 @@ Details details_of(const Part_abstraction& part)
   return result;
 }
 
-std::string name_of(const Symmetry& symmetry)
-{
-  switch (symmetry.type) {
-  case Symmetry_type::REFLECTION:
-    return "reflection";
-  case Symmetry_type::ROTATION:
-    return "rotation, " + std::to_string(symmetry.order) + "-fold";
-  case Symmetry_type::TRANSLATION:
-    return "translation";
-  case Symmetry_type::SELF:
-    break;
-  }
-  return "alone";
-}
-
 std::vector<std::string> part_cells(const std::string& group, const Part_abstraction& part)
 {
   return {group, part.name, kind_of(part), method_of(part.report), listed(flags_of(part.report))};

@@ -117,7 +117,8 @@ void add_contact(Json& list, const Contact& contact, const Shape_structure& shap
 {
   const Part_abstraction &first = shape.parts[contact.parts[0]], &second = shape.parts[contact.parts[1]];
   const auto add = [&](const Contact::Parameters& p) {
-    list.push_back({{"parts", {first.name, second.name}}, {"parameters", {parameter(first, p[0]), parameter(second, p[1])}}});
+    list.push_back(
+        {{"parts", {first.name, second.name}}, {"parameters", {parameter(first, p[0]), parameter(second, p[1])}}});
   };
   add(contact.parameters);
   for (const Contact::Parameters& parameters : contact.further)

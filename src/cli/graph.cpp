@@ -10,6 +10,7 @@
 #include "thread_limit.h"
 
 #include "../IO/atomic_file.h"
+#include "../IO/report_text.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -67,21 +68,6 @@ std::string type_of(const Part_abstraction& part)
   return part.is_sheet() ? "sheet" : part.is_closed_curve() ? "closed curve" : "curve";
 }
 
-std::string name_of(const Symmetry& symmetry)
-{
-  switch (symmetry.type) {
-  case Symmetry_type::REFLECTION:
-    return "reflection";
-  case Symmetry_type::ROTATION:
-    return "rotation, " + std::to_string(symmetry.order) + "-fold";
-  case Symmetry_type::TRANSLATION:
-    return "translation";
-  case Symmetry_type::SELF:
-    break;
-  }
-  return "self";
-}
-
 std::string touched_parts(const Shape_structure& shape, std::size_t part)
 {
   std::vector<std::string> names;
@@ -101,7 +87,7 @@ void print_graph(const std::string& path, const Structural_graph& graph)
     for (std::size_t part : graph[v].parts) {
       const Part_abstraction& p = shape.parts[part];
       const bool first = part == graph[v].parts[0];
-      rows.push_back({first ? std::to_string(v + 1) : "", first ? name_of(graph[v].symmetry) : "", p.name, type_of(p),
+      rows.push_back({first ? std::to_string(v + 1) : "", first ? IO::name_of(graph[v].symmetry) : "", p.name, type_of(p),
                       short_number(solidity(p.volume, p.hull_volume)), touched_parts(shape, part)});
     }
   }
@@ -141,7 +127,8 @@ void run_graph(const std::vector<std::string>& arguments)
       IO::write_structural_graph_html(out, shape.graph, shape.model_pointer());
     });
   if (!files.graphml.empty())
-    IO::write_atomically(files.graphml, [&](std::ostream& out) { IO::write_structural_graph_graphml(out, shape.graph); });
+    IO::write_atomically(files.graphml,
+                         [&](std::ostream& out) { IO::write_structural_graph_graphml(out, shape.graph); });
   if (!files.dot.empty())
     IO::write_atomically(files.dot, [&](std::ostream& out) { IO::write_structural_graph_dot(out, shape.graph); });
   if (common.prints_table()) print_graph(parsed.inputs[0], shape.graph);

@@ -31,8 +31,8 @@ struct Loaded_shape
   const Segmented_shape* model_pointer() const { return model ? &*model : nullptr; }
 };
 
-/// Reads a model, or a structural graph from a file that ends in `.json` or `.xml`, and builds what is missing of its graph.
-/// \throw Invalid_input; the message names `path`
+/// Reads a model, or a structural graph from a file that ends in `.json` or `.xml`, and builds what is missing of its
+/// graph. \throw Invalid_input; the message names `path`
 Loaded_shape load_shape(const std::string& path, const Common_options& options);
 
 /// The same for several inputs at once, on as many threads as there are.

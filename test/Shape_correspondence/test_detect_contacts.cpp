@@ -187,7 +187,9 @@ TEST_CASE("An arm that touches the back twice has a contact of two regions")
   const Found found = contacts_of(shape);
   REQUIRE(found.contacts.size() == 1);
   REQUIRE(found.contacts[0].further.size() == 1);
-  const auto height = [&](const Contact::Parameters& parameters) { return evaluate(found.parts[0], parameters[0]).y(); };
+  const auto height = [&](const Contact::Parameters& parameters) {
+    return evaluate(found.parts[0], parameters[0]).y();
+  };
   const double one = height(found.contacts[0].parameters), other = height(found.contacts[0].further[0]);
   CHECK(std::min(one, other) == Approx(0.75).margin(0.02));
   CHECK(std::max(one, other) == Approx(1.25).margin(0.02));

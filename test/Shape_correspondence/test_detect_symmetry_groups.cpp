@@ -70,7 +70,8 @@ Symmetry_type type_of(generated_shapes::gen::Symmetry symmetry)
   using generated_shapes::gen::Symmetry;
   return symmetry == Symmetry::reflection ? Symmetry_type::REFLECTION
          : symmetry == Symmetry::rotation ? Symmetry_type::ROTATION
-                                          : symmetry == Symmetry::self ? Symmetry_type::SELF : Symmetry_type::TRANSLATION;
+         : symmetry == Symmetry::self     ? Symmetry_type::SELF
+                                          : Symmetry_type::TRANSLATION;
 }
 
 Named_groups groups_stated(const generated_shapes::gen::Assembly& assembly)
@@ -350,7 +351,7 @@ TEST_CASE("Noise of half a percent of the diagonal changes no group of the model
       CAPTURE(*names.begin(), names.size());
       const auto other = found.find(names);
       CHECK(other != found.end());
-    if (other == found.end()) continue;
+      if (other == found.end()) continue;
       CHECK(other->second.symmetry.type == group.symmetry.type);
     }
   }

@@ -24,10 +24,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using gen::Mesh;
-using gen::Point;
 using gen::Box;
 using gen::box_of;
+using gen::Mesh;
+using gen::Point;
 
 const fs::path data_folder = SHAPE_CORRESPONDENCE_DATA_DIR;
 
@@ -235,9 +235,9 @@ TEST_CASE("distances of surfaces, worked out by hand", "[generate_models]")
   const auto triangle = [](const Point& a, const Point& b, const Point& c) { return Mesh{{a, b, c}, {{0, 1, 2}}}; };
   const Mesh flat = triangle({0, 0, 0}, {2, 0, 0}, {0, 2, 0});
   const auto distance = [&](const Mesh& other) { return gen::surface_distance(flat, other, 10); };
-  CHECK(distance(triangle({.5, .5, 1}, {.5, .5, 3}, {.6, .6, 3})) == Approx(1));          // a corner over a face
-  CHECK(distance(triangle({.5, .5, -1}, {.5, .5, 3}, {.6, .6, 3})) == 0);                 // an edge through a face
-  CHECK(distance(triangle({1, -1, -1}, {1, -1, 1}, {1, -3, 0})) == Approx(1));            // two edges
+  CHECK(distance(triangle({.5, .5, 1}, {.5, .5, 3}, {.6, .6, 3})) == Approx(1));            // a corner over a face
+  CHECK(distance(triangle({.5, .5, -1}, {.5, .5, 3}, {.6, .6, 3})) == 0);                   // an edge through a face
+  CHECK(distance(triangle({1, -1, -1}, {1, -1, 1}, {1, -3, 0})) == Approx(1));              // two edges
   CHECK(distance(triangle({-1, -1, 0}, {-2, -1, 0}, {-1, -2, 0})) == Approx(std::sqrt(2))); // two corners
-  CHECK(gen::surface_distance(flat, triangle({0, 0, 5}, {1, 0, 5}, {0, 1, 5}), 2) == 2);  // beyond the limit
+  CHECK(gen::surface_distance(flat, triangle({0, 0, 5}, {1, 0, 5}, {0, 1, 5}), 2) == 2);    // beyond the limit
 }

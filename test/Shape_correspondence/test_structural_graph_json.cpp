@@ -66,8 +66,9 @@ bool same_parts(const Part_abstraction& a, const Part_abstraction& b)
 {
   return a.name == b.name && a.is_sheet() == b.is_sheet() && a.is_closed_curve() == b.is_closed_curve() &&
          a.control_points() == b.control_points() && a.volume == b.volume && a.hull_volume == b.hull_volume &&
-         a.area == b.area && a.surface.leftCols(surface_samples) == b.surface && a.report.method == b.report.method && a.report.repair == b.report.repair &&
-         a.report.residual == b.report.residual && a.report.tube == b.report.tube && a.report.blob == b.report.blob;
+         a.area == b.area && a.surface.leftCols(surface_samples) == b.surface && a.report.method == b.report.method &&
+         a.report.repair == b.report.repair && a.report.residual == b.report.residual &&
+         a.report.tube == b.report.tube && a.report.blob == b.report.blob;
 }
 
 bool same_groups(const Part_group& a, const Part_group& b)

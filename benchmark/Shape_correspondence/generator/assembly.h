@@ -34,8 +34,8 @@ struct Part
 
 enum class Symmetry { self, reflection, rotation, translation };
 
-/// Copies of one part. The symmetry is in a plane through the origin, about an axis, or along a vector; a single part is
-/// `self`, `mirror_symmetric` when the plane x = 0 takes it to itself.
+/// Copies of one part. The symmetry is in a plane through the origin, about an axis, or along a vector; a single part
+/// is `self`, `mirror_symmetric` when the plane x = 0 takes it to itself.
 struct Part_group
 {
   Names parts;
@@ -87,8 +87,8 @@ public:
     groups.push_back({front_back, Symmetry::reflection, false, Point::Zero(), Point::UnitZ()});
   }
 
-  /// A part on the left in front and its mirror images in the planes x = 0 and z = 0: front left, front right, back left,
-  /// back right; the first two have one label, "_left" and "_right" appended to fine labels.
+  /// A part on the left in front and its mirror images in the planes x = 0 and z = 0: front left, front right, back
+  /// left, back right; the first two have one label, "_left" and "_right" appended to fine labels.
   void add_four(const Names& names, const Label& front, const Label& back, const Solid& solid)
   {
     const Names fronts(names.begin(), names.begin() + 2), backs(names.begin() + 2, names.end());

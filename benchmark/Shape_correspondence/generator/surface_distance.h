@@ -93,8 +93,7 @@ inline double surface_distance(const Mesh& one, const Mesh& other, double limit)
     for (const auto& g : other.faces) {
       const std::array<Point, 3> b = corners(other, g);
       const Box box_b(b[0].cwiseMin(b[1]).cwiseMin(b[2]), b[0].cwiseMax(b[1]).cwiseMax(b[2]));
-      if (box_a.squaredExteriorDistance(box_b) < least)
-        least = std::min(least, squared_distance_of_triangles(a, b));
+      if (box_a.squaredExteriorDistance(box_b) < least) least = std::min(least, squared_distance_of_triangles(a, b));
     }
     if (least == 0) break;
   }

@@ -72,7 +72,8 @@ struct Aligned_shape
   std::shared_ptr<const std::vector<Contact_rods>> rods; ///< by contact; shared by copies of the shape
 };
 
-/// The part's samples, those of a curve repeated e times each when `count` asks for a sheet's: a sheet of equal columns.
+/// The part's samples, those of a curve repeated e times each when `count` asks for a sheet's: a sheet of equal
+/// columns.
 Points lifted_samples(const Sampled_part& part, Eigen::Index count);
 
 /// Samples a shape in its own frame, turned by quarter turns about the up axis (counter-clockwise seen from above).

@@ -23,10 +23,10 @@ struct Symmetry_options
 
 /// Gathers parts into symmetry groups (paper, section 3): congruent parts that one symmetry carries into each other.
 /// Parts are congruent if hull, surface points, area and volume of one's image and the other agree within the
-/// tolerance; their meshes need not. What rings, rows and turned or translated pairs consist of must agree more closely,
-/// in the widths in all directions, too: these are copies (but for wheels, whose hubs may differ). Noise of 0.5 % of the
-/// shape's diagonal on the vertices is no difference. Where several explanations overlap, the one that covers most parts
-/// wins; of those that cover as many, the first in this list:
+/// tolerance; their meshes need not. What rings, rows and turned or translated pairs consist of must agree more
+/// closely, in the widths in all directions, too: these are copies (but for wheels, whose hubs may differ). Noise of
+/// 0.5 % of the shape's diagonal on the vertices is no difference. Where several explanations overlap, the one that
+/// covers most parts wins; of those that cover as many, the first in this list:
 /// 1. a star: a complete ring of 3 parts or more about a vertical or horizontal axis that reach in to the axis
 ///    (the feet of an office chair, the blades of a propeller);
 /// 2. four parts that two orthogonal vertical mirror planes carry into each other (the legs of a table): a reflection

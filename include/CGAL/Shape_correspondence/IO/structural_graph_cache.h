@@ -16,9 +16,9 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 
-/// Identifies what `build_structural_graph()` makes of a shape: a hash (SHA-1) of all names, coordinates and triangles to
-/// the bit, of all options that the graph depends on, and of the version of the algorithms. Of the abstractor it holds the
-/// type only: one that has a state needs a folder for every state. Linear time.
+/// Identifies what `build_structural_graph()` makes of a shape: a hash (SHA-1) of all names, coordinates and triangles
+/// to the bit, of all options that the graph depends on, and of the version of the algorithms. Of the abstractor it
+/// holds the type only: one that has a state needs a folder for every state. Linear time.
 std::string content_hash(const Segmented_shape& shape, const Structure_options& options);
 
 /// A folder of structural graphs, each under the content hash of what it was built from. Many processes may use one
@@ -33,8 +33,8 @@ public:
   /// saved; none if it is not there.
   std::optional<Structural_graph> find(const std::string& content) const;
 
-  /// Saves a graph under its `content`, in place of what was there. One that depends on the machine's speed, since a part
-  /// reached the time limit, is not saved. \throw Invalid_input if the file cannot be written
+  /// Saves a graph under its `content`, in place of what was there. One that depends on the machine's speed, since a
+  /// part reached the time limit, is not saved. \throw Invalid_input if the file cannot be written
   void insert(const Structural_graph& graph) const;
 
 private:

@@ -15,24 +15,28 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 
-/// Writes the graph for graph tools: a node a group, with the names of its `parts`, its `symmetry` and its `solidity`; an
-/// edge for every two groups in contact, with the number of its `contacts`. Geometry is left out.
+/// Writes the graph for graph tools: a node a group, with the names of its `parts`, its `symmetry` and its `solidity`;
+/// an edge for every two groups in contact, with the number of its `contacts`. Geometry is left out.
 void write_structural_graph_graphml(std::ostream& out, const Structural_graph& graph);
 
 /// The same for Graphviz, every node labelled with its parts.
 void write_structural_graph_dot(std::ostream& out, const Structural_graph& graph);
 
 /// Reads a structure graph in the XML that programs for topology-varying shape matching exchange: a `document` of
-/// - `node`s: an `id`, a `type` (`CURVE` or `SHEET`), of a sheet `controls` with two counts `c`, the control `point`s of a
+/// - `node`s: an `id`, a `type` (`CURVE` or `SHEET`), of a sheet `controls` with two counts `c`, the control `point`s
+/// of a
 ///   cubic B-spline with clamped uniform knots, and their `weights`, 1 if there are none;
-/// - `edge`s: two nodes `n`, and for each a `coord` of parameters `uv`, a contact region each; without `coord`s the edge
+/// - `edge`s: two nodes `n`, and for each a `coord` of parameters `uv`, a contact region each; without `coord`s the
+/// edge
 ///   is where its parts are nearest;
-/// - `group`s: nodes `n`. Their symmetry is what is detected, or else the mirror plane half-way between two members, the
+/// - `group`s: nodes `n`. Their symmetry is what is detected, or else the mirror plane half-way between two members,
+/// the
 ///   mean step between more. Without `group`s, these are detected.
 ///
 /// Splines are sampled; meshes that nodes name are not read, so that volumes are unknown.
 /// \param up the upright direction, which the format does not say
-/// \throw Invalid_input if the text is not XML or not such a document; says which node, edge or group, and what is wrong
+/// \throw Invalid_input if the text is not XML or not such a document; says which node, edge or group, and what is
+/// wrong
 Structural_graph read_structural_graph_xml(std::istream& in, const std::string& file_name,
                                            const Point& up = Point::UnitZ(), const Structure_options& options = {});
 

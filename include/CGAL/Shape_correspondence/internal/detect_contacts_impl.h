@@ -20,10 +20,10 @@ namespace Shape_correspondence {
 namespace internal {
 namespace contacts {
 
-constexpr double SLACK = 1 + 1e-9;      ///< so that a gap of exactly the tolerance is a contact in every pose
-constexpr double NEAR_BAND = 0.5;       ///< over the tolerance: what is this much farther than the least distance is near
-constexpr double APART = 1.0 / 6;       ///< over the size of all near regions: samples farther apart are in different ones
-constexpr int REGION_SAMPLES = 64;      ///< on either part, to find the regions of a contact and their middles
+constexpr double SLACK = 1 + 1e-9; ///< so that a gap of exactly the tolerance is a contact in every pose
+constexpr double NEAR_BAND = 0.5;  ///< over the tolerance: what is this much farther than the least distance is near
+constexpr double APART = 1.0 / 6;  ///< over the size of all near regions: samples farther apart are in different ones
+constexpr int REGION_SAMPLES = 64; ///< on either part, to find the regions of a contact and their middles
 constexpr int ABSTRACTION_SAMPLES = 16; ///< of a curve, or along each side of a sheet
 
 /// Samples where two surfaces are near each other, on both.
@@ -165,8 +165,8 @@ private:
   Contact contact(const Near_pair& pair) const
   {
     const auto [a, b] = pair.parts;
-    const Near_samples samples = near_samples(surfaces_[a], surfaces_[b], closest_[pair.region],
-                                              pair.distance + NEAR_BAND * tolerance_);
+    const Near_samples samples =
+        near_samples(surfaces_[a], surfaces_[b], closest_[pair.region], pair.distance + NEAR_BAND * tolerance_);
     Contact result{pair.parts, {}, {}};
     for (const Region& region : regions(samples, tolerance_)) {
       const Point p = frame_.to_world(region.middle);

@@ -86,9 +86,8 @@ private:
     middles.sizes().maxCoeff(&axis);
     const std::size_t half = (begin + end) / 2;
     const auto first = triangles_.begin();
-    std::nth_element(first + begin, first + half, first + end, [&](const Triangle& a, const Triangle& b) {
-      return middle(a)[axis] < middle(b)[axis];
-    });
+    std::nth_element(first + begin, first + half, first + end,
+                     [&](const Triangle& a, const Triangle& b) { return middle(a)[axis] < middle(b)[axis]; });
     build(begin, half);
     nodes_[node].right = nodes_.size();
     build(half, end);
@@ -123,7 +122,8 @@ private:
                                                            std::size_t other_node) const
   {
     const Node &a = nodes_[node], &b = other.nodes_[other_node];
-    const bool split_own = b.right == 0 || (a.right != 0 && a.box.diagonal().squaredNorm() > b.box.diagonal().squaredNorm());
+    const bool split_own =
+        b.right == 0 || (a.right != 0 && a.box.diagonal().squaredNorm() > b.box.diagonal().squaredNorm());
     if (split_own) return {{{node + 1, other_node}, {a.right, other_node}}};
     return {{{node, other_node + 1}, {node, b.right}}};
   }
@@ -175,8 +175,7 @@ private:
   int crossings(std::size_t node, const Point& from, const Point& direction) const
   {
     if (!is_crossed(nodes_[node].box, from, direction)) return 0;
-    if (!is_leaf(node))
-      return crossings(node + 1, from, direction) + crossings(nodes_[node].right, from, direction);
+    if (!is_leaf(node)) return crossings(node + 1, from, direction) + crossings(nodes_[node].right, from, direction);
     int result = 0;
     for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t) {
       const std::optional<double> at = crossing(from, direction, triangles_[t]);

@@ -79,8 +79,7 @@ inline bool is_copy(const Part_relations& parts, std::size_t i, std::size_t j, c
   const bool agrees = limit > parts.noise()
                           ? std::isfinite(support_deviation(image, parts[j].support, limit, COPY_MAXIMUM))
                           : std::isfinite(support_deviation(image, parts[j].support, parts.noise()));
-  return agrees &&
-         ratio_within(parts[i].area, parts[j].area, COPY_AREA_RATIO) &&
+  return agrees && ratio_within(parts[i].area, parts[j].area, COPY_AREA_RATIO) &&
          width_ratio(image, parts[j].support, parts.noise()) <= COPY_WIDTH_RATIO;
 }
 

@@ -19,12 +19,12 @@ namespace Shape_correspondence {
 namespace internal {
 namespace symmetry {
 
-constexpr double POSITION_TOLERANCE = 0.01;  ///< over the shape's height; for parts that are small
-constexpr double NOISE = 0.003;              ///< mean deviation of hulls that noise explains, over the diagonal
-constexpr double ELONGATED = 1.5;            ///< length over width of a shape whose ends differ in meaning
-constexpr double PLANE_TOLERANCE = 0.02;     ///< how far from a mirror plane a pair may be centred, over the height
-constexpr double MAIN_PLANE_SUPPORT = 0.4;   ///< share of the surface that must be mirrored, for the better plane
-constexpr double OTHER_PLANE_SUPPORT = 0.7;  ///< and for the other one
+constexpr double POSITION_TOLERANCE = 0.01; ///< over the shape's height; for parts that are small
+constexpr double NOISE = 0.003;             ///< mean deviation of hulls that noise explains, over the diagonal
+constexpr double ELONGATED = 1.5;           ///< length over width of a shape whose ends differ in meaning
+constexpr double PLANE_TOLERANCE = 0.02;    ///< how far from a mirror plane a pair may be centred, over the height
+constexpr double MAIN_PLANE_SUPPORT = 0.4;  ///< share of the surface that must be mirrored, for the better plane
+constexpr double OTHER_PLANE_SUPPORT = 0.7; ///< and for the other one
 
 /// The motions whose linear part every pair is tested for.
 enum Basic_map { TRANSLATED = 0, MIRRORED_X = 1, MIRRORED_Z = 2 };
@@ -91,10 +91,7 @@ public:
     return support_deviation(moved_support(parts_[i], map), parts_[j].support, deviation_limit(i, j));
   }
 
-  bool same_size(std::size_t i, std::size_t j) const
-  {
-    return have_same_size(parts_[i], parts_[j], tolerance_);
-  }
+  bool same_size(std::size_t i, std::size_t j) const { return have_same_size(parts_[i], parts_[j], tolerance_); }
 
   /// Compares surfaces; what fails is not related any more.
   bool confirm(std::size_t i, std::size_t j, const Eigen::Matrix3d& map)

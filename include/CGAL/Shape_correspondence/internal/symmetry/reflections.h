@@ -56,7 +56,8 @@ inline void add_four(const Part_relations& parts, std::size_t i, std::size_t j, 
     const Point middle = (parts[i].centre + parts[j].centre + parts[k].centre + parts[l].centre) / 4;
     four.symmetry = mirror(middle, Point::Unit(axis_of(main)));
     const double spread = (parts[i].centre - parts[l].centre).norm();
-    four.cost = rounded(plane_distance(parts, main, middle) + plane_distance(parts, other, middle) + 0.01 / (1 + spread));
+    four.cost =
+        rounded(plane_distance(parts, main, middle) + plane_distance(parts, other, middle) + 0.01 / (1 + spread));
     four.links = {{0, 1, matrix_of(main), false}, {2, 3, matrix_of(main), false}, {0, 2, matrix_of(other), true}};
     result.push_back(four);
   }
@@ -101,8 +102,8 @@ inline void add_pair_in_plane(const Part_relations& parts, std::size_t i, std::s
   result.push_back(pair);
 }
 
-/// A pair that half a turn carries into each other about an axis in one of the shape's mirror planes, at right angles to
-/// what is between the two.
+/// A pair that half a turn carries into each other about an axis in one of the shape's mirror planes, at right angles
+/// to what is between the two.
 inline void add_turned_pair(const Part_relations& parts, std::size_t i, std::size_t j, Basic_map map,
                             std::vector<Explanation>& result)
 {
