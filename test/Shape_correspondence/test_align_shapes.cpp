@@ -60,4 +60,16 @@ TEST_CASE("Alignments: nearest to the given orientation first")
     turned.axes = Eigen::AngleAxisd(q * EIGEN_PI / 2 + 0.3, Point::UnitY()).toRotationMatrix();
     CHECK(alignment_turns(no_plane, turned).front() == q);
   }
+  // Turning either shape by less than 45 degrees as it is given changes nothing, nor does turning both by any angle
+  const auto turned_by = [](double degrees) {
+    Shape_frame frame;
+    frame.axes = Eigen::AngleAxisd(degrees * EIGEN_PI / 180, Point::UnitY()).toRotationMatrix();
+    return frame;
+  };
+  for (const double a : {-40.0, 0.0, 40.0})
+    for (const double b : {-40.0, 0.0, 40.0})
+      CHECK(alignment_turns(turned_by(a), turned_by(b)).front() == 0);
+  for (const double a : {60.0, 90.0, 170.0})
+    CHECK(alignment_turns(turned_by(a), turned_by(a)).front() == 0);
+  CHECK(alignment_turns(turned_by(0), turned_by(180)).front() == 2);
 }

@@ -86,8 +86,9 @@ Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is
 /// (the paper's coarse correspondence, Figure 11).
 std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t count);
 
-/// The quarter turns of the target that bring it into the source's frame, best guess first: the one nearest to the
-/// orientation that the shapes were given in, then by angle. Where both shapes have one mirror plane, half turns only.
+/// The quarter turns of the target that bring it into the source's frame, best guess first: the ones nearest to the
+/// orientation that the shapes were given in, so that turning either by less than 45° as it was given changes nothing.
+/// Where both shapes have one mirror plane, half turns only.
 std::vector<int> alignment_turns(const Shape_frame& source, const Shape_frame& target);
 
 } // namespace Shape_correspondence

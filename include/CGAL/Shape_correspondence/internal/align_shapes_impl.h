@@ -285,22 +285,36 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape align_shape(const Structural_grap
   return result;
 }
 
+namespace internal {
+
+// How far the frame is turned about up from the orientation that the shape was given in: x to the right, or as near to
+// it as up allows.
+inline double given_turn(const Shape_frame& frame)
+{
+  const Point up = frame.axes.col(1);
+  const Point sideways = std::abs(up.x()) < 0.9 ? Point::UnitX() : Point::UnitY();
+  const Point right = (sideways - sideways.dot(up) * up).normalized(), front = right.cross(up);
+  return std::atan2(-front.dot(frame.axes.col(0)), right.dot(frame.axes.col(0)));
+}
+
+} // namespace internal
+
 CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<int> alignment_turns(const Shape_frame& source, const Shape_frame& target)
 {
-  // The turn about up that carries the target's frame into the source's, as the shapes were given
-  const Eigen::Matrix3d relative = source.axes.transpose() * target.axes;
-  const double given = std::atan2(relative(0, 2) - relative(2, 0), relative(0, 0) + relative(2, 2));
+  // Either frame is off by a turn of its own and by quarter turns that its finding left open
+  const double from = internal::given_turn(source), to = internal::given_turn(target), quarter = EIGEN_PI / 2;
+  const double given = quarter * (std::round(to / quarter) - std::round(from / quarter));
+  const auto off = [&](double angle, int q) {
+    return internal::quantized(std::abs(std::remainder(angle - q * quarter, 2 * EIGEN_PI)));
+  };
   const bool half_turns = source.mirror_x != source.mirror_z && target.mirror_x != target.mirror_z;
-
-  std::vector<std::pair<long, int>> turns;
-  for (int q = 0; q < 4; q += half_turns ? 2 : 1) {
-    const double off = std::abs(std::remainder(given - q * EIGEN_PI / 2, 2 * EIGEN_PI));
-    turns.emplace_back(internal::quantized(off), q);
-  }
+  std::vector<std::tuple<long, long, int>> turns;
+  for (int q = 0; q < 4; q += half_turns ? 2 : 1)
+    turns.emplace_back(off(given, q), off(to - from, q), q);
   std::sort(turns.begin(), turns.end());
   std::vector<int> result;
   for (const auto& turn : turns)
-    result.push_back(turn.second);
+    result.push_back(std::get<2>(turn));
   return result;
 }
 
