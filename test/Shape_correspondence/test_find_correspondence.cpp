@@ -230,10 +230,14 @@ TEST_CASE("A cancelled search says so")
   CHECK(!c.pairs.empty()); // the forward direction was done
   CHECK(c.warnings.size() == 1);
   options.progress = [](double) { return false; };
-  const Correspondence none = find_correspondence(chair(), slatted_chair(), options);
-  CHECK(!none.complete);
-  CHECK(none.pairs.empty());
-  CHECK(none.unmatched_source.size() == 6);
+  for (const Search_method method : {Search_method::PARTS, Search_method::BEAM}) {
+    options.method = method;
+    const Correspondence none = find_correspondence(chair(), slatted_chair(), options);
+    CHECK(!none.complete);
+    CHECK(none.pairs.empty());
+    CHECK(none.unmatched_source.size() == 6);
+    CHECK(none.warnings.size() == 1);
+  }
 }
 
 TEST_CASE("A term that is switched off has no say")

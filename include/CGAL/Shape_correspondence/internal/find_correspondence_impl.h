@@ -322,24 +322,30 @@ Correspondence_finder::matched_parts(const Structural_graph& target) const
 {
   const std::vector<int> turns = internal::tried_turns(source_frame_, structure(target).frame, options_.alignments);
   Part_matching best;
-  int best_turn = 0;
+  Aligned_shape best_shape;
+  int best_turn = turns.front();
   long best_cost = std::numeric_limits<long>::max();
   std::size_t done = 0;
   for (int turn : turns) {
     if (options_.progress && !options_.progress(double(done) / double(turns.size()))) break;
-    const Aligned_shape shape = aligned(target, turn);
+    Aligned_shape shape = aligned(target, turn);
     Part_matching matching = match_parts(source_, shape, options_.parts);
     ++done;
     const long cost = internal::matching_cost(matching);
-    if (cost < best_cost) best_cost = cost, best_turn = turn, best = std::move(matching);
+    if (cost >= best_cost) continue;
+    best_cost = cost;
+    best_turn = turn;
+    best = std::move(matching);
+    best_shape = std::move(shape);
   }
+  if (done == 0) best_shape = aligned(target, best_turn);
   const auto unsure = [&](const Part_match& pair) { return pair.confidence < options_.min_confidence; };
   best.pairs.erase(std::remove_if(best.pairs.begin(), best.pairs.end(), unsure), best.pairs.end());
 
-  const Aligned_shape shape = aligned(target, best_turn);
-  const internal::Search_run run(source_, shape, best_turn, internal::group_labels(best, source_, shape), options_);
+  const internal::Search_run run(source_, best_shape, best_turn, internal::group_labels(best, source_, best_shape),
+                                 options_);
   Correspondence result = internal::correspondence_of(run, run.result.best(), {});
-  result.confidences = internal::ordered_confidences(best, source_, shape);
+  result.confidences = internal::ordered_confidences(best, source_, best_shape);
   if (done < turns.size()) internal::mark_cancelled(done, turns.size(), result);
   return result;
 }
