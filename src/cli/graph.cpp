@@ -87,8 +87,8 @@ void print_graph(const std::string& path, const Structural_graph& graph)
     for (std::size_t part : graph[v].parts) {
       const Part_abstraction& p = shape.parts[part];
       const bool first = part == graph[v].parts[0];
-      rows.push_back({first ? std::to_string(v + 1) : "", first ? IO::name_of(graph[v].symmetry) : "", p.name, type_of(p),
-                      short_number(solidity(p.volume, p.hull_volume)), touched_parts(shape, part)});
+      rows.push_back({first ? std::to_string(v + 1) : "", first ? IO::name_of(graph[v].symmetry) : "", p.name,
+                      type_of(p), short_number(solidity(p.volume, p.hull_volume)), touched_parts(shape, part)});
     }
   }
   std::cout << path << ": " << shape.parts.size() << " parts, " << num_vertices(graph) << " groups, "

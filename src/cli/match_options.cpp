@@ -117,7 +117,7 @@ po::options_description match_options(Match_options& match)
       "coarse correspondence of the N most prominent parts of either shape; default: all parts");
   add("front", po::value(&match.front)->value_name("HOW")->default_value(match.front),
       "of the alignments that the shapes' own symmetry leaves: given takes the one nearest to their orientation in the "
-      "files, auto the one with the lowest energy");
+      "files, auto the best-scoring one");
   add("alignments", po::value(&match.alignments)->value_name("N")->default_value(match.alignments),
       "how many alignments are tried, nearest to the given orientation first; auto: one with --front given, all with "
       "--front auto");

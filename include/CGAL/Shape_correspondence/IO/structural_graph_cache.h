@@ -29,8 +29,8 @@ public:
   /// Makes the folder if there is none. \throw Invalid_input if it cannot be used
   explicit Structural_graph_cache(std::string folder);
 
-  /// The graph of this content, the same to the bit but for the surface samples and hulls of the parts, which are not
-  /// saved; none if it is not there.
+  /// The graph of this content, the same to the bit but for the hulls and most surface samples of the parts, which are
+  /// not saved (those that matching uses are); none if it is not there.
   std::optional<Structural_graph> find(const std::string& content) const;
 
   /// Saves a graph under its `content`, in place of what was there. One that depends on the machine's speed, since a
