@@ -35,7 +35,7 @@ inline Eigen::MatrixXd contact_distances(const Boxed_shape& shape)
 /// Scales rows and columns of a positive matrix until they have equal sums; both shapes have mass 1.
 inline Eigen::MatrixXd sinkhorn(Eigen::MatrixXd plan)
 {
-  constexpr int steps = 200;
+  constexpr int steps = 60;
   const double row_sum = 1. / double(plan.rows()), column_sum = 1. / double(plan.cols());
   for (int i = 0; i < steps; ++i) {
     plan = (row_sum * plan.rowwise().sum().array().inverse()).matrix().asDiagonal() * plan;
@@ -44,14 +44,14 @@ inline Eigen::MatrixXd sinkhorn(Eigen::MatrixXd plan)
   return plan;
 }
 
-/// T. Vayer et al., *Optimal transport for structured data*, 2019: the coupling of parts that is cheap by chamfer
-/// distance in unit boxes and keeps distances along contacts, by the proximal point method (H. Xu et al.,
+/// T. Vayer et al., *Optimal transport for structured data*, 2019: the coupling of parts that is cheap by squared
+/// Hausdorff distance in unit boxes and keeps distances along contacts, by the proximal point method (H. Xu et al.,
 /// *Gromov-Wasserstein learning*, 2019). Strong entries are the correspondence.
 inline Part_pairs match_by_fused_gromov_wasserstein(const Boxed_shape& source, const Boxed_shape& target)
 {
-  constexpr double structure_share = 0.3, step = 0.05, least_share = 0.5;
+  constexpr double structure_share = 0.5, step = 0.03, least_share = 0.5;
   constexpr int iterations = 50;
-  const Eigen::MatrixXd features = part_distances(source, target, chamfer);
+  const Eigen::MatrixXd features = part_distances(source, target, hausdorff).cwiseAbs2();
   const Eigen::MatrixXd a = contact_distances(source), b = contact_distances(target);
   const auto n = features.rows(), m = features.cols();
   const Eigen::VectorXd squares_a = a.array().square().rowwise().mean(),
