@@ -68,9 +68,9 @@ struct Arguments
 };
 
 /// Parses the arguments of a command and fills the variables that the options are bound to.
-/// \param inputs how many inputs the command takes \throw Usage_error
+/// \param inputs how many inputs the command takes \param or_more whether it takes more, too \throw Usage_error
 Arguments parse(const std::vector<std::string>& arguments, const boost::program_options::options_description& options,
-                std::size_t inputs);
+                std::size_t inputs, bool or_more = false);
 
 /// Checks the values of common options. \throw Usage_error, or Invalid_input if an output cannot be written
 void check(const Common_options& options);

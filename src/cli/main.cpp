@@ -24,8 +24,9 @@ const char* const help_text =
 Finds which parts correspond between segmented shapes of one kind, however different their parts are.
 
 Commands:
-  graph   builds the structural graph of one shape: curves and sheets, symmetry groups, contacts
-  match   finds the part correspondence of two shapes
+  graph      builds the structural graph of one shape: curves and sheets, symmetry groups, contacts
+  match      finds the part correspondence of two shapes
+  evaluate   scores correspondences against labelled parts
 
 Example: shape_correspondence match chair.obj swivel_chair.obj --json result.json --glb result.glb
 
@@ -41,6 +42,7 @@ Command command_of(const std::string& name)
 {
   if (name == "graph") return run_graph;
   if (name == "match") return run_match;
+  if (name == "evaluate") return run_evaluate;
   return nullptr;
 }
 

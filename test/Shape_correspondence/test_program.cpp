@@ -5,14 +5,13 @@
 
 #include "hand_made_graphs.h"
 #include "model_files.h"
+#include "program.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>
-
-#include <sys/wait.h>
 
 #include <map>
 #include <set>
@@ -25,26 +24,6 @@ using Catch::Matchers::Contains;
 using nlohmann::json;
 
 namespace {
-
-struct Run
-{
-  int status;
-  std::string out;
-  std::string error;
-};
-
-std::string quoted(const std::string& word) { return "'" + word + "'"; }
-
-/// Runs the program. \param arguments as a shell takes them
-Run run(const std::string& arguments)
-{
-  const Temporary_folder folder;
-  const int status = std::system((quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " " + arguments + " >" +
-                                  quoted(folder.path("out")) + " 2>" + quoted(folder.path("error")))
-                                     .c_str());
-  REQUIRE(WIFEXITED(status));
-  return {WEXITSTATUS(status), text_of(folder.path("out")), text_of(folder.path("error"))};
-}
 
 std::string graph_file(const Temporary_folder& folder, const std::string& name, const Structural_graph& graph)
 {
@@ -81,7 +60,7 @@ TEST_CASE("Help at both levels and the version")
   const Run help = run("--help");
   CHECK(help.status == 0);
   CHECK_THAT(help.out, Contains("graph") && Contains("match") && Contains("Example"));
-  for (const char* command : {"graph", "match"}) {
+  for (const char* command : {"graph", "match", "evaluate"}) {
     const Run of_command = run(std::string(command) + " --help");
     CHECK(of_command.status == 0);
     CHECK_THAT(of_command.out, Contains("Usage") && Contains("Example") && Contains("--json") && Contains("--threads"));
