@@ -12,6 +12,7 @@
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/co_analysis.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>
+#include <CGAL/Shape_correspondence/estimate_up.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 #include <CGAL/Shape_correspondence/match_parts.h>
 #include <CGAL/Shape_correspondence/parameters.h>
