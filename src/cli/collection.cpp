@@ -17,6 +17,7 @@
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>
+#include <CGAL/Shape_correspondence/IO/write_collection_html.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/topological_medoid.h>
 
@@ -26,6 +27,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <thread>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -59,6 +61,10 @@ on where it was; what depends on a changed shape or option is done anew. Several
   shape_correspondence collection FOLDER --store S --tile 1/3     ... 2/3, 3/3: a job each, in any order
   shape_correspondence collection FOLDER --store S --merge --json C.json
 
+or, where the program was built with MPI, all at once:
+
+  mpirun -n 8 shape_correspondence collection FOLDER --store S --json C.json
+
 Examples: shape_correspondence collection chairs --json chairs.json --npy energies.npy
           shape_correspondence collection chairs --store work --json chairs.json --search exact
 
@@ -83,6 +89,9 @@ po::options_description collection_options(Common_options& common, Collection_op
   add("npy", po::value(&options.npy)->value_name("FILE"),
       "write the energies, source by target, as a NumPy array of doubles");
   add("csv", po::value(&options.csv)->value_name("FILE"), "write the energies as a table with the shapes' names");
+  add("html", po::value(&common.html)->value_name("FILE"),
+      "write a web page that needs no network: pictures of all shapes, the medoid, the spanning tree, and the match of "
+      "two shapes that are clicked (of more than 100 shapes, of near ones)");
   add("store", po::value(&options.store)->value_name("FOLDER"),
       "keep graphs and finished pairs in this folder, and take them from there; a must for very large collections, "
       "which then need memory for the energies alone");
@@ -138,7 +147,7 @@ void check(Collection_options& options, const Common_options& common, const po::
   if (in_parts) parse_tile(options);
   if ((in_parts || options.merge) && options.store.empty()) throw Usage_error("--tile and --merge need --store");
   if (in_parts && options.merge) throw Usage_error("--tile and --merge do not go together");
-  if (in_parts && !(common.json + options.npy + options.csv).empty())
+  if (in_parts && !(common.json + common.html + options.npy + options.csv).empty())
     throw Usage_error("--tile writes no result; --merge does when all shares are done");
   if (values.count("tile-size") && options.block_size < 1) throw Usage_error("--tile-size must be at least 1");
   if (values.count("neighbours") && options.neighbours < 1) throw Usage_error("--neighbours must be at least 1");
@@ -146,7 +155,7 @@ void check(Collection_options& options, const Common_options& common, const po::
   if (!(options.co_analysis.clustering.inflation > 1)) throw Usage_error("--inflation must be more than 1");
   if (!(options.co_analysis.least_cycle_support >= 0 && options.co_analysis.least_cycle_support <= 1))
     throw Usage_error("--cycle-support must be between 0 and 1");
-  std::set<std::string> outputs{common.json};
+  std::set<std::string> outputs{common.json, common.html};
   for (const std::string& file : {options.npy, options.csv}) {
     if (file.empty()) continue;
     if (!outputs.insert(file).second) throw Usage_error("two outputs are the same file, " + file);
@@ -196,26 +205,29 @@ public:
   void run(Team& team)
   {
     std::vector<std::size_t> todo;
-    std::size_t total = 0;
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-      if (is_mine(tile) && !store_.has(tiles_.name(tile))) {
-        todo.push_back(tile);
-        total += tiles_.number_of_pairs(tile);
-      }
+      if (is_mine(tile) && !store_.has(tiles_.name(tile))) todo.push_back(tile);
+    todo = team.from_first(std::move(todo)); // others may have begun
+    std::vector<std::size_t> before;         // pairs, by place in the list
+    std::size_t total = 0;
+    for (std::size_t tile : todo) {
+      before.push_back(total);
+      total += tiles_.number_of_pairs(tile);
+    }
     if (options_.merge && !todo.empty())
       throw Invalid_input(
           options_.store + ": " + std::to_string(total) +
           " pairs of shapes are missing; run the shares (--tile) that are not done, or leave --merge out");
-    Progress_bar bar(common_, "matching", "pair");
-    std::size_t done = 0;
+    Common_options shown = common_;
+    shown.quiet = common_.quiet || !team.is_first();
+    Progress_bar bar(shown, "matching", "pair");
     team.for_each(todo.size(), [&](std::size_t k) {
       Energy_matrix_options matching = matching_;
-      matching.progress = [&](std::size_t in_tile, std::size_t) {
-        bar.show(done + in_tile, total);
+      matching.progress = [&](std::size_t done, std::size_t) {
+        bar.show(before[k] + done, total);
         return true;
       };
       store_.insert(tiles_.name(todo[k]), tiles_.computed(todo[k], matching));
-      done += tiles_.number_of_pairs(todo[k]);
     });
   }
 
@@ -304,9 +316,17 @@ Part_map composed_map(const Shape_chain& chain, const std::map<std::pair<std::si
   return map;
 }
 
-IO::Collection analysed(const Collection_shapes& shapes, const Collection_options& options, Collection_work& work)
+/// What is found out, and the maps that it is made of.
+struct Analysis
 {
-  IO::Collection result;
+  IO::Collection collection;
+  std::vector<Shape_pair_map> maps;
+};
+
+Analysis analysed(const Collection_shapes& shapes, const Collection_options& options, Collection_work& work)
+{
+  Analysis analysis;
+  IO::Collection& result = analysis.collection;
   result.warnings = shapes.skipped();
   std::vector<std::size_t> part_counts;
   for (const Collection_shape& shape : shapes.shapes()) {
@@ -342,12 +362,11 @@ IO::Collection analysed(const Collection_shapes& shapes, const Collection_option
   });
   for (IO::Collection::Bridge& bridge : result.bridges)
     bridge.correspondence.map = composed_map(bridge.correspondence.chain, maps);
-  std::vector<Shape_pair_map> clustered_maps;
   for (const auto& [i, j] : clustered)
-    clustered_maps.push_back({i, j, maps.at({i, j})});
-  result.co_analysis = co_analysis(part_counts, clustered_maps, options.co_analysis);
+    analysis.maps.push_back({i, j, std::move(maps.at({i, j}))});
+  result.co_analysis = co_analysis(part_counts, analysis.maps, options.co_analysis);
   result.co_analysis_shape_pairs = clustered.size() / 2;
-  return result;
+  return analysis;
 }
 
 void print_collection(const IO::Collection& collection)
@@ -377,18 +396,33 @@ void print_collection(const IO::Collection& collection)
     std::cout << "warning: " << warning << '\n';
 }
 
-void write_outputs(const IO::Collection& collection, const Common_options& common, const Collection_options& options)
+void write_outputs(const Analysis& analysis, const Collection_shapes& shapes, const Common_options& common,
+                   const Collection_options& options)
 {
+  const IO::Collection& collection = analysis.collection;
   std::vector<std::string> names;
   for (const IO::Collection::Shape& shape : collection.shapes)
     names.push_back(shape.name);
   if (!common.json.empty())
     IO::write_atomically(common.json, [&](std::ostream& out) { IO::write_collection_json(out, collection); });
+  if (!common.html.empty())
+    IO::write_atomically(common.html, [&](std::ostream& out) {
+      IO::write_collection_html(
+          out, collection, [&](std::size_t i) { return shapes.graph(i); }, analysis.maps);
+    });
   if (!options.npy.empty())
     IO::write_atomically(options.npy, [&](std::ostream& out) { IO::write_npy(out, collection.energies); });
   if (!options.csv.empty())
     IO::write_atomically(options.csv, [&](std::ostream& out) { IO::write_csv(out, collection.energies, names); });
   if (common.prints_table()) print_collection(collection);
+}
+
+/// Processes on one machine share its processors.
+int number_of_threads(const Common_options& common, const Team& team)
+{
+  const std::size_t processes = team.size_here();
+  if (common.threads > 0 || processes == 1) return common.threads;
+  return int(std::max<std::size_t>(1, std::thread::hardware_concurrency() / processes));
 }
 
 } // namespace
@@ -413,8 +447,10 @@ void run_collection(const std::vector<std::string>& arguments)
   matching.unmatched_energy = options.unmatched_energy;
   check(common);
   check(options, common, parsed.values);
-  const Thread_limit limit(common.threads);
   Team team;
+  if (team.size() > 1 && options.store.empty())
+    throw Usage_error("several processes need --store, a folder that all reach");
+  const Thread_limit limit(number_of_threads(common, team));
   const std::string store_folder = options.store;
   Tile_store store(store_folder.empty() ? "" : (fs::path(store_folder) / "tiles").string());
   if (common.cache.empty() && !store_folder.empty()) common.cache = (fs::path(store_folder) / "cache").string();
@@ -423,7 +459,7 @@ void run_collection(const std::vector<std::string>& arguments)
                                  options.skip_bad, common, team);
   Collection_work work(shapes, store, key_of(match, options, parsed.values), options, matching, common);
   work.run(team);
-  if (options.tile.empty() && team.is_first()) write_outputs(analysed(shapes, options, work), common, options);
+  if (options.tile.empty() && team.is_first()) write_outputs(analysed(shapes, options, work), shapes, common, options);
 }
 
 } // namespace cli

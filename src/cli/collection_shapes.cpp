@@ -150,7 +150,9 @@ Collection_shapes::Collection_shapes(const std::vector<std::string>& paths, cons
   if (!folder_.empty()) fs::create_directories(folder_);
   Common_options quiet = options; // one bar for all
   quiet.quiet = true;
-  Progress_bar bar(options, "graphs", "shape");
+  Common_options shown = options;
+  shown.quiet = options.quiet || !team.is_first();
+  Progress_bar bar(shown, "graphs", "shape");
   std::vector<Loaded_input> inputs(paths.size());
   std::mutex mutex;
   std::size_t done = 0;

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,23 +17,31 @@ namespace Shape_correspondence {
 namespace cli {
 
 /// The processes that work on one collection: this one, or those that `mpirun` started, where the program was built
-/// with MPI.
+/// with MPI. All processes of a team make the same calls in the same order.
 class Team
 {
 public:
-  std::size_t size() const { return 1; }
-  bool is_first() const { return true; }
+  Team();
+  ~Team();
 
-  /// Hands out the numbers from 0 to n - 1 to the processes, each once, one after the other as they get free. All
-  /// processes call it, and leave it when all numbers are done.
-  void for_each(std::size_t n, const std::function<void(std::size_t)>& work)
-  {
-    for (std::size_t i = 0; i < n; ++i)
-      work(i);
-  }
+  std::size_t size() const;
+  bool is_first() const;
+  /// Processes on this machine, this one included.
+  std::size_t size_here() const;
 
-  /// The texts of all processes, at all of them.
-  std::vector<std::string> gathered(const std::string& text) { return {text}; }
+  /// Hands out the numbers from 0 to n - 1 to the processes, each once and in their order, as they get free; returns
+  /// when all are done. \throw Invalid_input at all processes if `work` throws at one of them
+  void for_each(std::size_t n, const std::function<void(std::size_t)>& work);
+
+  /// The texts of all processes.
+  std::vector<std::string> gathered(const std::string& text);
+  /// What the first process has.
+  std::vector<std::size_t> from_first(std::vector<std::size_t> numbers);
+
+private:
+  struct Impl;
+
+  std::unique_ptr<Impl> impl_; // null: this process alone
 };
 
 } // namespace cli
