@@ -26,6 +26,7 @@ Finds which parts correspond between segmented shapes of one kind, however diffe
 Commands:
   graph      builds the structural graph of one shape: curves and sheets, symmetry groups, contacts
   match      finds the part correspondence of two shapes
+  collection matches all pairs of a set of shapes: energies, the medoid, clusters of parts
   evaluate   scores correspondences against labelled parts
 
 Example: shape_correspondence match chair.obj swivel_chair.obj --json result.json --glb result.glb
@@ -43,6 +44,7 @@ Command command_of(const std::string& name)
   if (name == "graph") return run_graph;
   if (name == "match") return run_match;
   if (name == "evaluate") return run_evaluate;
+  if (name == "collection") return run_collection;
   return nullptr;
 }
 
