@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -29,20 +30,35 @@ inline Box box_of(const Triangle& t)
 class Triangle_tree
 {
 public:
-  explicit Triangle_tree(std::vector<Triangle> triangles) : triangles_(std::move(triangles))
+  explicit Triangle_tree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)), given_(triangles_.size())
   {
     nodes_.reserve(2 * triangles_.size() + 1);
+    std::iota(given_.begin(), given_.end(), std::size_t(0));
     build(0, triangles_.size());
+    std::vector<Triangle> in_order;
+    in_order.reserve(triangles_.size());
+    for (std::size_t t : given_)
+      in_order.push_back(triangles_[t]);
+    triangles_.swap(in_order);
   }
 
   /// The triangles, in the order of the tree.
   const std::vector<Triangle>& triangles() const { return triangles_; }
+  /// The number that a triangle of the tree was given with.
+  std::size_t given_number(std::size_t t) const { return given_[t]; }
   const Box& box() const { return nodes_[0].box; }
 
   /// The point nearest to `p`, if it is nearer than the root of `squared`, which is set to the squared distance.
   bool improve_nearest(const Point& p, Point& nearest, double& squared) const
   {
-    return improve_nearest(0, p, nearest, squared);
+    std::size_t triangle;
+    return improve_nearest(p, nearest, squared, triangle);
+  }
+
+  /// The same, with the triangle of the tree that it is on.
+  bool improve_nearest(const Point& p, Point& nearest, double& squared, std::size_t& triangle) const
+  {
+    return improve_nearest(0, p, nearest, squared, triangle);
   }
 
   /// The closest points of two surfaces, where they are closer than `best`.
@@ -78,16 +94,18 @@ private:
     nodes_.push_back({{}, begin, end});
     Box middles;
     for (std::size_t t = begin; t < end; ++t) {
-      nodes_[node].box.extend(box_of(triangles_[t]));
-      middles.extend(middle(triangles_[t]));
+      nodes_[node].box.extend(box_of(triangles_[given_[t]]));
+      middles.extend(middle(triangles_[given_[t]]));
     }
     if (end - begin <= LEAF) return;
     Eigen::Index axis;
     middles.sizes().maxCoeff(&axis);
     const std::size_t half = (begin + end) / 2;
-    const auto first = triangles_.begin();
-    std::nth_element(first + begin, first + half, first + end,
-                     [&](const Triangle& a, const Triangle& b) { return middle(a)[axis] < middle(b)[axis]; });
+    const auto first = given_.begin();
+    std::nth_element(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(half), first + std::ptrdiff_t(end),
+                     [&](std::size_t a, std::size_t b) {
+                       return middle(triangles_[a])[axis] < middle(triangles_[b])[axis];
+                     });
     build(begin, half);
     nodes_[node].right = nodes_.size();
     build(half, end);
@@ -95,7 +113,7 @@ private:
 
   static Point middle(const Triangle& t) { return t[0] + t[1] + t[2]; } // three times the middle
 
-  bool improve_nearest(std::size_t node, const Point& p, Point& nearest, double& squared) const
+  bool improve_nearest(std::size_t node, const Point& p, Point& nearest, double& squared, std::size_t& triangle) const
   {
     bool improved = false;
     if (is_leaf(node)) {
@@ -104,6 +122,7 @@ private:
         if ((candidate - p).squaredNorm() >= squared) continue;
         squared = (candidate - p).squaredNorm();
         nearest = candidate;
+        triangle = t;
         improved = true;
       }
       return improved;
@@ -113,7 +132,7 @@ private:
     children[1] = {nodes_[nodes_[node].right].box.squaredExteriorDistance(p), nodes_[node].right};
     if (children[1].first < children[0].first) std::swap(children[0], children[1]);
     for (const auto& [bound, child] : children)
-      if (bound < squared) improved = improve_nearest(child, p, nearest, squared) || improved;
+      if (bound < squared) improved = improve_nearest(child, p, nearest, squared, triangle) || improved;
     return improved;
   }
 
@@ -193,6 +212,7 @@ private:
   }
 
   std::vector<Triangle> triangles_;
+  std::vector<std::size_t> given_; ///< by triangle of the tree
   std::vector<Node> nodes_;
 };
 
