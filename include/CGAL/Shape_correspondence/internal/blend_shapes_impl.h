@@ -11,7 +11,12 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/internal/blend/Blend_stage.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
 #include <algorithm>
+#include <numeric>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -66,6 +71,18 @@ inline std::vector<Blend_schedule> plausible_schedules(const Blend_stage& stage)
   return result;
 }
 
+/// On all threads, where there are several.
+template <typename Function>
+void for_each_index(std::size_t count, const Function& function)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::parallel_for(std::size_t(0), count, function);
+#else
+  for (std::size_t i = 0; i < count; ++i)
+    function(i);
+#endif
+}
+
 inline Blend_quality worst(const Blend_quality& a, const Blend_quality& b)
 {
   return {std::max(a.gap, b.gap), std::max(a.asymmetry, b.asymmetry), std::max(a.ground, b.ground)};
@@ -89,16 +106,17 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Shape_blend::Shape_blend(const Structural_graph
       options.contact_tolerance);
   schedules_ = plausible_schedules(*stage_);
   std::vector<long> costs(schedules_.size(), std::numeric_limits<long>::max());
-  bool goes_on = true;
-  for (std::size_t s = 0; s < schedules_.size() && goes_on; ++s) {
+  for (std::size_t s = 0; s < schedules_.size(); ++s) {
+    if (options.progress && !options.progress(double(s) / double(schedules_.size()))) break;
+    const Blend_stage::Times times = times_of(schedules_[s]);
+    std::vector<Blend_quality> qualities(std::size_t(options.samples));
+    for_each_index(qualities.size(), [&](std::size_t i) {
+      const double t = double(i + 1) / double(qualities.size() + 1);
+      qualities[i] = stage_->quality(stage_->scene(times, t), t);
+    });
     Blend_quality& quality = schedules_[s].quality;
-    for (int i = 1; i <= options.samples && goes_on; ++i) {
-      const double done = double(s) + double(i - 1) / options.samples;
-      goes_on = !options.progress || options.progress(done / double(schedules_.size()));
-      const double t = double(i) / (options.samples + 1);
-      if (goes_on) quality = worst(quality, stage_->quality(stage_->scene(times_of(schedules_[s]), t), t));
-    }
-    if (goes_on) costs[s] = quantized(quality.gap + quality.asymmetry + quality.ground);
+    quality = std::accumulate(qualities.begin(), qualities.end(), quality, worst);
+    costs[s] = quantized(quality.gap + quality.asymmetry + quality.ground);
   }
   std::vector<std::size_t> order(schedules_.size());
   std::iota(order.begin(), order.end(), std::size_t(0));

@@ -104,6 +104,7 @@ private:
   void add_morphs(const std::array<Charted_shape, 2>& charted, const Correspondence& correspondence);
   void add_fading(const Side& given, int side, const Charted_shape& charted);
   void add_links(const std::array<Side, 2>& sides, double tolerance);
+  void add_morph_links(std::vector<Link> links);
   Attachment attachment(const std::vector<std::size_t>& candidates, int side, const Point& at) const;
   std::vector<std::size_t> actors_of(int side, std::size_t part) const;
   Points end_points(std::size_t actor, int side) const;
@@ -120,6 +121,7 @@ private:
   std::vector<Actor> actors_;
   std::vector<std::vector<Attachment>> attachments_; ///< by actor
   std::vector<Link> links_;
+  std::vector<std::array<std::optional<Tree>, 2>> trees_; ///< by actor and surface, at an end; to be moved
 };
 
 inline Blend_stage::Blend_stage(const Side& source, const Side& target, const Correspondence& correspondence,
@@ -271,41 +273,31 @@ inline void Blend_stage::add_links(const std::array<Side, 2>& sides, double tole
     for (std::size_t part = 0; part < shape.parts.size(); ++part)
       add(actors_of(int(side), part), actors_of(int(side), part), side, false);
   }
-  std::array<std::vector<std::optional<Tree>>, 2> trees;
-  for (std::size_t side = 0; side < 2; ++side) {
-    trees[side].resize(actors_.size());
-    for (std::size_t a = 0; a < actors_.size(); ++a)
-      if (exists(a, int(side)))
-        trees[side][a] = tree_of(end_points(a, int(side)), triangles(a, actors_[a].morph ? int(side) : 0));
-  }
-  std::vector<std::size_t> root(actors_.size());
-  std::iota(root.begin(), root.end(), std::size_t(0));
-  const auto find = [&](std::size_t i) {
-    while (root[i] != i)
-      i = root[i];
-    return i;
+  trees_.resize(actors_.size());
+  for (std::size_t a = 0; a < actors_.size(); ++a)
+    for (int side : {0, 1}) {
+      const int surface = actors_[a].morph ? side : 0;
+      if (exists(a, side)) trees_[a][std::size_t(surface)] = tree_of(end_points(a, side), triangles(a, surface));
+    }
+  const auto tree_at = [&](std::size_t actor, std::size_t side) {
+    return exists(actor, int(side)) ? &*trees_[actor][actors_[actor].morph ? side : 0] : nullptr;
   };
   std::vector<Link> links;
   for (const auto& [actors, contact] : candidates) {
     Link link;
     link.actors = actors;
     for (std::size_t side = 0; side < 2; ++side) {
-      if (!trees[side][actors[0]] || !trees[side][actors[1]]) continue;
-      contacts::Closest_pair closest;
-      trees[side][actors[0]]->improve_closest(*trees[side][actors[1]], closest);
+      const Tree *first = tree_at(actors[0], side), *second = tree_at(actors[1], side);
+      if (!first || !second) continue;
+      const contacts::Closest_pair closest = first->nearly_closest(*second);
       link.gap[side] = std::sqrt(closest.squared);
       link.touch[side] = contact[side] || link.gap[side] <= tolerance;
     }
-    if (link.touch[0] && link.touch[1]) root[std::max(find(actors[0]), find(actors[1]))] = std::min(find(actors[0]), find(actors[1]));
-    links.push_back(link);
+    if (link.touch[0] || link.touch[1]) links.push_back(link);
   }
   for (Link& link : links) {
     const auto [a, b] = link.actors;
-    if (!link.touch[0] && !link.touch[1]) continue;
-    if (actors_[a].morph && actors_[b].morph) {
-      if ((link.touch[0] && link.touch[1]) || find(a) != find(b)) links_.push_back(link);
-      continue;
-    }
+    if (actors_[a].morph && actors_[b].morph) continue;
     // A part that fades keeps hold of what it hangs on
     const auto hangs = [&](std::size_t part, std::size_t on) {
       const auto& list = attachments_[part];
@@ -316,12 +308,43 @@ inline void Blend_stage::add_links(const std::array<Side, 2>& sides, double tole
     link.touch = {true, true};
     links_.push_back(link);
   }
+  add_morph_links(links);
+}
+
+/// Of parts that stay, contacts of both ends are kept, and as many more of either end as it takes to join what they
+/// leave apart: those first that come apart least.
+inline void Blend_stage::add_morph_links(std::vector<Link> links)
+{
+  const auto apart = [](const Link& link) { return quantized(std::max(link.gap[0], link.gap[1])); };
+  std::stable_sort(links.begin(), links.end(), [&](const Link& a, const Link& b) { return apart(a) < apart(b); });
+  std::vector<char> is_kept(links.size(), 0);
+  for (std::size_t side = 0; side < 2; ++side) {
+    std::vector<std::size_t> root(actors_.size());
+    std::iota(root.begin(), root.end(), std::size_t(0));
+    const auto find = [&](std::size_t i) {
+      while (root[i] != i)
+        i = root[i];
+      return i;
+    };
+    for (bool both : {true, false})
+      for (std::size_t l = 0; l < links.size(); ++l) {
+        const auto [a, b] = links[l].actors;
+        const bool wanted = both ? links[l].touch[0] && links[l].touch[1] : links[l].touch[side];
+        if (!wanted || !actors_[a].morph || !actors_[b].morph || (!both && find(a) == find(b))) continue;
+        root[find(a)] = find(b);
+        is_kept[l] = 1;
+      }
+  }
+  for (std::size_t l = 0; l < links.size(); ++l)
+    if (is_kept[l]) links_.push_back(links[l]);
 }
 
 inline Blend_stage::Tree Blend_stage::tree(const Scene& scene, std::size_t actor) const
 {
-  const int surface = scene.surface[actor];
-  return tree_of(scene.points[actor][std::size_t(surface)], triangles(actor, surface));
+  const auto surface = std::size_t(scene.surface[actor]);
+  Tree result = *trees_[actor][surface];
+  result.move([&](std::size_t t) { return triangle_of(scene.points[actor][surface], triangles(actor, int(surface)), t); });
+  return result;
 }
 
 inline Blend_stage::Scene Blend_stage::scene(const Times& times, double t) const
@@ -359,41 +382,44 @@ inline Blend_stage::Scene Blend_stage::scene(const Times& times, double t) const
 /// Closes the gaps of links: both parts move, the smaller one more, and hold on to what else they touch.
 inline void Blend_stage::relink(double t, Scene& scene) const
 {
-  constexpr int most_rounds = 8;
+  constexpr int most_rounds = 6;
   constexpr double closed = 1e-4;
   std::vector<std::optional<Tree>> trees(actors_.size());
+  for (const Link& link : links_)
+    for (std::size_t a : link.actors)
+      if (scene.surface[a] >= 0 && !trees[a]) trees[a] = tree(scene, a);
+  std::vector<contacts::Closest_pair> closest(links_.size());
+  std::vector<char> moved(actors_.size(), 1);
   for (int round = 0;; ++round) {
-    for (const Link& link : links_)
-      for (std::size_t a : link.actors)
-        if (scene.surface[a] >= 0 && !trees[a]) trees[a] = tree(scene, a);
     std::vector<std::vector<Handle>> handles(actors_.size());
     std::vector<char> moves(actors_.size(), 0);
     scene.gap = 0;
-    for (const Link& link : links_) {
-      const auto [a, b] = link.actors;
+    for (std::size_t l = 0; l < links_.size(); ++l) {
+      const auto [a, b] = links_[l].actors;
       if (scene.surface[a] < 0 || scene.surface[b] < 0) continue;
-      contacts::Closest_pair closest;
-      trees[a]->improve_closest(*trees[b], closest);
-      const double gap = std::sqrt(closest.squared), excess = gap - link.allowed(t);
+      const double allowed = links_[l].allowed(t) + closed;
+      if (moved[a] || moved[b]) closest[l] = trees[a]->nearly_closest(*trees[b], allowed * allowed);
+      const double gap = std::sqrt(closest[l].squared), excess = gap - allowed;
       scene.gap = std::max(scene.gap, excess);
       Point step = Point::Zero();
-      if (excess > closed) {
-        step = excess / gap * (closest.second - closest.first);
+      if (excess > 0) {
+        step = (excess + closed) / gap * (closest[l].second - closest[l].first);
         moves[a] = moves[b] = 1;
       }
       const bool fades_a = !actors_[a].morph, fades_b = !actors_[b].morph;
       const double size_a = trees[a]->box().diagonal().norm(), size_b = trees[b]->box().diagonal().norm();
       const double share = fades_a != fades_b ? double(fades_a) : size_b / (size_a + size_b);
-      handles[a].push_back({closest.first, share * step});
-      handles[b].push_back({closest.second, (share - 1) * step});
+      handles[a].push_back({closest[l].first, share * step});
+      handles[b].push_back({closest[l].second, (share - 1) * step});
     }
-    if (scene.gap <= closed || round == most_rounds) return;
+    if (scene.gap <= 0 || round == most_rounds) return;
     for (std::size_t a = 0; a < actors_.size(); ++a) {
       if (!moves[a]) continue;
       for (Points& points : scene.points[a])
         if (points.cols() > 0) follow(handles[a], points);
-      trees[a].reset();
+      trees[a] = tree(scene, a);
     }
+    moved = std::move(moves);
   }
 }
 

@@ -26,7 +26,7 @@ struct Handle
 inline void follow(const std::vector<Handle>& handles, Points& points)
 {
   if (handles.empty()) return;
-  constexpr double stiffness = 0.05;
+  constexpr double stiffness = 0.25; // over the squared size of what moves
   Point middle = Point::Zero(), move = Point::Zero();
   for (const Handle& handle : handles) {
     middle += handle.at / double(handles.size());
@@ -34,7 +34,7 @@ inline void follow(const std::vector<Handle>& handles, Points& points)
   }
   const Point size = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
   Eigen::Matrix3d across = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d spread = (stiffness * size.squaredNorm() / 4 + 1e-12) * Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d spread = (stiffness * size.squaredNorm() + 1e-12) * Eigen::Matrix3d::Identity();
   for (const Handle& handle : handles) {
     across += (handle.move - move) * (handle.at - middle).transpose();
     spread += (handle.at - middle) * (handle.at - middle).transpose();

@@ -95,22 +95,23 @@ private:
     Carriers() = default;
     Carriers(const Charted_mesh& a, const Charted_mesh& b)
     {
-      const contacts::Triangle_tree target = tree_of(b.coordinates, b.triangles);
+      const Points normals_a = chart_normals(a), normals_b = chart_normals(b);
+      const Place_finder target(b.coordinates, b.triangles, normals_b);
       first = second = Moving();
       first.triangles = a.triangles;
       first.coordinates = {a.coordinates, a.coordinates};
       first.offsets = {a.offsets, a.offsets};
       for (Eigen::Index i = 0; i < a.points.cols(); ++i) {
-        const Mesh_place place = nearest_place(target, a.coordinates.col(i));
+        const Mesh_place place = target(a.coordinates.col(i), normals_a.col(i));
         first.coordinates[1].col(i) = place.of(b.coordinates, b.triangles);
         first.offsets[1].col(i) = place.of(b.offsets, b.triangles);
       }
-      const contacts::Triangle_tree reached = tree_of(first.coordinates[1], a.triangles);
+      const Place_finder reached(first.coordinates[1], a.triangles, normals_a);
       second.triangles = b.triangles;
       second.coordinates = {b.coordinates, b.coordinates};
       second.offsets = {b.offsets, b.offsets};
       for (Eigen::Index i = 0; i < b.points.cols(); ++i) {
-        const Mesh_place place = nearest_place(reached, b.coordinates.col(i));
+        const Mesh_place place = reached(b.coordinates.col(i), normals_b.col(i));
         second.coordinates[0].col(i) = place.of(first.coordinates[1], a.triangles);
         second.offsets[0].col(i) = place.of(a.offsets, a.triangles);
       }

@@ -42,6 +42,25 @@ public:
     triangles_.swap(in_order);
   }
 
+  /// The same triangles elsewhere, `place(t)` the one that was given with number t: much faster than a new tree and as
+  /// good where neighbours stay neighbours.
+  template <typename Place>
+  void move(const Place& place)
+  {
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      triangles_[t] = place(given_[t]);
+    for (std::size_t node = nodes_.size(); node-- > 0;) { // children come after their parents
+      Box& box = nodes_[node].box;
+      box.setEmpty();
+      if (!is_leaf(node)) {
+        box = nodes_[node + 1].box.merged(nodes_[nodes_[node].right].box);
+        continue;
+      }
+      for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t)
+        box.extend(box_of(triangles_[t]));
+    }
+  }
+
   /// The triangles, in the order of the tree.
   const std::vector<Triangle>& triangles() const { return triangles_; }
   /// The number that a triangle of the tree was given with.
@@ -62,7 +81,20 @@ public:
   }
 
   /// The closest points of two surfaces, where they are closer than `best`.
-  void improve_closest(const Triangle_tree& other, Closest_pair& best) const { improve_closest(0, other, 0, best); }
+  void improve_closest(const Triangle_tree& other, Closest_pair& best) const
+  {
+    improve_closest(0, other, 0, {1, 0}, best);
+  }
+
+  /// Points of two surfaces that are closest but for a tenth of their distance, or any within the root of `squared`:
+  /// much faster between faces that lie flat on each other.
+  Closest_pair nearly_closest(const Triangle_tree& other, double squared = 0) const
+  {
+    constexpr double nearly = 0.81;
+    Closest_pair best;
+    improve_closest(0, other, 0, {nearly, squared}, best);
+    return best;
+  }
 
   /// Marks the triangles of both that are within the root of `squared` of a triangle of the other.
   void mark_near(const Triangle_tree& other, double squared, std::vector<char>& own, std::vector<char>& others) const
@@ -152,12 +184,20 @@ private:
     return nodes_[node].box.squaredExteriorDistance(other.nodes_[other_node].box);
   }
 
-  void improve_closest(std::size_t node, const Triangle_tree& other, std::size_t other_node, Closest_pair& best) const
+  /// What is good enough: a bound over this multiple of the best is not looked into, nor is anything after a best
+  /// under `squared`.
+  struct Enough
+  {
+    double multiple, squared;
+  };
+
+  void improve_closest(std::size_t node, const Triangle_tree& other, std::size_t other_node, const Enough& enough,
+                       Closest_pair& best) const
   {
     if (is_leaf(node) && other.is_leaf(other_node)) {
       for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t)
         for (std::size_t u = other.nodes_[other_node].begin; u < other.nodes_[other_node].end; ++u)
-          if (best.squared > 0) improve_by_triangles(triangles_[t], other.triangles_[u], best);
+          if (best.squared > enough.squared) improve_by_triangles(triangles_[t], other.triangles_[u], best);
       return;
     }
     auto pairs = split(node, other, other_node);
@@ -169,7 +209,8 @@ private:
       std::swap(bounds[0], bounds[1]);
     }
     for (int i = 0; i < 2; ++i)
-      if (bounds[i] < best.squared) improve_closest(pairs[i].first, other, pairs[i].second, best);
+      if (bounds[i] < enough.multiple * best.squared && best.squared > enough.squared)
+        improve_closest(pairs[i].first, other, pairs[i].second, enough, best);
   }
 
   void mark_near(std::size_t node, const Triangle_tree& other, std::size_t other_node, double squared,

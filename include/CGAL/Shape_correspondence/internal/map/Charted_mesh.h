@@ -10,7 +10,9 @@
 #include <CGAL/Shape_correspondence/internal/contacts/Triangle_tree.h>
 #include <CGAL/Shape_correspondence/internal/map/Part_pair.h>
 
+#include <array>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -152,12 +154,17 @@ struct Charted_mesh
   Points offsets;     ///< from where the chart has the coordinates to the points, in its frames
 };
 
+inline contacts::Triangle triangle_of(const Points& points, const Eigen::Matrix3Xi& triangles, std::size_t t)
+{
+  const auto corners = triangles.col(Eigen::Index(t));
+  return {points.col(corners[0]), points.col(corners[1]), points.col(corners[2])};
+}
+
 inline contacts::Triangle_tree tree_of(const Points& points, const Eigen::Matrix3Xi& triangles)
 {
   std::vector<contacts::Triangle> list(std::size_t(triangles.cols()));
   for (std::size_t t = 0; t < list.size(); ++t)
-    for (int i = 0; i < 3; ++i)
-      list[t][std::size_t(i)] = points.col(triangles(i, Eigen::Index(t)));
+    list[t] = triangle_of(points, triangles, t);
   return contacts::Triangle_tree(std::move(list));
 }
 
@@ -184,6 +191,27 @@ inline Charted_mesh charted_mesh(const Part_mesh& mesh, const Part_chart& chart,
     const Point& at = k[std::size_t(i)];
     result.coordinates.col(i) = at;
     result.offsets.col(i) = chart.frame(at).inverse() * (result.points.col(i) - chart(at));
+  }
+  return result;
+}
+
+/// Unit normals of the vertices in the chart, outwards on the whole; zero where there is none.
+inline Points chart_normals(const Charted_mesh& mesh)
+{
+  Points result = Points::Zero(3, mesh.coordinates.cols());
+  const Point middle = mesh.coordinates.rowwise().mean();
+  double outwards = 0;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Eigen::Vector3i corners = mesh.triangles.col(t);
+    const Point a = mesh.coordinates.col(corners[0]), b = mesh.coordinates.col(corners[1]);
+    const Point c = mesh.coordinates.col(corners[2]), normal = (b - a).cross(c - a);
+    outwards += normal.dot((a + b + c) / 3 - middle);
+    for (int i = 0; i < 3; ++i)
+      result.col(corners[i]) += normal;
+  }
+  for (Eigen::Index i = 0; i < result.cols(); ++i) {
+    const double length = result.col(i).norm();
+    result.col(i) *= length > 1e-12 ? (outwards < 0 ? -1 : 1) / length : 0;
   }
   return result;
 }
@@ -228,6 +256,59 @@ inline Mesh_place nearest_place(const contacts::Triangle_tree& tree, const Point
   tree.improve_nearest(p, nearest, squared, triangle);
   return {Eigen::Index(tree.given_number(triangle)), barycentric(nearest, tree.triangles()[triangle])};
 }
+
+/// A mesh in its chart, to find the place of a point of another mesh in the same coordinates.
+class Place_finder
+{
+public:
+  /// \param normals of the vertices
+  Place_finder(const Points& coordinates, const Eigen::Matrix3Xi& triangles, const Points& normals)
+      : coordinates_(coordinates), triangles_(triangles), normals_(normals), all_(tree_of(coordinates, triangles))
+  {
+    for (std::size_t side = 0; side < 6; ++side) {
+      std::vector<contacts::Triangle> list;
+      for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+        Point normal = Point::Zero();
+        for (int i = 0; i < 3; ++i)
+          normal += normals.col(triangles(i, t));
+        if (normal.dot(direction(side)) < facing * normal.norm()) continue;
+        list.push_back(triangle_of(coordinates, triangles, std::size_t(t)));
+        numbers_[side].push_back(t);
+      }
+      if (!list.empty()) facing_[side].emplace(std::move(list));
+    }
+  }
+
+  /// The nearest place; on a thin part that of the same side, as normals tell.
+  Mesh_place operator()(const Point& p, const Point& normal) const
+  {
+    constexpr double far = 1; // in coordinates: no place to be taken for the sake of its normal
+    const Mesh_place nearest = nearest_place(all_, p);
+    if (normal.dot(nearest.of(normals_, triangles_)) >= 0) return nearest;
+    Mesh_place best = nearest;
+    double least = far * far;
+    for (std::size_t side = 0; side < 6; ++side) {
+      if (!facing_[side] || normal.dot(direction(side)) < facing) continue;
+      Mesh_place place = nearest_place(*facing_[side], p);
+      place.triangle = numbers_[side][std::size_t(place.triangle)];
+      const double squared = (place.of(coordinates_, triangles_) - p).squaredNorm();
+      if (squared < least) least = squared, best = place;
+    }
+    return best;
+  }
+
+private:
+  static constexpr double facing = 0.5; // cosine; every normal is nearer to one of the six directions
+
+  static Point direction(std::size_t side) { return (side % 2 ? -1. : 1.) * Point::Unit(Eigen::Index(side / 2)); }
+
+  const Points& coordinates_;
+  const Eigen::Matrix3Xi& triangles_;
+  const Points& normals_;
+  contacts::Triangle_tree all_;
+  std::array<std::optional<contacts::Triangle_tree>, 6> facing_; ///< of triangles that face the six directions
+  std::array<std::vector<Eigen::Index>, 6> numbers_;
+};
 
 } // namespace internal
 } // namespace Shape_correspondence

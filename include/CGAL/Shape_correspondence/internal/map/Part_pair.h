@@ -151,18 +151,14 @@ inline Points places(const Charted_shape& shape, const std::vector<std::size_t>&
 /// over with the nearest one, or with all of several that are as near, so that a symmetric block is paired
 /// symmetrically.
 inline std::vector<std::pair<std::size_t, std::size_t>>
-pairs_in(const Block& block, const Correspondence& correspondence, const Charted_shape& source,
-         const Charted_shape& target)
+pairs_in(const Block& block, const Charted_shape& source, const Charted_shape& target)
 {
-  constexpr double as_near = 0.02, not_matched = 10;
+  constexpr double as_near = 0.02;
   const Points from = places(source, block.source), to = places(target, block.target);
   Eigen::MatrixXd cost(from.cols(), to.cols());
   for (Eigen::Index i = 0; i < cost.rows(); ++i)
-    for (Eigen::Index j = 0; j < cost.cols(); ++j) {
-      const std::pair<std::size_t, std::size_t> pair(block.source[std::size_t(i)], block.target[std::size_t(j)]);
-      const bool matched = std::binary_search(correspondence.pairs.begin(), correspondence.pairs.end(), pair);
-      cost(i, j) = double(quantized((from.col(i) - to.col(j)).norm())) * comparison_grid + (matched ? 0 : not_matched);
-    }
+    for (Eigen::Index j = 0; j < cost.cols(); ++j)
+      cost(i, j) = double(quantized((from.col(i) - to.col(j)).norm())) * comparison_grid;
   const bool fewer_sources = cost.rows() <= cost.cols();
   if (!fewer_sources) cost.transposeInPlace();
   std::vector<std::pair<std::size_t, std::size_t>> result;
@@ -251,7 +247,7 @@ inline std::vector<Part_pair> part_pairs(const Charted_shape& source, const Char
 {
   std::vector<Part_pair> result;
   for (const Block& block : blocks(correspondence, source.charts.size(), target.charts.size()))
-    for (const auto& [s, t] : pairs_in(block, correspondence, source, target)) {
+    for (const auto& [s, t] : pairs_in(block, source, target)) {
       result.emplace_back();
       result.back().source = s;
       result.back().target = t;
