@@ -26,6 +26,7 @@ Finds which parts correspond between segmented shapes of one kind, however diffe
 Commands:
   graph   builds the structural graph of one shape: curves and sheets, symmetry groups, contacts
   match   finds the part correspondence of two shapes
+  blend   makes the shapes in between two shapes, as files or as an animation
 
 Example: shape_correspondence match chair.obj swivel_chair.obj --json result.json --glb result.glb
 
@@ -41,6 +42,7 @@ Command command_of(const std::string& name)
 {
   if (name == "graph") return run_graph;
   if (name == "match") return run_match;
+  if (name == "blend") return run_blend;
   return nullptr;
 }
 

@@ -71,6 +71,7 @@ struct Blend_schedule
 struct Blend_surface
 {
   std::string name; ///< `s~t`: of source part s that becomes t; `s~`: of s that vanishes; `~t`: of t that grows
+  Blend_task task;
   Eigen::Matrix3Xi triangles;
   double begin = 0, end = 1; ///< it is there at times t of the open interval
 };
@@ -105,8 +106,7 @@ public:
 
   /// All surfaces of the blend, for animations.
   std::vector<Blend_surface> surfaces() const;
-  /// The points of each of `surfaces()` at `t`. Where a surface is not there at `t`, it is continued; empty if it was
-  /// or will be nothing.
+  /// The points of each of `surfaces()` at `t`; where a surface is not there at `t`, it is continued.
   std::vector<Points> points(double t) const;
 
 private:

@@ -156,13 +156,13 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Blend_surface> Shape_blend::surface
     const Blend_task& task = schedules_[0].tasks[a];
     if (!actor.morph) {
       const bool shrinks = task.type == Blend_task_type::SHRINK;
-      result.push_back({actor.name, stage_->triangles(a, 0), shrinks ? 0 : task.begin, shrinks ? task.end : 1});
+      result.push_back({actor.name, task, stage_->triangles(a, 0), shrinks ? 0 : task.begin, shrinks ? task.end : 1});
       continue;
     }
     const double change = actor.morph->switch_time();
     const double at = change <= 0 ? 0 : change >= 1 ? 1 : task.begin + change * (task.end - task.begin);
-    result.push_back({actor.name, stage_->triangles(a, 0), 0, at});
-    result.push_back({actor.name, stage_->triangles(a, 1), at, 1});
+    result.push_back({actor.name, task, stage_->triangles(a, 0), 0, at});
+    result.push_back({actor.name, task, stage_->triangles(a, 1), at, 1});
   }
   return result;
 }

@@ -362,15 +362,13 @@ inline Blend_stage::Scene Blend_stage::scene(const Times& times, double t) const
       continue;
     }
     const double left = actor.side() == 0 ? 1 - own : own;
-    if (!(left > 0)) continue;
-    result.surface[a] = 0;
+    if (left > 0) result.surface[a] = 0;
     Points& points = result.points[a][0];
     points = actor.fading->points(left);
     std::vector<Handle> handles;
     for (const Attachment& on : attachments_[a]) {
       const Points& other = result.points[on.actor][std::size_t(on.surface)];
-      if (other.cols() > 0)
-        handles.push_back({on.at, on.place.of(other, triangles(on.actor, on.surface)) - on.at});
+      handles.push_back({on.at, on.place.of(other, triangles(on.actor, on.surface)) - on.at});
     }
     follow(handles, points);
   }
