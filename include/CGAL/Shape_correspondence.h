@@ -10,10 +10,14 @@
 /// The whole package, but for reading and writing files (`Shape_correspondence/IO/`).
 
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include <CGAL/Shape_correspondence/co_analysis.h>
+#include <CGAL/Shape_correspondence/energy_matrix.h>
 #include <CGAL/Shape_correspondence/estimate_up.h>
 #include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 #include <CGAL/Shape_correspondence/match_parts.h>
 #include <CGAL/Shape_correspondence/parameters.h>
+#include <CGAL/Shape_correspondence/topological_medoid.h>
+#include <CGAL/Shape_correspondence/transitive_correspondence.h>
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_H

@@ -83,6 +83,50 @@ private:
   bool renamed_ = false;
 };
 
+/// A folder of a new name beside `folder`, removed again unless it is renamed.
+class Temporary_folder
+{
+public:
+  Temporary_folder(const std::string& path, const fs::path& folder) : path_(path)
+  {
+    std::error_code error;
+    for (unsigned count = 0;; ++count) {
+      name_ = folder.string() + ".tmp" + std::to_string(getpid()) + '_' + std::to_string(count);
+      if (fs::create_directory(name_, error)) return;
+      if (error) fail(path, error.message());
+    }
+  }
+  ~Temporary_folder()
+  {
+    std::error_code error;
+    if (!renamed_) fs::remove_all(name_, error);
+  }
+  Temporary_folder(const Temporary_folder&) = delete;
+  Temporary_folder& operator=(const Temporary_folder&) = delete;
+
+  const std::string& name() const { return name_; }
+
+  void rename_to(const fs::path& folder)
+  {
+    std::error_code error;
+    fs::rename(name_, folder, error); // takes the place of an empty folder
+    if (error) fail(path_, error.message());
+    renamed_ = true;
+  }
+
+private:
+  std::string path_;
+  std::string name_;
+  bool renamed_ = false;
+};
+
+/// Without slashes at its end, which would be inside the folder.
+fs::path folder_path(const std::string& path)
+{
+  const std::size_t last = path.find_last_not_of('/');
+  return last == std::string::npos ? fs::path(path) : fs::path(path.substr(0, last + 1));
+}
+
 void write_directly(const std::string& path, std::ostream& out, const std::function<void(std::ostream&)>& write)
 {
   errno = 0;
@@ -122,6 +166,23 @@ void write_atomically(const std::string& path, const std::function<void(std::ost
   write_directly(path, out, write);
   out.close();
   temporary.rename_to(file);
+}
+
+void check_new_folder(const std::string& path)
+{
+  const fs::path folder = folder_path(path);
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail(path, "it is a file");
+  if (fs::exists(folder, error) && !fs::is_empty(folder, error)) fail(path, "the folder is there and not empty");
+  Temporary_folder probe(path, folder);
+}
+
+void write_folder_atomically(const std::string& path, const std::function<void(const std::string&)>& write)
+{
+  const fs::path folder = folder_path(path);
+  Temporary_folder temporary(path, folder);
+  write(temporary.name());
+  temporary.rename_to(folder);
 }
 
 } // namespace IO

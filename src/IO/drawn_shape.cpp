@@ -7,6 +7,8 @@
 
 #include "picture_geometry.h"
 
+#include <CGAL/Shape_correspondence/internal/quarter_turn.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -18,16 +20,6 @@ namespace {
 constexpr double gap = 0.25;             // between the shapes, over the wider one's width
 constexpr double tube_radius = 0.009;    // over the shape's diagonal
 constexpr double contact_radius = 0.014; // over the shape's diagonal
-
-Eigen::Matrix3d quarter_turns(int turns)
-{
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  Eigen::Matrix3d quarter;
-  quarter << 0, 0, 1, 0, 1, 0, -1, 0, 0; // counter-clockwise about y
-  for (int i = 0; i < ((turns % 4) + 4) % 4; ++i)
-    turn = quarter * turn;
-  return turn;
-}
 
 /// Sets of things that belong together, by union and find.
 class Components
@@ -72,7 +64,7 @@ Components connected_parts(const Correspondence& correspondence, std::size_t sou
 } // namespace
 
 Drawn_shape::Drawn_shape(const Structural_graph& graph, const Segmented_shape* shape, int turns)
-    : structure_(structure(graph)), shape_(shape), turn_(quarter_turns(turns))
+    : structure_(structure(graph)), shape_(shape), turn_(internal::quarter_turn(turns))
 {
   for (std::size_t part = 0; part < structure_.parts.size(); ++part) {
     const Points points = has_mesh() ? shape_->parts()[part].mesh.points : structure_.parts[part].control_points();

@@ -7,6 +7,7 @@
 
 #include <CGAL/Shape_correspondence/config.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <ostream>
@@ -18,7 +19,7 @@ namespace {
 
 // Numbers of the glTF 2.0 specification
 constexpr int component_uint32 = 5125, component_float = 5126;
-constexpr int target_vertices = 34962, target_indices = 34963;
+constexpr int target_vertices = 34962, target_indices = 34963, no_target = 0;
 constexpr std::uint32_t magic = 0x46546C67, chunk_json = 0x4E4F534A, chunk_binary = 0x004E4942;
 
 void append_uint32(std::string& bytes, std::uint32_t value)
@@ -92,6 +93,56 @@ int Glb_builder::add_node(const std::string& name, const std::vector<int>& child
   return static_cast<int>(document_["nodes"].size()) - 1;
 }
 
+int Glb_builder::add_morphing_node(const std::string& name, const std::vector<Points>& shapes,
+                                   const Eigen::Matrix3Xi& triangles, int material)
+{
+  Json moving = {{"attributes", {{"POSITION", add_vectors(shapes[0], true)}}},
+                 {"indices", add_indices(triangles)},
+                 {"material", material}};
+  std::vector<double> weights;
+  for (std::size_t i = 1; i < shapes.size(); ++i) {
+    moving["targets"].push_back(Json{{"POSITION", add_vectors(shapes[i] - shapes[0], true)}});
+    weights.push_back(0);
+  }
+  const int node = add_node(name, {});
+  document_["nodes"].back()["mesh"] = document_["meshes"].size();
+  document_["meshes"].push_back(Json{{"name", name}, {"primitives", {moving}}});
+  if (!weights.empty()) document_["meshes"].back()["weights"] = weights;
+  return node;
+}
+
+void Glb_builder::animate_shapes(int node, const std::vector<double>& times)
+{
+  if (times.size() < 2) return;
+  std::vector<double> weights;
+  for (std::size_t key = 0; key < times.size(); ++key)
+    for (std::size_t shape = 1; shape < times.size(); ++shape)
+      weights.push_back(shape == key ? 1 : 0);
+  add_channel(node, "weights", "LINEAR", add_numbers(times, "SCALAR", 1, true),
+              add_numbers(weights, "SCALAR", 1, false));
+}
+
+void Glb_builder::animate_visibility(int node, double begin, double end)
+{
+  std::vector<double> times = {begin, end}, sizes = {1, 1, 1, 0, 0, 0};
+  if (begin > 0) {
+    times.insert(times.begin(), 0);
+    sizes.insert(sizes.begin(), 3, 0);
+    document_["nodes"][static_cast<std::size_t>(node)]["scale"] = {0, 0, 0};
+  }
+  add_channel(node, "scale", "STEP", add_numbers(times, "SCALAR", 1, true), add_numbers(sizes, "VEC3", 3, false));
+}
+
+void Glb_builder::add_channel(int node, const char* path, const char* interpolation, int times, int values)
+{
+  if (!document_.contains("animations"))
+    document_["animations"] = Json::array({Json{{"channels", Json::array()}, {"samplers", Json::array()}}});
+  Json& animation = document_["animations"][0];
+  animation["channels"].push_back(
+      Json{{"sampler", animation["samplers"].size()}, {"target", {{"node", node}, {"path", path}}}});
+  animation["samplers"].push_back(Json{{"input", times}, {"output", values}, {"interpolation", interpolation}});
+}
+
 Json Glb_builder::primitive(const Drawn_mesh& mesh, int material)
 {
   const int positions = add_vectors(mesh.points, true);
@@ -123,11 +174,28 @@ int Glb_builder::add_indices(const Eigen::Matrix3Xi& triangles)
                       {{"componentType", component_uint32}, {"count", triangles.size()}, {"type", "SCALAR"}});
 }
 
+int Glb_builder::add_numbers(const std::vector<double>& numbers, const char* type, int components, bool with_bounds)
+{
+  std::string bytes;
+  for (double number : numbers)
+    append_float(bytes, static_cast<float>(number));
+  Json accessor = {{"componentType", component_float},
+                   {"count", numbers.size() / static_cast<std::size_t>(components)},
+                   {"type", type}};
+  if (with_bounds) {
+    const auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());
+    accessor["min"] = {static_cast<float>(*least)};
+    accessor["max"] = {static_cast<float>(*greatest)};
+  }
+  return add_accessor(bytes, no_target, accessor);
+}
+
 int Glb_builder::add_accessor(const std::string& bytes, int target, Json accessor)
 {
   accessor["bufferView"] = document_["bufferViews"].size();
   document_["bufferViews"].push_back(
-      Json{{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", bytes.size()}, {"target", target}});
+      Json{{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", bytes.size()}});
+  if (target != no_target) document_["bufferViews"].back()["target"] = target;
   buffer_ += bytes;
   document_["accessors"].push_back(accessor);
   return static_cast<int>(document_["accessors"].size()) - 1;

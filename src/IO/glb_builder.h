@@ -43,6 +43,17 @@ public:
   /// A node with children, moved along by `translation`.
   int add_node(const std::string& name, const std::vector<int>& children, const Point& translation);
 
+  /// A node whose mesh goes through `shapes`, the points of the same triangles at different times; the first is the one
+  /// at rest. Shaded flat. \pre not empty
+  int add_morphing_node(const std::string& name, const std::vector<Points>& shapes, const Eigen::Matrix3Xi& triangles,
+                        int material);
+
+  /// Lets the mesh of a morphing node go through its shapes, at these times in seconds.
+  void animate_shapes(int node, const std::vector<double>& times);
+
+  /// Lets a node be seen from `begin` to `end` only, in seconds.
+  void animate_visibility(int node, double begin, double end);
+
   /// Writes the file with `roots` as its scene.
   void write(std::ostream& out, const std::vector<int>& roots) const;
 
@@ -50,7 +61,9 @@ private:
   Json primitive(const Drawn_mesh& mesh, int material);
   int add_vectors(const Points& vectors, bool with_bounds);
   int add_indices(const Eigen::Matrix3Xi& triangles);
+  int add_numbers(const std::vector<double>& numbers, const char* type, int components, bool with_bounds);
   int add_accessor(const std::string& bytes, int target, Json accessor);
+  void add_channel(int node, const char* path, const char* interpolation, int times, int values);
 
   Json document_;
   std::string buffer_;

@@ -17,6 +17,8 @@ namespace cli {
 void run_graph(const std::vector<std::string>& arguments);
 void run_match(const std::vector<std::string>& arguments);
 void run_evaluate(const std::vector<std::string>& arguments);
+void run_collection(const std::vector<std::string>& arguments);
+void run_blend(const std::vector<std::string>& arguments);
 
 } // namespace cli
 } // namespace Shape_correspondence

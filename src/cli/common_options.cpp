@@ -175,8 +175,8 @@ po::options_description model_options(Common_options& options)
   return result;
 }
 
-Arguments parse(const std::vector<std::string>& arguments, const po::options_description& options, std::size_t inputs,
-                bool or_more)
+Arguments parse(const std::vector<std::string>& arguments, const po::options_description& options, std::size_t least,
+                std::size_t most)
 {
   po::options_description all;
   all.add(options).add_options()(inputs_key, po::value<std::vector<std::string>>());
@@ -193,9 +193,9 @@ Arguments parse(const std::vector<std::string>& arguments, const po::options_des
     throw Usage_error(error.what());
   }
   if (result.values.count(inputs_key)) result.inputs = result.values[inputs_key].as<std::vector<std::string>>();
-  if (or_more ? result.inputs.size() < inputs : result.inputs.size() != inputs)
-    throw Usage_error("it takes " + std::to_string(inputs) + (or_more ? " or more" : "") +
-                      (inputs == 1 ? " input" : " inputs") + ", not " + std::to_string(result.inputs.size()));
+  if (result.inputs.size() < least || result.inputs.size() > most)
+    throw Usage_error("it takes " + std::to_string(least) + (most > least ? " or more" : "") +
+                      (most == 1 ? " input" : " inputs") + ", not " + std::to_string(result.inputs.size()));
   return result;
 }
 

@@ -304,7 +304,7 @@ void run_evaluate(const std::vector<std::string>& arguments)
   Evaluate_options evaluate;
   po::options_description options;
   options.add(evaluate_options(evaluate, common)).add(common_options(common));
-  const Arguments parsed = parse(arguments, options, 1, true);
+  const Arguments parsed = parse(arguments, options, 1, any_number);
   if (parsed.help) {
     std::cout << help_text << options;
     return;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Shape_correspondence/align_shapes.h>
 #include <CGAL/Shape_correspondence/internal/quantized.h>
+#include <CGAL/Shape_correspondence/internal/quarter_turn.h>
 
 #include <CGAL/assertions.h>
 
@@ -21,17 +22,6 @@
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
-
-// Quarter turn about y as an exact rotation: no rounding, so that a self-match costs exactly 0.
-inline Eigen::Matrix3d quarter_turn(int turns)
-{
-  static constexpr int cosine[] = {1, 0, -1, 0};
-  const int k = ((turns % 4) + 4) % 4;
-  const double c = cosine[k], s = cosine[(k + 3) % 4];
-  Eigen::Matrix3d turn;
-  turn << c, 0, s, 0, 1, 0, -s, 0, c;
-  return turn;
-}
 
 inline Point frame_point(const Shape_frame& frame, const Point& world)
 {

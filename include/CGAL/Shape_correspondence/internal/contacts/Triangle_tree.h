@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -29,18 +30,71 @@ inline Box box_of(const Triangle& t)
 class Triangle_tree
 {
 public:
-  explicit Triangle_tree(std::vector<Triangle> triangles) : triangles_(std::move(triangles))
+  explicit Triangle_tree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)), given_(triangles_.size())
   {
     nodes_.reserve(2 * triangles_.size() + 1);
+    std::iota(given_.begin(), given_.end(), std::size_t(0));
     build(0, triangles_.size());
+    std::vector<Triangle> in_order;
+    in_order.reserve(triangles_.size());
+    for (std::size_t t : given_)
+      in_order.push_back(triangles_[t]);
+    triangles_.swap(in_order);
+  }
+
+  /// The same triangles elsewhere, `place(t)` the one that was given with number t: much faster than a new tree and as
+  /// good where neighbours stay neighbours.
+  template <typename Place>
+  void move(const Place& place)
+  {
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      triangles_[t] = place(given_[t]);
+    for (std::size_t node = nodes_.size(); node-- > 0;) { // children come after their parents
+      Box& box = nodes_[node].box;
+      box.setEmpty();
+      if (!is_leaf(node)) {
+        box = nodes_[node + 1].box.merged(nodes_[nodes_[node].right].box);
+        continue;
+      }
+      for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t)
+        box.extend(box_of(triangles_[t]));
+    }
   }
 
   /// The triangles, in the order of the tree.
   const std::vector<Triangle>& triangles() const { return triangles_; }
+  /// The number that a triangle of the tree was given with.
+  std::size_t given_number(std::size_t t) const { return given_[t]; }
   const Box& box() const { return nodes_[0].box; }
 
+  /// The point nearest to `p`, if it is nearer than the root of `squared`, which is set to the squared distance.
+  bool improve_nearest(const Point& p, Point& nearest, double& squared) const
+  {
+    std::size_t triangle;
+    return improve_nearest(p, nearest, squared, triangle);
+  }
+
+  /// The same, with the triangle of the tree that it is on.
+  bool improve_nearest(const Point& p, Point& nearest, double& squared, std::size_t& triangle) const
+  {
+    return improve_nearest(0, p, nearest, squared, triangle);
+  }
+
   /// The closest points of two surfaces, where they are closer than `best`.
-  void improve_closest(const Triangle_tree& other, Closest_pair& best) const { improve_closest(0, other, 0, best); }
+  void improve_closest(const Triangle_tree& other, Closest_pair& best) const
+  {
+    improve_closest(0, other, 0, {1, 0}, best);
+  }
+
+  /// Points of two surfaces that are closest but for a tenth of their distance, or any within the root of `squared`:
+  /// much faster between faces that lie flat on each other.
+  Closest_pair nearly_closest(const Triangle_tree& other, double squared = 0) const
+  {
+    constexpr double nearly = 0.81;
+    Closest_pair best;
+    improve_closest(0, other, 0, {nearly, squared}, best);
+    return best;
+  }
 
   /// Whether `p` is nearer than the root of `squared`.
   bool is_near(const Point& p, double squared) const
@@ -88,22 +142,47 @@ private:
     nodes_.push_back({{}, begin, end});
     Box middles;
     for (std::size_t t = begin; t < end; ++t) {
-      nodes_[node].box.extend(box_of(triangles_[t]));
-      middles.extend(middle(triangles_[t]));
+      nodes_[node].box.extend(box_of(triangles_[given_[t]]));
+      middles.extend(middle(triangles_[given_[t]]));
     }
     if (end - begin <= LEAF) return;
     Eigen::Index axis;
     middles.sizes().maxCoeff(&axis);
     const std::size_t half = (begin + end) / 2;
-    const auto first = triangles_.begin();
-    std::nth_element(first + begin, first + half, first + end,
-                     [&](const Triangle& a, const Triangle& b) { return middle(a)[axis] < middle(b)[axis]; });
+    const auto first = given_.begin();
+    std::nth_element(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(half), first + std::ptrdiff_t(end),
+                     [&](std::size_t a, std::size_t b) {
+                       return middle(triangles_[a])[axis] < middle(triangles_[b])[axis];
+                     });
     build(begin, half);
     nodes_[node].right = nodes_.size();
     build(half, end);
   }
 
   static Point middle(const Triangle& t) { return t[0] + t[1] + t[2]; } // three times the middle
+
+  bool improve_nearest(std::size_t node, const Point& p, Point& nearest, double& squared, std::size_t& triangle) const
+  {
+    bool improved = false;
+    if (is_leaf(node)) {
+      for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t) {
+        const Point candidate = nearest_on_triangle(p, triangles_[t]);
+        if ((candidate - p).squaredNorm() >= squared) continue;
+        squared = (candidate - p).squaredNorm();
+        nearest = candidate;
+        triangle = t;
+        improved = true;
+      }
+      return improved;
+    }
+    std::array<std::pair<double, std::size_t>, 2> children;
+    children[0] = {nodes_[node + 1].box.squaredExteriorDistance(p), node + 1};
+    children[1] = {nodes_[nodes_[node].right].box.squaredExteriorDistance(p), nodes_[node].right};
+    if (children[1].first < children[0].first) std::swap(children[0], children[1]);
+    for (const auto& [bound, child] : children)
+      if (bound < squared) improved = improve_nearest(child, p, nearest, squared, triangle) || improved;
+    return improved;
+  }
 
   /// The pairs of nodes that a pair is split into: the larger of the two is.
   std::array<std::pair<std::size_t, std::size_t>, 2> split(std::size_t node, const Triangle_tree& other,
@@ -121,12 +200,21 @@ private:
     return nodes_[node].box.squaredExteriorDistance(other.nodes_[other_node].box);
   }
 
-  void improve_closest(std::size_t node, const Triangle_tree& other, std::size_t other_node, Closest_pair& best) const
+  /// What is good enough: a bound over this multiple of the best is not looked into, nor is anything after a best
+  /// under `squared`.
+  struct Enough
+  {
+    double multiple, squared;
+  };
+
+  void improve_closest(std::size_t node, const Triangle_tree& other, std::size_t other_node, const Enough& enough,
+                       Closest_pair& best) const
   {
     if (is_leaf(node) && other.is_leaf(other_node)) {
       for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t)
         for (std::size_t u = other.nodes_[other_node].begin; u < other.nodes_[other_node].end; ++u)
-          if (box_of(triangles_[t]).squaredExteriorDistance(box_of(other.triangles_[u])) < best.squared)
+          if (best.squared > enough.squared &&
+              box_of(triangles_[t]).squaredExteriorDistance(box_of(other.triangles_[u])) < best.squared)
             improve_by_triangles(triangles_[t], other.triangles_[u], best);
       return;
     }
@@ -139,7 +227,8 @@ private:
       std::swap(bounds[0], bounds[1]);
     }
     for (int i = 0; i < 2; ++i)
-      if (bounds[i] < best.squared) improve_closest(pairs[i].first, other, pairs[i].second, best);
+      if (bounds[i] < enough.multiple * best.squared && best.squared > enough.squared)
+        improve_closest(pairs[i].first, other, pairs[i].second, enough, best);
   }
 
   // Whether a triangle passes a test; nodes farther than the root of `squared` have none. The nearer node first.
@@ -179,6 +268,7 @@ private:
   }
 
   std::vector<Triangle> triangles_;
+  std::vector<std::size_t> given_; ///< by triangle of the tree
   std::vector<Node> nodes_;
 };
 

@@ -47,8 +47,9 @@ inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b)
 /// The point of the triangle nearest to `p`.
 inline Point nearest_on_triangle(const Point& p, const Triangle& t)
 {
-  const Point normal = (t[1] - t[0]).cross(t[2] - t[0]);
-  bool inside = true;
+  constexpr double flat = 1e-24; // squared sine of the angle under which a triangle is a needle
+  const Point u = t[1] - t[0], v = t[2] - t[0], normal = u.cross(v);
+  bool inside = normal.squaredNorm() > flat * u.squaredNorm() * v.squaredNorm();
   for (int i = 0; i < 3 && inside; ++i)
     inside = normal.dot((t[(i + 1) % 3] - t[i]).cross(p - t[i])) >= 0;
   if (inside) return p - normal.dot(p - t[0]) / normal.squaredNorm() * normal;

@@ -1,0 +1,124 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_SHAPES_H
+#define CGAL_SHAPE_CORRESPONDENCE_BLEND_SHAPES_H
+
+#include <CGAL/Shape_correspondence/Correspondence.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+#include <CGAL/Shape_correspondence/config.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+namespace internal {
+class Blend_stage;
+}
+
+/// Options of `Shape_blend`.
+struct Blend_options
+{
+  double contact_tolerance = 0.02; ///< parts nearer than this at an end of the blend touch there; of the shape's height
+  int samples = 5;                 ///< in-between shapes that a schedule is judged by
+  /// Called before every schedule is judged, with the share that is done; `false` ends it: those not judged come last.
+  std::function<bool(double)> progress;
+};
+
+enum class Blend_task_type {
+  MORPH,  ///< a part becomes another
+  SPLIT,  ///< a piece of a part becomes another part
+  MERGE,  ///< a part, or a piece of it, becomes a piece of another
+  SHRINK, ///< a part without counterpart vanishes where it touches the others
+  GROW    ///< the inverse
+};
+
+/// What happens to one part, and when.
+struct Blend_task
+{
+  static constexpr std::size_t no_part = std::size_t(-1);
+
+  Blend_task_type type = Blend_task_type::MORPH;
+  std::size_t source = no_part, target = no_part; ///< part indices
+  double begin = 0, end = 1;                      ///< times of the blend, in [0, 1]
+};
+
+/// How well an in-between shape holds together; lengths over the shape's height.
+struct Blend_quality
+{
+  double gap = 0;       ///< by how much a contact is wider than at the ends, at most
+  double asymmetry = 0; ///< root mean square distance from the mirror image, if both ends have a mirror plane in common
+  double ground = 0;    ///< how far a part that stands on the ground at both ends is off it, at most
+};
+
+/// A plausible order of the tasks of a blend.
+struct Blend_schedule
+{
+  std::string name;
+  std::vector<Blend_task> tasks;
+  Blend_quality quality; ///< the worst of the in-between shapes that it is judged by
+};
+
+/// A closed surface, or an open one where the input's is open, that lasts for a part of a blend.
+struct Blend_surface
+{
+  std::string name; ///< `s~t`: of source part s that becomes t; `s~`: of s that vanishes; `~t`: of t that grows
+  Blend_task task;
+  Eigen::Matrix3Xi triangles;
+  double begin = 0, end = 1; ///< it is there at times t of the open interval
+};
+
+/// Blends two shapes along their part correspondence, also where their topologies differ (paper, Figure 12; Alhashim et
+/// al., Topology-Varying 3D Shape Creation via Structural Blending, 2014).
+///
+/// Matched parts morph into each other in coordinates along their curves and sheets, with rotation-minimising frames; a
+/// part that corresponds to many is divided into closed pieces, one for each; parts without counterpart shrink towards
+/// or grow out of what they touch. The parts' own surfaces are carried along. Contacts are kept: what comes apart is
+/// moved, or stretched between its contacts, until it touches again. Of several schedules the one is taken in which
+/// contacts, mirror symmetry and ground contact hold best. Deterministic.
+class Shape_blend
+{
+public:
+  /// \param source_shape, target_shape the models that the graphs were built from
+  /// \throw Invalid_input if a model does not have the parts of its graph. O(v log v) for v vertices of the models and
+  /// what their subdivision adds (a box of 8 vertices becomes one of some hundreds)
+  Shape_blend(const Structural_graph& source, const Segmented_shape& source_shape, const Structural_graph& target,
+              const Segmented_shape& target_shape, const Correspondence& correspondence,
+              const Blend_options& options = {});
+
+  /// The shape at `t` in [0, 1]: the source itself at 0, the target itself at 1; in between, the parts are those
+  /// surfaces that there are, and position, size and orientation go over from the one input to the other.
+  Segmented_shape operator()(double t) const;
+
+  /// The schedules, the best first, which is the one of the blend.
+  const std::vector<Blend_schedule>& schedules() const { return schedules_; }
+
+  /// How well the shape at `t` holds together.
+  Blend_quality quality(double t) const;
+
+  /// All surfaces of the blend, for animations.
+  std::vector<Blend_surface> surfaces() const;
+  /// The points of each of `surfaces()` at `t`; where a surface is not there at `t`, it is continued.
+  std::vector<Points> points(double t) const;
+
+private:
+  std::shared_ptr<const internal::Blend_stage> stage_;
+  std::vector<Blend_schedule> schedules_;
+};
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/blend_shapes_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_SHAPES_H

@@ -1,0 +1,183 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_SHAPES_IMPL_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_SHAPES_IMPL_H
+
+#include <CGAL/Shape_correspondence/blend_shapes.h>
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/internal/blend/Blend_stage.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <numeric>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+inline void check_model(const Structural_graph& graph, const Segmented_shape& shape)
+{
+  const auto& parts = structure(graph).parts;
+  bool same = parts.size() == shape.parts().size();
+  for (std::size_t i = 0; same && i < parts.size(); ++i)
+    same = parts[i].name == shape.parts()[i].name;
+  if (!same)
+    throw Invalid_input(shape.name() + ": its parts are not those of the structural graph; take the graph that was " +
+                        "built from this model");
+}
+
+inline Blend_stage::Times times_of(const Blend_schedule& schedule)
+{
+  Blend_stage::Times result;
+  for (const Blend_task& task : schedule.tasks)
+    result.push_back({task.begin, task.end});
+  return result;
+}
+
+/// When each kind of task takes place.
+struct Schedule_plan
+{
+  const char* name;
+  std::array<double, 2> morph, shrink, grow;
+  double from_the_ground; ///< by how much what is highest comes later than what is lowest
+};
+
+inline std::vector<Blend_schedule> plausible_schedules(const Blend_stage& stage)
+{
+  static constexpr Schedule_plan plans[] = {{"all at once", {0, 1}, {0, 1}, {0, 1}, 0},
+                                            {"shrink, then grow", {0, 1}, {0, 0.5}, {0.5, 1}, 0},
+                                            {"one after the other", {0.25, 0.75}, {0, 0.35}, {0.65, 1}, 0},
+                                            {"from the ground up", {0, 0.6}, {0, 0.5}, {0.5, 1}, 0.4}};
+  std::vector<Blend_schedule> result;
+  for (const Schedule_plan& plan : plans) {
+    result.emplace_back();
+    result.back().name = plan.name;
+    for (const Blend_stage::Actor& actor : stage.actors()) {
+      Blend_task task = actor.task;
+      const double delay = actor.morph ? plan.from_the_ground * std::clamp(actor.height, 0., 1.) : 0;
+      const auto& times = actor.morph ? plan.morph : task.type == Blend_task_type::SHRINK ? plan.shrink : plan.grow;
+      task.begin = times[0] + delay;
+      task.end = times[1] + delay;
+      result.back().tasks.push_back(task);
+    }
+  }
+  return result;
+}
+
+/// On all threads, where there are several.
+template <typename Function>
+void for_each_index(std::size_t count, const Function& function)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::parallel_for(std::size_t(0), count, function);
+#else
+  for (std::size_t i = 0; i < count; ++i)
+    function(i);
+#endif
+}
+
+inline Blend_quality worst(const Blend_quality& a, const Blend_quality& b)
+{
+  return {std::max(a.gap, b.gap), std::max(a.asymmetry, b.asymmetry), std::max(a.ground, b.ground)};
+}
+
+} // namespace internal
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Shape_blend::Shape_blend(const Structural_graph& source,
+                                                          const Segmented_shape& source_shape,
+                                                          const Structural_graph& target,
+                                                          const Segmented_shape& target_shape,
+                                                          const Correspondence& correspondence,
+                                                          const Blend_options& options)
+{
+  using namespace internal;
+  check_model(source, source_shape);
+  check_model(target, target_shape);
+  stage_ = std::make_shared<const Blend_stage>(
+      Blend_stage::Side{source, source_shape, 0},
+      Blend_stage::Side{target, target_shape, correspondence.target_quarter_turns}, correspondence,
+      options.contact_tolerance);
+  schedules_ = plausible_schedules(*stage_);
+  std::vector<long> costs(schedules_.size(), std::numeric_limits<long>::max());
+  for (std::size_t s = 0; s < schedules_.size(); ++s) {
+    if (options.progress && !options.progress(double(s) / double(schedules_.size()))) break;
+    const Blend_stage::Times times = times_of(schedules_[s]);
+    std::vector<Blend_quality> qualities(std::size_t(options.samples));
+    for_each_index(qualities.size(), [&](std::size_t i) {
+      const double t = double(i + 1) / double(qualities.size() + 1);
+      qualities[i] = stage_->quality(stage_->scene(times, t), t);
+    });
+    Blend_quality& quality = schedules_[s].quality;
+    quality = std::accumulate(qualities.begin(), qualities.end(), quality, worst);
+    costs[s] = quantized(quality.gap + quality.asymmetry + quality.ground);
+  }
+  std::vector<std::size_t> order(schedules_.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
+  std::vector<Blend_schedule> ranked;
+  for (std::size_t s : order)
+    ranked.push_back(std::move(schedules_[s]));
+  schedules_ = std::move(ranked);
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Segmented_shape Shape_blend::operator()(double t) const
+{
+  if (t <= 0) return stage_->end(0);
+  if (t >= 1) return stage_->end(1);
+  const internal::Blend_stage::Scene scene = stage_->scene(internal::times_of(schedules_[0]), t);
+  Segmented_shape result(stage_->end(0).name() + '~' + stage_->end(1).name(), stage_->up(t));
+  for (std::size_t a = 0; a < scene.points.size(); ++a) {
+    const int surface = scene.surface[a];
+    if (surface < 0) continue;
+    result.add_part(stage_->actors()[a].name, {stage_->to_world(scene.points[a][std::size_t(surface)], t),
+                                               stage_->triangles(a, surface)});
+  }
+  return result;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Blend_quality Shape_blend::quality(double t) const
+{
+  if (t <= 0 || t >= 1) return stage_->quality({}, t);
+  return stage_->quality(stage_->scene(internal::times_of(schedules_[0]), t), t);
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Blend_surface> Shape_blend::surfaces() const
+{
+  std::vector<Blend_surface> result;
+  for (std::size_t a = 0; a < stage_->actors().size(); ++a) {
+    const internal::Blend_stage::Actor& actor = stage_->actors()[a];
+    const Blend_task& task = schedules_[0].tasks[a];
+    if (!actor.morph) {
+      const bool shrinks = task.type == Blend_task_type::SHRINK;
+      result.push_back({actor.name, task, stage_->triangles(a, 0), shrinks ? 0 : task.begin, shrinks ? task.end : 1});
+      continue;
+    }
+    const double change = actor.morph->switch_time();
+    const double at = change <= 0 ? 0 : change >= 1 ? 1 : task.begin + change * (task.end - task.begin);
+    result.push_back({actor.name, task, stage_->triangles(a, 0), 0, at});
+    result.push_back({actor.name, task, stage_->triangles(a, 1), at, 1});
+  }
+  return result;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Points> Shape_blend::points(double t) const
+{
+  std::vector<Points> result;
+  const internal::Blend_stage::Scene scene = stage_->scene(internal::times_of(schedules_[0]), t);
+  for (std::size_t a = 0; a < scene.points.size(); ++a)
+    for (std::size_t surface = 0; surface < (stage_->actors()[a].morph ? 2 : 1); ++surface)
+      result.push_back(stage_->to_world(scene.points[a][surface], t));
+  return result;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_SHAPES_IMPL_H

@@ -1,0 +1,279 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MAP_PART_PAIR_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MAP_PART_PAIR_H
+
+#include <CGAL/Shape_correspondence/Correspondence.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+#include <CGAL/Shape_correspondence/internal/map/Part_chart.h>
+#include <CGAL/Shape_correspondence/internal/optimal_assignment.h>
+#include <CGAL/Shape_correspondence/internal/quantized.h>
+#include <CGAL/Shape_correspondence/internal/quarter_turn.h>
+
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+using Chart_box = Eigen::AlignedBox3d;
+
+inline Chart_box whole_chart() { return Chart_box(Point::Constant(-1), Point::Constant(1)); }
+inline bool is_whole(const Chart_box& box) { return box.contains(whole_chart()); }
+
+/// Two parts, or pieces of parts, that become each other, and how.
+struct Part_pair
+{
+  std::size_t source = 0, target = 0;
+  Chart_box source_piece = whole_chart(), target_piece = whole_chart(); ///< in the parts' chart coordinates
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< from coordinates of the source's piece to the target's
+};
+
+/// A shape in the common frame: height 1, standing on the ground.
+struct Charted_shape
+{
+  std::vector<Points> surfaces; ///< vertices of the parts' meshes, or points of their surfaces
+  std::vector<Part_chart> charts;
+  std::vector<Part_abstraction const*> parts;
+};
+
+inline Points to_common_frame(const Shape_frame& frame, int quarter_turns, const Points& world)
+{
+  return quarter_turn(quarter_turns) * frame.to_frame(world);
+}
+
+/// \param surfaces of the parts, in the world; where one is empty, the control points stand for it
+inline Charted_shape charted_shape(const Structural_graph& graph, int quarter_turns,
+                                   const std::vector<const Points*>& surfaces)
+{
+  const Shape_structure& shape = structure(graph);
+  Charted_shape result;
+  for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+    const Part_abstraction& part = shape.parts[i];
+    const Points spine = to_common_frame(shape.frame, quarter_turns, part.control_points());
+    const bool known = surfaces[i] && surfaces[i]->cols() > 0;
+    result.surfaces.push_back(known ? to_common_frame(shape.frame, quarter_turns, *surfaces[i]) : spine);
+    result.charts.push_back(Part_chart::around(part, spine, result.surfaces.back()));
+    result.parts.push_back(&part);
+  }
+  return result;
+}
+
+/// The rotations of the cube onto itself, the identity first.
+inline std::vector<Eigen::Matrix3d> cube_rotations()
+{
+  std::vector<Eigen::Matrix3d> result;
+  std::array<int, 3> order = {0, 1, 2};
+  do {
+    for (int signs = 0; signs < 8; ++signs) {
+      Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
+      for (int i = 0; i < 3; ++i)
+        m(order[std::size_t(i)], i) = signs >> i & 1 ? -1 : 1;
+      if (m.determinant() > 0) result.push_back(m);
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return result;
+}
+
+/// Whether pairs of these parts are run through along their abstractions; else along the boxes around them.
+inline bool have_one_kind(const Part_abstraction& a, const Part_abstraction& b)
+{
+  return a.is_sheet() == b.is_sheet() && !a.is_closed_curve() && !b.is_closed_curve();
+}
+
+/// The turn that lays the longest extents on each other best (paper, section 5, "Deform-to-fit": extremities are
+/// matched by proximity).
+inline Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, bool along_abstractions)
+{
+  const Eigen::Matrix3d from = source.axes() * source.half_extents().asDiagonal();
+  const Eigen::Matrix3d to = target.axes() * target.half_extents().asDiagonal();
+  const int kept = source.is_sheet() ? 2 : 0;
+  Eigen::Matrix3d best = Eigen::Matrix3d::Identity();
+  long best_score = std::numeric_limits<long>::min();
+  for (const Eigen::Matrix3d& turn : cube_rotations()) {
+    if (along_abstractions && turn(kept, kept) == 0) continue;
+    const long score = quantized(from.cwiseProduct(to * turn).sum());
+    if (score > best_score) best = turn, best_score = score;
+  }
+  return best;
+}
+
+/// Sets of parts that pairs connect, as two lists of indices.
+struct Block
+{
+  std::vector<std::size_t> source, target;
+};
+
+inline std::vector<Block> blocks(const Correspondence& correspondence, std::size_t sources, std::size_t targets)
+{
+  std::vector<std::size_t> root(sources + targets);
+  std::iota(root.begin(), root.end(), std::size_t(0));
+  const auto find = [&](std::size_t i) {
+    while (root[i] != i)
+      i = root[i];
+    return i;
+  };
+  for (const auto& [s, t] : correspondence.pairs) {
+    const std::size_t a = find(s), b = find(sources + t);
+    root[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<Block> all(sources + targets), result;
+  for (std::size_t i = 0; i < root.size(); ++i)
+    (i < sources ? all[find(i)].source : all[find(i)].target).push_back(i < sources ? i : i - sources);
+  for (Block& block : all)
+    if (!block.source.empty() && !block.target.empty()) result.push_back(std::move(block));
+  return result;
+}
+
+/// Where parts lie among each other: their middles in the box around all of them.
+inline Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
+{
+  constexpr double flat = 0.02; // of the shape's height: no extent to tell places by
+  Points result(3, Eigen::Index(parts.size()));
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    result.col(Eigen::Index(i)) = shape.charts[parts[i]](Point::Zero());
+  const Point low = result.rowwise().minCoeff(), extent = result.rowwise().maxCoeff() - low;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (extent[axis] < flat)
+      result.row(axis).setConstant(0.5);
+    else
+      result.row(axis) = (result.row(axis).array() - low[axis]) / extent[axis];
+  }
+  return result;
+}
+
+/// Pairs in which every part of a block is: one to one by optimal assignment as far as numbers allow, every part left
+/// over with the nearest one, or with all of several that are as near, so that a symmetric block is paired
+/// symmetrically.
+inline std::vector<std::pair<std::size_t, std::size_t>>
+pairs_in(const Block& block, const Charted_shape& source, const Charted_shape& target)
+{
+  constexpr double as_near = 0.02;
+  const Points from = places(source, block.source), to = places(target, block.target);
+  Eigen::MatrixXd cost(from.cols(), to.cols());
+  for (Eigen::Index i = 0; i < cost.rows(); ++i)
+    for (Eigen::Index j = 0; j < cost.cols(); ++j)
+      cost(i, j) = double(quantized((from.col(i) - to.col(j)).norm())) * comparison_grid;
+  const bool fewer_sources = cost.rows() <= cost.cols();
+  if (!fewer_sources) cost.transposeInPlace();
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  const auto add = [&](std::size_t row, std::size_t col) {
+    result.emplace_back(block.source[fewer_sources ? row : col], block.target[fewer_sources ? col : row]);
+  };
+  std::vector<char> taken(std::size_t(cost.cols()), 0);
+  const std::vector<std::size_t> first = optimal_assignment(cost);
+  for (std::size_t row = 0; row < first.size(); ++row) {
+    add(row, first[row]);
+    taken[first[row]] = 1;
+  }
+  for (Eigen::Index col = 0; col < cost.cols(); ++col) {
+    if (taken[std::size_t(col)]) continue;
+    const double least = cost.col(col).minCoeff();
+    for (Eigen::Index row = 0; row < cost.rows(); ++row)
+      if (cost(row, col) <= least + as_near) add(std::size_t(row), std::size_t(col));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// What a part is divided among: middle and half extents along the axes of the part, and the piece.
+struct Share
+{
+  Point middle, half;
+  Chart_box* piece;
+};
+
+/// Divides a box among shares as they are arranged: along the axis that they are spread over most, in proportion to
+/// their extents; those of one place along it are divided on. What lies about one middle shares the box.
+inline void divide(const Chart_box& box, std::vector<Share> shares)
+{
+  constexpr double apart = 0.25; // a spread that tells, over the largest extent of a share
+  constexpr double one_place = 0.15; // over the spread
+  int axis = -1;
+  double spread = 0;
+  for (int a = 0; a < 3; ++a) {
+    double low = shares[0].middle[a], high = low, extent = 0;
+    for (const Share& share : shares) {
+      low = std::min(low, share.middle[a]);
+      high = std::max(high, share.middle[a]);
+      extent = std::max(extent, 2 * share.half[a]);
+    }
+    if (quantized(high - low) > quantized(spread) && high - low > apart * extent) axis = a, spread = high - low;
+  }
+  if (axis < 0) {
+    for (const Share& share : shares)
+      *share.piece = box;
+    return;
+  }
+  std::stable_sort(shares.begin(), shares.end(),
+                   [&](const Share& a, const Share& b) { return a.middle[axis] < b.middle[axis]; });
+  std::vector<std::vector<Share>> clusters;
+  for (const Share& share : shares) {
+    if (clusters.empty() || share.middle[axis] - clusters.back().front().middle[axis] > one_place * spread)
+      clusters.emplace_back();
+    clusters.back().push_back(share);
+  }
+  std::vector<double> ends{0};
+  for (const std::vector<Share>& cluster : clusters) {
+    double extent = Part_chart::least_half_extent;
+    for (const Share& share : cluster)
+      extent = std::max(extent, share.half[axis]);
+    ends.push_back(ends.back() + extent);
+  }
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    Chart_box part = box;
+    const double low = box.min()[axis], extent = box.sizes()[axis] / ends.back();
+    if (c > 0) part.min()[axis] = low + extent * ends[c];
+    if (c + 1 < clusters.size()) part.max()[axis] = low + extent * ends[c + 1];
+    divide(part, std::move(clusters[c]));
+  }
+}
+
+inline Share share_of(const Part_chart& divided, const Part_chart& other, Chart_box& piece)
+{
+  const Eigen::Matrix3d axes = divided.axes();
+  return {axes.transpose() * other(Point::Zero()),
+          (axes.transpose() * other.axes()).cwiseAbs() * other.half_extents(), &piece};
+}
+
+/// The pairs of pieces that a correspondence consists of, by source part, then target part.
+inline std::vector<Part_pair> part_pairs(const Charted_shape& source, const Charted_shape& target,
+                                         const Correspondence& correspondence)
+{
+  std::vector<Part_pair> result;
+  for (const Block& block : blocks(correspondence, source.charts.size(), target.charts.size()))
+    for (const auto& [s, t] : pairs_in(block, source, target)) {
+      result.emplace_back();
+      result.back().source = s;
+      result.back().target = t;
+    }
+  std::sort(result.begin(), result.end(), [](const Part_pair& a, const Part_pair& b) {
+    return std::make_pair(a.source, a.target) < std::make_pair(b.source, b.target);
+  });
+  std::vector<std::vector<Share>> of_source(source.charts.size()), of_target(target.charts.size());
+  for (Part_pair& pair : result) {
+    const Part_chart &from = source.charts[pair.source], &to = target.charts[pair.target];
+    of_source[pair.source].push_back(share_of(from, to, pair.source_piece));
+    of_target[pair.target].push_back(share_of(to, from, pair.target_piece));
+  }
+  for (const auto* shares : {&of_source, &of_target})
+    for (const std::vector<Share>& of_part : *shares)
+      if (of_part.size() > 1) divide(whole_chart(), of_part);
+  for (Part_pair& pair : result) {
+    const Part_chart from = source.charts[pair.source].restricted(pair.source_piece.min(), pair.source_piece.max());
+    const Part_chart to = target.charts[pair.target].restricted(pair.target_piece.min(), pair.target_piece.max());
+    pair.turn = best_turn(from, to, have_one_kind(*source.parts[pair.source], *target.parts[pair.target]));
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MAP_PART_PAIR_H

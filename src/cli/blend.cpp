@@ -1,0 +1,195 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+#include "common_options.h"
+#include "load_shape.h"
+#include "match_options.h"
+#include "progress_bar.h"
+#include "text_table.h"
+#include "thread_limit.h"
+
+#include "../IO/atomic_file.h"
+
+#include <CGAL/Shape_correspondence/IO/write_blend.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <exception>
+#include <iostream>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+
+namespace po = boost::program_options;
+
+namespace {
+
+const char* const help_text =
+    R"(Usage: shape_correspondence blend SOURCE TARGET -o FOLDER|FILE.glb [options]
+
+Makes in-between shapes of two segmented shapes of one kind, which may differ in topology: parts that correspond
+morph into each other, split or merge, parts without counterpart shrink or grow, and what touches keeps touching.
+The first frame is the source, the last one the target.
+
+With -o FILE.glb, one file with an animation; else a new folder with a file a frame, frame_000 and so on, in which
+a part is named s~t where source part s becomes t, s~ where s vanishes and ~t where t grows.
+
+SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA: one node is one part) or
+folders of part meshes (one file is one part, its stem the part's name).
+
+Example: shape_correspondence blend chair.obj swivel_chair.obj -o blend.glb
+
+)";
+
+struct Blend_output
+{
+  std::string path;
+  std::string format = "obj";
+  int frames = 25;
+};
+
+po::options_description output_options(Blend_output& output, Common_options& common)
+{
+  po::options_description result("Output", 100, 68);
+  auto add = result.add_options();
+  add("output,o", po::value(&output.path)->value_name("PATH"),
+      "a file that ends in .glb, for an animation, or a folder that is not there yet, for a file a frame");
+  add("frames", po::value(&output.frames)->value_name("N")->default_value(output.frames),
+      "frames at even times, the source and the target among them");
+  add("format", po::value(&output.format)->value_name("FORMAT")->default_value(output.format),
+      "of the files in the folder: obj (an object a part) or ply (binary, the part a property of every face)");
+  add("json", po::value(&common.json)->value_name("FILE"),
+      "write what happens when, and how well every frame holds together, as JSON; - is standard output");
+  return result;
+}
+
+bool is_glb(const std::string& path) { return path.size() > 4 && path.compare(path.size() - 4, 4, ".glb") == 0; }
+
+void check(const Blend_output& output)
+{
+  if (output.path.empty()) throw Usage_error("say with -o where the frames go: a folder, or a file that ends in .glb");
+  check_at_least("frames", output.frames, 2);
+  check_word("format", output.format, {"obj", "ply"});
+  if (!is_glb(output.path)) IO::check_new_folder(output.path);
+}
+
+void check_has_surfaces(const std::string& path, const Loaded_shape& shape)
+{
+  if (!shape.model)
+    throw Invalid_input(path + ": it is a structural graph without surfaces, which a blend is made of; give the model "
+                               "that it was built from");
+}
+
+std::string frame_name(const Blend_output& output, int frame)
+{
+  const std::string number = std::to_string(frame);
+  return "frame_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number + '.' + output.format;
+}
+
+void write_frame(const std::string& folder, const Blend_output& output, const Shape_blend& blend, int frame)
+{
+  const Segmented_shape shape = blend(double(frame) / (output.frames - 1));
+  IO::write_atomically(folder + '/' + frame_name(output, frame), [&](std::ostream& out) {
+    if (output.format == "ply")
+      IO::write_segmented_shape_ply(out, shape);
+    else
+      IO::write_segmented_shape_obj(out, shape);
+  });
+}
+
+/// On all threads.
+void write_frames(const std::string& folder, const Blend_output& output, const Shape_blend& blend)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::parallel_for(0, output.frames, [&](int frame) { write_frame(folder, output, blend, frame); });
+#else
+  for (int frame = 0; frame < output.frames; ++frame)
+    write_frame(folder, output, blend, frame);
+#endif
+}
+
+void write_table(std::ostream& out, const Shape_blend& blend)
+{
+  std::vector<std::vector<std::string>> rows{{"schedule", "gap", "asymmetry", "off the ground"}};
+  for (const Blend_schedule& schedule : blend.schedules())
+    rows.push_back({schedule.name, short_number(schedule.quality.gap), short_number(schedule.quality.asymmetry),
+                    short_number(schedule.quality.ground)});
+  cli::write_table(out, rows);
+  out << "\nThe first schedule is taken. Lengths are over the height, the worst of the shapes in between: by how much a "
+         "contact\nis wider than at the ends, how far the shape is from its mirror image, how far its feet are off the "
+         "ground.\n";
+}
+
+} // namespace
+
+void run_blend(const std::vector<std::string>& arguments)
+{
+  Common_options common;
+  Match_options match;
+  Blend_output output;
+  po::options_description options;
+  options.add(output_options(output, common))
+      .add(match_options(match))
+      .add(model_options(common))
+      .add(common_options(common));
+  const Arguments parsed = parse(arguments, options, 2, 2);
+  if (parsed.help) {
+    std::cout << help_text << options;
+    return;
+  }
+  Search_options search = search_options(match, parsed.values);
+  if (is_glb(output.path)) common.glb = output.path;
+  check(common);
+  check(output);
+  const Thread_limit limit(common.threads);
+  const std::vector<std::string>& paths = parsed.inputs;
+  const std::vector<Loaded_shape> shapes = load_shapes(paths, common);
+  for (std::size_t i : {0u, 1u})
+    check_has_surfaces(paths[i], shapes[i]);
+  const Loaded_shape &source = shapes[0], &target = shapes[1];
+  search.source_parts = chosen_parts(match.source_parts, source.graph, paths[0]);
+  search.target_parts = chosen_parts(match.target_parts, target.graph, paths[1]);
+  const Correspondence correspondence = find_correspondence(source.graph, target.graph, search);
+
+  Progress_bar bar(common, "blend");
+  Blend_options blending;
+  blending.progress = [&](double done) {
+    constexpr std::size_t steps = 100;
+    bar.show(std::size_t(done * steps), steps);
+    return true;
+  };
+  const Shape_blend blend(source.graph, *source.model, target.graph, *target.model, correspondence, blending);
+  if (is_glb(output.path))
+    IO::write_atomically(output.path,
+                         [&](std::ostream& out) { IO::write_blend_glb(out, blend, correspondence, output.frames); });
+  else
+    IO::write_folder_atomically(output.path,
+                                [&](const std::string& folder) { write_frames(folder, output, blend); });
+  std::vector<std::string> warnings;
+  for (std::size_t i : {0u, 1u})
+    for (const std::string& warning : structure(shapes[i].graph).warnings)
+      warnings.push_back(paths[i] + ": " + warning);
+  warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
+  if (!common.json.empty())
+    IO::write_atomically(common.json, [&](std::ostream& out) {
+      IO::write_blend_json(out, blend, source.graph, target.graph, paths[0], paths[1], output.path, output.frames,
+                           warnings);
+    });
+  if (common.prints_table()) {
+    write_table(std::cout, blend);
+    for (const std::string& warning : warnings)
+      std::cout << "warning: " << warning << '\n';
+  }
+}
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL
