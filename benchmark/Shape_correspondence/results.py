@@ -6,7 +6,7 @@
   results.py BUILD WORK RESULTS.md [--only peers,table3] [--further NAME=DATA]
 
 BUILD is the build folder; WORK keeps the generated shapes, their graphs, tables and pictures. With --further the experiments that
-need no shapes made worse run on another folder of labelled shapes, too. A table that WORK has already is not made again.
+need no shapes made worse, and name none, run on another folder of labelled shapes, too. A table that WORK has already is not made again.
 """
 import argparse
 import os
@@ -16,6 +16,7 @@ WAYS = ("segmentation", "open", "gaps", "noise", "scale", "rotation")
 EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
     ("peers", 45, "All methods side by side, in the same run"),
     ("table1", 0, "Table 1: sizes of shapes and times of the search; the smallest and the largest pair of each category"),
+    ("table2", 0, "Table 2: co-analysis, coarse precision"),
     ("table3", 20, "Table 3: against Xu et al. 2012, and without symmetry"),
     ("figure4", 20, "Figure 4: the energy with each term switched off"),
     ("figure10", 8, "Figure 10: energy against beam width, and the proven least energy"),
@@ -27,6 +28,7 @@ EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
     ("reliability", 0, "Confidences: how often pairs of a confidence are right"),
     ("worst", 0, "The twenty worst results"),
 ]
+NAMES_SHAPES = ("table1", "worst")  # of no use without the shapes
 DEGRADED = {"figure18": WAYS, "figure19": ("segmentation",)}
 
 
@@ -68,7 +70,7 @@ def main():
         if only and name not in only:
             continue
         for set_name, data in sets:
-            if name in DEGRADED and set_name != "generated shapes":
+            if set_name != "generated shapes" and (name in DEGRADED or name in NAMES_SHAPES):
                 continue
             worse = [generate(generator, os.path.join(args.work, way), way) for way in DEGRADED.get(name, ())]
             out = os.path.join(args.work, "out", set_name.replace(" ", "_"))

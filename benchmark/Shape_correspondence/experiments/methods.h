@@ -8,6 +8,8 @@
 
 #include "dataset.h"
 
+#include <CGAL/Shape_correspondence/Part_map.h>
+#include <CGAL/Shape_correspondence/co_analysis.h>
 #include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
@@ -49,6 +51,31 @@ inline peers::Peer without_symmetry(const peers::Peer& method)
       apart.push_back(make_structural_graph(structure(graph), groups));
     }
     return method(apart, pairs);
+  };
+}
+
+/// A method's maps of all pairs of a collection, made consistent by `co_analysis()`: parts with one label correspond.
+template <typename Map>
+peers::Peer co_analyzed(const Map& map)
+{
+  return [map](const std::vector<Structural_graph>& shapes, const std::vector<peers::Shape_pair>& pairs) {
+    std::vector<std::size_t> counts;
+    std::vector<Shape_pair_map> maps;
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+      counts.push_back(structure(shapes[s]).parts.size());
+      for (std::size_t t = 0; t < s; ++t)
+        maps.push_back({t, s, map(shapes[t], shapes[s])});
+    }
+    const Co_analysis analysis = co_analysis(counts, maps);
+    std::vector<Part_pairs> result;
+    for (const auto& [s, t] : pairs) {
+      result.emplace_back();
+      for (std::size_t i = 0; i < counts[s]; ++i)
+        for (std::size_t j = 0; j < counts[t]; ++j)
+          if (analysis.labels[s][i] != Co_analysis::none && analysis.labels[s][i] == analysis.labels[t][j])
+            result.back().emplace_back(i, j);
+    }
+    return result;
   };
 }
 
