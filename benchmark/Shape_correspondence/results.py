@@ -43,7 +43,7 @@ def table(args, programs, data, further_data, name, pairs, out):
     if not os.path.exists(path):
         command = [os.path.join(programs, "experiments"), name, data, *further_data, "--out", out, "--cache",
                    os.path.join(args.work, "cache")] + (["--pairs", str(pairs)] if pairs else [])
-        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
         with open(path, "w") as file:
             file.write(done.stdout)
     with open(path) as file:
