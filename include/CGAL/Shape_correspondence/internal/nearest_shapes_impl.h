@@ -18,7 +18,7 @@ namespace Shape_correspondence {
 
 namespace internal {
 
-constexpr std::size_t evaluated_at_a_time = 8; // whatever the number of threads, so that as many are in every run
+constexpr std::size_t evaluated_at_a_time = 4; // whatever the number of threads, so that as many are in every run
 
 } // namespace internal
 
