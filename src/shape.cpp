@@ -4,3 +4,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Shape_correspondence/internal/Segmented_shape_impl.h>
+#include <CGAL/Shape_correspondence/internal/estimate_up_impl.h>

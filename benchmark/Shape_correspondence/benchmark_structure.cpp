@@ -3,12 +3,17 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Measures symmetry groups and contacts on labelled shapes: benchmark_structure [--quiet] SHAPE_FOLDER...
+// Measures symmetry groups, contacts and the guess of the upright axis on labelled shapes, y up:
+//   benchmark_structure [--quiet] [--brute-force] SHAPE_FOLDER...
 // Every folder holds parts/NAME.obj and labels.json. The parts' skeletons are not needed: their surfaces are enough.
+// With --brute-force, contacts are compared with distances that are measured in another, slow way.
+
+#include "brute_force_contacts.h"
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include <CGAL/Shape_correspondence/estimate_up.h>
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
@@ -36,6 +41,7 @@ struct Totals
               joins = 0;
   std::size_t stated_contacts = 0, stated_contacts_found = 0, comparable_contacts = 0;
   std::size_t equal_sets = 0, gathered_sets = 0;
+  std::size_t upright = 0, near_pairs = 0, missed_contacts = 0, false_contacts = 0;
   double symmetry_seconds = 0, contact_seconds = 0;
 };
 
@@ -151,7 +157,42 @@ std::string name_of(const SC::Symmetry& symmetry)
   }
 }
 
-void measure(const std::string& folder, bool quiet, Totals& totals)
+/// Compares contacts with the distances of all pairs of parts that are within the tolerance of each other's box.
+void compare_with_brute_force(const SC::Segmented_shape& shape, const SC::Shape_frame& frame,
+                              const std::vector<SC::Contact>& contacts, bool are_joined, Totals& totals)
+{
+  std::vector<Eigen::AlignedBox3d> boxes(shape.parts().size());
+  Eigen::AlignedBox3d all;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const SC::Points local = frame.axes.transpose() * shape.parts()[i].mesh.points;
+    boxes[i] = {SC::Point(local.rowwise().minCoeff()), SC::Point(local.rowwise().maxCoeff())};
+    all.extend(boxes[i]);
+  }
+  const double tolerance = SC::Contact_options().tolerance * all.diagonal().norm();
+  std::set<std::pair<std::size_t, std::size_t>> touching;
+  for (const SC::Contact& contact : contacts)
+    touching.insert({contact.parts[0], contact.parts[1]});
+
+  const SC::benchmark::Brute_force_contacts brute_force(shape);
+  for (std::size_t a = 0; a < boxes.size(); ++a)
+    for (std::size_t b = a + 1; b < boxes.size(); ++b) {
+      const bool is_contact = touching.count({a, b}) > 0;
+      if (!is_contact && boxes[a].exteriorDistance(boxes[b]) > tolerance) continue;
+      const double distance = brute_force.distance(a, b);
+      const bool is_inside = brute_force.is_inside(a, b) || brute_force.is_inside(b, a);
+      totals.near_pairs += distance <= tolerance;
+      const bool missed = !is_contact && distance < tolerance;
+      const bool wrong =
+          is_contact && !are_joined && !is_inside && distance > tolerance + brute_force.uncertainty(a, b);
+      totals.missed_contacts += missed;
+      totals.false_contacts += wrong;
+      if (missed || wrong)
+        std::cout << (missed ? "  MISSED " : "  WRONG ") << shape.parts()[a].name << " - " << shape.parts()[b].name
+                  << ": " << distance / tolerance << " of the tolerance\n";
+    }
+}
+
+void measure(const std::string& folder, bool quiet, bool brute_force, Totals& totals)
 {
   const SC::Segmented_shape shape = SC::IO::read_segmented_shape(folder + "/parts");
   const std::map<std::string, Label> labels_by_name = read_labels(folder);
@@ -167,7 +208,7 @@ void measure(const std::string& folder, bool quiet, Totals& totals)
   const std::vector<SC::Part_group> groups = SC::detect_symmetry_groups(parts, frame);
   const double symmetry_seconds = timer.time();
   std::vector<std::string> warnings;
-  const std::vector<SC::Contact> contacts = SC::detect_contacts(shape, parts, frame, {}, warnings);
+  const std::vector<SC::Contact> contacts = SC::detect_contacts<CGAL::Parallel_if_available_tag>(shape, parts, frame, {}, warnings);
   const double contact_seconds = timer.time() - symmetry_seconds;
 
   std::cout << folder << ": " << parts.size() << " parts, " << groups.size() << " groups, " << contacts.size()
@@ -216,6 +257,8 @@ void measure(const std::string& folder, bool quiet, Totals& totals)
   if (!stated.empty()) totals.comparable_contacts += contacts.size();
   for (const std::string& warning : warnings)
     if (!quiet) std::cout << "  " << warning << "\n";
+  if (brute_force) compare_with_brute_force(shape, frame, contacts, !warnings.empty(), totals);
+  totals.upright += SC::estimate_up(shape) == shape.up();
   ++totals.shapes;
   totals.parts += parts.size();
   totals.groups += groups.size();
@@ -235,7 +278,10 @@ void print(const Totals& t)
             << "\nsets of equal parts in one group or in mirrored pairs: " << t.gathered_sets << " of " << t.equal_sets
             << " (" << 100.0 * t.gathered_sets / std::max<std::size_t>(1, t.equal_sets) << " %)\ncontacts "
             << t.contacts << "; shapes in pieces before joining: " << t.pieces << ", joined by " << t.joins
-            << " pairs\n";
+            << " pairs\nupright axis found: " << t.upright << "\n";
+  if (t.near_pairs > 0)
+    std::cout << "pairs of parts that brute force finds near: " << t.near_pairs << ", missed by the contacts "
+              << t.missed_contacts << "; contacts that it does not find near: " << t.false_contacts << "\n";
   if (t.stated_contacts > 0)
     std::cout << "contacts stated " << t.stated_contacts << ", found of those " << t.stated_contacts_found
               << ", found where stated " << t.comparable_contacts << "\n";
@@ -247,14 +293,14 @@ void print(const Totals& t)
 int main(int argc, char** argv)
 {
   Totals totals;
-  bool quiet = false;
+  bool quiet = false, brute_force = false;
   for (int i = 1; i < argc; ++i) {
-    if (std::string(argv[i]) == "--quiet") {
-      quiet = true;
-      continue;
-    }
+    const std::string argument = argv[i];
+    quiet = quiet || argument == "--quiet";
+    brute_force = brute_force || argument == "--brute-force";
+    if (argument == "--quiet" || argument == "--brute-force") continue;
     try {
-      measure(argv[i], quiet, totals);
+      measure(argument, quiet, brute_force, totals);
     } catch (const std::exception& error) {
       std::cerr << argv[i] << ": " << error.what() << "\n";
       return 1;

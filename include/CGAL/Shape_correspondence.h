@@ -10,6 +10,7 @@
 /// The whole package, but for reading and writing files (`Shape_correspondence/IO/`).
 
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include <CGAL/Shape_correspondence/estimate_up.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 #include <CGAL/Shape_correspondence/match_parts.h>
 #include <CGAL/Shape_correspondence/parameters.h>

@@ -87,7 +87,7 @@ void check_abstraction(const Abstraction_options& options)
 
 Point Common_options::up_vector() const
 {
-  return up == "x" ? Point::UnitX() : up == "y" ? Point::UnitY() : Point::UnitZ();
+  return up == "x" ? Point::UnitX() : up == "z" ? Point::UnitZ() : Point::UnitY();
 }
 
 Symmetry_options Common_options::symmetry_options() const
@@ -109,8 +109,8 @@ po::options_description common_options(Common_options& options)
   po::options_description result("Options of all commands", help_width, description_width);
   auto add = result.add_options();
   add("up", po::value(&options.up)->value_name("AXIS")->default_value(options.up),
-      "the upright axis of model files: x, y or z. COLLADA files say it themselves and are turned to y up; a graph "
-      "file says it, too");
+      "the upright axis of model files: x, y, z or auto, which takes the one along which the model stands best and says "
+      "which. COLLADA files say it themselves and are turned to y up; a graph file says it, too");
   add("no-symmetry", po::bool_switch(&options.no_symmetry), "take every part as a group of its own");
   add("symmetries", po::value(&options.symmetries)->value_name("KINDS")->default_value(options.symmetries),
       "the kinds of symmetry groups that are looked for");
@@ -200,7 +200,7 @@ Arguments parse(const std::vector<std::string>& arguments, const po::options_des
 
 void check(const Common_options& options)
 {
-  check_word("up", options.up, {"x", "y", "z"});
+  check_word("up", options.up, {"x", "y", "z", "auto"});
   for (const std::string& kind : words_of(options.symmetries))
     check_word("symmetries", kind, {"reflection", "rotation", "translation"});
   check_between("symmetry-tolerance", options.symmetry_tolerance, 0, 0.5);

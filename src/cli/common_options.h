@@ -33,7 +33,7 @@ struct Common_options
   std::string glb;               ///< empty: none
   std::string html;              ///< empty: none
   std::string cache;             ///< empty: none
-  std::string up = "y";          ///< x, y or z
+  std::string up = "y";          ///< x, y, z or auto
   std::string progress = "auto"; ///< auto, always or never
   bool no_symmetry = false;
   double symmetry_tolerance = 0.05;
@@ -45,7 +45,9 @@ struct Common_options
   int threads = 0; ///< 0: all
   long seed = 0;
 
+  /// The upright direction; y where it is to be found.
   Point up_vector() const;
+  bool finds_up() const { return up == "auto"; }
   Symmetry_options symmetry_options() const;
   /// Whether a table belongs on standard output: not where the JSON goes.
   bool prints_table() const { return !quiet && json != "-"; }

@@ -13,6 +13,7 @@
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include <CGAL/Shape_correspondence/estimate_up.h>
 #include <CGAL/Shape_correspondence/segment_mesh.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -40,6 +41,8 @@ bool has_extension(const std::string& path, const char* wanted)
   return extension == wanted && !fs::is_directory(path);
 }
 
+bool says_up(const std::string& model_path) { return has_extension(model_path, ".dae"); }
+
 bool is_graph_file(const std::string& path) { return has_extension(path, ".json") || has_extension(path, ".xml"); }
 
 void load_graph(const std::string& path, const Common_options& common, const Structure_options& options,
@@ -49,6 +52,8 @@ void load_graph(const std::string& path, const Common_options& common, const Str
   if (!fs::exists(path)) throw Invalid_input(path + ": there is no such file or folder");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Invalid_input(path + ": it cannot be opened for reading; check its permissions");
+  if (has_extension(path, ".xml") && common.finds_up())
+    throw Invalid_input("a graph without surfaces does not tell which way is up; give --up x, y or z");
   shape.graph = has_extension(path, ".xml") ? IO::read_structural_graph_xml(in, path, common.up_vector(), options)
                                             : IO::read_structural_graph_json(in, path, options);
   shape.read_seconds = now() - begin;
@@ -57,6 +62,7 @@ void load_graph(const std::string& path, const Common_options& common, const Str
 Segmented_shape read_model(const std::string& path, const Common_options& common)
 {
   Segmented_shape model = IO::read_segmented_shape(path, common.up_vector());
+  if (common.finds_up() && !says_up(path)) model.set_up(estimate_up(model));
   if (!common.segment) return model;
   if (model.parts().size() > 1)
     throw Invalid_input("it has " + std::to_string(model.parts().size()) + " parts already; leave --segment out");
@@ -77,6 +83,15 @@ void build_graph(const Common_options& common, const Structure_options& options,
   structure.warnings.insert(structure.warnings.begin(), "The parts come from an automatic segmentation.");
 }
 
+void add_warning_of_up(Loaded_shape& shape)
+{
+  const Point up = shape.model->up();
+  const char axis = up.x() > 0.5 ? 'x' : up.y() > 0.5 ? 'y' : 'z';
+  structure(shape.graph)
+      .warnings.push_back(std::string("The upright axis was taken to be ") + axis +
+                          ", along which the model stands best; if that is wrong, say it with --up.");
+}
+
 void load_model(const std::string& path, const Common_options& common, const Structure_options& options,
                 Loaded_shape& shape)
 {
@@ -92,11 +107,12 @@ void load_model(const std::string& path, const Common_options& common, const Str
   shape.read_seconds = now() - begin;
   if (known) {
     shape.graph = std::move(*known);
-    return;
+  } else {
+    build_graph(common, options, shape);
+    structure(shape.graph).content = content;
+    if (cache) cache->insert(shape.graph);
   }
-  build_graph(common, options, shape);
-  structure(shape.graph).content = content;
-  if (cache) cache->insert(shape.graph);
+  if (common.finds_up() && !says_up(path)) add_warning_of_up(shape);
 }
 
 } // namespace

@@ -61,6 +61,9 @@ public:
   template <typename TriangleMesh>
   void add_mesh(std::string name, const TriangleMesh& mesh);
 
+  /// Says which way is up. \throw Invalid_input if the direction is zero or not finite
+  void set_up(const Point& up);
+
   const std::string& name() const { return name_; }
   const Point& up() const { return up_; }
   const std::vector<Shape_part>& parts() const { return parts_; }

@@ -9,6 +9,8 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
+#include <CGAL/tags.h>
+
 #include <string>
 #include <vector>
 
@@ -26,8 +28,10 @@ struct Contact_options
 /// contact a pair of parts, with a region for every place where the two come as near as within half the tolerance of
 /// their least distance. A shape that falls into pieces is joined by its closest pairs; every such pair adds a sentence
 /// to `warnings`. Contacts are sorted by part indices. Distances of surfaces are exact up to rounding.
+/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same to the bit
 /// \param frame of the shape; measuring in it makes the result independent of the shape's pose
 /// \pre `parts` are the abstractions of `shape.parts()`
+template <typename ConcurrencyTag = CGAL::Sequential_tag>
 std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::vector<Part_abstraction>& parts,
                                      const Shape_frame& frame, const Contact_options& options,
                                      std::vector<std::string>& warnings);

@@ -83,8 +83,15 @@ inline void check_mesh(const std::string& name, const Part_mesh& mesh)
 } // namespace internal
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE
-Segmented_shape::Segmented_shape(std::string name, const Point& up) : name_(std::move(name)), up_(up.normalized())
+Segmented_shape::Segmented_shape(std::string name, const Point& up) : name_(std::move(name))
 {
+  set_up(up);
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE
+void Segmented_shape::set_up(const Point& up)
+{
+  up_ = up.normalized();
   if (!(up_.norm() > 0.5)) {
     throw Invalid_input("shape '" + name_ + "': the up direction is zero or not finite; give a unit vector");
   }

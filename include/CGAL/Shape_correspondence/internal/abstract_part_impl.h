@@ -10,14 +10,9 @@
 #include <CGAL/Shape_correspondence/internal/abstraction/abstract_mesh.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/congruence.h>
 #include <CGAL/Shape_correspondence/internal/curve_and_sheet_geometry.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
-#endif
+#include <CGAL/Shape_correspondence/internal/for_each_index.h>
 
 #include <mutex>
-#include <type_traits>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -57,28 +52,6 @@ inline Part_abstraction moved_copy(const Part_abstraction& original, const Motio
   move_points(result, motion);
   make_canonical(result);
   return result;
-}
-
-/// Calls `work` for 0, 1, …, n - 1, in parallel if the tag says so and the library is there.
-template <typename ConcurrencyTag, typename Work>
-void for_each_index(std::size_t n, const Work& work)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr (std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>) {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, n, 1),
-        [&](const auto& range) {
-          for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            work(i);
-          }
-        },
-        tbb::simple_partitioner());
-    return;
-  }
-#endif
-  for (std::size_t i = 0; i < n; ++i) {
-    work(i);
-  }
 }
 
 /// Counts parts that are done, for a caller who wants to know.

@@ -110,7 +110,8 @@ Structural_graph build_structural_graph(const Segmented_shape& shape, const Stru
   result.parts = abstract_parts<ConcurrencyTag>(shape, result.frame, options.abstraction);
   const double abstraction = timer.time() - before;
   internal::warn_of_fallbacks(result.parts, result.warnings);
-  result.contacts = detect_contacts(shape, result.parts, result.frame, options.contacts, result.warnings);
+  result.contacts =
+      detect_contacts<ConcurrencyTag>(shape, result.parts, result.frame, options.contacts, result.warnings);
   Structural_graph graph = internal::assemble(std::move(result), {}, options);
   if (times) *times = {abstraction, timer.time() - abstraction};
   return graph;

@@ -9,11 +9,13 @@
 #include <CGAL/Shape_correspondence/detect_contacts.h>
 #include <CGAL/Shape_correspondence/internal/contacts/Part_surface.h>
 #include <CGAL/Shape_correspondence/internal/contacts/join_pieces.h>
+#include <CGAL/Shape_correspondence/internal/for_each_index.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -47,7 +49,7 @@ inline void add_near_samples(const Part_surface& from, const std::vector<char>& 
 {
   const Surface_samples samples = from.sample(marked, box, REGION_SAMPLES);
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
-    if (!to.is_near(samples.points[i], limit)) continue;
+    if (!to.tree().is_near(samples.points[i], limit * limit)) continue;
     result.points.push_back(samples.points[i]);
     result.areas.push_back(samples.areas[i]);
     result.is_first.push_back(is_first);
@@ -58,8 +60,8 @@ inline void add_near_samples(const Part_surface& from, const std::vector<char>& 
 inline Near_samples near_samples(const Part_surface& a, const Part_surface& b, const Closest_pair& closest,
                                  double limit)
 {
-  std::vector<char> near_a, near_b;
-  a.tree().mark_near(b.tree(), limit * limit, near_a, near_b);
+  const std::vector<char> near_a = a.tree().near_triangles(b.tree(), limit * limit);
+  const std::vector<char> near_b = b.tree().near_triangles(a.tree(), limit * limit);
   const Box box_a = widened(a.box_of_marked(near_a), limit), box_b = widened(b.box_of_marked(near_b), limit);
   Near_samples result{{closest.first, closest.second}, {0, 0}, {1, 0}};
   add_near_samples(a, near_a, box_b, b, limit, true, result);
@@ -139,20 +141,16 @@ public:
     tolerance_ = options.tolerance * diagonal_;
   }
 
-  std::vector<Contact> operator()(std::vector<std::string>& warnings)
+  template <typename ConcurrencyTag>
+  std::vector<Contact> detect(std::vector<std::string>& warnings)
   {
-    std::vector<Near_pair> near;
-    for (std::size_t a = 0; a < parts_.size(); ++a)
-      for (std::size_t b = a + 1; b < parts_.size(); ++b)
-        if (box_distance(a, b) <= tolerance_ * SLACK) add_if_touching(a, b, near);
+    std::vector<Near_pair> near = touching_pairs<ConcurrencyTag>();
     join_pieces(
         parts_, diagonal_, [this](std::size_t a, std::size_t b) { return box_distance(a, b); },
-        [this](std::size_t a, std::size_t b) { return near_pair(a, b, std::numeric_limits<double>::infinity()); }, near,
-        warnings);
+        [this](std::size_t a, std::size_t b) { return numbered(a, b, closest(a, b)); }, near, warnings);
     sort_by_parts(near);
-    std::vector<Contact> contacts;
-    for (const Near_pair& pair : near)
-      contacts.push_back(contact(pair));
+    std::vector<Contact> contacts(near.size());
+    for_each_index<ConcurrencyTag>(near.size(), [&](std::size_t k) { contacts[k] = contact(near[k]); });
     return contacts;
   }
 
@@ -177,25 +175,44 @@ private:
     return result;
   }
 
-  /// The distance of two parts, exact where it is less than `limit`.
-  Near_pair near_pair(std::size_t a, std::size_t b, double limit)
+  /// The closest points of two parts, where they are nearer than `limit`.
+  Closest_pair closest(std::size_t a, std::size_t b, double limit = std::numeric_limits<double>::infinity()) const
   {
-    Closest_pair closest;
-    closest.squared = limit * limit;
-    surfaces_[a].tree().improve_closest(surfaces_[b].tree(), closest);
+    Closest_pair result;
+    result.squared = limit * limit;
+    surfaces_[a].tree().improve_closest(surfaces_[b].tree(), result);
+    return result;
+  }
+
+  Near_pair numbered(std::size_t a, std::size_t b, const Closest_pair& closest)
+  {
     closest_.push_back(closest);
     return {{a, b}, std::sqrt(closest.squared), closest_.size() - 1};
   }
 
-  void add_if_touching(std::size_t a, std::size_t b, std::vector<Near_pair>& near)
+  std::optional<Closest_pair> touch(std::size_t a, std::size_t b) const
   {
     const double limit = tolerance_ * SLACK;
-    Near_pair pair = near_pair(a, b, limit);
-    if (pair.distance < limit) {
-      near.push_back(pair);
-    } else if (surfaces_[a].encloses(surfaces_[b]) || surfaces_[b].encloses(surfaces_[a])) {
-      near.push_back(near_pair(a, b, std::numeric_limits<double>::infinity()));
-    }
+    const Closest_pair pair = closest(a, b, limit);
+    if (std::sqrt(pair.squared) < limit) return pair;
+    if (surfaces_[a].encloses(surfaces_[b]) || surfaces_[b].encloses(surfaces_[a])) return closest(a, b);
+    return std::nullopt;
+  }
+
+  template <typename ConcurrencyTag>
+  std::vector<Near_pair> touching_pairs()
+  {
+    std::vector<std::array<std::size_t, 2>> pairs;
+    for (std::size_t a = 0; a < parts_.size(); ++a)
+      for (std::size_t b = a + 1; b < parts_.size(); ++b)
+        if (box_distance(a, b) <= tolerance_ * SLACK) pairs.push_back({a, b});
+    std::vector<std::optional<Closest_pair>> closest(pairs.size());
+    for_each_index<ConcurrencyTag>(pairs.size(),
+                                   [&](std::size_t k) { closest[k] = touch(pairs[k][0], pairs[k][1]); });
+    std::vector<Near_pair> result;
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+      if (closest[k]) result.push_back(numbered(pairs[k][0], pairs[k][1], *closest[k]));
+    return result;
   }
 
   const std::vector<Part_abstraction>& parts_;
@@ -317,13 +334,13 @@ private:
 } // namespace contacts
 } // namespace internal
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE
+template <typename ConcurrencyTag>
 std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::vector<Part_abstraction>& parts,
                                      const Shape_frame& frame, const Contact_options& options,
                                      std::vector<std::string>& warnings)
 {
   CGAL_precondition(shape.parts().size() == parts.size());
-  return internal::contacts::Mesh_contacts(shape, parts, frame, options)(warnings);
+  return internal::contacts::Mesh_contacts(shape, parts, frame, options).detect<ConcurrencyTag>(warnings);
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE

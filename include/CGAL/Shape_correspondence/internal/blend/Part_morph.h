@@ -14,26 +14,6 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-/// The charts that a pair of pieces is mapped by: both of one kind, with the same coordinates.
-struct Pair_charts
-{
-  Part_chart source, target;
-};
-
-inline Pair_charts pair_charts(const Part_pair& pair, const Charted_shape& source, const Charted_shape& target,
-                               const Points& source_piece, const Points& target_piece)
-{
-  const Part_chart &from = source.charts[pair.source], &to = target.charts[pair.target];
-  const auto piece = [](const Part_chart& chart, const Chart_box& box) {
-    return is_whole(box) ? chart : chart.restricted(box.min(), box.max());
-  };
-  const Part_chart source_chart = piece(from, pair.source_piece), target_chart = piece(to, pair.target_piece);
-  if (have_one_kind(*source.parts[pair.source], *target.parts[pair.target]))
-    return {source_chart.fitted(source_piece), target_chart.turned(pair.turn).fitted(target_piece)};
-  return {Part_chart::box(source_piece, source_chart.axes()),
-          Part_chart::box(target_piece, target_chart.axes() * pair.turn)};
-}
-
 /// A surface that becomes another.
 ///
 /// First the one surface, in the coordinates of its chart, moves to the nearest places of the other; then the other

@@ -31,6 +31,7 @@ using Polygon = std::vector<Point>;
 inline Polygon clipped(const Polygon& polygon, int axis, double bound, double sign)
 {
   Polygon result;
+  result.reserve(polygon.size() + 1);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
     const double a = sign * (bound - p[axis]), b = sign * (bound - q[axis]);
@@ -68,14 +69,6 @@ public:
   const Box& box() const { return tree_.box(); }
   const Triangle_tree& tree() const { return tree_; }
 
-  /// Whether `p` is nearer than `limit`.
-  bool is_near(const Point& p, double limit) const
-  {
-    Point nearest;
-    double squared = limit * limit;
-    return tree_.improve_nearest(p, nearest, squared);
-  }
-
   /// Whether the other is inside, by the majority of three rays, so that a small hole does no harm.
   bool encloses(const Part_surface& other) const
   {
@@ -97,7 +90,8 @@ public:
     for (std::size_t t = 0; t < marked.size(); ++t) {
       if (!marked[t]) continue;
       const Triangle& triangle = tree_.triangles()[t];
-      const Polygon polygon = clipped(Polygon(triangle.begin(), triangle.end()), region);
+      Polygon polygon(triangle.begin(), triangle.end());
+      if (!region.contains(box_of(triangle))) polygon = clipped(std::move(polygon), region);
       add_fan(polygon, pieces);
       vertices.insert(vertices.end(), polygon.begin(), polygon.end());
     }

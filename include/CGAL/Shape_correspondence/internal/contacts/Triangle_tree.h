@@ -68,13 +68,7 @@ public:
   const Box& box() const { return nodes_[0].box; }
 
   /// The point nearest to `p`, if it is nearer than the root of `squared`, which is set to the squared distance.
-  bool improve_nearest(const Point& p, Point& nearest, double& squared) const
-  {
-    std::size_t triangle;
-    return improve_nearest(p, nearest, squared, triangle);
-  }
-
-  /// The same, with the triangle of the tree that it is on.
+  /// \param triangle the one of the tree that it is on
   bool improve_nearest(const Point& p, Point& nearest, double& squared, std::size_t& triangle) const
   {
     return improve_nearest(0, p, nearest, squared, triangle);
@@ -96,12 +90,28 @@ public:
     return best;
   }
 
-  /// Marks the triangles of both that are within the root of `squared` of a triangle of the other.
-  void mark_near(const Triangle_tree& other, double squared, std::vector<char>& own, std::vector<char>& others) const
+  /// Whether `p` is nearer than the root of `squared`.
+  bool is_near(const Point& p, double squared) const
   {
-    own.resize(triangles_.size(), 0);
-    others.resize(other.triangles_.size(), 0);
-    mark_near(0, other, 0, squared, own, others);
+    return any_triangle(
+        [&](const Box& box) { return box.squaredExteriorDistance(p); },
+        [&](const Triangle& t) { return (nearest_on_triangle(p, t) - p).squaredNorm() < squared; }, squared);
+  }
+
+  /// For every triangle, whether it is within the root of `squared` of a triangle of the other tree.
+  std::vector<char> near_triangles(const Triangle_tree& other, double squared) const
+  {
+    std::vector<char> result(triangles_.size(), 0);
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      const Box box = box_of(triangles_[t]);
+      result[t] = other.any_triangle(
+          [&](const Box& node) { return node.squaredExteriorDistance(box); },
+          [&](const Triangle& u) {
+            return box.squaredExteriorDistance(box_of(u)) <= squared && are_within(triangles_[t], u, squared);
+          },
+          squared);
+    }
+    return result;
   }
 
   /// The number of triangles that a ray goes through.
@@ -197,7 +207,9 @@ private:
     if (is_leaf(node) && other.is_leaf(other_node)) {
       for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t)
         for (std::size_t u = other.nodes_[other_node].begin; u < other.nodes_[other_node].end; ++u)
-          if (best.squared > enough.squared) improve_by_triangles(triangles_[t], other.triangles_[u], best);
+          if (best.squared > enough.squared &&
+              box_of(triangles_[t]).squaredExteriorDistance(box_of(other.triangles_[u])) < best.squared)
+            improve_by_triangles(triangles_[t], other.triangles_[u], best);
       return;
     }
     auto pairs = split(node, other, other_node);
@@ -213,23 +225,20 @@ private:
         improve_closest(pairs[i].first, other, pairs[i].second, enough, best);
   }
 
-  void mark_near(std::size_t node, const Triangle_tree& other, std::size_t other_node, double squared,
-                 std::vector<char>& own, std::vector<char>& others) const
+  // Whether a triangle passes a test; nodes farther than the root of `squared` have none. The nearer node first.
+  template <typename SquaredDistance, typename Test>
+  bool any_triangle(const SquaredDistance& squared_distance, const Test& test, double squared,
+                    std::size_t node = 0) const
   {
-    if (squared_distance(node, other, other_node) > squared) return;
-    if (!is_leaf(node) || !other.is_leaf(other_node)) {
-      for (const auto& [a, b] : split(node, other, other_node))
-        mark_near(a, other, b, squared, own, others);
-      return;
-    }
-    for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t)
-      for (std::size_t u = other.nodes_[other_node].begin; u < other.nodes_[other_node].end; ++u) {
-        if (own[t] && others[u]) continue;
-        if (box_of(triangles_[t]).squaredExteriorDistance(box_of(other.triangles_[u])) > squared) continue;
-        Closest_pair pair;
-        improve_by_triangles(triangles_[t], other.triangles_[u], pair);
-        if (pair.squared <= squared) own[t] = others[u] = 1;
-      }
+    if (is_leaf(node))
+      return std::any_of(triangles_.begin() + nodes_[node].begin, triangles_.begin() + nodes_[node].end, test);
+    std::array<std::pair<double, std::size_t>, 2> children;
+    children[0] = {squared_distance(nodes_[node + 1].box), node + 1};
+    children[1] = {squared_distance(nodes_[nodes_[node].right].box), nodes_[node].right};
+    if (children[1].first < children[0].first) std::swap(children[0], children[1]);
+    for (const auto& [bound, child] : children)
+      if (bound <= squared && any_triangle(squared_distance, test, squared, child)) return true;
+    return false;
   }
 
   int crossings(std::size_t node, const Point& from, const Point& direction) const

@@ -98,9 +98,20 @@ inline bool improve_by_crossing(const Triangle& a, const Triangle& b, Closest_pa
   return false;
 }
 
+/// Whether the plane of one triangle alone keeps another farther than the root of `squared`: much cheaper than distances.
+inline bool is_off_plane(const Triangle& plane, const Triangle& t, double squared)
+{
+  constexpr double ROUNDING = 1 + 1e-9;
+  const Point normal = (plane[1] - plane[0]).cross(plane[2] - plane[0]);
+  const double a = normal.dot(t[0] - plane[0]), b = normal.dot(t[1] - plane[0]), c = normal.dot(t[2] - plane[0]);
+  const double least = std::max(std::min({a, b, c}), -std::max({a, b, c}));
+  return least > 0 && least * least > ROUNDING * squared * normal.squaredNorm();
+}
+
 /// The closest points of two triangles, where they are closer than `best`.
 inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_pair& best)
 {
+  if (is_off_plane(a, b, best.squared) || is_off_plane(b, a, best.squared)) return;
   if (improve_by_crossing(a, b, best) || improve_by_crossing(b, a, best)) return;
   for (int i = 0; i < 3; ++i) {
     best.improve(a[i], nearest_on_triangle(a[i], b));
@@ -108,6 +119,24 @@ inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_p
     for (int j = 0; j < 3; ++j)
       improve_by_segments(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3], best);
   }
+}
+
+/// Whether two triangles are within the root of `squared` of each other.
+inline bool are_within(const Triangle& a, const Triangle& b, double squared)
+{
+  if (is_off_plane(a, b, squared) || is_off_plane(b, a, squared)) return false;
+  Closest_pair best;
+  for (int i = 0; i < 3; ++i) {
+    best.improve(a[i], nearest_on_triangle(a[i], b));
+    best.improve(nearest_on_triangle(b[i], a), b[i]);
+    if (best.squared <= squared) return true;
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      improve_by_segments(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3], best);
+      if (best.squared <= squared) return true;
+    }
+  return improve_by_crossing(a, b, best) || improve_by_crossing(b, a, best);
 }
 
 } // namespace contacts

@@ -60,6 +60,10 @@ public:
   /// The chart with other coordinates: those of the result times `turn` are those of this chart.
   /// \pre `turn` is a rotation of the cube that keeps the direction of a curve or the normal of a sheet, up to sign
   Part_chart turned(const Eigen::Matrix3d& turn) const;
+  /// A rotation from the coordinates of `lengthwise()` to those of this chart.
+  Eigen::Matrix3d lengthwise_turn() const;
+  /// That of a curve along the middle of a sheet, the long way; itself for a curve.
+  Part_chart lengthwise() const;
   /// The chart between two of one kind: rotated by a part of the rotation between them, the rest linear.
   static Part_chart between(const Part_chart& a, const Part_chart& b, double t);
 
@@ -332,6 +336,25 @@ inline Part_chart Part_chart::turned(const Eigen::Matrix3d& turn) const
       spine.col(i * sheet_stations + j) = station(row, col);
     }
   return over(spine, half);
+}
+
+inline Eigen::Matrix3d Part_chart::lengthwise_turn() const
+{
+  const Point half = half_extents();
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  if (is_sheet_ && half[1] > half[0]) turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  return turn;
+}
+
+inline Part_chart Part_chart::lengthwise() const
+{
+  if (!is_sheet_) return *this;
+  const Eigen::Matrix3d turn = lengthwise_turn();
+  Points spine(3, curve_stations);
+  for (int i = 0; i < curve_stations; ++i)
+    spine.col(i) = (*this)(turn * Point(2. * i / (curve_stations - 1) - 1, 0, 0));
+  const Point half = (turn.transpose() * half_extents()).cwiseAbs();
+  return along(spine, (frame(turn * Point(-1, 0, 0)) * turn).col(1), half);
 }
 
 inline Part_chart Part_chart::between(const Part_chart& a, const Part_chart& b, double t)
