@@ -8,9 +8,9 @@
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
-#include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/internal/blend/Blend_stage.h>
 #include <CGAL/Shape_correspondence/internal/for_each_index.h>
+#include <CGAL/Shape_correspondence/internal/map/check_model.h>
 
 #include <algorithm>
 #include <numeric>
@@ -18,17 +18,6 @@
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
-
-inline void check_model(const Structural_graph& graph, const Segmented_shape& shape)
-{
-  const auto& parts = structure(graph).parts;
-  bool same = parts.size() == shape.parts().size();
-  for (std::size_t i = 0; same && i < parts.size(); ++i)
-    same = parts[i].name == shape.parts()[i].name;
-  if (!same)
-    throw Invalid_input(shape.name() + ": its parts are not those of the structural graph; take the graph that was " +
-                        "built from this model");
-}
 
 inline Blend_stage::Times times_of(const Blend_schedule& schedule)
 {

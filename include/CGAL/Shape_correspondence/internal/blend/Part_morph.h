@@ -22,17 +22,17 @@ namespace internal {
 class Part_morph
 {
 public:
-  static constexpr double longest_edge = 0.25; ///< in chart coordinates
+  static constexpr double longest_edge = 0.3; ///< in chart coordinates
 
   Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target)
   {
-    const Charted_mesh a = charted_mesh(source, charts.source, longest_edge);
-    const Charted_mesh b = charted_mesh(target, charts.target, longest_edge);
+    source_ = charts.source;
+    target_ = charts.target;
+    const Charted_mesh a = finely_charted(source, source_, longest_edge);
+    const Charted_mesh b = finely_charted(target, target_, longest_edge);
     Carriers ahead(a, b), back(b, a);
     forward_ = ahead.second_reach <= back.second_reach;
     carriers_ = forward_ ? std::move(ahead) : std::move(back);
-    source_ = charts.source;
-    target_ = charts.target;
   }
 
   /// The surfaces, the one at the source's end first.

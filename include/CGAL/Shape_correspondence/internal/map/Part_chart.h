@@ -55,6 +55,9 @@ public:
 
   /// The same chart laid anew so that the points just fit in.
   Part_chart fitted(const Points& surface) const;
+  /// The same chart with its spine in the middle of the surface everywhere, so that both sides of a thin and bent part
+  /// are told apart; the same chart if that makes no narrower one. \param surface has points all over, as near to each other as the stations
+  Part_chart centred(const Points& surface) const;
   /// The chart of the box from `low` to `high`, in coordinates.
   Part_chart restricted(const Point& low, const Point& high) const;
   /// The chart with other coordinates: those of the result times `turn` are those of this chart.
@@ -305,6 +308,32 @@ inline Part_chart Part_chart::fitted(const Points& surface) const
     result = result.restricted(box.min().cwiseMin(middle - least), box.max().cwiseMax(middle + least));
   }
   return result;
+}
+
+inline Part_chart Part_chart::centred(const Points& surface) const
+{
+  const int n = stations(is_sheet_);
+  const double reach = is_sheet_ ? 2. / (n - 1) : 4. / (n - 1); // of a station, in coordinates
+  const Eigen::Index count = spine_.cols();
+  Points low = Points::Constant(3, count, std::numeric_limits<double>::infinity()), high = -low;
+  for (Eigen::Index i = 0; i < surface.cols(); ++i) {
+    const Point k = coordinates(surface.col(i));
+    for (Eigen::Index s = 0; s < count; ++s) {
+      const double first = 2. * double(is_sheet_ ? s / n : s) / (n - 1) - 1, second = 2. * double(s % n) / (n - 1) - 1;
+      if (std::abs(k[0] - first) > reach || (is_sheet_ && std::abs(k[1] - second) > reach)) continue;
+      low.col(s) = low.col(s).cwiseMin(k);
+      high.col(s) = high.col(s).cwiseMax(k);
+    }
+  }
+  Points spine = spine_;
+  for (Eigen::Index s = 0; s < count; ++s) {
+    if (!(low(2, s) <= high(2, s))) continue;
+    for (int axis = is_sheet_ ? 2 : 1; axis < 3; ++axis)
+      spine.col(s) += (low(axis, s) + high(axis, s)) / 2 * half_[axis] * frames_[std::size_t(s)].col(axis);
+  }
+  const Part_chart moved = (is_sheet_ ? over(spine, half_) : along(spine, frames_[0].col(1), half_)).fitted(surface);
+  const auto section = [](const Part_chart& chart) { return (chart.is_sheet_ ? 1 : chart.half_[1]) * chart.half_[2]; };
+  return section(moved) < section(*this) ? moved : *this;
 }
 
 inline Part_chart Part_chart::box(const Points& surface, const Eigen::Matrix3d& axes)
