@@ -68,13 +68,7 @@ public:
   const Box& box() const { return nodes_[0].box; }
 
   /// The point nearest to `p`, if it is nearer than the root of `squared`, which is set to the squared distance.
-  bool improve_nearest(const Point& p, Point& nearest, double& squared) const
-  {
-    std::size_t triangle;
-    return improve_nearest(p, nearest, squared, triangle);
-  }
-
-  /// The same, with the triangle of the tree that it is on.
+  /// \param triangle the one of the tree that it is on
   bool improve_nearest(const Point& p, Point& nearest, double& squared, std::size_t& triangle) const
   {
     return improve_nearest(0, p, nearest, squared, triangle);
