@@ -48,23 +48,29 @@ Json tree_json(const Collection& collection, const Eigen::MatrixXd& distances)
   return result;
 }
 
+Json pairs_json(const Part_map& map, const Collection::Shape& source, const Collection::Shape& target)
+{
+  Json result = Json::array();
+  for (const auto& [s, t] : map.pairs)
+    result.push_back({source.parts[s], target.parts[t]});
+  return result;
+}
+
 Json bridges_json(const Collection& collection)
 {
   Json result = Json::array();
   for (const Collection::Bridge& bridge : collection.bridges) {
     const Transitive_correspondence& way = bridge.correspondence;
     const Collection::Shape &source = collection.shapes[bridge.source], &target = collection.shapes[bridge.target];
-    Json chain = Json::array(), pairs = Json::array();
+    Json chain = Json::array();
     for (std::size_t shape : way.chain.shapes)
       chain.push_back(collection.shapes[shape].name);
-    for (const auto& [s, t] : way.map.pairs)
-      pairs.push_back({source.parts[s], target.parts[t]});
     result.push_back({{"source", source.name},
                       {"target", target.name},
                       {"chain", chain},
                       {"energy", way.chain.energy},
                       {"direct_energy", way.direct_energy},
-                      {"pairs", pairs},
+                      {"pairs", pairs_json(way.map, source, target)},
                       {"confidences", way.map.confidences}});
   }
   return result;
@@ -104,6 +110,27 @@ void write_collection_json(std::ostream& out, const Collection& collection)
   result["clusters"] = clusters_json(collection);
   if (collection.shapes.size() <= largest_written_matrix) result["energies"] = energies_json(collection.energies);
   result["warnings"] = collection.warnings;
+  write_json(out, result);
+}
+
+void write_nearest_json(std::ostream& out, const Nearest_in_collection& found)
+{
+  Json result;
+  result["format"] = "shape_correspondence/nearest";
+  result["version"] = 1;
+  result["query"] = found.query.file;
+  result["shapes"] = found.shapes.size();
+  result["evaluations"] = found.nearest.evaluations;
+  result["nearest"] = Json::array();
+  for (const Near_shape& near : found.nearest.shapes) {
+    const Collection::Shape& shape = found.shapes[near.shape];
+    result["nearest"].push_back({{"name", shape.name},
+                                 {"file", shape.file},
+                                 {"distance", near.distance},
+                                 {"pairs", pairs_json(near.map, found.query, shape)},
+                                 {"confidences", near.map.confidences}});
+  }
+  result["warnings"] = found.warnings;
   write_json(out, result);
 }
 

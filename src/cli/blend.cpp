@@ -16,12 +16,8 @@
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
+#include <CGAL/Shape_correspondence/internal/for_each_index.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#endif
-
-#include <exception>
 #include <iostream>
 
 namespace CGAL {
@@ -105,15 +101,10 @@ void write_frame(const std::string& folder, const Blend_output& output, const Sh
   });
 }
 
-/// On all threads.
 void write_frames(const std::string& folder, const Blend_output& output, const Shape_blend& blend)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::parallel_for(0, output.frames, [&](int frame) { write_frame(folder, output, blend, frame); });
-#else
-  for (int frame = 0; frame < output.frames; ++frame)
-    write_frame(folder, output, blend, frame);
-#endif
+  internal::for_each_index<CGAL::Parallel_if_available_tag>(
+      std::size_t(output.frames), [&](std::size_t frame) { write_frame(folder, output, blend, int(frame)); });
 }
 
 void write_table(std::ostream& out, const Shape_blend& blend)

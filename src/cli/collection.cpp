@@ -6,6 +6,7 @@
 #include "collection_shapes.h"
 #include "commands.h"
 #include "common_options.h"
+#include "load_shape.h"
 #include "match_options.h"
 #include "progress_bar.h"
 #include "text_table.h"
@@ -19,6 +20,7 @@
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>
 #include <CGAL/Shape_correspondence/IO/write_collection_html.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/nearest_shapes.h>
 #include <CGAL/Shape_correspondence/topological_medoid.h>
 
 #include <algorithm>
@@ -66,16 +68,17 @@ or, where the program was built with MPI, all at once:
   mpirun -n 8 shape_correspondence collection FOLDER --store S --json C.json
 
 Examples: shape_correspondence collection chairs --json chairs.json --npy energies.npy
-          shape_correspondence collection chairs --store work --json chairs.json --search exact
+          shape_correspondence collection chairs --store work --html chairs.html --search exact
+          shape_correspondence collection chairs --store work --nearest stool.obj -k 3
 
 )";
 
 /// The options that only this command has.
 struct Collection_options
 {
-  std::string npy, csv, store, tile;
+  std::string npy, csv, store, tile, nearest;
   bool merge = false, skip_bad = false;
-  std::size_t block_size = 0, neighbours = 0;
+  std::size_t block_size = 0, neighbours = 0, nearest_count = 5;
   double unmatched_energy = 0.5;
   Co_analysis_options co_analysis;
   std::size_t tile_number = 0, tile_count = 1;
@@ -95,6 +98,11 @@ po::options_description collection_options(Common_options& common, Collection_op
   add("store", po::value(&options.store)->value_name("FOLDER"),
       "keep graphs and finished pairs in this folder, and take them from there; a must for very large collections, "
       "which then need memory for the energies alone");
+  add("nearest", po::value(&options.nearest)->value_name("QUERY"),
+      "find the shapes of the collection that are nearest to this one instead, without matching all; the result is "
+      "written by --json");
+  add("count,k", po::value(&options.nearest_count)->value_name("K")->default_value(options.nearest_count),
+      "how many of them");
   add("tile", po::value(&options.tile)->value_name("I/N"),
       "do the I-th of N shares of the pairs and write no result: a job of an array; needs --store");
   add("merge", po::bool_switch(&options.merge), "match nothing, all pairs must be in the store");
@@ -149,6 +157,9 @@ void check(Collection_options& options, const Common_options& common, const po::
   if (in_parts && options.merge) throw Usage_error("--tile and --merge do not go together");
   if (in_parts && !(common.json + common.html + options.npy + options.csv).empty())
     throw Usage_error("--tile writes no result; --merge does when all shares are done");
+  if (!options.nearest.empty() && (in_parts || options.merge || !(common.html + options.npy + options.csv).empty()))
+    throw Usage_error("--nearest goes with --json and --store, not with shares of the work or files of all pairs");
+  if (options.nearest_count < 1) throw Usage_error("-k must be at least 1");
   if (values.count("tile-size") && options.block_size < 1) throw Usage_error("--tile-size must be at least 1");
   if (values.count("neighbours") && options.neighbours < 1) throw Usage_error("--neighbours must be at least 1");
   if (!(options.unmatched_energy >= 0)) throw Usage_error("--unmatched-energy must not be negative");
@@ -417,6 +428,28 @@ void write_outputs(const Analysis& analysis, const Collection_shapes& shapes, co
   if (common.prints_table()) print_collection(collection);
 }
 
+/// The shapes nearest to a query instead of all pairs.
+void find_nearest(const Collection_shapes& shapes, const Collection_options& options,
+                  const Energy_matrix_options& matching, const Common_options& common)
+{
+  const Structural_graph query = load_shape(options.nearest, common).graph;
+  IO::Nearest_in_collection found;
+  found.query = {structure(query).name, options.nearest, part_names(query)};
+  for (const Collection_shape& shape : shapes.shapes())
+    found.shapes.push_back({shape.name, shape.path, shape.parts});
+  found.warnings = shapes.skipped();
+  found.nearest = nearest_shapes<CGAL::Parallel_if_available_tag>(
+      query, shapes.size(), [&](std::size_t i) { return shapes.graph(i); }, options.nearest_count, matching);
+  if (!common.json.empty())
+    IO::write_atomically(common.json, [&](std::ostream& out) { IO::write_nearest_json(out, found); });
+  if (!common.prints_table()) return;
+  std::vector<std::vector<std::string>> rows{{"nearest", "distance", "pairs of parts"}};
+  for (const Near_shape& near : found.nearest.shapes)
+    rows.push_back({found.shapes[near.shape].name, short_number(near.distance), std::to_string(near.map.pairs.size())});
+  write_table(std::cout, rows);
+  std::cout << "\nmatched with " << found.nearest.evaluations << " of " << shapes.size() << " shapes\n";
+}
+
 /// Processes on one machine share its processors.
 int number_of_threads(const Common_options& common, const Team& team)
 {
@@ -457,6 +490,10 @@ void run_collection(const std::vector<std::string>& arguments)
   const Collection_shapes shapes(collection_paths(parsed.inputs),
                                  store_folder.empty() ? "" : (fs::path(store_folder) / "graphs").string(),
                                  options.skip_bad, common, team);
+  if (!options.nearest.empty()) {
+    if (team.is_first()) find_nearest(shapes, options, matching, common);
+    return;
+  }
   Collection_work work(shapes, store, key_of(match, options, parsed.values), options, matching, common);
   work.run(team);
   if (options.tile.empty() && team.is_first()) write_outputs(analysed(shapes, options, work), shapes, common, options);

@@ -75,8 +75,7 @@ Loaded_input load_input(const std::string& path, const Common_options& options)
   const Shape_structure& structure = Shape_correspondence::structure(result.graph);
   result.shape.name = structure.name;
   result.shape.warnings = structure.warnings;
-  for (const Part_abstraction& part : structure.parts)
-    result.shape.parts.push_back(part.name);
+  result.shape.parts = part_names(result.graph);
   return result;
 }
 
@@ -120,6 +119,14 @@ void make_names_unique(std::vector<Collection_shape>& shapes)
 constexpr std::size_t inputs_at_a_time = 8; // that a process of several is handed out
 
 } // namespace
+
+std::vector<std::string> part_names(const Structural_graph& graph)
+{
+  std::vector<std::string> names;
+  for (const Part_abstraction& part : structure(graph).parts)
+    names.push_back(part.name);
+  return names;
+}
 
 std::vector<std::string> collection_paths(const std::vector<std::string>& inputs)
 {

@@ -91,8 +91,9 @@ TEST_CASE("A folder of shapes: energies, medoid, tree, clusters, files")
 {
   const Temporary_folder folder;
   const std::string in = shape_folder(folder);
-  const Run done = run(quoted(in) + " --json " + quoted(folder.path("c.json")) + " --npy " +
-                       quoted(folder.path("c.npy")) + " --csv " + quoted(folder.path("c.csv")));
+  const Run done =
+      run(quoted(in) + " --json " + quoted(folder.path("c.json")) + " --npy " + quoted(folder.path("c.npy")) +
+          " --csv " + quoted(folder.path("c.csv")) + " --html " + quoted(folder.path("c.html")));
   INFO(done.error);
   REQUIRE(done.status == 0);
   CHECK_THAT(done.out, Contains("medoid") && Contains("shape 3"));
@@ -106,6 +107,7 @@ TEST_CASE("A folder of shapes: energies, medoid, tree, clusters, files")
   CHECK(result["shapes"][0]["file"] == in + "/0.json");
   CHECK(text_of(folder.path("c.npy")).size() == 128 + 36 * 8);
   CHECK_THAT(text_of(folder.path("c.csv")), Contains("shape 0,shape 1"));
+  CHECK(text_of(folder.path("c.html")).find("<!DOCTYPE html>") == 0);
   std::map<std::string, std::size_t> seats; // those of the chairs are in one cluster
   for (const json& cluster : result["clusters"])
     for (const json& part : cluster["parts"])
@@ -207,6 +209,21 @@ TEST_CASE("Shapes that cannot be used: all are named, the work is kept, --skip-b
   CHECK(result == json::parse(expected));
 }
 
+TEST_CASE("The nearest shapes of a query")
+{
+  const Temporary_folder folder;
+  const std::string in = shape_folder(folder), query = in + "/2.json";
+  const Run done = run(quoted(in) + " --nearest " + quoted(query) + " -k 2 --json -");
+  INFO(done.error);
+  REQUIRE(done.status == 0);
+  const json result = json::parse(done.out);
+  REQUIRE(result["nearest"].size() == 2);
+  CHECK(result["nearest"][0]["name"] == "shape 2");
+  CHECK(result["nearest"][0]["distance"].get<double>() == Approx(0).margin(1e-9));
+  CHECK(result["nearest"][1]["name"] == "shape 5"); // the same table without symmetry
+  CHECK_THAT(run(quoted(in) + " --nearest " + quoted(query)).out, Contains("of 6 shapes"));
+}
+
 TEST_CASE("Usage and inputs that make no sense")
 {
   const Temporary_folder folder;
@@ -215,7 +232,8 @@ TEST_CASE("Usage and inputs that make no sense")
        {std::string(), in + " --tile 1/2", in + " --merge", in + store + " --tile 0/2", in + store + " --tile 3/2",
         in + store + " --tile 1", in + store + " --tile 1/2 --merge", in + store + " --tile 1/2 --json -",
         in + " --tile-size 0", in + " --inflation 1", in + " --cycle-support 2", in + " --unmatched-energy -1",
-        in + " --neighbours 0", in + " --search exact --solutions 2", in + " --npy x --csv x"}) {
+        in + " --neighbours 0", in + " --search exact --solutions 2", in + " --npy x --csv x", in + " --nearest x -k 0",
+        in + " --nearest x --npy y"}) {
     INFO(arguments);
     const Run result = run(arguments);
     CHECK(result.status == 2);
@@ -224,7 +242,8 @@ TEST_CASE("Usage and inputs that make no sense")
   fs::create_directories(folder.path("none"));
   for (const std::string& arguments :
        {quoted(folder.path("missing")), quoted(folder.path("none")), quoted(folder.path("shapes/0.json")),
-        in + " --npy /nowhere/x", in + " --store " + quoted(folder.path("shapes/0.json"))}) {
+        in + " --npy /nowhere/x", in + " --nearest " + quoted(folder.path("missing")),
+        in + " --store " + quoted(folder.path("shapes/0.json"))}) {
     INFO(arguments);
     CHECK(run(arguments).status == 1);
   }

@@ -48,3 +48,21 @@ TEST_CASE("All that is found out about a collection is in its JSON, by names")
   CHECK(result["energies"] == json({{0., 1., 9.}, {3., 0., 1.}, {7., 1., 0.}}));
   CHECK(result["warnings"] == json({"careful"}));
 }
+
+TEST_CASE("The nearest shapes with their pairs of parts by names")
+{
+  IO::Nearest_in_collection found;
+  found.query = {"q", "q.obj", {"top", "leg"}};
+  found.shapes = {{"a", "a.obj", {"seat"}}, {"b", "b.obj", {"x", "y"}}};
+  found.nearest.shapes = {{1, .25, {{{0, 1}, {1, 0}}, {.5, 1}}}};
+  found.nearest.evaluations = 2;
+  std::ostringstream out;
+  IO::write_nearest_json(out, found);
+  const json result = json::parse(out.str());
+  CHECK(result["format"] == "shape_correspondence/nearest");
+  CHECK(result["query"] == "q.obj");
+  CHECK(result["evaluations"] == 2);
+  CHECK(result["nearest"][0]["name"] == "b");
+  CHECK(result["nearest"][0]["distance"] == .25);
+  CHECK(result["nearest"][0]["pairs"].dump() == R"([["top","y"],["leg","x"]])");
+}

@@ -79,12 +79,18 @@ public:
   std::vector<Correspondence> ranked(const Structural_graph& target) const;
   std::vector<Correspondence> ranked(const Prepared_shape& target) const;
 
+  /// A lower bound of the `distance_energy()` (energy_matrix.h) of what is found, without a search: the least values of
+  /// the terms of one group and of two, added up. Of `Search_method::PARTS`, where every part may stand for every
+  /// other, it takes terms of parts. 0 where none is known.
+  double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
+
 private:
   using Shared_shape = std::shared_ptr<const Aligned_shape>;
 
   std::vector<Correspondence> least_energy(const Prepared_shape& target) const;
   Correspondence matched_parts(const Prepared_shape& target) const;
   Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const;
+  double lower_bound(const Aligned_shape& deformed, const Aligned_shape& other, double unmatched_energy) const;
 
   Search_options options_;
   Shape_frame source_frame_;

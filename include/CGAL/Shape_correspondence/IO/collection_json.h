@@ -7,6 +7,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_IO_COLLECTION_JSON_H
 
 #include <CGAL/Shape_correspondence/co_analysis.h>
+#include <CGAL/Shape_correspondence/nearest_shapes.h>
 #include <CGAL/Shape_correspondence/transitive_correspondence.h>
 
 #include <Eigen/Core>
@@ -50,6 +51,18 @@ struct Collection
 /// Writes what is found out about a set of shapes in the JSON format `shape_correspondence/collection`, version 1.
 /// Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
 void write_collection_json(std::ostream& out, const Collection& collection);
+
+/// The shapes of a collection that are nearest to a query.
+struct Nearest_in_collection
+{
+  Collection::Shape query;
+  std::vector<Collection::Shape> shapes; ///< all of the collection
+  Nearest_shapes nearest;
+  std::vector<std::string> warnings;
+};
+
+/// Writes them in the JSON format `shape_correspondence/nearest`, version 1.
+void write_nearest_json(std::ostream& out, const Nearest_in_collection& found);
 
 } // namespace IO
 } // namespace Shape_correspondence

@@ -8,12 +8,9 @@
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
-#include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/internal/blend/Blend_stage.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#endif
+#include <CGAL/Shape_correspondence/internal/for_each_index.h>
+#include <CGAL/Shape_correspondence/internal/map/check_model.h>
 
 #include <algorithm>
 #include <numeric>
@@ -21,17 +18,6 @@
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
-
-inline void check_model(const Structural_graph& graph, const Segmented_shape& shape)
-{
-  const auto& parts = structure(graph).parts;
-  bool same = parts.size() == shape.parts().size();
-  for (std::size_t i = 0; same && i < parts.size(); ++i)
-    same = parts[i].name == shape.parts()[i].name;
-  if (!same)
-    throw Invalid_input(shape.name() + ": its parts are not those of the structural graph; take the graph that was " +
-                        "built from this model");
-}
 
 inline Blend_stage::Times times_of(const Blend_schedule& schedule)
 {
@@ -71,18 +57,6 @@ inline std::vector<Blend_schedule> plausible_schedules(const Blend_stage& stage)
   return result;
 }
 
-/// On all threads, where there are several.
-template <typename Function>
-void for_each_index(std::size_t count, const Function& function)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::parallel_for(std::size_t(0), count, function);
-#else
-  for (std::size_t i = 0; i < count; ++i)
-    function(i);
-#endif
-}
-
 inline Blend_quality worst(const Blend_quality& a, const Blend_quality& b)
 {
   return {std::max(a.gap, b.gap), std::max(a.asymmetry, b.asymmetry), std::max(a.ground, b.ground)};
@@ -110,7 +84,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Shape_blend::Shape_blend(const Structural_graph
     if (options.progress && !options.progress(double(s) / double(schedules_.size()))) break;
     const Blend_stage::Times times = times_of(schedules_[s]);
     std::vector<Blend_quality> qualities(std::size_t(options.samples));
-    for_each_index(qualities.size(), [&](std::size_t i) {
+    for_each_index<CGAL::Parallel_if_available_tag>(qualities.size(), [&](std::size_t i) {
       const double t = double(i + 1) / double(qualities.size() + 1);
       qualities[i] = stage_->quality(stage_->scene(times, t), t);
     });

@@ -52,6 +52,12 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE double distance_energy(const Correspondence& co
 
 namespace internal {
 
+inline void check(const Energy_matrix_options& options)
+{
+  if (!(options.unmatched_energy >= 0) || !std::isfinite(options.unmatched_energy))
+    throw Invalid_input("energy_matrix: the energy of unmatched parts must be finite and not negative");
+}
+
 // Calls `work` with 0 to n - 1, in parallel if asked for.
 template <typename ConcurrencyTag, typename Work>
 void for_each_index(std::size_t n, const Work& work)
@@ -97,8 +103,7 @@ std::vector<Rated_map> match_pairs(const std::vector<Structural_graph>& shapes,
                                    const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
                                    const Energy_matrix_options& options)
 {
-  if (!(options.unmatched_energy >= 0) || !std::isfinite(options.unmatched_energy))
-    throw Invalid_input("energy_matrix: the energy of unmatched parts must be finite and not negative");
+  internal::check(options);
   std::deque<Prepared_shape> prepared; // their addresses stay
   for (const Structural_graph& shape : shapes)
     prepared.emplace_back(shape);

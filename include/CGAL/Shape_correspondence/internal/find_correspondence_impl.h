@@ -230,6 +230,27 @@ inline std::vector<std::vector<Group_label>> group_labels(const Part_matching& m
   return labels;
 }
 
+// The shape with a group for every part.
+inline Aligned_shape ungrouped(Aligned_shape shape)
+{
+  shape.groups.assign(shape.parts.size(), {});
+  for (std::size_t part = 0; part < shape.parts.size(); ++part)
+    shape.groups[part].parts = {part};
+  number_groups(shape);
+  list_contacts(shape);
+  return shape;
+}
+
+// Pairs of connected parts, and parts that touch nothing.
+inline std::size_t number_of_counted_pairs(const Aligned_shape& shape)
+{
+  std::vector<char> touches(shape.parts.size(), 0);
+  for (const Aligned_shape::Contact& contact : shape.contacts)
+    touches[contact.parts[0]] = touches[contact.parts[1]] = 1;
+  const auto alone = std::size_t(std::count(touches.begin(), touches.end(), 0));
+  return std::max<std::size_t>(1, shape.contacts.size() + alone);
+}
+
 // How well the parts of two shapes go with one another: the mean of the least cost of every part.
 inline long matching_cost(const Part_matching& matching)
 {
@@ -421,6 +442,35 @@ Correspondence_finder::least_energy(const Prepared_shape& target) const
     if (cancelled) internal::mark_cancelled(done, run_count, correspondence);
   }
   return result;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE double Correspondence_finder::lower_bound(const Prepared_shape& target,
+                                                                           double unmatched_energy) const
+{
+  const bool both_directions = options_.both_directions && options_.method != Search_method::PARTS;
+  double bound = std::numeric_limits<double>::infinity();
+  for (int turn : internal::tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments)) {
+    const Shared_shape shape = aligned(target, turn);
+    bound = std::min(bound, lower_bound(*source_, *shape, unmatched_energy));
+    if (both_directions) bound = std::min(bound, lower_bound(*shape, *source_, unmatched_energy));
+  }
+  constexpr double rounding = 1e-9; // sums are added up in another order
+  return std::max(0., bound * (1 - rounding) - rounding);
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE double Correspondence_finder::lower_bound(const Aligned_shape& deformed,
+                                                                           const Aligned_shape& other,
+                                                                           double unmatched_energy) const
+{
+  const double pairs = double(internal::number_of_counted_pairs(deformed));
+  if (options_.method != Search_method::PARTS)
+    return Matching_problem(deformed, other, options_.matching).energy().lower_bound() / pairs;
+  if (options_.matching.norm == Energy_norm::POOLED) return 0;
+  Matching_options matching = options_.matching;
+  matching.cut_curves = false;
+  matching.unmatched_cost = unmatched_energy;
+  const Matching_problem problem(internal::ungrouped(deformed), internal::ungrouped(other), matching);
+  return problem.has_shortlists() ? 0 : problem.energy().lower_bound() / pairs;
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence find_correspondence(const Structural_graph& source,

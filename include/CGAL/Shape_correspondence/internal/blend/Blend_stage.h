@@ -443,10 +443,11 @@ inline double mirror_residual(const std::vector<const Points*>& surfaces, const 
     const Eigen::Index n = std::min(points->cols(), samples);
     for (Eigen::Index i = 0; i < n; ++i) {
       Point p = points->col(i * points->cols() / n), nearest;
+      std::size_t triangle;
       p.x() = -p.x();
       double squared = std::numeric_limits<double>::infinity();
       for (const contacts::Triangle_tree& tree : trees)
-        if (tree.box().squaredExteriorDistance(p) < squared) tree.improve_nearest(p, nearest, squared);
+        if (tree.box().squaredExteriorDistance(p) < squared) tree.improve_nearest(p, nearest, squared, triangle);
       sum += squared;
       ++count;
     }

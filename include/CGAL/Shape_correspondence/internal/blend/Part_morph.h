@@ -14,26 +14,6 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-/// The charts that a pair of pieces is mapped by: both of one kind, with the same coordinates.
-struct Pair_charts
-{
-  Part_chart source, target;
-};
-
-inline Pair_charts pair_charts(const Part_pair& pair, const Charted_shape& source, const Charted_shape& target,
-                               const Points& source_piece, const Points& target_piece)
-{
-  const Part_chart &from = source.charts[pair.source], &to = target.charts[pair.target];
-  const auto piece = [](const Part_chart& chart, const Chart_box& box) {
-    return is_whole(box) ? chart : chart.restricted(box.min(), box.max());
-  };
-  const Part_chart source_chart = piece(from, pair.source_piece), target_chart = piece(to, pair.target_piece);
-  if (have_one_kind(*source.parts[pair.source], *target.parts[pair.target]))
-    return {source_chart.fitted(source_piece), target_chart.turned(pair.turn).fitted(target_piece)};
-  return {Part_chart::box(source_piece, source_chart.axes()),
-          Part_chart::box(target_piece, target_chart.axes() * pair.turn)};
-}
-
 /// A surface that becomes another.
 ///
 /// First the one surface, in the coordinates of its chart, moves to the nearest places of the other; then the other
@@ -42,17 +22,17 @@ inline Pair_charts pair_charts(const Part_pair& pair, const Charted_shape& sourc
 class Part_morph
 {
 public:
-  static constexpr double longest_edge = 0.25; ///< in chart coordinates
+  static constexpr double longest_edge = 0.3; ///< in chart coordinates
 
   Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target)
   {
-    const Charted_mesh a = charted_mesh(source, charts.source, longest_edge);
-    const Charted_mesh b = charted_mesh(target, charts.target, longest_edge);
+    source_ = charts.source;
+    target_ = charts.target;
+    const Charted_mesh a = finely_charted(source, source_, longest_edge);
+    const Charted_mesh b = finely_charted(target, target_, longest_edge);
     Carriers ahead(a, b), back(b, a);
     forward_ = ahead.second_reach <= back.second_reach;
     carriers_ = forward_ ? std::move(ahead) : std::move(back);
-    source_ = charts.source;
-    target_ = charts.target;
   }
 
   /// The surfaces, the one at the source's end first.

@@ -195,6 +195,14 @@ inline Charted_mesh charted_mesh(const Part_mesh& mesh, const Part_chart& chart,
   return result;
 }
 
+/// The same, in a chart that is centred on the way.
+inline Charted_mesh finely_charted(const Part_mesh& mesh, Part_chart& chart, double longest_edge)
+{
+  const Charted_mesh result = charted_mesh(mesh, chart, longest_edge);
+  chart = chart.centred(result.points);
+  return charted_mesh({result.points, result.triangles}, chart, std::numeric_limits<double>::infinity());
+}
+
 /// Unit normals of the vertices in the chart, outwards on the whole; zero where there is none.
 inline Points chart_normals(const Charted_mesh& mesh)
 {

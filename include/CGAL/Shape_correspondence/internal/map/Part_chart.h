@@ -55,11 +55,18 @@ public:
 
   /// The same chart laid anew so that the points just fit in.
   Part_chart fitted(const Points& surface) const;
+  /// The same chart with its spine in the middle of the surface everywhere, so that both sides of a thin and bent part
+  /// are told apart; the same chart if that makes no narrower one. \param surface has points all over, as near to each other as the stations
+  Part_chart centred(const Points& surface) const;
   /// The chart of the box from `low` to `high`, in coordinates.
   Part_chart restricted(const Point& low, const Point& high) const;
   /// The chart with other coordinates: those of the result times `turn` are those of this chart.
   /// \pre `turn` is a rotation of the cube that keeps the direction of a curve or the normal of a sheet, up to sign
   Part_chart turned(const Eigen::Matrix3d& turn) const;
+  /// A rotation from the coordinates of `lengthwise()` to those of this chart.
+  Eigen::Matrix3d lengthwise_turn() const;
+  /// That of a curve along the middle of a sheet, the long way; itself for a curve.
+  Part_chart lengthwise() const;
   /// The chart between two of one kind: rotated by a part of the rotation between them, the rest linear.
   static Part_chart between(const Part_chart& a, const Part_chart& b, double t);
 
@@ -303,6 +310,32 @@ inline Part_chart Part_chart::fitted(const Points& surface) const
   return result;
 }
 
+inline Part_chart Part_chart::centred(const Points& surface) const
+{
+  const int n = stations(is_sheet_);
+  const double reach = is_sheet_ ? 2. / (n - 1) : 4. / (n - 1); // of a station, in coordinates
+  const Eigen::Index count = spine_.cols();
+  Points low = Points::Constant(3, count, std::numeric_limits<double>::infinity()), high = -low;
+  for (Eigen::Index i = 0; i < surface.cols(); ++i) {
+    const Point k = coordinates(surface.col(i));
+    for (Eigen::Index s = 0; s < count; ++s) {
+      const double first = 2. * double(is_sheet_ ? s / n : s) / (n - 1) - 1, second = 2. * double(s % n) / (n - 1) - 1;
+      if (std::abs(k[0] - first) > reach || (is_sheet_ && std::abs(k[1] - second) > reach)) continue;
+      low.col(s) = low.col(s).cwiseMin(k);
+      high.col(s) = high.col(s).cwiseMax(k);
+    }
+  }
+  Points spine = spine_;
+  for (Eigen::Index s = 0; s < count; ++s) {
+    if (!(low(2, s) <= high(2, s))) continue;
+    for (int axis = is_sheet_ ? 2 : 1; axis < 3; ++axis)
+      spine.col(s) += (low(axis, s) + high(axis, s)) / 2 * half_[axis] * frames_[std::size_t(s)].col(axis);
+  }
+  const Part_chart moved = (is_sheet_ ? over(spine, half_) : along(spine, frames_[0].col(1), half_)).fitted(surface);
+  const auto section = [](const Part_chart& chart) { return (chart.is_sheet_ ? 1 : chart.half_[1]) * chart.half_[2]; };
+  return section(moved) < section(*this) ? moved : *this;
+}
+
 inline Part_chart Part_chart::box(const Points& surface, const Eigen::Matrix3d& axes)
 {
   const Points local = axes.transpose() * surface;
@@ -332,6 +365,25 @@ inline Part_chart Part_chart::turned(const Eigen::Matrix3d& turn) const
       spine.col(i * sheet_stations + j) = station(row, col);
     }
   return over(spine, half);
+}
+
+inline Eigen::Matrix3d Part_chart::lengthwise_turn() const
+{
+  const Point half = half_extents();
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  if (is_sheet_ && half[1] > half[0]) turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  return turn;
+}
+
+inline Part_chart Part_chart::lengthwise() const
+{
+  if (!is_sheet_) return *this;
+  const Eigen::Matrix3d turn = lengthwise_turn();
+  Points spine(3, curve_stations);
+  for (int i = 0; i < curve_stations; ++i)
+    spine.col(i) = (*this)(turn * Point(2. * i / (curve_stations - 1) - 1, 0, 0));
+  const Point half = (turn.transpose() * half_extents()).cwiseAbs();
+  return along(spine, (frame(turn * Point(-1, 0, 0)) * turn).col(1), half);
 }
 
 inline Part_chart Part_chart::between(const Part_chart& a, const Part_chart& b, double t)

@@ -80,23 +80,33 @@ inline std::vector<Eigen::Matrix3d> cube_rotations()
   return result;
 }
 
-/// Whether pairs of these parts are run through along their abstractions; else along the boxes around them.
-inline bool have_one_kind(const Part_abstraction& a, const Part_abstraction& b)
+/// How the charts of two parts are laid on each other.
+enum class Pair_kind {
+  SAME, ///< two curves or two sheets: along both
+  LENGTHWISE, ///< a curve and a sheet: along the curve and the long way of the sheet
+  BOXES ///< with a closed curve: by the boxes around both
+};
+
+inline Pair_kind pair_kind(const Part_abstraction& a, const Part_abstraction& b)
 {
-  return a.is_sheet() == b.is_sheet() && !a.is_closed_curve() && !b.is_closed_curve();
+  if (a.is_closed_curve() || b.is_closed_curve()) return Pair_kind::BOXES;
+  return a.is_sheet() == b.is_sheet() ? Pair_kind::SAME : Pair_kind::LENGTHWISE;
 }
 
-/// The turn that lays the longest extents on each other best (paper, section 5, "Deform-to-fit": extremities are
-/// matched by proximity).
-inline Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, bool along_abstractions)
+/// The turn from coordinates of one chart to those of another that lays the longest extents on each other best (paper,
+/// section 5, "Deform-to-fit": extremities are matched by proximity).
+inline Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, Pair_kind kind)
 {
+  if (kind == Pair_kind::LENGTHWISE)
+    return target.lengthwise_turn() * best_turn(source.lengthwise(), target.lengthwise(), Pair_kind::SAME) *
+           source.lengthwise_turn().transpose();
   const Eigen::Matrix3d from = source.axes() * source.half_extents().asDiagonal();
   const Eigen::Matrix3d to = target.axes() * target.half_extents().asDiagonal();
   const int kept = source.is_sheet() ? 2 : 0;
   Eigen::Matrix3d best = Eigen::Matrix3d::Identity();
   long best_score = std::numeric_limits<long>::min();
   for (const Eigen::Matrix3d& turn : cube_rotations()) {
-    if (along_abstractions && turn(kept, kept) == 0) continue;
+    if (kind == Pair_kind::SAME && turn(kept, kept) == 0) continue;
     const long score = quantized(from.cwiseProduct(to * turn).sum());
     if (score > best_score) best = turn, best_score = score;
   }
@@ -267,9 +277,38 @@ inline std::vector<Part_pair> part_pairs(const Charted_shape& source, const Char
   for (Part_pair& pair : result) {
     const Part_chart from = source.charts[pair.source].restricted(pair.source_piece.min(), pair.source_piece.max());
     const Part_chart to = target.charts[pair.target].restricted(pair.target_piece.min(), pair.target_piece.max());
-    pair.turn = best_turn(from, to, have_one_kind(*source.parts[pair.source], *target.parts[pair.target]));
+    pair.turn = best_turn(from, to, pair_kind(*source.parts[pair.source], *target.parts[pair.target]));
   }
   return result;
+}
+
+/// The charts that a pair of pieces is mapped by: both of one kind, with the same coordinates.
+struct Pair_charts
+{
+  Part_chart source, target;
+};
+
+inline Pair_charts pair_charts(const Part_pair& pair, const Charted_shape& source, const Charted_shape& target,
+                               const Points& source_piece, const Points& target_piece)
+{
+  const Part_chart &from = source.charts[pair.source], &to = target.charts[pair.target];
+  const auto piece = [](const Part_chart& chart, const Chart_box& box) {
+    return is_whole(box) ? chart : chart.restricted(box.min(), box.max());
+  };
+  const Part_chart source_chart = piece(from, pair.source_piece), target_chart = piece(to, pair.target_piece);
+  switch (pair_kind(*source.parts[pair.source], *target.parts[pair.target])) {
+  case Pair_kind::SAME:
+    return {source_chart.fitted(source_piece), target_chart.turned(pair.turn).fitted(target_piece)};
+  case Pair_kind::LENGTHWISE: {
+    const Eigen::Matrix3d turn =
+        target_chart.lengthwise_turn().transpose() * pair.turn * source_chart.lengthwise_turn();
+    return {source_chart.lengthwise().fitted(source_piece),
+            target_chart.lengthwise().turned(turn).fitted(target_piece)};
+  }
+  default:
+    return {Part_chart::box(source_piece, source_chart.axes()),
+            Part_chart::box(target_piece, target_chart.axes() * pair.turn)};
+  }
 }
 
 } // namespace internal
