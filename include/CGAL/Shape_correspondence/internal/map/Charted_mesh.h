@@ -133,10 +133,13 @@ inline Part_mesh piece_of(const Points& points, const Eigen::Matrix3Xi& triangle
       });
     }
   update();
+  // Only sides within the chart press
+  const auto unbounded = [](double side) { return std::abs(side) < 1 ? side : 2 * side; };
+  const Point low = box.min().unaryExpr(unbounded), high = box.max().unaryExpr(unbounded);
   Part_mesh result{mesh.points(), mesh.triangles()};
   for (Eigen::Index i = 0; i < result.points.cols(); ++i) {
     const Point outside = k[std::size_t(i)];
-    const Point inside = outside.cwiseMax(box.min()).cwiseMin(box.max());
+    const Point inside = outside.cwiseMax(low).cwiseMin(high);
     // Off the sides that press, the place on the surface is kept
     const Point off = chart.frame(outside).inverse() * (result.points.col(i) - chart(outside));
     if ((inside - outside).cwiseAbs().maxCoeff() > on_side)
