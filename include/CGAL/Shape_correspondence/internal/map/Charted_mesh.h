@@ -293,9 +293,10 @@ public:
   /// The nearest place; on a thin part that of the same side, as normals tell.
   Mesh_place operator()(const Point& p, const Point& normal) const
   {
-    constexpr double far = 1; // in coordinates: no place to be taken for the sake of its normal
+    constexpr double far = 1;       // in coordinates: no place to be taken for the sake of its normal
+    constexpr double averse = -0.2; // cosine of two normals of different sides
     const Mesh_place nearest = nearest_place(all_, p);
-    if (normal.dot(nearest.of(normals_, triangles_)) >= 0) return nearest;
+    if (normal.dot(nearest.of(normals_, triangles_)) >= averse) return nearest;
     Mesh_place best = nearest;
     double least = far * far;
     for (std::size_t side = 0; side < 6; ++side) {
