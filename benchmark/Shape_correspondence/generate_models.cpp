@@ -3,15 +3,20 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes the models of data/, each a folder of parts with labels.
+// Writes the models of data/, or the shapes of the benchmark, each a folder of parts with labels.
 
+#include "generator/benchmark/degrade.h"
+#include "generator/benchmark/shapes.h"
 #include "generator/models.h"
 #include "generator/writer.h"
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -24,14 +29,18 @@ constexpr int bad_input = 1, bad_usage = 2;
 
 struct Options
 {
-  bool help = false, list = false, single_file = false;
+  bool help = false, list = false, single_file = false, benchmark = false;
+  bool degrades = false;
+  gen::Degradation degradation;
+  std::uint64_t seed = 1;
   std::string folder;
 };
 
 void print_help(std::ostream& out)
 {
   out << "Usage: generate_models [--single-file] OUTPUT_FOLDER\n"
-         "       generate_models --list\n"
+         "       generate_models --benchmark [--degrade WAYS] [--seed N] OUTPUT_FOLDER\n"
+         "       generate_models [--benchmark] --list\n"
          "\n"
          "Writes labelled models of man-made shapes; the same bytes every time.\n"
          "  OUTPUT_FOLDER/NAME/parts/PART.obj  one closed mesh a part; metres, y up, front +z, left +x\n"
@@ -39,8 +48,42 @@ void print_help(std::ostream& out)
          "  OUTPUT_FOLDER/NAME/structure.json  mid-lines and mid-surfaces, symmetry groups, contacts\n"
          "\n"
          "  --single-file  write OUTPUT_FOLDER/NAME.obj instead, one `o` a part\n"
+         "  --benchmark    make the shapes that methods are compared on instead, fifteen of each of six categories, "
+         "in\n"
+         "                 OUTPUT_FOLDER/CATEGORY/NAME\n"
+         "  --degrade      make them worse; WAYS are any of segmentation, open, gaps, noise, scale, rotation, with "
+         "commas\n"
+         "                 in between: parts cut and joined, surfaces with holes, parts that do not meet, vertices "
+         "off\n"
+         "                 their places, other proportions, turned about the up axis\n"
+         "  --seed         of what is drawn to make them worse; 1 if not given\n"
          "  --list         print the names of the models\n"
          "  --help         print this\n";
+}
+
+gen::Degradation parsed_ways(const std::string& words)
+{
+  gen::Degradation ways;
+  const std::pair<const char*, bool*> known[] = {{"segmentation", &ways.segmentation},
+                                                 {"open", &ways.openings},
+                                                 {"gaps", &ways.gaps},
+                                                 {"noise", &ways.noise},
+                                                 {"scale", &ways.scale},
+                                                 {"rotation", &ways.rotation}};
+  std::istringstream list(words);
+  for (std::string word; std::getline(list, word, ',');) {
+    const auto found = std::find_if(std::begin(known), std::end(known), [&](const auto& k) { return k.first == word; });
+    if (found == std::end(known)) throw std::invalid_argument("unknown way to degrade '" + word + "'");
+    *found->second = true;
+  }
+  return ways;
+}
+
+std::uint64_t parsed_seed(const std::string& text)
+{
+  if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos || text.size() > 18)
+    throw std::invalid_argument("a seed is a whole number, not '" + text + "'");
+  return std::stoull(text);
 }
 
 Options parsed(int argc, char** argv)
@@ -48,12 +91,23 @@ Options parsed(int argc, char** argv)
   Options options;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
+    const auto value = [&] {
+      if (++i == argc) throw std::invalid_argument(argument + " needs a value");
+      return std::string(argv[i]);
+    };
     if (argument == "--help" || argument == "-h")
       options.help = true;
     else if (argument == "--list")
       options.list = true;
     else if (argument == "--single-file")
       options.single_file = true;
+    else if (argument == "--benchmark")
+      options.benchmark = true;
+    else if (argument == "--degrade") {
+      options.degrades = true;
+      options.degradation = parsed_ways(value());
+    } else if (argument == "--seed")
+      options.seed = parsed_seed(value());
     else if (argument.empty() || argument[0] == '-')
       throw std::invalid_argument("unknown option '" + argument + "'");
     else if (!options.folder.empty())
@@ -61,6 +115,7 @@ Options parsed(int argc, char** argv)
     else
       options.folder = argument;
   }
+  if (options.degrades && !options.benchmark) throw std::invalid_argument("--degrade is of --benchmark");
   if (!options.help && !options.list && options.folder.empty()) throw std::invalid_argument("no output folder");
   return options;
 }
@@ -74,12 +129,24 @@ void write(const fs::path& path, const std::string& content)
   if (!out) throw std::runtime_error("cannot write " + path.string());
 }
 
+std::vector<gen::Assembly> shapes(const Options& options)
+{
+  if (options.benchmark) return gen::benchmark_shapes();
+  std::vector<gen::Assembly> result;
+  for (const gen::Model& model : gen::models())
+    result.push_back(model.make());
+  return result;
+}
+
 void write_models(const Options& options)
 {
-  for (const gen::Model& model : gen::models()) {
-    const gen::Assembly shape = model.make();
+  std::uint64_t seed = options.seed << 32; // far from those of other shapes and seeds
+  for (gen::Assembly shape : shapes(options)) {
+    if (options.degrades) shape = gen::degraded(std::move(shape), options.degradation, seed);
+    seed += 100;
+    const fs::path folder = options.benchmark ? fs::path(options.folder) / shape.category : fs::path(options.folder);
     for (const auto& [path, content] : options.single_file ? gen::single_file(shape) : gen::folder_files(shape))
-      write(fs::path(options.folder) / path, content);
+      write(folder / path, content);
   }
 }
 
@@ -98,8 +165,8 @@ int main(int argc, char** argv)
     if (options.help)
       print_help(std::cout);
     else if (options.list)
-      for (const gen::Model& model : gen::models())
-        std::cout << model.name << '\n';
+      for (const gen::Assembly& shape : shapes(options))
+        std::cout << shape.name << '\n';
     else
       write_models(options);
   } catch (const std::exception& error) {

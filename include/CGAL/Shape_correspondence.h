@@ -12,9 +12,15 @@
 #include <CGAL/Shape_correspondence/Correspondence_map.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include <CGAL/Shape_correspondence/co_analysis.h>
+#include <CGAL/Shape_correspondence/energy_matrix.h>
 #include <CGAL/Shape_correspondence/estimate_up.h>
+#include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 #include <CGAL/Shape_correspondence/match_parts.h>
+#include <CGAL/Shape_correspondence/nearest_shapes.h>
 #include <CGAL/Shape_correspondence/parameters.h>
+#include <CGAL/Shape_correspondence/topological_medoid.h>
+#include <CGAL/Shape_correspondence/transitive_correspondence.h>
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_H

@@ -5,6 +5,7 @@
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 
+#include "json_field.h"
 #include "json_text.h"
 
 #include <cmath>
@@ -13,6 +14,8 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 namespace {
+
+constexpr const char* match_format = "shape_correspondence/match";
 
 const char* name_of(Direction direction)
 {
@@ -95,7 +98,7 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
   const Correspondence& c = ranked.front();
   const bool forward = c.direction == Direction::SOURCE_TO_TARGET;
   Json result;
-  result["format"] = "shape_correspondence/match";
+  result["format"] = match_format;
   result["version"] = 1;
   result["source"] = source_file;
   result["target"] = target_file;
@@ -121,6 +124,30 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
   result["warnings"] = c.warnings;
   if (ranked.size() > 1) result["solutions"] = solutions(ranked, source, target);
   write_json(out, result);
+}
+
+Named_correspondence read_correspondence_json(const std::string& file)
+{
+  const nlohmann::json document = read_json_file(file);
+  const Json_field root(document, file);
+  if (root["format"].text() != match_format)
+    root["format"].fail("is '" + root["format"].text() + "', not '" + match_format + "'");
+  if (root["version"].integer() != 1) root["version"].fail("is not 1, the one that this program knows");
+  Named_correspondence result{root["source"].text(), root["target"].text(), {}, {}, root["complete"].boolean()};
+  for (const Json_field& pair : root["pairs"].elements()) {
+    const std::vector<Json_field> names = pair.elements(2, "a pair of part names");
+    result.pairs.emplace_back(names[0].text(), names[1].text());
+  }
+  if (!root.has("confidences")) return result;
+  for (const Json_field& confidence : root["confidences"].elements(result.pairs.size(), "a confidence for each pair"))
+    result.confidences.push_back(confidence.number_at_least_0());
+  return result;
+}
+
+bool is_correspondence_json(const std::string& file)
+{
+  const nlohmann::json document = read_json_file(file);
+  return document.is_object() && document.value("format", nlohmann::json()) == match_format;
 }
 
 } // namespace IO

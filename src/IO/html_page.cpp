@@ -5,13 +5,9 @@
 
 #include "html_page.h"
 
-#include "json_text.h"
+#include "html_text.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <ostream>
 
 namespace CGAL {
@@ -251,35 +247,6 @@ std::string base64_of(const Matrix& matrix)
   Eigen::Map<Eigen::Matrix<Number, 3, Eigen::Dynamic>>(reinterpret_cast<Number*>(&bytes[0]), 3, matrix.cols()) =
       matrix.template cast<Number>();
   return base64(bytes);
-}
-
-/// From linear light to what screens are given.
-std::array<double, 3> screen_colour(const Colour& colour)
-{
-  std::array<double, 3> result{};
-  for (int k = 0; k < 3; ++k) {
-    const double c = std::clamp(colour[k], 0., 1.);
-    result[static_cast<std::size_t>(k)] = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
-  }
-  return result;
-}
-
-std::string css_colour(const Colour& colour)
-{
-  const std::array<double, 3> c = screen_colour(colour);
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", int(255 * c[0] + 0.5), int(255 * c[1] + 0.5),
-                int(255 * c[2] + 0.5));
-  return text;
-}
-
-/// Nothing in it ends the element that holds it.
-std::string script_text(const Json& json)
-{
-  std::string result;
-  for (char c : json_line(json))
-    result += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return result;
 }
 
 } // namespace

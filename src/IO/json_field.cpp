@@ -8,6 +8,7 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <cmath>
+#include <fstream>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -75,6 +76,8 @@ bool Json_field::boolean() const
   return value_->get<bool>();
 }
 
+bool Json_field::is_null() const { return value_->is_null(); }
+
 std::string Json_field::text() const
 {
   if (!value_->is_string()) fail("is not a string");
@@ -92,6 +95,17 @@ Point Json_field::unit_vector() const
   const Point result = point();
   if (std::abs(result.norm() - 1) > 1e-6) fail("is not a unit vector");
   return result;
+}
+
+nlohmann::json read_json_file(const std::string& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw Invalid_input(path + ": the file cannot be opened");
+  try {
+    return nlohmann::json::parse(in);
+  } catch (const nlohmann::json::exception& error) {
+    throw Invalid_input(path + ": it is not a JSON document (" + error.what() + ")");
+  }
 }
 
 } // namespace IO

@@ -38,6 +38,7 @@ public:
   double number_at_least_0() const;
   int integer() const;
   bool boolean() const;
+  bool is_null() const;
   std::string text() const;
   Point point() const;
   Point unit_vector() const;
@@ -47,6 +48,9 @@ private:
   std::string file_;
   std::string place_;
 };
+
+/// The JSON document in a file. \throw Invalid_input if it cannot be read or is none
+nlohmann::json read_json_file(const std::string& path);
 
 } // namespace IO
 } // namespace Shape_correspondence

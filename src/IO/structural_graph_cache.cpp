@@ -6,12 +6,10 @@
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 
 #include "atomic_file.h"
+#include "digest.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
-
-#include <boost/uuid/name_generator_sha1.hpp>
-#include <boost/uuid/uuid_io.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -28,16 +26,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// To be raised with every change that makes another graph of the same shape and options.
-constexpr int algorithms_version = 1;
+constexpr int algorithms_version = 2;
 
 constexpr const char* first_words = "shape_correspondence cache entry";
-
-/// A digest of bytes.
-std::string digest(const std::string& bytes)
-{
-  const boost::uuids::name_generator_sha1 generator(boost::uuids::ns::oid());
-  return to_string(generator(bytes.data(), bytes.size()));
-}
 
 /// Values in their bytes, one after the other.
 class Bytes

@@ -131,7 +131,7 @@ void run_blend(const std::vector<std::string>& arguments)
       .add(match_options(match))
       .add(model_options(common))
       .add(common_options(common));
-  const Arguments parsed = parse(arguments, options, 2);
+  const Arguments parsed = parse(arguments, options, 2, 2);
   if (parsed.help) {
     std::cout << help_text << options;
     return;

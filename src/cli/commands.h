@@ -16,6 +16,8 @@ namespace cli {
 /// The commands of the program; they throw `Usage_error` and `Invalid_input`.
 void run_graph(const std::vector<std::string>& arguments);
 void run_match(const std::vector<std::string>& arguments);
+void run_evaluate(const std::vector<std::string>& arguments);
+void run_collection(const std::vector<std::string>& arguments);
 void run_blend(const std::vector<std::string>& arguments);
 
 } // namespace cli

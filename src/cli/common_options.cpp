@@ -108,6 +108,22 @@ po::options_description common_options(Common_options& options)
 {
   po::options_description result("Options of all commands", help_width, description_width);
   auto add = result.add_options();
+  add("threads", po::value(&options.threads)->value_name("N")->notifier([](int n) { check_at_least("threads", n, 1); }),
+      "threads to use; default: all of the machine. The result is the same for any number");
+  add("seed", po::value(&options.seed)->value_name("N"),
+      "seed of random choices: those of the intervals of evaluate. Every result is reproducible");
+  add("quiet", po::bool_switch(&options.quiet), "print nothing but errors");
+  add("progress", po::value(&options.progress)->value_name("WHEN")->default_value(options.progress),
+      "a progress bar on standard error: auto (when it is a terminal), always, never");
+  add("help,h", "this text");
+  return result;
+}
+
+po::options_description model_options(Common_options& options)
+{
+  Abstraction_options& abstraction = options.abstraction;
+  po::options_description result("Options on models", help_width, description_width);
+  auto add = result.add_options();
   add("up", po::value(&options.up)->value_name("AXIS")->default_value(options.up),
       "the upright axis of model files: x, y, z or auto, which takes the one along which the model stands best and says "
       "which. COLLADA files say it themselves and are turned to y up; a graph file says it, too");
@@ -124,22 +140,6 @@ po::options_description common_options(Common_options& options)
           ->value_name("T")
           ->default_value(options.contact_tolerance, short_text(options.contact_tolerance)),
       "the widest gap between parts in contact, over the shape's diagonal");
-  add("threads", po::value(&options.threads)->value_name("N")->notifier([](int n) { check_at_least("threads", n, 1); }),
-      "threads to use; default: all of the machine. The result is the same for any number");
-  add("seed", po::value(&options.seed)->value_name("N"),
-      "seed of random choices; there are none yet, every result is reproducible");
-  add("quiet", po::bool_switch(&options.quiet), "print nothing but errors");
-  add("progress", po::value(&options.progress)->value_name("WHEN")->default_value(options.progress),
-      "a progress bar on standard error: auto (when it is a terminal), always, never");
-  add("help,h", "this text");
-  return result;
-}
-
-po::options_description model_options(Common_options& options)
-{
-  Abstraction_options& abstraction = options.abstraction;
-  po::options_description result("Options on models", help_width, description_width);
-  auto add = result.add_options();
   add("cache", po::value(&options.cache)->value_name("FOLDER"),
       "keep structural graphs in this folder, and take them from there when the model and the options are the same");
   add("segment", po::bool_switch(&options.segment),
@@ -175,7 +175,8 @@ po::options_description model_options(Common_options& options)
   return result;
 }
 
-Arguments parse(const std::vector<std::string>& arguments, const po::options_description& options, std::size_t inputs)
+Arguments parse(const std::vector<std::string>& arguments, const po::options_description& options, std::size_t least,
+                std::size_t most)
 {
   po::options_description all;
   all.add(options).add_options()(inputs_key, po::value<std::vector<std::string>>());
@@ -192,9 +193,9 @@ Arguments parse(const std::vector<std::string>& arguments, const po::options_des
     throw Usage_error(error.what());
   }
   if (result.values.count(inputs_key)) result.inputs = result.values[inputs_key].as<std::vector<std::string>>();
-  if (result.inputs.size() != inputs)
-    throw Usage_error("it takes " + std::to_string(inputs) + (inputs == 1 ? " input" : " inputs") + ", not " +
-                      std::to_string(result.inputs.size()));
+  if (result.inputs.size() < least || result.inputs.size() > most)
+    throw Usage_error("it takes " + std::to_string(least) + (most > least ? " or more" : "") +
+                      (most == 1 ? " input" : " inputs") + ", not " + std::to_string(result.inputs.size()));
   return result;
 }
 

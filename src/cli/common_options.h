@@ -67,10 +67,13 @@ struct Arguments
   bool help = false;
 };
 
+/// The most inputs of a command that takes any number.
+constexpr std::size_t any_number = std::size_t(-1);
+
 /// Parses the arguments of a command and fills the variables that the options are bound to.
-/// \param inputs how many inputs the command takes \throw Usage_error
+/// \param least,most how many inputs the command takes \throw Usage_error
 Arguments parse(const std::vector<std::string>& arguments, const boost::program_options::options_description& options,
-                std::size_t inputs);
+                std::size_t least, std::size_t most);
 
 /// Checks the values of common options. \throw Usage_error, or Invalid_input if an output cannot be written
 void check(const Common_options& options);

@@ -106,7 +106,7 @@ void run_graph(const std::vector<std::string>& arguments)
   Graph_files files;
   po::options_description options;
   options.add(graph_options(common, files)).add(model_options(common)).add(common_options(common));
-  const Arguments parsed = parse(arguments, options, 1);
+  const Arguments parsed = parse(arguments, options, 1, 1);
   if (parsed.help) {
     std::cout << help_text << options;
     return;

@@ -24,9 +24,11 @@ const char* const help_text =
 Finds which parts correspond between segmented shapes of one kind, however different their parts are.
 
 Commands:
-  graph   builds the structural graph of one shape: curves and sheets, symmetry groups, contacts
-  match   finds the part correspondence of two shapes
-  blend   makes the shapes in between two shapes, as files or as an animation
+  graph       builds the structural graph of one shape: curves and sheets, symmetry groups, contacts
+  match       finds the part correspondence of two shapes
+  blend       makes the shapes in between two shapes, as files or as an animation
+  collection  matches all pairs of a set of shapes: energies, the medoid, clusters of parts
+  evaluate    scores correspondences against labelled parts
 
 Example: shape_correspondence match chair.obj swivel_chair.obj --json result.json --glb result.glb
 
@@ -43,6 +45,8 @@ Command command_of(const std::string& name)
   if (name == "graph") return run_graph;
   if (name == "match") return run_match;
   if (name == "blend") return run_blend;
+  if (name == "collection") return run_collection;
+  if (name == "evaluate") return run_evaluate;
   return nullptr;
 }
 

@@ -82,7 +82,7 @@ void run_match(const std::vector<std::string>& arguments)
   Match_options match;
   po::options_description options;
   options.add(output_options(common)).add(match_options(match)).add(model_options(common)).add(common_options(common));
-  const Arguments parsed = parse(arguments, options, 2);
+  const Arguments parsed = parse(arguments, options, 2, 2);
   if (parsed.help) {
     std::cout << help_text << options;
     return;

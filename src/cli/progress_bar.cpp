@@ -5,8 +5,11 @@
 
 #include "progress_bar.h"
 
+#include "load_shape.h"
+
 #include <unistd.h>
 
+#include <cmath>
 #include <iostream>
 
 namespace CGAL {
@@ -16,6 +19,16 @@ namespace {
 
 constexpr std::size_t bar_width = 30;
 constexpr const char* erase_line = "\r\033[K";
+constexpr double interval = 0.1; // seconds
+constexpr double moment = 2;     // seconds for which no time left is told
+
+std::string time_text(double seconds)
+{
+  const long s = std::lround(seconds);
+  if (s < 60) return std::to_string(s) + " s";
+  if (s < 3600) return std::to_string(s / 60) + " min " + std::to_string(s % 60) + " s";
+  return std::to_string(s / 3600) + " h " + std::to_string(s % 3600 / 60) + " min";
+}
 
 bool is_enabled(const Common_options& options)
 {
@@ -25,8 +38,8 @@ bool is_enabled(const Common_options& options)
 
 } // namespace
 
-Progress_bar::Progress_bar(const Common_options& options, std::string label)
-    : enabled_(is_enabled(options)), label_(std::move(label))
+Progress_bar::Progress_bar(const Common_options& options, std::string label, std::string unit)
+    : enabled_(is_enabled(options)), label_(std::move(label)), unit_(std::move(unit)), begin_(now())
 {}
 
 Progress_bar::~Progress_bar()
@@ -36,10 +49,15 @@ Progress_bar::~Progress_bar()
 
 void Progress_bar::show(std::size_t done, std::size_t total)
 {
-  if (!enabled_ || total == 0) return;
+  const double time = now();
+  if (!enabled_ || total == 0 || (shown_ && done < total && time - last_shown_ < interval)) return;
   const std::size_t filled = bar_width * done / total;
   std::cerr << erase_line << '[' << std::string(filled, '#') << std::string(bar_width - filled, '.') << "] " << label_
-            << ": part " << done << " of " << total << std::flush;
+            << ": " << unit_ << ' ' << done << " of " << total;
+  const double left = done > 0 ? (time - begin_) * double(total - done) / double(done) : 0;
+  if (time - begin_ > moment && done < total) std::cerr << ", " << time_text(left) << " left";
+  std::cerr << std::flush;
+  last_shown_ = time;
   shown_ = true;
 }
 

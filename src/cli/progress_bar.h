@@ -15,11 +15,12 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace cli {
 
-/// A progress bar on standard error; it vanishes at the end.
+/// A progress bar on standard error, with the time left where that is more than a moment; it vanishes at the end.
 class Progress_bar
 {
 public:
-  Progress_bar(const Common_options& options, std::string label);
+  /// \param unit what is counted
+  Progress_bar(const Common_options& options, std::string label, std::string unit = "part");
   ~Progress_bar();
   Progress_bar(const Progress_bar&) = delete;
   Progress_bar& operator=(const Progress_bar&) = delete;
@@ -29,7 +30,8 @@ public:
 private:
   bool enabled_;
   bool shown_ = false;
-  std::string label_;
+  std::string label_, unit_;
+  double begin_, last_shown_ = 0; // seconds
 };
 
 } // namespace cli

@@ -3,6 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "generator/benchmark/degrade.h"
+#include "generator/benchmark/shapes.h"
 #include "generator/models.h"
 #include "generator/writer.h"
 
@@ -12,6 +14,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -121,10 +125,13 @@ TEST_CASE("the models in data/ are what the generator makes", "[generate_models]
 
 TEST_CASE("every part is a closed outward mesh without self-intersections", "[generate_models]")
 {
+  std::vector<gen::Assembly> shapes = gen::benchmark_shapes();
   for (const gen::Model& model : gen::models())
-    for (const gen::Part& part : model.make().parts) {
+    shapes.push_back(model.make());
+  for (const gen::Assembly& shape : shapes)
+    for (const gen::Part& part : shape.parts) {
       const Mesh& mesh = part.solid.mesh;
-      INFO(model.name << ": " << part.name);
+      INFO(shape.name << ": " << part.name);
       CHECK(is_closed(mesh));
       CHECK(mesh.faces.size() >= 50);
       CHECK(mesh.faces.size() <= 1500);
@@ -240,4 +247,158 @@ TEST_CASE("distances of surfaces, worked out by hand", "[generate_models]")
   CHECK(distance(triangle({1, -1, -1}, {1, -1, 1}, {1, -3, 0})) == Approx(1));              // two edges
   CHECK(distance(triangle({-1, -1, 0}, {-2, -1, 0}, {-1, -2, 0})) == Approx(std::sqrt(2))); // two corners
   CHECK(gen::surface_distance(flat, triangle({0, 0, 5}, {1, 0, 5}, {0, 1, 5}), 2) == 2);    // beyond the limit
+}
+
+namespace {
+
+/// FNV-1a over the names and contents of files.
+std::uint64_t hash_of(const std::vector<gen::Assembly>& shapes)
+{
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const gen::Assembly& shape : shapes)
+    for (const auto& [path, content] : gen::folder_files(shape))
+      for (unsigned char c : path + content)
+        hash = (hash ^ c) * 0x100000001b3;
+  return hash;
+}
+
+/// How many sets of parts there are that touch each other within, and not each other.
+std::size_t number_of_pieces(const gen::Assembly& shape)
+{
+  std::vector<int> piece(shape.parts.size());
+  std::iota(piece.begin(), piece.end(), 0);
+  for (const auto& near : shape.near_parts(.005)) {
+    const int from = piece[near.parts[1]], to = piece[near.parts[0]];
+    std::replace(piece.begin(), piece.end(), from, to);
+  }
+  return std::set<int>(piece.begin(), piece.end()).size();
+}
+
+gen::Assembly benchmark_shape(const std::string& name)
+{
+  for (const gen::Assembly& shape : gen::benchmark_shapes())
+    if (shape.name == name) return shape;
+  throw std::logic_error(name);
+}
+
+} // namespace
+
+TEST_CASE("the benchmark has fifteen whole shapes of each category, the same bits every time", "[benchmark_shapes]")
+{
+  const std::vector<gen::Assembly> shapes = gen::benchmark_shapes();
+  std::map<std::string, int> counts;
+  std::set<std::string> names;
+  for (const gen::Assembly& shape : shapes) {
+    INFO(shape.name);
+    ++counts[shape.category];
+    CHECK(names.insert(shape.name).second);
+    CHECK(shape.parts.size() >= 4);
+    CHECK(number_of_pieces(shape) == 1);
+    std::set<std::string> coarse, parts;
+    for (const gen::Part& part : shape.parts) {
+      CHECK_FALSE(part.label.coarse.empty());
+      coarse.insert(part.label.coarse);
+      CHECK(parts.insert(part.name).second);
+    }
+    CHECK(coarse.size() >= 2);
+  }
+  CHECK(counts == std::map<std::string, int>{
+                      {"airplane", 15}, {"bed", 15}, {"chair", 15}, {"lamp", 15}, {"table", 15}, {"velocipede", 15}});
+  CHECK(hash_of(shapes) == 0x75a11b8726abe43a);
+}
+
+TEST_CASE("shapes are made worse as asked, and in no other way", "[benchmark_shapes]")
+{
+  const gen::Assembly chair = benchmark_shape("chair_slats");
+  const auto made_worse = [&](bool gen::Degradation::*way, std::uint64_t seed = 7) {
+    gen::Degradation ways;
+    ways.*way = true;
+    return gen::degraded(chair, ways, seed);
+  };
+  const auto total = [](const gen::Assembly& shape, const auto& measure) {
+    double sum = 0;
+    for (const gen::Part& part : shape.parts)
+      sum += measure(part.solid.mesh);
+    return sum;
+  };
+  const auto faces = [](const Mesh& mesh) { return double(mesh.faces.size()); };
+
+  SECTION("in no way")
+  {
+    const gen::Assembly same = gen::degraded(chair, {}, 7);
+    for (std::size_t i = 0; i < chair.parts.size(); ++i)
+      CHECK(same.parts[i].solid.mesh.points == chair.parts[i].solid.mesh.points);
+  }
+  SECTION("segmentation: other parts, the same surface")
+  {
+    const gen::Assembly other = made_worse(&gen::Degradation::segmentation);
+    CHECK(other.parts.size() != chair.parts.size());
+    CHECK(total(other, faces) == total(chair, faces));
+    std::set<std::string> names;
+    for (const gen::Part& part : other.parts) {
+      CHECK(names.insert(part.name).second);
+      CHECK_FALSE(part.label.coarse.empty());
+    }
+  }
+  SECTION("openings: some surfaces are open, none is lost")
+  {
+    const gen::Assembly other = made_worse(&gen::Degradation::openings);
+    int open = 0;
+    for (std::size_t i = 0; i < chair.parts.size(); ++i) {
+      const Mesh& mesh = other.parts[i].solid.mesh;
+      open += !is_closed(mesh);
+      CHECK(2 * mesh.faces.size() > chair.parts[i].solid.mesh.faces.size());
+    }
+    CHECK(open > 3);
+    CHECK(open < int(chair.parts.size()));
+  }
+  SECTION("gaps: parts are smaller and fewer touch")
+  {
+    const gen::Assembly other = made_worse(&gen::Degradation::gaps);
+    CHECK(total(other, gen::volume) < total(chair, gen::volume));
+    CHECK(other.near_parts(1e-4).size() < chair.near_parts(1e-4).size());
+  }
+  SECTION("noise: vertices move a little")
+  {
+    const gen::Assembly other = made_worse(&gen::Degradation::noise);
+    for (std::size_t i = 0; i < chair.parts.size(); ++i) {
+      const Mesh &mesh = other.parts[i].solid.mesh, &before = chair.parts[i].solid.mesh;
+      CHECK(mesh.points != before.points);
+      for (std::size_t k = 0; k < mesh.points.size(); ++k)
+        CHECK((mesh.points[k] - before.points[k]).norm() < .01 * gen::diagonal(before) + gen::grid_step);
+    }
+  }
+  SECTION("scale and rotation: shapes stay upright")
+  {
+    const auto extent = [](const gen::Assembly& shape) {
+      Box box;
+      for (const gen::Part& part : shape.parts)
+        box.extend(box_of(part.solid.mesh.points));
+      return Point(box.diagonal());
+    };
+    const Point before = extent(chair), scaled = extent(made_worse(&gen::Degradation::scale)),
+                turned = extent(made_worse(&gen::Degradation::rotation));
+    for (int k = 0; k < 3; ++k) {
+      CHECK(scaled[k] / before[k] > .74);
+      CHECK(scaled[k] / before[k] < 1.31);
+    }
+    CHECK(scaled[0] / before[0] != Approx(scaled[1] / before[1]));
+    CHECK(turned.y() == Approx(before.y()));
+    CHECK(turned.x() != Approx(before.x()));
+  }
+  SECTION("one way changes nothing about the other, and seeds matter")
+  {
+    gen::Degradation both;
+    both.openings = both.rotation = true;
+    const gen::Assembly one = made_worse(&gen::Degradation::openings), two = gen::degraded(chair, both, 7);
+    for (std::size_t i = 0; i < chair.parts.size(); ++i)
+      CHECK(one.parts[i].solid.mesh.faces == two.parts[i].solid.mesh.faces);
+    CHECK(hash_of({made_worse(&gen::Degradation::noise, 8)}) != hash_of({made_worse(&gen::Degradation::noise)}));
+  }
+  SECTION("the same bits every time")
+  {
+    gen::Degradation all;
+    all.segmentation = all.openings = all.gaps = all.noise = all.scale = all.rotation = true;
+    CHECK(hash_of({gen::degraded(chair, all, 1)}) == 0x78c4b7ceb4a6f774);
+  }
 }

@@ -5,6 +5,7 @@
 
 #include "hand_made_graphs.h"
 #include "model_files.h"
+#include "program.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 
@@ -12,9 +13,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <sys/wait.h>
-
 #include <map>
+#include <set>
 
 // The program from outside: exit status, messages, and what it leaves behind.
 
@@ -24,26 +24,6 @@ using Catch::Matchers::Contains;
 using nlohmann::json;
 
 namespace {
-
-struct Run
-{
-  int status;
-  std::string out;
-  std::string error;
-};
-
-std::string quoted(const std::string& word) { return "'" + word + "'"; }
-
-/// Runs the program. \param arguments as a shell takes them
-Run run(const std::string& arguments)
-{
-  const Temporary_folder folder;
-  const int status = std::system((quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " " + arguments + " >" +
-                                  quoted(folder.path("out")) + " 2>" + quoted(folder.path("error")))
-                                     .c_str());
-  REQUIRE(WIFEXITED(status));
-  return {WEXITSTATUS(status), text_of(folder.path("out")), text_of(folder.path("error"))};
-}
 
 std::string graph_file(const Temporary_folder& folder, const std::string& name, const Structural_graph& graph)
 {
@@ -80,7 +60,7 @@ TEST_CASE("Help at both levels and the version")
   const Run help = run("--help");
   CHECK(help.status == 0);
   CHECK_THAT(help.out, Contains("graph") && Contains("match") && Contains("Example"));
-  for (const char* command : {"graph", "match"}) {
+  for (const char* command : {"graph", "match", "evaluate"}) {
     const Run of_command = run(std::string(command) + " --help");
     CHECK(of_command.status == 0);
     CHECK_THAT(of_command.out, Contains("Usage") && Contains("Example") && Contains("--json") && Contains("--threads"));
@@ -133,6 +113,9 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
                                        "match " + a + " " + a + " --threads 0",
                                        "match " + a + " " + a + " --json - --glb -",
                                        "graph " + a + " --up up",
+                                       "graph " + a + " --symmetries spiral",
+                                       "graph " + a + " --symmetry-tolerance 2",
+                                       "graph " + a + " --contact-tolerance -1",
                                        "graph " + a + " --progress sometimes",
                                        "graph " + a + " --json"}) {
     INFO(arguments);
@@ -254,6 +237,48 @@ TEST_CASE("A cache folder saves the abstraction, and is used only for the same m
   const Run refused = run("graph " + quoted(table) + " --cache " + quoted(table));
   CHECK(refused.status == 1);
   CHECK_THAT(refused.error, Contains("cache"));
+}
+
+TEST_CASE("Symmetries, contacts and the upright axis on demand")
+{
+  const Temporary_folder folder;
+  const std::string model = quoted(folder.write("table.obj", obj_table()));
+  const auto graph_of = [&](const std::string& options) {
+    const Run done = run("graph " + model + " --json - --abstraction boxes" + options);
+    INFO(done.error);
+    REQUIRE(done.status == 0);
+    return json::parse(done.out);
+  };
+  const auto sizes_of_groups = [](const json& graph) {
+    std::multiset<std::size_t> result;
+    for (const json& group : graph["groups"])
+      result.insert(group["parts"].size());
+    return result;
+  };
+  CHECK(sizes_of_groups(graph_of("")) == std::multiset<std::size_t>{1, 4});
+  CHECK(sizes_of_groups(graph_of(" --symmetries reflection")) == std::multiset<std::size_t>{1, 4});
+  CHECK(sizes_of_groups(graph_of(" --symmetries translation")) == std::multiset<std::size_t>{1, 2, 2});
+  CHECK(sizes_of_groups(graph_of(" --no-symmetry")) == std::multiset<std::size_t>{1, 1, 1, 1, 1});
+  CHECK(graph_of("")["contacts"].size() == 4);
+  CHECK(graph_of(" --contact-tolerance 0.5")["contacts"].size() == 8);
+
+  const json up = graph_of(" --up auto");
+  CHECK(up["up"] == graph_of("")["up"]);
+  CHECK_THAT(up["warnings"][0].get<std::string>(), Contains("upright axis was taken to be y"));
+}
+
+TEST_CASE("Files for graph tools")
+{
+  const Temporary_folder folder;
+  const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair()));
+  const std::string graphml = folder.path("g.graphml"), dot = folder.path("g.dot");
+  CHECK(run("graph " + a + " --quiet --graphml " + quoted(graphml) + " --dot " + quoted(dot)).status == 0);
+  CHECK_THAT(text_of(graphml), Contains("<graphml"));
+  CHECK_THAT(text_of(dot), Contains("graph"));
+  CHECK(run("graph " + a + " --graphml " + quoted(folder.path("no/folder.graphml"))).status == 1);
+  const Run xml = run("graph " + quoted(folder.write("g.xml", "<document/>")) + " --up auto");
+  CHECK(xml.status == 1);
+  CHECK_THAT(xml.error, Contains("--up x, y or z"));
 }
 
 TEST_CASE("Kinds and bounding boxes on demand")

@@ -160,14 +160,14 @@ inline std::string structure_text(const Assembly& shape)
          ",\n  \"contacts\": " + json_lines(contacts) + "\n}\n";
 }
 
-/// The folder of a shape: one file a part, its labels and its structure.
+/// The folder of a shape: one file a part, its labels, and its structure where groups are known.
 inline Files folder_files(const Assembly& shape)
 {
   Files files;
   for (const Part& part : shape.parts)
     files[shape.name + "/" + part_file(part)] = obj_text(part);
   files[shape.name + "/labels.json"] = labels_text(shape);
-  files[shape.name + "/structure.json"] = structure_text(shape);
+  if (!shape.groups.empty()) files[shape.name + "/structure.json"] = structure_text(shape);
   return files;
 }
 

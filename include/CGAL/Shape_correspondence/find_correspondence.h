@@ -11,7 +11,10 @@
 #include <CGAL/Shape_correspondence/exact_search.h>
 #include <CGAL/Shape_correspondence/match_parts.h>
 
+#include <array>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 namespace CGAL {
@@ -44,27 +47,55 @@ struct Search_options
   std::function<bool(double)> progress;
 };
 
+/// A shape that is matched many times: it is aligned once for every quarter turn that a match asks for. Threads may
+/// share it.
+class Prepared_shape
+{
+public:
+  /// Keeps the graph by reference.
+  explicit Prepared_shape(const Structural_graph& graph) : graph_(graph) {}
+
+  const Structural_graph& graph() const { return graph_; }
+  std::shared_ptr<const Aligned_shape> aligned(int quarter_turns) const;
+
+private:
+  const Structural_graph& graph_;
+  mutable std::array<std::once_flag, 4> is_aligned_;
+  mutable std::array<std::shared_ptr<const Aligned_shape>, 4> aligned_;
+};
+
 /// Finds the correspondences of one source shape with many targets: what depends on the source alone is computed once.
 class Correspondence_finder
 {
 public:
   /// \pre the graph is valid (`is_valid_structural_graph()`) \throw Invalid_input if an option is out of its range
   explicit Correspondence_finder(const Structural_graph& source, const Search_options& options = {});
+  explicit Correspondence_finder(const Prepared_shape& source, const Search_options& options = {});
 
   /// Like `find_correspondence()`.
   Correspondence operator()(const Structural_graph& target) const;
+  Correspondence operator()(const Prepared_shape& target) const;
   /// Like `find_correspondences()`.
   std::vector<Correspondence> ranked(const Structural_graph& target) const;
+  std::vector<Correspondence> ranked(const Prepared_shape& target) const;
+
+  /// A lower bound of the `distance_energy()` (energy_matrix.h) of what is found, without a search: the least values of
+  /// the terms of one group and of two, added up. Of `Search_method::PARTS`, where every part may stand for every
+  /// other, it takes terms of parts. 0 where none is known.
+  double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
 private:
-  std::vector<Correspondence> least_energy(const Structural_graph& target) const;
-  Correspondence matched_parts(const Structural_graph& target) const;
-  Aligned_shape aligned(const Structural_graph& target, int quarter_turns) const;
+  using Shared_shape = std::shared_ptr<const Aligned_shape>;
+
+  std::vector<Correspondence> least_energy(const Prepared_shape& target) const;
+  Correspondence matched_parts(const Prepared_shape& target) const;
+  Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const;
+  double lower_bound(const Aligned_shape& deformed, const Aligned_shape& other, double unmatched_energy) const;
 
   Search_options options_;
   Shape_frame source_frame_;
   std::size_t number_of_parts_;
-  Aligned_shape source_;
+  Shared_shape source_;
 };
 
 /// Finds the part correspondence of two shapes.

@@ -11,6 +11,8 @@
 
 #include <iosfwd>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -37,6 +39,22 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
                                 const Structural_graph& source, const Structural_graph& target,
                                 const std::string& source_file, const std::string& target_file,
                                 const Match_seconds& seconds);
+
+/// What a result file says of its parts, by their names.
+struct Named_correspondence
+{
+  std::string source, target;                             ///< the inputs as the user named them
+  std::vector<std::pair<std::string, std::string>> pairs; ///< (source part, target part)
+  std::vector<double> confidences;                        ///< by pair; empty where the method has none
+  bool complete = false;
+};
+
+/// Reads a result in the JSON format `shape_correspondence/match`; of ranked solutions, the first.
+/// \throw Invalid_input if the file cannot be read or is no such result; names the file and what is wrong
+Named_correspondence read_correspondence_json(const std::string& file);
+
+/// Whether a JSON file is a result in that format, and not something else. \throw Invalid_input if it is no JSON
+bool is_correspondence_json(const std::string& file);
 
 } // namespace IO
 } // namespace Shape_correspondence

@@ -150,9 +150,9 @@ inline void nearest_distances(const Surface& p, const Surface& q, Eigen::ArrayXd
 {
   p_from_q.resize(p.rows());
   q_from_p.setConstant(q.rows(), std::numeric_limits<double>::infinity());
+  Eigen::ArrayXd squared(q.rows());
   for (Eigen::Index k = 0; k < p.rows(); ++k) {
-    const Eigen::ArrayXd squared =
-        (q.col(0) - p(k, 0)).square() + (q.col(1) - p(k, 1)).square() + (q.col(2) - p(k, 2)).square();
+    squared = (q.col(0) - p(k, 0)).square() + (q.col(1) - p(k, 1)).square() + (q.col(2) - p(k, 2)).square();
     p_from_q[k] = squared.minCoeff();
     q_from_p = q_from_p.min(squared);
   }

@@ -230,6 +230,27 @@ inline std::vector<std::vector<Group_label>> group_labels(const Part_matching& m
   return labels;
 }
 
+// The shape with a group for every part.
+inline Aligned_shape ungrouped(Aligned_shape shape)
+{
+  shape.groups.assign(shape.parts.size(), {});
+  for (std::size_t part = 0; part < shape.parts.size(); ++part)
+    shape.groups[part].parts = {part};
+  number_groups(shape);
+  list_contacts(shape);
+  return shape;
+}
+
+// Pairs of connected parts, and parts that touch nothing.
+inline std::size_t number_of_counted_pairs(const Aligned_shape& shape)
+{
+  std::vector<char> touches(shape.parts.size(), 0);
+  for (const Aligned_shape::Contact& contact : shape.contacts)
+    touches[contact.parts[0]] = touches[contact.parts[1]] = 1;
+  const auto alone = std::size_t(std::count(touches.begin(), touches.end(), 0));
+  return std::max<std::size_t>(1, shape.contacts.size() + alone);
+}
+
 // How well the parts of two shapes go with one another: the mean of the least cost of every part.
 inline long matching_cost(const Part_matching& matching)
 {
@@ -266,34 +287,57 @@ inline void mark_cancelled(std::size_t done, std::size_t runs, Correspondence& c
 }
 
 // The shape as far as it takes part.
-inline Aligned_shape participating(Aligned_shape shape, const std::vector<std::size_t>& chosen, int maximum_parts)
+inline std::shared_ptr<const Aligned_shape> participating(std::shared_ptr<const Aligned_shape> shape,
+                                                          const std::vector<std::size_t>& chosen, int maximum_parts)
 {
   if (!chosen.empty()) {
-    std::vector<char> is_kept(shape.parts.size(), 0);
+    std::vector<char> is_kept(shape->parts.size(), 0);
     for (std::size_t part : chosen) {
-      const auto found = std::find(shape.original.begin(), shape.original.end(), part);
-      if (found == shape.original.end())
+      const auto found = std::find(shape->original.begin(), shape->original.end(), part);
+      if (found == shape->original.end())
         throw Invalid_input("find_correspondence: there is no part number " + std::to_string(part) +
-                            " to choose, the shape has " + std::to_string(shape.parts.size()) + " parts");
-      is_kept[std::size_t(found - shape.original.begin())] = 1;
+                            " to choose, the shape has " + std::to_string(shape->parts.size()) + " parts");
+      is_kept[std::size_t(found - shape->original.begin())] = 1;
     }
-    shape = restricted(shape, is_kept);
+    shape = std::make_shared<Aligned_shape>(restricted(*shape, is_kept));
   }
-  if (maximum_parts > 0) shape = restricted(shape, most_prominent_parts(shape, std::size_t(maximum_parts)));
+  if (maximum_parts > 0)
+    shape =
+        std::make_shared<Aligned_shape>(restricted(*shape, most_prominent_parts(*shape, std::size_t(maximum_parts))));
   return shape;
 }
 
 } // namespace internal
 
+CGAL_SHAPE_CORRESPONDENCE_INLINE std::shared_ptr<const Aligned_shape> Prepared_shape::aligned(int quarter_turns) const
+{
+  const std::size_t turn = std::size_t((quarter_turns % 4 + 4) % 4);
+  std::call_once(is_aligned_[turn],
+                 [&] { aligned_[turn] = std::make_shared<Aligned_shape>(align_shape(graph_, int(turn))); });
+  return aligned_[turn];
+}
+
 CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence_finder::Correspondence_finder(const Structural_graph& source,
                                                                               const Search_options& options)
-    : options_(options), source_frame_(structure(source).frame), number_of_parts_(structure(source).parts.size())
+    : Correspondence_finder(Prepared_shape(source), options)
+{}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence_finder::Correspondence_finder(const Prepared_shape& source,
+                                                                              const Search_options& options)
+    : options_(options),
+      source_frame_(structure(source.graph()).frame),
+      number_of_parts_(structure(source.graph()).parts.size())
 {
   internal::check(options);
-  source_ = internal::participating(align_shape(source), options.source_parts, options.maximum_parts);
+  source_ = internal::participating(source.aligned(0), options.source_parts, options.maximum_parts);
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence Correspondence_finder::operator()(const Structural_graph& target) const
+{
+  return (*this)(Prepared_shape(target));
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence Correspondence_finder::operator()(const Prepared_shape& target) const
 {
   return std::move(ranked(target).front());
 }
@@ -301,59 +345,66 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence Correspondence_finder::operator(
 CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Correspondence>
 Correspondence_finder::ranked(const Structural_graph& target) const
 {
+  return ranked(Prepared_shape(target));
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Correspondence>
+Correspondence_finder::ranked(const Prepared_shape& target) const
+{
   std::vector<Correspondence> result;
   if (options_.method == Search_method::PARTS)
     result.push_back(matched_parts(target));
   else
     result = least_energy(target);
   for (Correspondence& correspondence : result)
-    internal::collect_unmatched(number_of_parts_, structure(target).parts.size(), correspondence);
+    internal::collect_unmatched(number_of_parts_, structure(target.graph()).parts.size(), correspondence);
   return result;
 }
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape Correspondence_finder::aligned(const Structural_graph& target,
-                                                                              int quarter_turns) const
+CGAL_SHAPE_CORRESPONDENCE_INLINE std::shared_ptr<const Aligned_shape>
+Correspondence_finder::aligned(const Prepared_shape& target, int quarter_turns) const
 {
-  return internal::participating(align_shape(target, quarter_turns), options_.target_parts, options_.maximum_parts);
+  return internal::participating(target.aligned(quarter_turns), options_.target_parts, options_.maximum_parts);
 }
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence
-Correspondence_finder::matched_parts(const Structural_graph& target) const
+CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence Correspondence_finder::matched_parts(const Prepared_shape& target) const
 {
-  const std::vector<int> turns = internal::tried_turns(source_frame_, structure(target).frame, options_.alignments);
+  const std::vector<int> turns =
+      internal::tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments);
   Part_matching best;
-  Aligned_shape best_shape;
+  Shared_shape best_shape;
   int best_turn = turns.front();
   long best_cost = std::numeric_limits<long>::max();
   std::size_t done = 0;
   for (int turn : turns) {
     if (options_.progress && !options_.progress(double(done) / double(turns.size()))) break;
-    Aligned_shape shape = aligned(target, turn);
-    Part_matching matching = match_parts(source_, shape, options_.parts);
+    const Shared_shape shape = aligned(target, turn);
+    Part_matching matching = match_parts(*source_, *shape, options_.parts);
     ++done;
     const long cost = internal::matching_cost(matching);
     if (cost >= best_cost) continue;
     best_cost = cost;
     best_turn = turn;
     best = std::move(matching);
-    best_shape = std::move(shape);
+    best_shape = shape;
   }
   if (done == 0) best_shape = aligned(target, best_turn);
   const auto unsure = [&](const Part_match& pair) { return pair.confidence < options_.min_confidence; };
   best.pairs.erase(std::remove_if(best.pairs.begin(), best.pairs.end(), unsure), best.pairs.end());
 
-  const internal::Search_run run(source_, best_shape, best_turn, internal::group_labels(best, source_, best_shape),
+  const internal::Search_run run(*source_, *best_shape, best_turn, internal::group_labels(best, *source_, *best_shape),
                                  options_);
   Correspondence result = internal::correspondence_of(run, run.result.best(), {});
-  result.confidences = internal::ordered_confidences(best, source_, best_shape);
+  result.confidences = internal::ordered_confidences(best, *source_, *best_shape);
   if (done < turns.size()) internal::mark_cancelled(done, turns.size(), result);
   return result;
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Correspondence>
-Correspondence_finder::least_energy(const Structural_graph& target) const
+Correspondence_finder::least_energy(const Prepared_shape& target) const
 {
-  const std::vector<int> turns = internal::tried_turns(source_frame_, structure(target).frame, options_.alignments);
+  const std::vector<int> turns =
+      internal::tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments);
   std::vector<Direction> directions{Direction::SOURCE_TO_TARGET};
   if (options_.both_directions) directions.push_back(Direction::TARGET_TO_SOURCE);
 
@@ -362,11 +413,11 @@ Correspondence_finder::least_energy(const Structural_graph& target) const
   const std::size_t run_count = turns.size() * directions.size();
   bool cancelled = false;
   for (std::size_t t = 0; t < turns.size() && !cancelled; ++t) {
-    const Aligned_shape shape = aligned(target, turns[t]);
+    const Shared_shape shape = aligned(target, turns[t]);
     for (Direction direction : directions) {
       cancelled = cancelled || (options_.progress && !options_.progress(double(done) / double(run_count)));
       if (cancelled) break;
-      auto run = std::make_unique<internal::Search_run>(source_, shape, direction, turns[t], options_);
+      auto run = std::make_unique<internal::Search_run>(*source_, *shape, direction, turns[t], options_);
       ++done;
       states += run->result.summary.states;
       evaluations += run->result.summary.evaluations;
@@ -391,6 +442,35 @@ Correspondence_finder::least_energy(const Structural_graph& target) const
     if (cancelled) internal::mark_cancelled(done, run_count, correspondence);
   }
   return result;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE double Correspondence_finder::lower_bound(const Prepared_shape& target,
+                                                                           double unmatched_energy) const
+{
+  const bool both_directions = options_.both_directions && options_.method != Search_method::PARTS;
+  double bound = std::numeric_limits<double>::infinity();
+  for (int turn : internal::tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments)) {
+    const Shared_shape shape = aligned(target, turn);
+    bound = std::min(bound, lower_bound(*source_, *shape, unmatched_energy));
+    if (both_directions) bound = std::min(bound, lower_bound(*shape, *source_, unmatched_energy));
+  }
+  constexpr double rounding = 1e-9; // sums are added up in another order
+  return std::max(0., bound * (1 - rounding) - rounding);
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE double Correspondence_finder::lower_bound(const Aligned_shape& deformed,
+                                                                           const Aligned_shape& other,
+                                                                           double unmatched_energy) const
+{
+  const double pairs = double(internal::number_of_counted_pairs(deformed));
+  if (options_.method != Search_method::PARTS)
+    return Matching_problem(deformed, other, options_.matching).energy().lower_bound() / pairs;
+  if (options_.matching.norm == Energy_norm::POOLED) return 0;
+  Matching_options matching = options_.matching;
+  matching.cut_curves = false;
+  matching.unmatched_cost = unmatched_energy;
+  const Matching_problem problem(internal::ungrouped(deformed), internal::ungrouped(other), matching);
+  return problem.has_shortlists() ? 0 : problem.energy().lower_bound() / pairs;
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence find_correspondence(const Structural_graph& source,

@@ -102,15 +102,7 @@ public:
   std::vector<char> near_triangles(const Triangle_tree& other, double squared) const
   {
     std::vector<char> result(triangles_.size(), 0);
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      const Box box = box_of(triangles_[t]);
-      result[t] = other.any_triangle(
-          [&](const Box& node) { return node.squaredExteriorDistance(box); },
-          [&](const Triangle& u) {
-            return box.squaredExteriorDistance(box_of(u)) <= squared && are_within(triangles_[t], u, squared);
-          },
-          squared);
-    }
+    mark_near(0, other, squared, result);
     return result;
   }
 
@@ -239,6 +231,25 @@ private:
     for (const auto& [bound, child] : children)
       if (bound <= squared && any_triangle(squared_distance, test, squared, child)) return true;
     return false;
+  }
+
+  void mark_near(std::size_t node, const Triangle_tree& other, double squared, std::vector<char>& result) const
+  {
+    if (nodes_[node].box.squaredExteriorDistance(other.box()) > squared) return;
+    if (!is_leaf(node)) {
+      mark_near(node + 1, other, squared, result);
+      mark_near(nodes_[node].right, other, squared, result);
+      return;
+    }
+    for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t) {
+      const Box box = box_of(triangles_[t]);
+      result[t] = other.any_triangle(
+          [&](const Box& node_box) { return node_box.squaredExteriorDistance(box); },
+          [&](const Triangle& u) {
+            return box.squaredExteriorDistance(box_of(u)) <= squared && are_within(triangles_[t], u, squared);
+          },
+          squared);
+    }
   }
 
   int crossings(std::size_t node, const Point& from, const Point& direction) const

@@ -53,8 +53,10 @@ public:
   {
     const std::size_t n = parts_.size();
     Eigen::AlignedBox3d box;
-    for (const Part_signature& part : parts_)
-      box.extend(box_of(part));
+    for (const Part_signature& part : parts_) {
+      boxes_.push_back(box_of(part));
+      box.extend(boxes_.back());
+    }
     noise_ = NOISE * box.diagonal().norm();
     extent_ = box.sizes();
     for (Basic_map map : {TRANSLATED, MIRRORED_X, MIRRORED_Z}) {
@@ -139,7 +141,7 @@ public:
   /// axle, a hub or a sprocket.
   bool is_wheel(std::size_t i) const
   {
-    const Point size = box_of(parts_[i]).sizes();
+    const Point size = boxes_[i].sizes();
     const int axis = size.x() < size.z() ? 0 : 2;
     if (2 * size[axis] > size.y()) return false;
     const double eighth = std::atan(1.0);
@@ -159,9 +161,9 @@ private:
   /// Whether one part lies above the middles of both.
   bool are_covered(std::size_t i, std::size_t j) const
   {
-    const double top = std::max(box_of(parts_[i]).max().y(), box_of(parts_[j]).max().y());
+    const double top = std::max(boxes_[i].max().y(), boxes_[j].max().y());
     for (std::size_t k = 0; k < size(); ++k) {
-      const Eigen::AlignedBox3d box = box_of(parts_[k]);
+      const Eigen::AlignedBox3d& box = boxes_[k];
       const auto covers = [&](const Point& p) {
         return box.min().x() <= p.x() && p.x() <= box.max().x() && box.min().z() <= p.z() && p.z() <= box.max().z();
       };
@@ -262,6 +264,7 @@ private:
   }
 
   std::vector<Part_signature> parts_;
+  std::vector<Eigen::AlignedBox3d> boxes_; ///< of the parts
   const Shape_frame& frame_;
   double tolerance_;
   double noise_;

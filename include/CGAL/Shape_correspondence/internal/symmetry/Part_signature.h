@@ -159,16 +159,18 @@ inline bool have_same_size(const Part_signature& a, const Part_signature& b, dou
          ratio_within(a.area, b.area, AREA_RATIO) && ratio_within(a.volume, b.volume, VOLUME_RATIO);
 }
 
-/// The largest ratio of two bodies' widths in one direction, of which noise explains a part.
-inline double width_ratio(const Eigen::VectorXd& support_a, const Eigen::VectorXd& support_b, double noise)
+/// The ratios of two bodies' widths by direction, ascending; noise explains a part of them.
+inline std::vector<double> width_ratios(const Eigen::VectorXd& support_a, const Eigen::VectorXd& support_b,
+                                        double noise)
 {
   const Directions& directions = support_directions();
-  double result = 1;
+  std::vector<double> result;
   for (Eigen::Index i = 0; i < directions.size(); ++i) {
-    const double a = support_a[i] + support_a[directions.opposite(i)] + 2 * noise;
-    const double b = support_b[i] + support_b[directions.opposite(i)] + 2 * noise;
-    result = std::max(result, std::max(a, b) / std::min(a, b));
+    const double a = support_a[i] + support_a[directions.opposite(i)] + noise;
+    const double b = support_b[i] + support_b[directions.opposite(i)] + noise;
+    result.push_back(std::max(a, b) / std::min(a, b));
   }
+  std::sort(result.begin(), result.end());
   return result;
 }
 

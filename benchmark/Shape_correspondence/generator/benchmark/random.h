@@ -1,0 +1,40 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_RANDOM_H
+#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_RANDOM_H
+
+#include <cstdint>
+#include <random>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace generator {
+
+/// Numbers that are the same with every standard library.
+class Random
+{
+public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+  double between(double low, double high)
+  {
+    return low + (high - low) * double(engine_() >> 11) * 0x1p-53; // 53 bits are a double's
+  }
+
+  /// The value, changed by at most `fraction` of it.
+  double about(double value, double fraction = 0.12) { return between(value * (1 - fraction), value * (1 + fraction)); }
+
+  std::size_t below(std::size_t n) { return std::size_t(engine_() % n); }
+
+private:
+  std::mt19937_64 engine_;
+};
+
+} // namespace generator
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_RANDOM_H

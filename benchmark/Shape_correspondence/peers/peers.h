@@ -1,0 +1,45 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_PEERS_H
+#define CGAL_SHAPE_CORRESPONDENCE_PEERS_PEERS_H
+
+#include "assignment.h"
+#include "fused_gromov_wasserstein.h"
+#include "kim_2013.h"
+#include "nearest_parts.h"
+#include "tevs_2014.h"
+#include "xu_2012.h"
+#include "zheng_2014.h"
+
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace peers {
+
+struct Named_peer
+{
+  std::string name, simplified; ///< in tables: what it is, and what of it is left out
+  Peer match;
+};
+
+/// Other methods for the same task, written from the descriptions in their papers.
+inline std::vector<Named_peer> all_peers()
+{
+  return {{"nearest parts in unit boxes", "-", pairwise(match_nearest_parts)},
+          {"Xu et al. 2012", "frames align the shapes, not a set-wide optimization", pairwise(match_xu_2012)},
+          {"Zheng et al. 2014", "arrangements of two groups; votes in place of clusters", match_zheng_2014},
+          {"Kim et al. 2013", "one template, labels of whole parts, no manual start", match_kim_2013},
+          {"Tevs et al. 2014", "spectral matching, arrangements by offsets and contacts", pairwise(match_tevs_2014)},
+          {"optimal assignment, chamfer", "-", pairwise(match_by_assignment)},
+          {"fused Gromov-Wasserstein", "-", pairwise(match_by_fused_gromov_wasserstein)}};
+}
+
+} // namespace peers
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_PEERS_PEERS_H

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_COLLECTION_JSON_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_COLLECTION_JSON_H
+
+#include <CGAL/Shape_correspondence/co_analysis.h>
+#include <CGAL/Shape_correspondence/nearest_shapes.h>
+#include <CGAL/Shape_correspondence/transitive_correspondence.h>
+
+#include <Eigen/Core>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// The most shapes whose energies are in the JSON of a collection; those of more belong in a file of a matrix.
+constexpr std::size_t largest_written_matrix = 1000;
+
+/// What is found out about a set of shapes.
+struct Collection
+{
+  struct Shape
+  {
+    std::string name, file;
+    std::vector<std::string> parts;
+  };
+  struct Bridge
+  {
+    std::size_t source, target;
+    Transitive_correspondence correspondence;
+  };
+
+  std::vector<Shape> shapes;
+  Eigen::MatrixXd energies; ///< source × target
+  std::size_t medoid = 0;
+  std::vector<Shape_pair> tree; ///< a minimum spanning tree by `symmetric_distances()`
+  std::vector<Bridge> bridges;  ///< pairs of shapes for which a chain costs less, the largest gain first
+  std::size_t bridge_count = 0; ///< how many such pairs there are in all
+  Co_analysis co_analysis;
+  std::size_t co_analysis_shape_pairs = 0; ///< unordered, whose maps it is made of
+  std::vector<std::string> warnings;
+};
+
+/// Writes what is found out about a set of shapes in the JSON format `shape_correspondence/collection`, version 1.
+/// Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
+void write_collection_json(std::ostream& out, const Collection& collection);
+
+/// The shapes of a collection that are nearest to a query.
+struct Nearest_in_collection
+{
+  Collection::Shape query;
+  std::vector<Collection::Shape> shapes; ///< all of the collection
+  Nearest_shapes nearest;
+  std::vector<std::string> warnings;
+};
+
+/// Writes them in the JSON format `shape_correspondence/nearest`, version 1.
+void write_nearest_json(std::ostream& out, const Nearest_in_collection& found);
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_COLLECTION_JSON_H

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_MATRIX_FILES_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_MATRIX_FILES_H
+
+#include <Eigen/Core>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// Writes a matrix in NumPy's format `.npy`, version 1.0: doubles, row after row; `numpy.load()` reads the same bits.
+void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix);
+
+/// Writes a matrix as CSV (RFC 4180): a first line and a first column of names, numbers in the fewest digits that read
+/// back to the same double. \pre a name a row and a column
+void write_csv(std::ostream& out, const Eigen::MatrixXd& matrix, const std::vector<std::string>& names);
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_MATRIX_FILES_H

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_READ_PART_LABELS_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_READ_PART_LABELS_H
+
+#include <CGAL/Shape_correspondence/evaluate_correspondence.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// A shape whose parts a person has labelled.
+struct Labelled_shape
+{
+  std::string file;               ///< its `labels.json`
+  std::string name;               ///< of its folder
+  std::string category;           ///< as the file says, or else the name of the folder around the shape's
+  std::vector<std::string> parts; ///< names, each once
+  std::vector<Part_label> labels; ///< by part
+
+  /// The index of a part by its name; the number of parts if there is none.
+  std::size_t index(const std::string& part) const;
+};
+
+/// Reads labels: `path` is a `labels.json`, or a folder that holds one, or SHAPE/labels.json, or
+/// CATEGORY/SHAPE/labels.json. A file is an object with `parts`: a list of objects with `name`, `coarse` and, where
+/// there is one, `fine`; and `category`, not required. Shapes come sorted by path. \throw Invalid_input if there are
+/// none, or one cannot be used; names the file and what is wrong
+std::vector<Labelled_shape> read_part_labels(const std::string& path);
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_READ_PART_LABELS_H

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_PART_MAP_H
+#define CGAL_SHAPE_CORRESPONDENCE_PART_MAP_H
+
+#include <CGAL/Shape_correspondence/Correspondence.h>
+#include <CGAL/Shape_correspondence/config.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// Which parts of two shapes correspond and how probable each pair is: what is left of a `Correspondence` where many
+/// are kept.
+struct Part_map
+{
+  std::vector<std::pair<std::size_t, std::size_t>> pairs; ///< (source part, target part), sorted, each once
+  std::vector<double> confidences;                        ///< by pair, between 0 and 1; 1 where the method has none
+
+  friend bool operator==(const Part_map& a, const Part_map& b)
+  {
+    return a.pairs == b.pairs && a.confidences == b.confidences;
+  }
+};
+
+/// The pairs of a correspondence.
+Part_map part_map(const Correspondence& correspondence);
+
+/// Every part with itself, with certainty.
+Part_map identity_part_map(std::size_t parts);
+
+/// The same with source and target swapped.
+Part_map inverse(const Part_map& map);
+
+/// First `first`, then `second`: two parts correspond if both correspond to some part in between, one-to-many matches
+/// included. The confidence is that of the most probable way, the product of its two.
+Part_map composed(const Part_map& first, const Part_map& second);
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/Part_map_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_PART_MAP_H

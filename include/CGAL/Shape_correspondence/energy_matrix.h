@@ -1,0 +1,85 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATRIX_H
+#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATRIX_H
+
+#include <CGAL/Shape_correspondence/Part_map.h>
+#include <CGAL/Shape_correspondence/config.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+
+#include <CGAL/tags.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// Options of `energy_matrix()`.
+struct Energy_matrix_options
+{
+  Search_options search;
+  /// What a pair of connected parts counts of which one has no counterpart: about what a badly deformed pair costs.
+  double unmatched_energy = 0.5;
+  /// Called after pairs of shapes, by one thread at a time, with how many are done; `false` ends the work.
+  std::function<bool(std::size_t done, std::size_t total)> progress;
+};
+
+/// How far one shape is from another, and their parts' correspondence.
+struct Rated_map
+{
+  double energy = std::numeric_limits<double>::quiet_NaN(); ///< `distance_energy()`; not a number: not computed
+  Part_map map;
+};
+
+/// The deformation energy as a distance of shapes: E of Eq. 1 for each pair of connected parts of the shape that was
+/// deformed, so that shapes of few and of many parts compare. A pair of which a part has no counterpart counts
+/// `unmatched_energy`, unless the search charged it; a part that touches nothing counts as a pair. So a match of few
+/// parts is not a near one.
+double distance_energy(const Correspondence& correspondence, double unmatched_energy);
+
+/// Matches ordered pairs of shapes (source, target), in this order. Every shape is aligned once. The same to the bit
+/// sequentially and in parallel (`CGAL::Parallel_tag`, with TBB).
+/// \pre the graphs are valid \throw Invalid_input if an option is out of its range
+template <typename ConcurrencyTag = CGAL::Sequential_tag>
+std::vector<Rated_map> match_pairs(const std::vector<Structural_graph>& shapes,
+                                   const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
+                                   const Energy_matrix_options& options = {});
+
+/// The energies and part maps of all ordered pairs of a set of shapes.
+struct Energy_matrix
+{
+  Eigen::MatrixXd energies;   ///< source × target; 0 on the diagonal
+  std::vector<Part_map> maps; ///< source after source
+  bool complete = true;       ///< `progress` ended nothing
+
+  const Part_map& map(std::size_t source, std::size_t target) const
+  {
+    return maps[source * std::size_t(energies.cols()) + target];
+  }
+};
+
+/// Matches all ordered pairs of shapes: n (n - 1) matches and O(n²) memory.
+/// \pre the graphs are valid \throw Invalid_input if an option is out of its range
+template <typename ConcurrencyTag = CGAL::Sequential_tag>
+Energy_matrix energy_matrix(const std::vector<Structural_graph>& shapes, const Energy_matrix_options& options = {});
+
+/// Distances that are the same both ways: the mean of the energies of either direction.
+Eigen::MatrixXd symmetric_distances(const Eigen::MatrixXd& energies);
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/energy_matrix_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATRIX_H

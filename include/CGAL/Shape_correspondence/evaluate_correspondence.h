@@ -1,0 +1,111 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H
+#define CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H
+
+#include <CGAL/Shape_correspondence/config.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// What a person calls a part: `leg`, and `leg_front_left`.
+struct Part_label
+{
+  std::string coarse;
+  std::string fine; ///< empty: none
+};
+
+/// Pairs of a source part and a target part, by index.
+using Part_pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// Which parts of two labelled shapes correspond.
+struct Ground_truth
+{
+  Part_pairs pairs;        ///< sorted, each once
+  Part_pairs coarse_pairs; ///< the pairs of equal coarse label, sorted, each once; they include `pairs`
+};
+
+/// The pairs of parts that correspond according to their labels, by part. Parts correspond when their coarse labels are
+/// equal and, where every part on both sides with that coarse label has a fine one and the two sets of fine labels
+/// share at least half of the smaller, the fine labels are equal, too. O(n m). \throw Invalid_input if a coarse label
+/// is empty
+Ground_truth ground_truth(const std::vector<Part_label>& source, const std::vector<Part_label>& target);
+
+/// How well a correspondence agrees with the ground truth; all shares are between 0 and 1.
+struct Correspondence_score
+{
+  std::size_t matched = 0;      ///< pairs of the correspondence
+  std::size_t expected = 0;     ///< pairs of the ground truth
+  std::size_t right = 0;        ///< pairs of both
+  std::size_t right_coarse = 0; ///< pairs of the correspondence that have equal coarse labels
+
+  double precision() const;        ///< right / matched; 0 if nothing is matched
+  double recall() const;           ///< right / expected; if nothing is expected, 1 where nothing is matched and else 0
+  double f1() const;               ///< harmonic mean of precision and recall; 0 if both are
+  double coarse_precision() const; ///< right_coarse / matched; 0 if nothing is matched
+};
+
+/// Scores a correspondence; a pair that is listed twice counts once.
+Correspondence_score evaluate_correspondence(Part_pairs pairs, const Ground_truth& truth);
+
+/// The score of a correspondence of two shapes of a category.
+struct Scored_correspondence
+{
+  std::string category;
+  std::string source, target; ///< names of the shapes, within their category
+  Correspondence_score score;
+};
+
+/// A mean and where it would lie for other shapes of the kind.
+struct Estimate
+{
+  double mean = 0, low = 0, high = 0;
+};
+
+/// Means over the correspondences of a category, or over categories.
+struct Mean_score
+{
+  std::size_t correspondences = 0;
+  std::size_t empty = 0; ///< correspondences without a pair
+  Estimate precision, recall, f1, coarse_precision;
+};
+
+struct Evaluation_options
+{
+  int resamples = 1000;     ///< of the bootstrap
+  double confidence = 0.95; ///< of the intervals
+  std::uint64_t seed = 0;
+};
+
+struct Evaluation
+{
+  std::vector<std::pair<std::string, Mean_score>> categories; ///< by name
+  Mean_score mean;                                            ///< every category weighs the same
+};
+
+/// Means of scores by category and over categories. The F1 of a category is the mean of its correspondences' F1.
+///
+/// The intervals are those of a bootstrap over shapes: correspondences that share a shape are not independent, so
+/// shapes are drawn with replacement, and a correspondence counts as often as its two shapes' draws multiply to (A.
+/// Owen, *The pigeonhole bootstrap*, 2007). Of two shapes there is but one mean, and the interval is that point. The
+/// same seed gives the same bits. O(resamples × correspondences). \throw Invalid_input if there are no scores, or
+/// options are out of range
+Evaluation mean_scores(const std::vector<Scored_correspondence>& scores, const Evaluation_options& options = {});
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/evaluate_correspondence_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H

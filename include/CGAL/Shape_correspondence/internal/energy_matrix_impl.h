@@ -1,0 +1,158 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ENERGY_MATRIX_IMPL_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ENERGY_MATRIX_IMPL_H
+
+#include <CGAL/Shape_correspondence/energy_matrix.h>
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <type_traits>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE double distance_energy(const Correspondence& correspondence, double unmatched_energy)
+{
+  const bool forward = correspondence.direction == Direction::SOURCE_TO_TARGET;
+  const std::vector<std::size_t>& unmatched =
+      forward ? correspondence.unmatched_source : correspondence.unmatched_target;
+  const auto is_unmatched = [&](std::size_t part) {
+    return std::binary_search(unmatched.begin(), unmatched.end(), part);
+  };
+  std::set<std::size_t> touching;
+  std::size_t broken = 0, counted = correspondence.contacts.size();
+  for (const Contact_energy& contact : correspondence.contacts) {
+    broken += is_unmatched(contact.parts[0]) || is_unmatched(contact.parts[1]);
+    touching.insert(contact.parts.begin(), contact.parts.end());
+  }
+  for (const Group_match& group : correspondence.groups)
+    for (std::size_t part : forward ? group.source : group.target) {
+      if (touching.count(part)) continue;
+      ++counted;
+      broken += is_unmatched(part);
+    }
+  const double charged = correspondence.terms.unmatched > 0 ? 0 : unmatched_energy * double(broken);
+  return (correspondence.energy + charged) / double(std::max<std::size_t>(1, counted));
+}
+
+namespace internal {
+
+inline void check(const Energy_matrix_options& options)
+{
+  if (!(options.unmatched_energy >= 0) || !std::isfinite(options.unmatched_energy))
+    throw Invalid_input("energy_matrix: the energy of unmatched parts must be finite and not negative");
+}
+
+// Calls `work` with 0 to n - 1, in parallel if asked for.
+template <typename ConcurrencyTag, typename Work>
+void for_each_index(std::size_t n, const Work& work)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value) {
+    tbb::parallel_for(std::size_t(0), n, work);
+    return;
+  }
+#endif
+  for (std::size_t i = 0; i < n; ++i)
+    work(i);
+}
+
+// Tells a callback of finished work, one thread at a time; remembers that it ended the work.
+class Shared_progress
+{
+public:
+  Shared_progress(const std::function<bool(std::size_t, std::size_t)>& callback, std::size_t total)
+      : callback_(callback), total_(total)
+  {}
+
+  bool is_ended() const { return ended_; }
+
+  void add_one()
+  {
+    if (!callback_) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!ended_ && !callback_(++done_, total_)) ended_ = true;
+  }
+
+private:
+  const std::function<bool(std::size_t, std::size_t)>& callback_;
+  std::size_t total_, done_ = 0;
+  std::atomic<bool> ended_{false};
+  std::mutex mutex_;
+};
+
+} // namespace internal
+
+template <typename ConcurrencyTag>
+std::vector<Rated_map> match_pairs(const std::vector<Structural_graph>& shapes,
+                                   const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
+                                   const Energy_matrix_options& options)
+{
+  internal::check(options);
+  std::deque<Prepared_shape> prepared; // their addresses stay
+  for (const Structural_graph& shape : shapes)
+    prepared.emplace_back(shape);
+  std::vector<std::unique_ptr<const Correspondence_finder>> finders(shapes.size());
+  internal::for_each_index<ConcurrencyTag>(shapes.size(), [&](std::size_t i) {
+    finders[i] = std::make_unique<Correspondence_finder>(prepared[i], options.search);
+  });
+
+  std::vector<Rated_map> result(pairs.size());
+  internal::Shared_progress progress(options.progress, pairs.size());
+  internal::for_each_index<ConcurrencyTag>(pairs.size(), [&](std::size_t k) {
+    if (progress.is_ended()) return;
+    const Correspondence correspondence = (*finders[pairs[k].first])(prepared[pairs[k].second]);
+    result[k] = {distance_energy(correspondence, options.unmatched_energy), part_map(correspondence)};
+    progress.add_one();
+  });
+  return result;
+}
+
+template <typename ConcurrencyTag>
+Energy_matrix energy_matrix(const std::vector<Structural_graph>& shapes, const Energy_matrix_options& options)
+{
+  const std::size_t n = shapes.size();
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      if (i != j) pairs.emplace_back(i, j);
+  std::vector<Rated_map> rated = match_pairs<ConcurrencyTag>(shapes, pairs, options);
+
+  Energy_matrix result;
+  result.energies = Eigen::MatrixXd::Zero(Eigen::Index(n), Eigen::Index(n));
+  result.maps.resize(n * n);
+  for (std::size_t i = 0; i < n; ++i)
+    result.maps[i * n + i] = identity_part_map(structure(shapes[i]).parts.size());
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto [i, j] = pairs[k];
+    result.energies(Eigen::Index(i), Eigen::Index(j)) = rated[k].energy;
+    result.complete = result.complete && !std::isnan(rated[k].energy);
+    result.maps[i * n + j] = std::move(rated[k].map);
+  }
+  return result;
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd symmetric_distances(const Eigen::MatrixXd& energies)
+{
+  return (energies + energies.transpose()) / 2;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_MARKOV_CLUSTERING_H
+#define CGAL_SHAPE_CORRESPONDENCE_MARKOV_CLUSTERING_H
+
+#include <CGAL/Shape_correspondence/config.h>
+
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// Options of `markov_clustering()`.
+struct Markov_clustering_options
+{
+  double inflation = 2;            ///< the power that columns are raised to: more of it makes more and smaller clusters
+  double expansion_limit = 1e-4;   ///< entries of columns (which sum up to 1) that are less are dropped
+  std::size_t column_limit = 1000; ///< as are all but so many of the largest
+  double tolerance = 1e-3;         ///< of the largest entry of a column from its sum of squares, at convergence
+  int maximum_iterations = 200;
+};
+
+/// What `markov_clustering()` found.
+struct Markov_clustering
+{
+  std::vector<std::size_t> labels; ///< by node, from 0 on, in the order of the clusters' first nodes
+  std::size_t number_of_clusters = 0;
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Clusters a graph by simulated flow (van Dongen 2000): the column-stochastic matrix of its weights is squared, which
+/// spreads flow, and its entries are raised to a power, which strengthens strong flow, until nothing changes; a node
+/// belongs to the attractors that its flow ends in. A node gets a loop of the weight of its strongest edge, as in van
+/// Dongen's program `mcl`. Deterministic. Time: that of sparse products of columns of at most `column_limit` entries.
+/// \param weights symmetric; the diagonal is ignored
+/// \throw Invalid_input if a weight is negative or not finite, or an option is out of its range
+Markov_clustering markov_clustering(const Eigen::SparseMatrix<double>& weights,
+                                    const Markov_clustering_options& options = {});
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/markov_clustering_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_MARKOV_CLUSTERING_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_NEAREST_SHAPES_H
+#define CGAL_SHAPE_CORRESPONDENCE_NEAREST_SHAPES_H
+
+#include <CGAL/Shape_correspondence/Part_map.h>
+#include <CGAL/Shape_correspondence/config.h>
+#include <CGAL/Shape_correspondence/energy_matrix.h>
+
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// A shape of a set that is near a query.
+struct Near_shape
+{
+  std::size_t shape = 0; ///< its index
+  double distance = 0;   ///< mean of the `distance_energy()` of either direction
+  Part_map map;          ///< query to shape
+};
+
+/// What `nearest_shapes()` found.
+struct Nearest_shapes
+{
+  std::vector<Near_shape> shapes; ///< the nearest first, by index among equals
+  std::size_t evaluations = 0;    ///< shapes that were matched with the query
+};
+
+/// The `k` shapes of a set that are nearest to a query, without matching all of them: their distances are bounded from
+/// below (`Correspondence_finder::lower_bound()`), and evaluated in the order of these bounds until no bound is less
+/// than the k-th distance. So the result is that of matching all. The same to the bit sequentially and in parallel.
+/// \param graph a shape by its index, valid; called for each once, and once more for those that are matched; by several
+/// threads at a time with `CGAL::Parallel_tag`
+/// \throw Invalid_input if an option is out of its range
+template <typename ConcurrencyTag = CGAL::Sequential_tag>
+Nearest_shapes nearest_shapes(const Structural_graph& query, std::size_t number_of_shapes,
+                              const std::function<Structural_graph(std::size_t)>& graph, std::size_t k,
+                              const Energy_matrix_options& options = {});
+
+/// The same for shapes in memory.
+template <typename ConcurrencyTag = CGAL::Sequential_tag>
+Nearest_shapes nearest_shapes(const Structural_graph& query, const std::vector<Structural_graph>& shapes, std::size_t k,
+                              const Energy_matrix_options& options = {})
+{
+  return nearest_shapes<ConcurrencyTag>(
+      query, shapes.size(), [&](std::size_t i) { return shapes[i]; }, k, options);
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/nearest_shapes_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_NEAREST_SHAPES_H

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_TOPOLOGICAL_MEDOID_H
+#define CGAL_SHAPE_CORRESPONDENCE_TOPOLOGICAL_MEDOID_H
+
+#include <CGAL/Shape_correspondence/config.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <functional>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// The shape of a set that has the least sum of distances to the others (paper, section 6.1): its representative.
+/// \param distances symmetric, as `symmetric_distances()` makes them; among equals the first shape wins. O(n²)
+/// \pre there is a shape
+std::size_t topological_medoid(const Eigen::MatrixXd& distances);
+
+/// Options of `sampled_medoid()`.
+struct Sampled_medoid_options
+{
+  /// How probably the result may be another shape than the medoid; 0: it is the medoid.
+  double failure_probability = 0;
+  std::size_t batch = 16; ///< shapes that every candidate is compared with before some are set aside
+  unsigned seed = 0;      ///< of the order in which shapes are drawn
+};
+
+/// What `sampled_medoid()` found.
+struct Sampled_medoid
+{
+  std::size_t shape = 0;
+  double mean_distance = 0;    ///< to the other shapes
+  std::size_t evaluations = 0; ///< of distances, out of n (n - 1) / 2
+};
+
+/// The medoid without all distances: candidates are compared with random shapes, and set aside when by the confidence
+/// interval of the difference their mean distance is not the least (successive elimination as in BanditPAM; Tiwari et
+/// al. 2020). All distances of those that remain are evaluated. With a failure probability of 0, the ones set aside are
+/// then refuted one by one: the sum of some of their distances is more than that of all of the best one's. So the
+/// result is that of `topological_medoid()`. Deterministic; O(n²) memory. \param distance symmetric and not negative;
+/// called once for a pair, the smaller index first \pre n > 0 \throw Invalid_input if a distance is negative or not a
+/// number, or an option is out of its range
+Sampled_medoid sampled_medoid(std::size_t n, const std::function<double(std::size_t, std::size_t)>& distance,
+                              const Sampled_medoid_options& options = {});
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
+#include <CGAL/Shape_correspondence/internal/topological_medoid_impl.h>
+#endif
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_TOPOLOGICAL_MEDOID_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Shape_correspondence/IO/matrix_files.h>
+
+#include <charconv>
+#include <cstdint>
+#include <ostream>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+namespace {
+
+constexpr std::size_t npy_alignment = 64;
+
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "files of doubles are written as they are in memory");
+
+std::string quoted(const std::string& field)
+{
+  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
+  std::string result = "\"";
+  for (char c : field)
+    result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + '"';
+}
+
+std::string shortest(double number)
+{
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
+
+} // namespace
+
+void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix)
+{
+  const std::string magic("\x93NUMPY\x01\x00", 8);
+  std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(matrix.rows()) + ", " +
+                       std::to_string(matrix.cols()) + "), }";
+  const std::size_t size = magic.size() + 2 + header.size() + 1;
+  header.append((npy_alignment - size % npy_alignment) % npy_alignment, ' ');
+  header += '\n';
+  out << magic << char(header.size() & 255) << char(header.size() >> 8) << header;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const Eigen::RowVectorXd row = matrix.row(i);
+    out.write(reinterpret_cast<const char*>(row.data()), std::streamsize(sizeof(double)) * row.size());
+  }
+}
+
+void write_csv(std::ostream& out, const Eigen::MatrixXd& matrix, const std::vector<std::string>& names)
+{
+  for (const std::string& name : names)
+    out << ',' << quoted(name);
+  out << "\r\n";
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    out << quoted(names[std::size_t(i)]);
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+      out << ',' << shortest(matrix(i, j));
+    out << "\r\n";
+  }
+}
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,235 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "collection_shapes.h"
+
+#include "load_shape.h"
+#include "progress_bar.h"
+
+#include "../IO/atomic_file.h"
+#include "../IO/digest.h"
+#include "../IO/json_text.h"
+
+#include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <sstream>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_shape_file(const fs::path& path)
+{
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  for (const char* known : {".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".dae", ".json", ".xml"})
+    if (extension == known) return true;
+  return false;
+}
+
+bool is_hidden(const fs::path& path) { return path.filename().string()[0] == '.'; }
+
+/// A folder of part meshes, itself or in its sub-folder `parts`.
+bool is_shape_folder(const fs::path& folder)
+{
+  if (fs::is_directory(folder / "parts")) return true;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && !is_hidden(entry.path()) && is_shape_file(entry.path())) return true;
+  return false;
+}
+
+/// What became of one input.
+struct Loaded_input
+{
+  Collection_shape shape;
+  std::string failure; ///< empty: none
+  Structural_graph graph;
+};
+
+Loaded_input load_input(const std::string& path, const Common_options& options)
+{
+  Loaded_input result;
+  result.shape.path = path;
+  try {
+    result.graph = load_shape(path, options).graph;
+  } catch (const Invalid_input& error) {
+    result.failure = error.what();
+    return result;
+  }
+  const Shape_structure& structure = Shape_correspondence::structure(result.graph);
+  result.shape.name = structure.name;
+  result.shape.warnings = structure.warnings;
+  result.shape.parts = part_names(result.graph);
+  return result;
+}
+
+std::string text_of(const Structural_graph& graph)
+{
+  std::ostringstream text;
+  IO::write_structural_graph_json(text, graph);
+  return text.str();
+}
+
+/// What processes tell each other of an input.
+IO::Json message(std::size_t index, const Loaded_input& input)
+{
+  return {{"index", index},
+          {"failure", input.failure},
+          {"name", input.shape.name},
+          {"content", input.shape.content},
+          {"parts", input.shape.parts},
+          {"warnings", input.shape.warnings}};
+}
+
+void take(const IO::Json& message, Loaded_input& input)
+{
+  input.failure = message["failure"];
+  input.shape.name = message["name"];
+  input.shape.content = message["content"];
+  input.shape.parts = message["parts"].get<std::vector<std::string>>();
+  input.shape.warnings = message["warnings"].get<std::vector<std::string>>();
+}
+
+/// Shapes of one name are told apart by their paths.
+void make_names_unique(std::vector<Collection_shape>& shapes)
+{
+  std::map<std::string, int> uses;
+  for (const Collection_shape& shape : shapes)
+    ++uses[shape.name];
+  for (Collection_shape& shape : shapes)
+    if (uses[shape.name] > 1 || shape.name.empty()) shape.name = shape.path;
+}
+
+constexpr std::size_t inputs_at_a_time = 8; // that a process of several is handed out
+
+} // namespace
+
+std::vector<std::string> part_names(const Structural_graph& graph)
+{
+  std::vector<std::string> names;
+  for (const Part_abstraction& part : structure(graph).parts)
+    names.push_back(part.name);
+  return names;
+}
+
+std::vector<std::string> collection_paths(const std::vector<std::string>& inputs)
+{
+  std::vector<std::string> result = inputs;
+  if (inputs.size() == 1) {
+    const fs::path folder = inputs[0];
+    if (!fs::exists(folder)) throw Invalid_input(inputs[0] + ": there is no such file or folder");
+    if (!fs::is_directory(folder))
+      throw Invalid_input(inputs[0] + ": it is one file; a collection is a folder of shapes, or several inputs");
+    result.clear();
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+      if (!is_hidden(entry.path()) &&
+          (entry.is_directory() ? is_shape_folder(entry.path()) : is_shape_file(entry.path())))
+        result.push_back(entry.path().string());
+    std::sort(result.begin(), result.end());
+  }
+  if (result.size() < 2)
+    throw Invalid_input(
+        inputs[0] + ": there are " + std::to_string(result.size()) +
+        " shapes in it; a collection has at least two (model files, graphs, or folders of part meshes)");
+  return result;
+}
+
+Collection_shapes::Collection_shapes(const std::vector<std::string>& paths, const std::string& folder, bool skip_bad,
+                                     const Common_options& options, Team& team)
+    : folder_(folder)
+{
+  if (!folder_.empty()) fs::create_directories(folder_);
+  Common_options quiet = options; // one bar for all
+  quiet.quiet = true;
+  Common_options shown = options;
+  shown.quiet = options.quiet || !team.is_first();
+  Progress_bar bar(shown, "graphs", "shape");
+  std::vector<Loaded_input> inputs(paths.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  IO::Json messages = IO::Json::array();
+  const auto load = [&](std::size_t i) {
+    inputs[i] = load_input(paths[i], quiet);
+    Loaded_input& input = inputs[i];
+    if (input.failure.empty()) {
+      const std::string text = text_of(input.graph);
+      input.shape.content = IO::digest(text);
+      if (!folder_.empty()) {
+        input.graph = Structural_graph();
+        if (!fs::exists(file(input.shape.content)))
+          IO::write_atomically(file(input.shape.content), [&](std::ostream& out) { out << text; });
+      }
+    }
+    const std::lock_guard<std::mutex> lock(mutex);
+    messages.push_back(message(i, input));
+    bar.show(++done, paths.size());
+  };
+  const std::size_t chunk = team.size() == 1 ? paths.size() : inputs_at_a_time;
+  team.for_each((paths.size() + chunk - 1) / chunk, [&](std::size_t c) {
+    const std::size_t begin = c * chunk, end = std::min(paths.size(), begin + chunk);
+#ifdef CGAL_LINKED_WITH_TBB
+    tbb::parallel_for(begin, end, load, tbb::simple_partitioner());
+#else
+    for (std::size_t i = begin; i < end; ++i)
+      load(i);
+#endif
+  });
+  if (team.size() > 1)
+    for (const std::string& text : team.gathered(IO::json_line(messages))) {
+      const IO::Json list = IO::Json::parse(text);
+      for (const IO::Json& one : list) {
+        Loaded_input& input = inputs[one["index"].get<std::size_t>()];
+        take(one, input);
+      }
+    }
+
+  std::string failures;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    Loaded_input& input = inputs[i];
+    input.shape.path = paths[i];
+    if (input.failure.empty()) {
+      shapes_.push_back(std::move(input.shape));
+      if (folder_.empty()) graphs_.push_back(std::move(input.graph));
+      continue;
+    }
+    failures += (failures.empty() ? "" : "\n") + input.failure;
+    skipped_.push_back("Left out: " + input.failure);
+  }
+  if (!failures.empty() && !skip_bad)
+    throw Invalid_input(failures + "\nthe collection needs all of its shapes; --skip-bad leaves such out");
+  if (shapes_.size() < 2) throw Invalid_input(failures + "\nless than two shapes are left");
+  make_names_unique(shapes_);
+}
+
+std::string Collection_shapes::file(const std::string& content) const
+{
+  return (fs::path(folder_) / (content + ".json")).string();
+}
+
+Structural_graph Collection_shapes::graph(std::size_t shape) const
+{
+  if (folder_.empty()) return graphs_[shape];
+  const std::string path = file(shapes_[shape].content);
+  std::ifstream in(path, std::ios::binary);
+  return IO::read_structural_graph_json(in, path);
+}
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL

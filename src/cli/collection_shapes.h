@@ -1,0 +1,66 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_SHAPES_H
+#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_SHAPES_H
+
+#include "common_options.h"
+#include "team.h"
+
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+
+/// A shape of a collection; its graph is kept elsewhere.
+struct Collection_shape
+{
+  std::string path, name;
+  std::string content; ///< digest of its graph: what all results depend on
+  std::vector<std::string> parts;
+  std::vector<std::string> warnings;
+};
+
+std::vector<std::string> part_names(const Structural_graph& graph);
+
+/// The shapes that inputs name: each an input, or the entries of a single folder, by name. Of a folder these are model
+/// files, structural graphs, and folders of part meshes. \throw Invalid_input if they are less than two
+std::vector<std::string> collection_paths(const std::vector<std::string>& inputs);
+
+/// The structural graphs of a collection, on demand: in a folder or, without one, in memory.
+class Collection_shapes
+{
+public:
+  /// Builds the graphs that are missing, all processes of the team together.
+  /// \param folder for graphs; empty: in memory \param skip_bad leave out inputs that cannot be used
+  /// \throw Invalid_input if an input cannot be used; names all of these
+  Collection_shapes(const std::vector<std::string>& paths, const std::string& folder, bool skip_bad,
+                    const Common_options& options, Team& team);
+
+  const std::vector<Collection_shape>& shapes() const { return shapes_; }
+  /// What was left out and why.
+  const std::vector<std::string>& skipped() const { return skipped_; }
+  std::size_t size() const { return shapes_.size(); }
+  Structural_graph graph(std::size_t shape) const;
+
+private:
+  std::string file(const std::string& content) const;
+
+  std::string folder_;
+  std::vector<Collection_shape> shapes_;
+  std::vector<std::string> skipped_;
+  std::vector<Structural_graph> graphs_; // in memory
+};
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_SHAPES_H

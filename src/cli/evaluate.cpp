@@ -1,0 +1,325 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+#include "common_options.h"
+#include "text_table.h"
+
+#include "../IO/atomic_file.h"
+#include "../IO/json_text.h"
+
+#include <CGAL/Shape_correspondence/IO/correspondence_json.h>
+#include <CGAL/Shape_correspondence/IO/read_part_labels.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/evaluate_correspondence.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+
+namespace fs = std::filesystem;
+namespace po = boost::program_options;
+
+namespace {
+
+const char* const help_text =
+    R"(Usage: shape_correspondence evaluate RESULT... --ground-truth LABELS [options]
+
+Scores the correspondences that `match --json` wrote against parts that people have labelled: precision, recall, F1,
+and coarse precision, the share of pairs with equal coarse labels. Means by category, and over categories, with
+intervals in which they would lie for other shapes of the kind (a bootstrap over shapes).
+
+RESULT is a result of match, or a folder of them, at any depth. LABELS is a labels.json, or a folder that holds
+SHAPE/labels.json or CATEGORY/SHAPE/labels.json; a result belongs to the shape that its source's path names:
+CATEGORY/SHAPE/parts, or SHAPE.obj, say.
+
+Two parts correspond when their coarse labels are equal and, where every part on both sides with that label has a fine
+label and both sides share at least half of the fine labels, the fine labels are equal, too. An incomplete result
+counts as one without pairs.
+
+Example: shape_correspondence match shapes/chair/a/parts shapes/chair/b/parts --json results/a--b.json
+         shape_correspondence evaluate results --ground-truth shapes --worst 5
+
+)";
+
+struct Evaluate_options
+{
+  std::vector<std::string> labels;
+  std::size_t worst = 0;
+  Evaluation_options evaluation;
+};
+
+/// A result file, and what is known of it.
+struct Judged_result
+{
+  std::string file;
+  const IO::Labelled_shape *source, *target;
+  Part_pairs pairs;
+  Ground_truth truth;
+  Correspondence_score score;
+};
+
+po::options_description evaluate_options(Evaluate_options& evaluate, Common_options& common)
+{
+  po::options_description result("Options of evaluate", 100, 68);
+  auto add = result.add_options();
+  add("ground-truth", po::value(&evaluate.labels)->value_name("LABELS")->required(),
+      "labels of the shapes' parts; may be given many times");
+  add("json", po::value(&common.json)->value_name("FILE"),
+      "write all scores as JSON, with every result's right, wrong and missed pairs; - is standard output");
+  add("worst", po::value(&evaluate.worst)->value_name("N")->default_value(0), "list the N results of least F1, too");
+  add("resamples", po::value(&evaluate.evaluation.resamples)->value_name("N")->default_value(1000),
+      "draws of the bootstrap that the intervals come from");
+  add("confidence", po::value(&evaluate.evaluation.confidence)->value_name("P")->default_value(0.95, "0.95"),
+      "how probable it is that a mean lies in its interval");
+  return result;
+}
+
+void check(const Evaluate_options& options)
+{
+  check_at_least("resamples", options.evaluation.resamples, 1);
+  if (!(options.evaluation.confidence > 0 && options.evaluation.confidence < 1))
+    throw Usage_error("--confidence must be between 0 and 1");
+}
+
+std::vector<IO::Labelled_shape> read_labels(const std::vector<std::string>& paths)
+{
+  std::vector<IO::Labelled_shape> shapes;
+  for (const std::string& path : paths)
+    for (IO::Labelled_shape& shape : IO::read_part_labels(path))
+      shapes.push_back(std::move(shape));
+  return shapes;
+}
+
+/// The files themselves, and the results in folders; other JSON in folders is none of this command's.
+std::vector<std::string> result_files(const std::vector<std::string>& inputs)
+{
+  std::vector<std::string> files;
+  for (const std::string& input : inputs) {
+    if (!fs::is_directory(input)) {
+      files.push_back(input);
+      continue;
+    }
+    const std::size_t before = files.size();
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(input))
+      if (entry.is_regular_file() && entry.path().extension() == ".json" &&
+          IO::is_correspondence_json(entry.path().string()))
+        files.push_back(entry.path().string());
+    if (files.size() == before) throw Invalid_input(input + ": there is no result of `match --json` in this folder");
+    std::sort(files.begin() + std::ptrdiff_t(before), files.end());
+  }
+  return files;
+}
+
+/// The one shape that is named like the component of the path nearest to its end that names any; among shapes of one
+/// name, the one whose folder is in a folder of the same name.
+const IO::Labelled_shape& shape_of(const std::string& path, const std::vector<IO::Labelled_shape>& shapes,
+                                   const std::string& result_file)
+{
+  const auto complaint = [&](const std::string& what) {
+    return Invalid_input(result_file + ": its shape '" + path + "' " + what);
+  };
+  for (fs::path rest = fs::path(path).lexically_normal(); rest.has_relative_path(); rest = rest.parent_path()) {
+    std::vector<const IO::Labelled_shape*> named;
+    for (const IO::Labelled_shape& shape : shapes)
+      if (shape.name == rest.filename() || shape.name == rest.stem()) named.push_back(&shape);
+    if (named.empty()) continue;
+    if (named.size() > 1) {
+      const fs::path around = rest.parent_path().filename();
+      named.erase(std::remove_if(named.begin(), named.end(),
+                                 [&](const IO::Labelled_shape* shape) {
+                                   const fs::path folder = fs::absolute(shape->file).lexically_normal().parent_path();
+                                   return folder.parent_path().filename() != around;
+                                 }),
+                  named.end());
+    }
+    if (named.size() != 1) throw complaint("has the name of several labelled shapes; give the labels of one of them");
+    return *named[0];
+  }
+  throw complaint(
+      "has no labels among those given; a labelled shape is known by the name of the folder of its labels.json");
+}
+
+std::size_t part_index(const std::string& part, const IO::Labelled_shape& shape, const std::string& result_file)
+{
+  const std::size_t index = shape.index(part);
+  if (index == shape.parts.size())
+    throw Invalid_input(result_file + ": its part '" + part + "' is not in " + shape.file +
+                        "; were the labels made for other parts?");
+  return index;
+}
+
+Judged_result judge(const std::string& file, const std::vector<IO::Labelled_shape>& shapes)
+{
+  const IO::Named_correspondence named = IO::read_correspondence_json(file);
+  Judged_result result;
+  result.file = file;
+  result.source = &shape_of(named.source, shapes, file);
+  result.target = &shape_of(named.target, shapes, file);
+  if (result.source->category != result.target->category)
+    throw Invalid_input(file + ": its source is of category '" + result.source->category + "', its target of '" +
+                        result.target->category + "'; labels of different categories cannot be compared");
+  for (const auto& [s, t] : named.pairs)
+    result.pairs.emplace_back(part_index(s, *result.source, file), part_index(t, *result.target, file));
+  if (!named.complete) result.pairs.clear();
+  result.truth = ground_truth(result.source->labels, result.target->labels);
+  result.score = evaluate_correspondence(result.pairs, result.truth);
+  return result;
+}
+
+/// All results; each pair of shapes may have one.
+std::vector<Judged_result> judge(const std::vector<std::string>& files, const std::vector<IO::Labelled_shape>& shapes)
+{
+  std::vector<Judged_result> results;
+  std::map<std::pair<const IO::Labelled_shape*, const IO::Labelled_shape*>, std::string> first;
+  for (const std::string& file : files) {
+    results.push_back(judge(file, shapes));
+    const auto [entry, is_new] = first.emplace(std::pair(results.back().source, results.back().target), file);
+    if (!is_new)
+      throw Invalid_input(file + ": it is of the same two shapes as " + entry->second +
+                          "; evaluate the results of one method at a time");
+  }
+  return results;
+}
+
+Evaluation mean_scores(const std::vector<Judged_result>& results, const Evaluation_options& options)
+{
+  std::vector<Scored_correspondence> scores;
+  for (const Judged_result& r : results)
+    scores.push_back({r.source->category, r.source->file, r.target->file, r.score});
+  return Shape_correspondence::mean_scores(scores, options);
+}
+
+std::string fixed(double number)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", number);
+  return text;
+}
+
+std::string text_of(const Estimate& e) { return fixed(e.mean) + " [" + fixed(e.low) + ", " + fixed(e.high) + "]"; }
+
+std::vector<std::string> row(const std::string& name, const Mean_score& score)
+{
+  return {name,
+          std::to_string(score.correspondences),
+          text_of(score.precision),
+          text_of(score.recall),
+          text_of(score.f1),
+          text_of(score.coarse_precision),
+          std::to_string(score.empty)};
+}
+
+void print(const Evaluation& evaluation, std::vector<Judged_result> results, std::size_t worst)
+{
+  std::vector<std::vector<std::string>> rows{
+      {"category", "results", "precision", "recall", "F1", "coarse precision", "empty"}};
+  for (const auto& [category, score] : evaluation.categories)
+    rows.push_back(row(category, score));
+  rows.push_back(row("mean", evaluation.mean));
+  write_table(std::cout, rows);
+  worst = std::min(worst, results.size());
+  if (worst == 0) return;
+  std::stable_sort(results.begin(), results.end(),
+                   [](const Judged_result& a, const Judged_result& b) { return a.score.f1() < b.score.f1(); });
+  std::cout << '\n';
+  rows = {{"worst", "source", "target", "precision", "recall", "F1"}};
+  for (std::size_t i = 0; i < worst; ++i) {
+    const Judged_result& r = results[i];
+    rows.push_back({r.source->category, r.source->name, r.target->name, fixed(r.score.precision()),
+                    fixed(r.score.recall()), fixed(r.score.f1())});
+  }
+  write_table(std::cout, rows);
+}
+
+IO::Json json_of(const Estimate& e) { return {{"mean", e.mean}, {"low", e.low}, {"high", e.high}}; }
+
+IO::Json json_of(const std::string& category, const Mean_score& score)
+{
+  IO::Json result;
+  if (!category.empty()) result["category"] = category;
+  result["results"] = score.correspondences;
+  result["empty"] = score.empty;
+  result["precision"] = json_of(score.precision);
+  result["recall"] = json_of(score.recall);
+  result["f1"] = json_of(score.f1);
+  result["coarse_precision"] = json_of(score.coarse_precision);
+  return result;
+}
+
+IO::Json json_of(const Judged_result& r)
+{
+  IO::Json result;
+  result["file"] = r.file;
+  result["category"] = r.source->category;
+  result["source"] = r.source->name;
+  result["target"] = r.target->name;
+  result["precision"] = r.score.precision();
+  result["recall"] = r.score.recall();
+  result["f1"] = r.score.f1();
+  result["coarse_precision"] = r.score.coarse_precision();
+  const auto contains = [](const Part_pairs& pairs, const auto& pair) {
+    return std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
+  };
+  const auto names = [&](const auto& pair) {
+    return IO::Json{r.source->parts[pair.first], r.target->parts[pair.second]};
+  };
+  for (const char* key : {"right", "wrong", "missed"})
+    result[key] = IO::Json::array();
+  for (const auto& pair : r.pairs)
+    result[contains(r.truth.pairs, pair) ? "right" : "wrong"].push_back(names(pair));
+  for (const auto& pair : r.truth.pairs)
+    if (!contains(r.pairs, pair)) result["missed"].push_back(names(pair));
+  return result;
+}
+
+void write_evaluation_json(std::ostream& out, const Evaluation& evaluation, const std::vector<Judged_result>& results)
+{
+  IO::Json document;
+  document["format"] = "shape_correspondence/evaluation";
+  document["version"] = 1;
+  document["categories"] = IO::Json::array();
+  for (const auto& [category, score] : evaluation.categories)
+    document["categories"].push_back(json_of(category, score));
+  document["mean"] = json_of("", evaluation.mean);
+  document["results"] = IO::Json::array();
+  for (const Judged_result& result : results)
+    document["results"].push_back(json_of(result));
+  IO::write_json(out, document);
+}
+
+} // namespace
+
+void run_evaluate(const std::vector<std::string>& arguments)
+{
+  Common_options common;
+  Evaluate_options evaluate;
+  po::options_description options;
+  options.add(evaluate_options(evaluate, common)).add(common_options(common));
+  const Arguments parsed = parse(arguments, options, 1, any_number);
+  if (parsed.help) {
+    std::cout << help_text << options;
+    return;
+  }
+  check(common);
+  check(evaluate);
+  evaluate.evaluation.seed = std::uint64_t(common.seed);
+  const std::vector<IO::Labelled_shape> shapes = read_labels(evaluate.labels);
+  const std::vector<Judged_result> results = judge(result_files(parsed.inputs), shapes);
+  const Evaluation evaluation = mean_scores(results, evaluate.evaluation);
+  if (!common.json.empty())
+    IO::write_atomically(common.json, [&](std::ostream& out) { write_evaluation_json(out, evaluation, results); });
+  if (common.prints_table()) print(evaluation, results, evaluate.worst);
+}
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TEAM_H
+#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TEAM_H
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+
+/// The processes that work on one collection: this one, or those that `mpirun` started, where the program was built
+/// with MPI. All processes of a team make the same calls in the same order.
+class Team
+{
+public:
+  Team();
+  ~Team();
+
+  std::size_t size() const;
+  bool is_first() const;
+  /// Processes on this machine, this one included.
+  std::size_t size_here() const;
+
+  /// Hands out the numbers from 0 to n - 1 to the processes, each once and in their order, as they get free; returns
+  /// when all are done. \throw Invalid_input at all processes if `work` throws at one of them
+  void for_each(std::size_t n, const std::function<void(std::size_t)>& work);
+
+  /// The texts of all processes.
+  std::vector<std::string> gathered(const std::string& text);
+  /// What the first process has.
+  std::vector<std::size_t> from_first(std::vector<std::size_t> numbers);
+
+private:
+  struct Impl;
+
+  std::unique_ptr<Impl> impl_; // null: this process alone
+};
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TEAM_H

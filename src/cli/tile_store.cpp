@@ -1,0 +1,177 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tile_store.h"
+
+#include "../IO/atomic_file.h"
+#include "../IO/digest.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <sstream>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* extension = ".tile";
+constexpr const char* first_words = "shape_correspondence tile";
+constexpr std::chrono::hours age_of_leftovers{1};
+
+using Small = std::uint16_t; // numbers of parts, and confidences
+constexpr double largest = 65535;
+
+template <typename Number>
+void append(const Number& number, std::string& bytes)
+{
+  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+/// Numbers out of bytes; says at the end whether they were as many as were there.
+class Byte_reader
+{
+public:
+  explicit Byte_reader(const std::string& bytes) : bytes_(bytes) {}
+
+  template <typename Number>
+  Number next()
+  {
+    Number number{};
+    if (bytes_.size() - at_ < sizeof number) {
+      failed_ = true;
+      return number;
+    }
+    std::memcpy(&number, bytes_.data() + at_, sizeof number);
+    at_ += sizeof number;
+    return number;
+  }
+
+  bool is_at_end() const { return failed_ || at_ == bytes_.size(); }
+  bool is_good() const { return !failed_; }
+
+private:
+  const std::string& bytes_;
+  std::size_t at_ = 0;
+  bool failed_ = false;
+};
+
+Small small(std::size_t number)
+{
+  if (number > std::size_t(largest)) throw Invalid_input("a shape of more than 65536 parts fits no collection");
+  return Small(number);
+}
+
+std::string encoded(const std::vector<Rated_map>& pairs)
+{
+  std::string bytes;
+  for (const Rated_map& pair : pairs) {
+    append(pair.energy, bytes);
+    append(std::uint32_t(pair.map.pairs.size()), bytes);
+    for (std::size_t k = 0; k < pair.map.pairs.size(); ++k) {
+      append(small(pair.map.pairs[k].first), bytes);
+      append(small(pair.map.pairs[k].second), bytes);
+      append(Small(std::lround(pair.map.confidences[k] * largest)), bytes);
+    }
+  }
+  return bytes;
+}
+
+std::optional<std::vector<Rated_map>> decoded(const std::string& bytes)
+{
+  Byte_reader in(bytes);
+  std::vector<Rated_map> pairs;
+  while (!in.is_at_end()) {
+    Rated_map pair;
+    pair.energy = in.next<double>();
+    const auto size = in.next<std::uint32_t>();
+    for (std::uint32_t k = 0; k < size && in.is_good(); ++k) {
+      const Small source = in.next<Small>(), target = in.next<Small>();
+      pair.map.pairs.emplace_back(source, target);
+      pair.map.confidences.push_back(in.next<Small>() / largest);
+    }
+    pairs.push_back(std::move(pair));
+  }
+  if (!in.is_good()) return std::nullopt;
+  return pairs;
+}
+
+std::string heading(const std::string& name, const std::string& bytes)
+{
+  return std::string(first_words) + ' ' + name + ' ' + IO::digest(bytes) + '\n';
+}
+
+/// Files that killed processes did not finish.
+void remove_leftovers(const std::string& folder)
+{
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().filename().string().find(std::string(extension) + ".tmp") == std::string::npos) continue;
+    const auto age = fs::file_time_type::clock::now() - entry.last_write_time(error);
+    if (!error && age > age_of_leftovers) fs::remove(entry.path(), error);
+  }
+}
+
+} // namespace
+
+Tile_store::Tile_store(std::string folder) : folder_(std::move(folder))
+{
+  if (folder_.empty()) return;
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (!fs::is_directory(folder_))
+    throw Invalid_input(folder_ + ": it cannot be used as a store (" + (error ? error.message() : "it is a file") +
+                        "); choose another folder");
+  remove_leftovers(folder_);
+}
+
+std::string Tile_store::path(const std::string& name) const
+{
+  return (fs::path(folder_) / (name + extension)).string();
+}
+
+bool Tile_store::has(const std::string& name) const
+{
+  return folder_.empty() ? in_memory_.count(name) > 0 : fs::exists(path(name));
+}
+
+std::optional<std::vector<Rated_map>> Tile_store::find(const std::string& name) const
+{
+  if (folder_.empty()) {
+    const auto found = in_memory_.find(name);
+    return found == in_memory_.end() ? std::nullopt : decoded(found->second);
+  }
+  std::ifstream in(path(name), std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  const std::string tile = text.str();
+  const std::size_t line = tile.find('\n');
+  if (line == std::string::npos) return std::nullopt;
+  const std::string bytes = tile.substr(line + 1);
+  if (tile.compare(0, line + 1, heading(name, bytes)) != 0) return std::nullopt;
+  return decoded(bytes);
+}
+
+void Tile_store::insert(const std::string& name, const std::vector<Rated_map>& pairs)
+{
+  std::string bytes = encoded(pairs);
+  if (folder_.empty())
+    in_memory_[name] = std::move(bytes);
+  else
+    IO::write_atomically(path(name), [&](std::ostream& out) { out << heading(name, bytes) << bytes; });
+}
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL

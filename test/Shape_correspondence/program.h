@@ -1,0 +1,38 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SHAPE_CORRESPONDENCE_TEST_PROGRAM_H
+#define SHAPE_CORRESPONDENCE_TEST_PROGRAM_H
+
+#include "model_files.h"
+
+#include <catch2/catch.hpp>
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <string>
+
+struct Run
+{
+  int status;
+  std::string out;
+  std::string error;
+};
+
+inline std::string quoted(const std::string& word) { return "'" + word + "'"; }
+
+/// Runs the program. \param arguments as a shell takes them
+inline Run run(const std::string& arguments)
+{
+  const model_files::Temporary_folder folder;
+  const int status = std::system((quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " " + arguments + " >" +
+                                  quoted(folder.path("out")) + " 2>" + quoted(folder.path("error")))
+                                     .c_str());
+  REQUIRE(WIFEXITED(status));
+  return {WEXITSTATUS(status), model_files::text_of(folder.path("out")), model_files::text_of(folder.path("error"))};
+}
+
+#endif // SHAPE_CORRESPONDENCE_TEST_PROGRAM_H

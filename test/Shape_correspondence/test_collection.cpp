@@ -1,0 +1,250 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hand_made_graphs.h"
+#include "model_files.h"
+
+#include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+#include <CGAL/Shape_correspondence/energy_matrix.h>
+
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <map>
+
+// The command `collection` from outside.
+
+using namespace CGAL::Shape_correspondence;
+using namespace model_files;
+using Catch::Matchers::Contains;
+using nlohmann::json;
+
+namespace {
+
+struct Run
+{
+  int status;
+  std::string out;
+  std::string error;
+};
+
+std::string quoted(const std::string& word) { return "'" + word + "'"; }
+
+/// Runs the command. \param before words before the program
+Run run(const std::string& arguments)
+{
+  const Temporary_folder folder;
+  const int status = std::system((quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " collection " + arguments + " >" +
+                                  quoted(folder.path("out")) + " 2>" + quoted(folder.path("error")))
+                                     .c_str());
+  REQUIRE(WIFEXITED(status));
+  return {WEXITSTATUS(status), text_of(folder.path("out")), text_of(folder.path("error"))};
+}
+
+Structural_graph named(Structural_graph graph, const std::string& name)
+{
+  structure(graph).name = name;
+  return graph;
+}
+
+/// Chairs and tables, some turned and scaled.
+std::vector<Structural_graph> shapes()
+{
+  std::vector<Structural_graph> result{hand_made::chair(),      hand_made::slatted_chair(),
+                                       hand_made::table(),      hand_made::pedestal_table(),
+                                       hand_made::chair(false), hand_made::table(false)};
+  for (std::size_t i = 0; i < result.size(); ++i)
+    structure(result[i]).name = "shape " + std::to_string(i);
+  return result;
+}
+
+/// A folder of graph files.
+std::string shape_folder(const Temporary_folder& folder)
+{
+  std::size_t i = 0;
+  for (const Structural_graph& graph : shapes()) {
+    std::ostringstream text;
+    IO::write_structural_graph_json(text, graph);
+    folder.write("shapes/" + std::to_string(i++) + ".json", text.str());
+  }
+  folder.write("shapes/notes.txt", "no shape");
+  return folder.path("shapes");
+}
+
+std::size_t number_of_tiles(const Temporary_folder& folder)
+{
+  std::size_t n = 0;
+  for (const auto& entry : fs::directory_iterator(folder.path("store/tiles")))
+    n += entry.path().extension() == ".tile";
+  return n;
+}
+
+} // namespace
+
+TEST_CASE("A folder of shapes: energies, medoid, tree, clusters, files")
+{
+  const Temporary_folder folder;
+  const std::string in = shape_folder(folder);
+  const Run done =
+      run(quoted(in) + " --json " + quoted(folder.path("c.json")) + " --npy " + quoted(folder.path("c.npy")) +
+          " --csv " + quoted(folder.path("c.csv")) + " --html " + quoted(folder.path("c.html")));
+  INFO(done.error);
+  REQUIRE(done.status == 0);
+  CHECK_THAT(done.out, Contains("medoid") && Contains("shape 3"));
+  const json result = json::parse(text_of(folder.path("c.json")));
+  const Energy_matrix expected = energy_matrix(shapes());
+  REQUIRE(result["energies"].size() == 6);
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      CHECK(result["energies"][std::size_t(i)][std::size_t(j)] == expected.energies(i, j));
+  CHECK(result["spanning_tree"].size() == 5);
+  CHECK(result["shapes"][0]["file"] == in + "/0.json");
+  CHECK(text_of(folder.path("c.npy")).size() == 128 + 36 * 8);
+  CHECK_THAT(text_of(folder.path("c.csv")), Contains("shape 0,shape 1"));
+  CHECK(text_of(folder.path("c.html")).find("<!DOCTYPE html>") == 0);
+  std::map<std::string, std::size_t> seats; // those of the chairs are in one cluster
+  for (const json& cluster : result["clusters"])
+    for (const json& part : cluster["parts"])
+      if (part[1] == "seat") seats[part[0]] = cluster["label"];
+  CHECK(seats.size() == 3);
+  CHECK(seats["shape 0"] == seats["shape 1"]);
+  CHECK(seats["shape 0"] == seats["shape 4"]);
+}
+
+TEST_CASE("The same bytes with any number of threads, tiles, shares and restarts")
+{
+  const Temporary_folder folder;
+  const std::string in = quoted(shape_folder(folder)), store = " --store " + quoted(folder.path("store"));
+  const std::string expected = run(in + " --json -").out;
+  CHECK(!expected.empty());
+  CHECK(run(in + " --threads 1 --json -").out == expected);
+  CHECK(run(in + " --tile-size 1 --json -").out == expected);
+
+  const std::string tiles = " --tile-size 2"; // 6 of them
+  const Run early = run(in + store + tiles + " --merge --json -");
+  CHECK(early.status == 1);
+  CHECK_THAT(early.error, Contains("30 pairs") && Contains("--tile"));
+  CHECK(run(in + store + tiles + " --tile 2/2").status == 0);
+  CHECK(number_of_tiles(folder) == 3);
+  CHECK(run(in + store + tiles + " --tile 1/2").status == 0);
+  CHECK(number_of_tiles(folder) == 6);
+  CHECK(run(in + store + tiles + " --merge --json -").out == expected);
+
+  SECTION("A damaged tile is done again")
+  {
+    const std::string tile = fs::directory_iterator(folder.path("store/tiles"))->path().string();
+    const std::string whole = text_of(tile);
+    folder.write("store/tiles/" + fs::path(tile).filename().string(), whole.substr(0, whole.size() - 3));
+    CHECK(run(in + store + tiles + " --json -").out == expected);
+    CHECK(text_of(tile) == whole);
+  }
+  SECTION("A changed shape changes the tiles that it is in, and no others")
+  {
+    std::ostringstream text;
+    IO::write_structural_graph_json(text, named(hand_made::moved(hand_made::table(), 0, 3, {1, 0, 0}), "shape 2"));
+    folder.write("shapes/2.json", text.str());
+    CHECK(run(in + store + tiles + " --merge --json -").status == 1);
+    CHECK(run(in + store + tiles + " --json -").out == run(in + " --json -").out);
+    CHECK(number_of_tiles(folder) == 6 + 3);
+  }
+  SECTION("Changed options need other tiles")
+  {
+    const std::string changed = " --min-confidence 0.5";
+    CHECK(run(in + store + tiles + changed + " --json -").out == run(in + changed + " --json -").out);
+    CHECK(number_of_tiles(folder) == 12);
+  }
+}
+
+TEST_CASE("Killed at any moment, a run goes on where it was")
+{
+  const Temporary_folder folder;
+  const std::string in = shape_folder(folder), store = folder.path("store");
+  const std::string options = quoted(in) + " --search exact --tile-size 1 --threads 1 --quiet --json ";
+  const std::string expected = run(options + "-").out;
+  const std::string output = folder.path("c.json");
+  std::size_t last = 0;
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    const pid_t child = fork();
+    if (child == 0) {
+      execl(SHAPE_CORRESPONDENCE_PROGRAM, "shape_correspondence", "collection", in.c_str(), "--search", "exact",
+            "--tile-size", "1", "--threads", "1", "--quiet", "--json", output.c_str(), "--store", store.c_str(),
+            static_cast<char*>(nullptr));
+      _exit(127);
+    }
+    usleep(useconds_t(8000 + 7000 * attempt));
+    kill(child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    const std::size_t tiles = fs::is_directory(folder.path("store/tiles")) ? number_of_tiles(folder) : 0;
+    CHECK(tiles >= last); // nothing that was done is lost
+    last = tiles;
+    CHECK((!fs::exists(output) || text_of(output) == expected));
+  }
+  CHECK(run(options + "- --store " + quoted(store)).out == expected);
+}
+
+TEST_CASE("Shapes that cannot be used: all are named, the work is kept, --skip-bad leaves them out")
+{
+  const Temporary_folder folder;
+  const std::string in = shape_folder(folder), store = " --store " + quoted(folder.path("store"));
+  const std::string expected = run(quoted(in) + store + " --json -").out;
+  folder.write("shapes/bad.json", "{\"format\": 1}");
+  folder.write("shapes/empty.obj", "");
+  const Run refused = run(quoted(in) + store + " --json -");
+  CHECK(refused.status == 1);
+  CHECK(refused.out.empty());
+  CHECK_THAT(refused.error, Contains("bad.json") && Contains("empty.obj") && Contains("--skip-bad"));
+  const Run skipped = run(quoted(in) + store + " --merge --skip-bad --json -");
+  REQUIRE(skipped.status == 0);
+  json result = json::parse(skipped.out);
+  CHECK(result["warnings"].size() == 2);
+  CHECK_THAT(result["warnings"][0].get<std::string>(), Contains("bad.json"));
+  result["warnings"] = json::array();
+  CHECK(result == json::parse(expected));
+}
+
+TEST_CASE("The nearest shapes of a query")
+{
+  const Temporary_folder folder;
+  const std::string in = shape_folder(folder), query = in + "/2.json";
+  const Run done = run(quoted(in) + " --nearest " + quoted(query) + " -k 2 --json -");
+  INFO(done.error);
+  REQUIRE(done.status == 0);
+  const json result = json::parse(done.out);
+  REQUIRE(result["nearest"].size() == 2);
+  CHECK(result["nearest"][0]["name"] == "shape 2");
+  CHECK(result["nearest"][0]["distance"].get<double>() == Approx(0).margin(1e-9));
+  CHECK(result["nearest"][1]["name"] == "shape 5"); // the same table without symmetry
+  CHECK_THAT(run(quoted(in) + " --nearest " + quoted(query)).out, Contains("of 6 shapes"));
+}
+
+TEST_CASE("Usage and inputs that make no sense")
+{
+  const Temporary_folder folder;
+  const std::string in = quoted(shape_folder(folder)), store = " --store " + quoted(folder.path("store"));
+  for (const std::string& arguments :
+       {std::string(), in + " --tile 1/2", in + " --merge", in + store + " --tile 0/2", in + store + " --tile 3/2",
+        in + store + " --tile 1", in + store + " --tile 1/2 --merge", in + store + " --tile 1/2 --json -",
+        in + " --tile-size 0", in + " --inflation 1", in + " --cycle-support 2", in + " --unmatched-energy -1",
+        in + " --neighbours 0", in + " --search exact --solutions 2", in + " --npy x --csv x", in + " --nearest x -k 0",
+        in + " --nearest x --npy y"}) {
+    INFO(arguments);
+    const Run result = run(arguments);
+    CHECK(result.status == 2);
+    CHECK_THAT(result.error, Contains("--help"));
+  }
+  fs::create_directories(folder.path("none"));
+  for (const std::string& arguments :
+       {quoted(folder.path("missing")), quoted(folder.path("none")), quoted(folder.path("shapes/0.json")),
+        in + " --npy /nowhere/x", in + " --nearest " + quoted(folder.path("missing")),
+        in + " --store " + quoted(folder.path("shapes/0.json"))}) {
+    INFO(arguments);
+    CHECK(run(arguments).status == 1);
+  }
+}

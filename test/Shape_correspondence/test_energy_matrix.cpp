@@ -1,0 +1,137 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hand_made_graphs.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/energy_matrix.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace CGAL::Shape_correspondence;
+
+namespace {
+
+const std::vector<Structural_graph>& shapes()
+{
+  static const std::vector<Structural_graph> all{hand_made::chair(), hand_made::slatted_chair(), hand_made::table(),
+                                                 hand_made::pedestal_table()};
+  return all;
+}
+
+Group_match group(std::vector<std::size_t> source)
+{
+  Group_match result;
+  result.source = std::move(source);
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("The distance is the energy of a pair of connected parts; pairs of unmatched parts are charged")
+{
+  Correspondence c;
+  c.energy = .6;
+  c.contacts = {{{0, 1}, .2, 0}, {{1, 2}, .4, 0}, {{1, 3}, 0, 0}};
+  c.groups = {group({0}), group({1}), group({2, 3})};
+  CHECK(distance_energy(c, .5) == Approx(.6 / 3));
+  c.unmatched_source = {3};
+  CHECK(distance_energy(c, .5) == Approx((.6 + .5) / 3));
+  SECTION("A part that touches nothing counts as a pair")
+  {
+    c.groups.push_back(group({4}));
+    CHECK(distance_energy(c, .5) == Approx((.6 + .5) / 4));
+    c.unmatched_source = {3, 4};
+    CHECK(distance_energy(c, .5) == Approx((.6 + .5 + .5) / 4));
+  }
+  SECTION("Not twice what the search charged")
+  {
+    c.terms.unmatched = .3;
+    CHECK(distance_energy(c, .5) == Approx(.2));
+  }
+  SECTION("Of the shape that was deformed")
+  {
+    c.direction = Direction::TARGET_TO_SOURCE;
+    CHECK(distance_energy(c, .5) == Approx(.2));
+    c.unmatched_target = {1};
+    CHECK(distance_energy(c, .5) == Approx((.6 + 3 * .5) / 3));
+  }
+}
+
+TEST_CASE("All ordered pairs, each as find_correspondence() finds it")
+{
+  const Energy_matrix matrix = energy_matrix(shapes());
+  REQUIRE(matrix.energies.rows() == 4);
+  CHECK(matrix.complete);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double energy = matrix.energies(Eigen::Index(i), Eigen::Index(j));
+      if (i == j) {
+        CHECK(energy == 0);
+        CHECK(matrix.map(i, j) == identity_part_map(structure(shapes()[i]).parts.size()));
+        continue;
+      }
+      const Correspondence c = find_correspondence(shapes()[i], shapes()[j]);
+      CHECK(matrix.map(i, j) == part_map(c));
+      CHECK(energy == distance_energy(c, .5));
+    }
+  const Eigen::MatrixXd distances = symmetric_distances(matrix.energies);
+  CHECK(distances(0, 1) == (matrix.energies(0, 1) + matrix.energies(1, 0)) / 2);
+  CHECK(distances(0, 1) == distances(1, 0));
+  CHECK(distances(0, 1) < distances(0, 2)); // a chair is nearer to a chair than to a table
+  CHECK(distances(2, 3) < distances(1, 3));
+}
+
+TEST_CASE("A shape is no way from a moved copy of itself")
+{
+  const Energy_matrix matrix =
+      energy_matrix({hand_made::chair(), hand_made::moved(hand_made::chair(), .3, 2, {1, 2, 3})});
+  CHECK(matrix.energies(0, 1) == Approx(0).margin(1e-6));
+  CHECK(matrix.map(0, 1).pairs == identity_part_map(6).pairs);
+}
+
+TEST_CASE("The same bits in parallel, by every method")
+{
+  for (Search_method method : {Search_method::PARTS, Search_method::BEAM, Search_method::EXACT}) {
+    Energy_matrix_options options;
+    options.search.method = method;
+    const Energy_matrix one = energy_matrix(shapes(), options);
+    const Energy_matrix many = energy_matrix<CGAL::Parallel_if_available_tag>(shapes(), options);
+    CHECK((one.energies.array() == many.energies.array()).all());
+    CHECK(one.maps == many.maps);
+  }
+}
+
+TEST_CASE("Work is told of, and ends when it is told to")
+{
+  Energy_matrix_options options;
+  std::vector<std::size_t> told;
+  options.progress = [&](std::size_t done, std::size_t total) {
+    CHECK(total == 12);
+    told.push_back(done);
+    return true;
+  };
+  CHECK(energy_matrix(shapes(), options).complete);
+  CHECK(told == std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+  options.progress = [](std::size_t done, std::size_t) { return done < 2; };
+  const Energy_matrix cancelled = energy_matrix(shapes(), options);
+  CHECK(!cancelled.complete);
+  CHECK(!std::isnan(cancelled.energies(0, 2)));
+  CHECK(std::isnan(cancelled.energies(0, 3)));
+}
+
+TEST_CASE("Bad options and empty sets")
+{
+  Energy_matrix_options options;
+  options.unmatched_energy = -1;
+  CHECK_THROWS_AS(energy_matrix(shapes(), options), Invalid_input);
+  options = {};
+  options.search.solutions = 0;
+  CHECK_THROWS_AS(energy_matrix<CGAL::Parallel_if_available_tag>(shapes(), options), Invalid_input);
+  CHECK(energy_matrix({}).energies.size() == 0);
+  CHECK(match_pairs(shapes(), {}).empty());
+}
