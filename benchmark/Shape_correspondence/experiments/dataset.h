@@ -59,8 +59,10 @@ inline Structural_graph load_graph(const Segmented_shape& model, const std::stri
   const Structure_options options;
   if (cache_folder.empty()) return build_structural_graph(model, options);
   const IO::Structural_graph_cache cache(cache_folder);
-  if (auto graph = cache.find(IO::content_hash(model, options))) return std::move(*graph);
+  const std::string content = IO::content_hash(model, options);
+  if (auto graph = cache.find(content)) return std::move(*graph);
   Structural_graph graph = build_structural_graph(model, options);
+  structure(graph).content = content;
   cache.insert(graph);
   return graph;
 }
