@@ -68,7 +68,7 @@ int add_end(Glb_builder& glb, const Segmented_shape& shape, const int* materials
 
 Json quality_json(const Blend_quality& quality)
 {
-  return {{"gap", quality.gap}, {"asymmetry", quality.asymmetry}, {"ground", quality.ground}};
+  return {{"gap", quality.gap}, {"apart", quality.apart}, {"asymmetry", quality.asymmetry}, {"ground", quality.ground}};
 }
 
 } // namespace

@@ -109,14 +109,14 @@ void write_frames(const std::string& folder, const Blend_output& output, const S
 
 void write_table(std::ostream& out, const Shape_blend& blend)
 {
-  std::vector<std::vector<std::string>> rows{{"schedule", "gap", "asymmetry", "off the ground"}};
+  std::vector<std::vector<std::string>> rows{{"schedule", "gap", "apart", "asymmetry", "off the ground"}};
   for (const Blend_schedule& schedule : blend.schedules())
-    rows.push_back({schedule.name, short_number(schedule.quality.gap), short_number(schedule.quality.asymmetry),
-                    short_number(schedule.quality.ground)});
+    rows.push_back({schedule.name, short_number(schedule.quality.gap), short_number(schedule.quality.apart),
+                    short_number(schedule.quality.asymmetry), short_number(schedule.quality.ground)});
   cli::write_table(out, rows);
   out << "\nThe first schedule is taken. Lengths are over the height, the worst of the shapes in between: by how much a "
-         "contact\nis wider than at the ends, how far the shape is from its mirror image, how far its feet are off the "
-         "ground.\n";
+         "contact\nis wider than at the ends, how far parts came apart before they were joined again, how far the shape is "
+         "from its\nmirror image, how far its feet are off the ground.\n";
 }
 
 } // namespace

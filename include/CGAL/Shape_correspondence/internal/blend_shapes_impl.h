@@ -59,7 +59,7 @@ inline std::vector<Blend_schedule> plausible_schedules(const Blend_stage& stage)
 
 inline Blend_quality worst(const Blend_quality& a, const Blend_quality& b)
 {
-  return {std::max(a.gap, b.gap), std::max(a.asymmetry, b.asymmetry), std::max(a.ground, b.ground)};
+  return {std::max(a.gap, b.gap), std::max(a.apart, b.apart), std::max(a.asymmetry, b.asymmetry), std::max(a.ground, b.ground)};
 }
 
 } // namespace internal
@@ -90,7 +90,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Shape_blend::Shape_blend(const Structural_graph
     });
     Blend_quality& quality = schedules_[s].quality;
     quality = std::accumulate(qualities.begin(), qualities.end(), quality, worst);
-    costs[s] = quantized(quality.gap + quality.asymmetry + quality.ground);
+    costs[s] = quantized(quality.gap + quality.apart + quality.asymmetry + quality.ground);
   }
   std::vector<std::size_t> order(schedules_.size());
   std::iota(order.begin(), order.end(), std::size_t(0));

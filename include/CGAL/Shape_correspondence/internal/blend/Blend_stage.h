@@ -51,7 +51,8 @@ public:
   {
     std::vector<std::array<Points, 2>> points; ///< by actor and surface
     std::vector<int> surface;                  ///< by actor, the one that there is, or -1
-    double gap = 0;                            ///< the widest that a contact is more than it may be
+    double gap = 0;   ///< the widest that a contact is more than it may be
+    double apart = 0; ///< how far sets of parts had come apart that were joined again
   };
 
   Blend_stage(const Side& source, const Side& target, const Correspondence& correspondence, double contact_tolerance);
@@ -110,13 +111,18 @@ private:
   Points end_points(std::size_t actor, int side) const;
   bool exists(std::size_t actor, int side) const { return actors_[actor].morph || actors_[actor].side() == side; }
   void relink(double t, Scene& scene) const;
+  void join(double t, Scene& scene) const;
   void stand(double t, Scene& scene) const;
+  double widest_gap(std::size_t side) const;
   Tree tree(const Scene& scene, std::size_t actor) const;
 
   std::array<Segmented_shape, 2> shapes_;
   std::array<Shape_frame, 2> frames_; ///< turned so that both shapes look alike
   std::array<std::vector<Part_mesh>, 2> meshes_;
+  static constexpr double joined = 0.005; ///< over what the ends have, the widest gap between sets of parts
+
   std::array<double, 2> ground_ = {0, 0};
+  std::array<double, 2> apart_ = {0, 0}; ///< the widest gap that it takes to join all parts
   bool mirror_ = false;
   std::vector<Actor> actors_;
   std::vector<std::vector<Attachment>> attachments_; ///< by actor
@@ -142,6 +148,7 @@ inline Blend_stage::Blend_stage(const Side& source, const Side& target, const Co
       meshes_[s].push_back({charted[s].surfaces[i], side.shape.parts()[i].mesh.triangles});
       ground_[s] = std::min(ground_[s], charted[s].surfaces[i].row(1).minCoeff());
     }
+    apart_[s] = widest_gap(s);
     frames_[s].axes = frames_[s].axes * quarter_turn(side.quarter_turns).transpose();
   }
   const auto mirrored = [](const Side& side) {
@@ -373,6 +380,7 @@ inline Blend_stage::Scene Blend_stage::scene(const Times& times, double t) const
     follow(handles, points);
   }
   relink(t, result);
+  join(t, result);
   stand(t, result);
   return result;
 }
@@ -419,6 +427,78 @@ inline void Blend_stage::relink(double t, Scene& scene) const
     }
     moved = std::move(moves);
   }
+}
+
+/// Moves sets of parts that have come apart from the rest, the smallest one first, back to what is nearest to them.
+inline void Blend_stage::join(double t, Scene& scene) const
+{
+  std::vector<std::size_t> present;
+  std::vector<Tree> trees;
+  for (std::size_t a = 0; a < actors_.size(); ++a)
+    if (scene.surface[a] >= 0) present.push_back(a), trees.push_back(tree(scene, a));
+  const double allowed = (1 - t) * apart_[0] + t * apart_[1] + joined;
+  std::vector<std::size_t> set(present.size());
+  std::iota(set.begin(), set.end(), std::size_t(0));
+  const auto unite = [&](std::size_t a, std::size_t b) {
+    std::replace(set.begin(), set.end(), std::max(set[a], set[b]), std::min(set[a], set[b]));
+  };
+  for (std::size_t a = 0; a < present.size(); ++a)
+    for (std::size_t b = a + 1; b < present.size(); ++b)
+      if (set[a] != set[b] && trees[a].box().squaredExteriorDistance(trees[b].box()) <= allowed * allowed &&
+          trees[a].nearly_closest(trees[b], allowed * allowed).squared <= allowed * allowed)
+        unite(a, b);
+  for (;;) {
+    std::map<std::size_t, double> sizes;
+    for (std::size_t a = 0; a < present.size(); ++a)
+      sizes[set[a]] += trees[a].box().diagonal().norm();
+    if (sizes.size() < 2) return;
+    const std::size_t least = std::min_element(sizes.begin(), sizes.end(), [](const auto& a, const auto& b) {
+                                return quantized(a.second) < quantized(b.second);
+                              })->first;
+    contacts::Closest_pair closest;
+    std::size_t from = 0, to = 0;
+    for (std::size_t a = 0; a < present.size(); ++a)
+      for (std::size_t b = 0; b < present.size(); ++b) {
+        if (set[a] != least || set[b] == least ||
+            trees[a].box().squaredExteriorDistance(trees[b].box()) >= closest.squared)
+          continue;
+        const contacts::Closest_pair pair = trees[a].nearly_closest(trees[b]);
+        if (pair.squared < closest.squared) closest = pair, from = a, to = b;
+      }
+    const double gap = std::sqrt(closest.squared), excess = std::max(0., gap - allowed);
+    scene.apart = std::max(scene.apart, excess);
+    const Point step = excess / std::max(gap, joined) * (closest.second - closest.first);
+    for (std::size_t a = 0; a < present.size(); ++a) {
+      if (set[a] != least || excess == 0) continue;
+      for (Points& points : scene.points[present[a]])
+        if (points.cols() > 0) points.colwise() += step;
+      trees[a] = tree(scene, present[a]);
+    }
+    unite(from, to);
+  }
+}
+
+/// The longest of the steps by which all parts are joined.
+inline double Blend_stage::widest_gap(std::size_t side) const
+{
+  std::vector<Tree> trees;
+  for (const Part_mesh& mesh : meshes_[side])
+    trees.push_back(tree_of(mesh.points, mesh.triangles));
+  std::vector<double> distance(trees.size(), std::numeric_limits<double>::infinity());
+  std::vector<char> is_joined(trees.size(), 0);
+  double widest = 0;
+  for (std::size_t next = 0, count = 0; count < trees.size(); ++count) {
+    is_joined[next] = 1;
+    std::size_t nearest = next;
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+      if (is_joined[i]) continue;
+      distance[i] = std::min(distance[i], std::sqrt(trees[next].nearly_closest(trees[i]).squared));
+      if (is_joined[nearest] || distance[i] < distance[nearest]) nearest = i;
+    }
+    if (nearest != next) widest = std::max(widest, distance[nearest]);
+    next = nearest;
+  }
+  return widest;
 }
 
 /// Puts the shape on the ground.
@@ -470,6 +550,7 @@ inline Blend_quality Blend_stage::quality(const Scene& scene, double t) const
   } else {
     constexpr double on_ground = 0.02;
     result.gap = scene.gap;
+    result.apart = scene.apart;
     for (std::size_t a = 0; a < actors_.size(); ++a) {
       if (scene.surface[a] < 0) continue;
       const Points& points = scene.points[a][std::size_t(scene.surface[a])];

@@ -133,10 +133,13 @@ inline Part_mesh piece_of(const Points& points, const Eigen::Matrix3Xi& triangle
       });
     }
   update();
+  // Only sides within the chart press
+  const auto unbounded = [](double side) { return std::abs(side) < 1 ? side : 2 * side; };
+  const Point low = box.min().unaryExpr(unbounded), high = box.max().unaryExpr(unbounded);
   Part_mesh result{mesh.points(), mesh.triangles()};
   for (Eigen::Index i = 0; i < result.points.cols(); ++i) {
     const Point outside = k[std::size_t(i)];
-    const Point inside = outside.cwiseMax(box.min()).cwiseMin(box.max());
+    const Point inside = outside.cwiseMax(low).cwiseMin(high);
     // Off the sides that press, the place on the surface is kept
     const Point off = chart.frame(outside).inverse() * (result.points.col(i) - chart(outside));
     if ((inside - outside).cwiseAbs().maxCoeff() > on_side)
@@ -290,9 +293,10 @@ public:
   /// The nearest place; on a thin part that of the same side, as normals tell.
   Mesh_place operator()(const Point& p, const Point& normal) const
   {
-    constexpr double far = 1; // in coordinates: no place to be taken for the sake of its normal
+    constexpr double far = 1;       // in coordinates: no place to be taken for the sake of its normal
+    constexpr double averse = -0.2; // cosine of two normals of different sides
     const Mesh_place nearest = nearest_place(all_, p);
-    if (normal.dot(nearest.of(normals_, triangles_)) >= 0) return nearest;
+    if (normal.dot(nearest.of(normals_, triangles_)) >= averse) return nearest;
     Mesh_place best = nearest;
     double least = far * far;
     for (std::size_t side = 0; side < 6; ++side) {

@@ -1,0 +1,203 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Blends pairs of models and checks every in-between shape:
+//   benchmark_blend [--frames N] [--cache FOLDER] SOURCE TARGET [SOURCE TARGET]...
+// A line a pair. All lengths are over the shape's height, of the in-between shapes the worst:
+//   open       parts that are not closed though the parts that they are made of are
+//   gap        by how much a contact that is to be kept is wider than at the ends
+//   apart      the widest gap that it takes to join all parts, and the same at the ends
+//   asymmetry  root mean square distance from the mirror image, and the same at the ends
+//   ground     how far a foot is off the ground
+//   start, end how far the shape is from the source just after 0, and from the target just before 1
+// Ends with exit status 1 if a part is open that must not be, or an end is not the input.
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
+#include <CGAL/Shape_correspondence/blend_shapes.h>
+#include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+#include <CGAL/Shape_correspondence/internal/map/Charted_mesh.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+namespace {
+
+using namespace CGAL::Shape_correspondence;
+using internal::contacts::Triangle_tree;
+
+struct Model
+{
+  Segmented_shape shape;
+  Structural_graph graph;
+};
+
+Model load(const std::string& path, const std::string& cache_folder)
+{
+  Model model{IO::read_segmented_shape(path), {}};
+  const std::string content = IO::content_hash(model.shape, {});
+  std::optional<IO::Structural_graph_cache> cache;
+  if (!cache_folder.empty()) cache.emplace(cache_folder);
+  if (std::optional<Structural_graph> known = cache ? cache->find(content) : std::nullopt) {
+    model.graph = *known;
+    return model;
+  }
+  model.graph = build_structural_graph<CGAL::Parallel_if_available_tag>(model.shape);
+  structure(model.graph).content = content;
+  if (cache) cache->insert(model.graph);
+  return model;
+}
+
+/// Whether every edge is run through as often in the one direction as in the other.
+bool is_closed(const Part_mesh& mesh)
+{
+  std::map<std::pair<int, int>, int> balance;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const int a = mesh.triangles(i, t), b = mesh.triangles((i + 1) % 3, t);
+      if (a != b) balance[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  for (const auto& [edge, count] : balance)
+    if (count != 0) return false;
+  return true;
+}
+
+std::vector<Triangle_tree> trees_of(const Segmented_shape& shape)
+{
+  std::vector<Triangle_tree> result;
+  for (const Shape_part& part : shape.parts())
+    result.push_back(internal::tree_of(part.mesh.points, part.mesh.triangles));
+  return result;
+}
+
+/// The longest edge of a shortest spanning tree of the parts.
+double widest_gap(const std::vector<Triangle_tree>& trees)
+{
+  std::vector<double> distance(trees.size(), std::numeric_limits<double>::infinity());
+  std::vector<char> joined(trees.size(), 0);
+  double widest = 0;
+  for (std::size_t next = 0, count = 0; count < trees.size(); ++count) {
+    joined[next] = 1;
+    std::size_t nearest = next;
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+      if (joined[i]) continue;
+      distance[i] = std::min(distance[i], std::sqrt(trees[next].nearly_closest(trees[i]).squared));
+      if (joined[nearest] || distance[i] < distance[nearest]) nearest = i;
+    }
+    if (nearest != next) widest = std::max(widest, distance[nearest]);
+    next = nearest;
+  }
+  return widest;
+}
+
+/// How far the vertices of one shape are from the surface of another.
+double distance(const Segmented_shape& from, const Segmented_shape& to)
+{
+  const std::vector<Triangle_tree> trees = trees_of(to);
+  double farthest = 0;
+  for (const Shape_part& part : from.parts())
+    for (Eigen::Index i = 0; i < part.mesh.points.cols(); ++i) {
+      double squared = std::numeric_limits<double>::infinity();
+      Point nearest;
+      std::size_t triangle;
+      for (const Triangle_tree& tree : trees)
+        if (tree.box().squaredExteriorDistance(part.mesh.points.col(i)) < squared)
+          tree.improve_nearest(part.mesh.points.col(i), nearest, squared, triangle);
+      farthest = std::max(farthest, squared);
+    }
+  return std::sqrt(farthest);
+}
+
+bool is_same(const Segmented_shape& a, const Segmented_shape& b)
+{
+  bool same = a.parts().size() == b.parts().size();
+  for (std::size_t i = 0; same && i < a.parts().size(); ++i)
+    same = a.parts()[i].mesh.points == b.parts()[i].mesh.points &&
+           a.parts()[i].mesh.triangles == b.parts()[i].mesh.triangles;
+  return same;
+}
+
+/// Whether the parts that a part of a blend is made of are closed.
+std::map<std::string, bool> must_be_closed(const Shape_blend& blend, const Model& source, const Model& target)
+{
+  std::map<std::string, bool> result;
+  for (const Blend_surface& surface : blend.surfaces()) {
+    const auto closed = [](const Model& model, std::size_t part) {
+      return part == Blend_task::no_part || is_closed(model.shape.parts()[part].mesh);
+    };
+    result[surface.name] = closed(source, surface.task.source) && closed(target, surface.task.target);
+  }
+  return result;
+}
+
+bool check(const std::string& source_path, const std::string& target_path, int frames, const std::string& cache)
+{
+  const Model source = load(source_path, cache), target = load(target_path, cache);
+  const Correspondence correspondence = find_correspondence(source.graph, target.graph);
+  const auto begin = std::chrono::steady_clock::now();
+  const Shape_blend blend(source.graph, source.shape, target.graph, target.shape, correspondence);
+  const std::map<std::string, bool> closed = must_be_closed(blend, source, target);
+  const double heights[] = {structure(source.graph).frame.height, structure(target.graph).frame.height};
+  int open = 0, parts = 0;
+  double gap = 0, apart = 0, asymmetry = 0, ground = 0;
+  for (int frame = 1; frame + 1 < frames; ++frame) {
+    const double t = double(frame) / (frames - 1);
+    const Segmented_shape shape = blend(t);
+    const Blend_quality quality = blend.quality(t);
+    for (const Shape_part& part : shape.parts())
+      open += closed.at(part.name) && !is_closed(part.mesh);
+    parts += int(shape.parts().size());
+    gap = std::max(gap, quality.gap);
+    asymmetry = std::max(asymmetry, quality.asymmetry);
+    ground = std::max(ground, quality.ground);
+    apart = std::max(apart, widest_gap(trees_of(shape)) / ((1 - t) * heights[0] + t * heights[1]));
+  }
+  const double end_apart = std::max(widest_gap(trees_of(source.shape)) / heights[0],
+                                    widest_gap(trees_of(target.shape)) / heights[1]);
+  const double end_asymmetry = std::max(blend.quality(0).asymmetry, blend.quality(1).asymmetry);
+  constexpr double just = 1e-6;
+  const double start = distance(source.shape, blend(just)) / heights[0];
+  const double end = distance(target.shape, blend(1 - just)) / heights[1];
+  const bool exact = is_same(blend(0), source.shape) && is_same(blend(1), target.shape);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const auto stem = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+  std::printf("%-30s %-30s %5d %4d %7.4f %7.4f (%6.4f) %7.4f (%6.4f) %7.4f %8.1e %8.1e %s %5.1f  %s\n",
+              stem(source_path).c_str(), stem(target_path).c_str(), parts, open, gap, apart, end_apart, asymmetry,
+              end_asymmetry, ground, start, end, exact ? "exact" : "NOT EXACT", seconds,
+              blend.schedules()[0].name.c_str());
+  std::fflush(stdout);
+  return open == 0 && exact;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  int frames = 9;
+  std::string cache;
+  std::vector<std::string> paths;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--frames" && i + 1 < argc)
+      frames = std::stoi(argv[++i]);
+    else if (word == "--cache" && i + 1 < argc)
+      cache = argv[++i];
+    else
+      paths.push_back(word);
+  }
+  if (paths.empty() || paths.size() % 2 != 0) {
+    std::cerr << "benchmark_blend [--frames N] [--cache FOLDER] SOURCE TARGET [SOURCE TARGET]...\n";
+    return 2;
+  }
+  std::printf("%-30s %-30s %5s %4s %7s %16s %16s %7s %8s %8s %5s %5s\n", "source", "target", "parts", "open", "gap",
+              "apart (ends)", "asymmetry (ends)", "ground", "start", "end", "ends", "s");
+  bool good = true;
+  for (std::size_t i = 0; i < paths.size(); i += 2)
+    good = check(paths[i], paths[i + 1], frames, cache) && good;
+  return good ? 0 : 1;
+}

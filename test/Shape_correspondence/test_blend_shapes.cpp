@@ -1,0 +1,236 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model_files.h"
+
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/IO/write_blend.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/blend_shapes.h>
+#include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+#include <CGAL/Shape_correspondence/internal/map/Charted_mesh.h>
+
+#include <nlohmann/json.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+// Every shape in between: closed parts, together, symmetric, on the ground; the ends are the inputs.
+
+using namespace CGAL::Shape_correspondence;
+using internal::contacts::Triangle_tree;
+
+namespace {
+
+struct Model
+{
+  Segmented_shape shape;
+  Structural_graph graph;
+};
+
+const Model& model(const std::string& name)
+{
+  static std::map<std::string, Model> known;
+  const auto found = known.find(name);
+  if (found != known.end()) return found->second;
+  Model result{IO::read_segmented_shape(SHAPE_CORRESPONDENCE_DATA_DIR "/" + name), {}};
+  Structure_options options;
+  options.abstraction.abstractor = Bounding_box_abstraction();
+  result.graph = build_structural_graph(result.shape, options);
+  return known.emplace(name, std::move(result)).first->second;
+}
+
+bool is_closed(const Part_mesh& mesh)
+{
+  std::map<std::pair<int, int>, int> balance;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const int a = mesh.triangles(i, t), b = mesh.triangles((i + 1) % 3, t);
+      if (a != b) balance[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  return std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
+}
+
+// How far the vertices of one shape are from the surface of another.
+double distance(const Segmented_shape& from, const Segmented_shape& to)
+{
+  std::vector<Triangle_tree> trees;
+  for (const Shape_part& part : to.parts())
+    trees.push_back(internal::tree_of(part.mesh.points, part.mesh.triangles));
+  double farthest = 0;
+  for (const Shape_part& part : from.parts())
+    for (Eigen::Index i = 0; i < part.mesh.points.cols(); ++i) {
+      double squared = std::numeric_limits<double>::infinity();
+      Point nearest;
+      std::size_t triangle;
+      for (const Triangle_tree& tree : trees)
+        tree.improve_nearest(part.mesh.points.col(i), nearest, squared, triangle);
+      farthest = std::max(farthest, squared);
+    }
+  return std::sqrt(farthest);
+}
+
+bool is_same(const Segmented_shape& a, const Segmented_shape& b)
+{
+  bool same = a.parts().size() == b.parts().size();
+  for (std::size_t i = 0; same && i < a.parts().size(); ++i)
+    same = a.parts()[i].name == b.parts()[i].name && a.parts()[i].mesh.points == b.parts()[i].mesh.points &&
+           a.parts()[i].mesh.triangles == b.parts()[i].mesh.triangles;
+  return same;
+}
+
+Shape_blend blend_of(const Model& source, const Model& target, const Correspondence& correspondence)
+{
+  Blend_options options;
+  options.samples = 2;
+  return Shape_blend(source.graph, source.shape, target.graph, target.shape, correspondence, options);
+}
+
+Shape_blend blend_of(const std::string& source, const std::string& target)
+{
+  return blend_of(model(source), model(target), find_correspondence(model(source).graph, model(target).graph));
+}
+
+// Whether the set of parts is in one piece, but for gaps of `tolerance`.
+bool hangs_together(const Segmented_shape& shape, double tolerance)
+{
+  std::vector<Triangle_tree> trees;
+  for (const Shape_part& part : shape.parts())
+    trees.push_back(internal::tree_of(part.mesh.points, part.mesh.triangles));
+  std::vector<std::size_t> reached = {0};
+  std::vector<char> known(trees.size(), 0);
+  known[0] = 1;
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    for (std::size_t j = 0; j < trees.size(); ++j) {
+      if (known[j]) continue;
+      internal::contacts::Closest_pair closest;
+      trees[reached[i]].improve_closest(trees[j], closest);
+      if (std::sqrt(closest.squared) <= tolerance) known[j] = 1, reached.push_back(j);
+    }
+  return reached.size() == trees.size();
+}
+
+} // namespace
+
+TEST_CASE("Shapes between two models are closed, hang together, are symmetric and stand; the ends are the models")
+{
+  const std::vector<std::pair<std::string, std::string>> pairs = {{"chair_four_legged", "chair_slatted"},
+                                                                  {"chair_spindle", "stool"}};
+  for (const auto& [source, target] : pairs) {
+    INFO(source << " and " << target);
+    const Shape_blend blend = blend_of(source, target);
+    CHECK(is_same(blend(0), model(source).shape));
+    CHECK(is_same(blend(1), model(target).shape));
+    CHECK(distance(model(source).shape, blend(1e-6)) < 1e-3);
+    CHECK(distance(model(target).shape, blend(1 - 1e-6)) < 1e-3);
+    const double ends = std::max(blend.quality(0).asymmetry, blend.quality(1).asymmetry);
+    for (double t : {0.1, 0.5, 0.8}) {
+      INFO("t = " << t);
+      const Segmented_shape shape = blend(t);
+      for (const Shape_part& part : shape.parts()) {
+        INFO(part.name);
+        CHECK(is_closed(part.mesh));
+      }
+      // Heights of the models are about 1
+      CHECK(hangs_together(shape, 0.01));
+      CHECK(blend.quality(t).gap < 0.005);
+      CHECK(blend.quality(t).asymmetry < ends + 0.01);
+      CHECK(blend.quality(t).ground < 0.01);
+    }
+  }
+}
+
+TEST_CASE("A shape blended with itself stays as it is")
+{
+  const Model& chair = model("chair_four_legged");
+  Correspondence identity;
+  for (std::size_t i = 0; i < chair.shape.parts().size(); ++i)
+    identity.pairs.emplace_back(i, i);
+  const Shape_blend blend = blend_of(chair, chair, identity);
+  for (double t : {0.3, 0.7}) {
+    CHECK(distance(blend(t), chair.shape) < 1e-3);
+    CHECK(distance(chair.shape, blend(t)) < 1e-3);
+  }
+}
+
+TEST_CASE("Nothing jumps: shapes at times near each other are near each other")
+{
+  const Shape_blend blend = blend_of("chair_four_legged", "chair_slatted");
+  for (const Blend_surface& surface : blend.surfaces()) {
+    if (surface.begin > 0.01 && surface.begin < 0.99) {
+      INFO(surface.name << " from " << surface.begin);
+      CHECK(distance(blend(surface.begin - 1e-4), blend(surface.begin + 1e-4)) < 0.05);
+    }
+  }
+}
+
+TEST_CASE("Tasks are those of the correspondence, within the time of the blend")
+{
+  const Model &source = model("chair_four_legged"), &target = model("chair_slatted");
+  const Shape_blend blend = blend_of("chair_four_legged", "chair_slatted");
+  REQUIRE(blend.schedules().size() > 1);
+  std::vector<int> from(source.shape.parts().size(), 0), to(target.shape.parts().size(), 0);
+  for (const Blend_task& task : blend.schedules()[0].tasks) {
+    CHECK(task.begin >= 0);
+    CHECK(task.begin < task.end);
+    CHECK(task.end <= 1);
+    if (task.source != Blend_task::no_part) ++from[task.source];
+    if (task.target != Blend_task::no_part) ++to[task.target];
+    CHECK((task.type == Blend_task_type::SHRINK) == (task.target == Blend_task::no_part));
+    CHECK((task.type == Blend_task_type::GROW) == (task.source == Blend_task::no_part));
+  }
+  CHECK(*std::min_element(from.begin(), from.end()) > 0);
+  CHECK(*std::min_element(to.begin(), to.end()) > 0);
+}
+
+TEST_CASE("Without a correspondence all that is there shrinks and all that comes grows")
+{
+  const Model& stool = model("stool");
+  const Shape_blend blend = blend_of(stool, stool, Correspondence());
+  for (const Blend_task& task : blend.schedules()[0].tasks)
+    CHECK((task.type == Blend_task_type::SHRINK || task.type == Blend_task_type::GROW));
+  CHECK(is_same(blend(1), stool.shape));
+  CHECK(blend(0.25).parts().size() > 0);
+}
+
+TEST_CASE("A model that is not the graph's is refused")
+{
+  const Model &stool = model("stool"), &chair = model("chair_spindle");
+  CHECK_THROWS_AS(Shape_blend(stool.graph, chair.shape, chair.graph, chair.shape, {}), Invalid_input);
+}
+
+TEST_CASE("Frames as OBJ and PLY read back; the animation plays all surfaces one after the other")
+{
+  const Model &stool = model("stool"), &chair = model("chair_spindle");
+  const Correspondence correspondence = find_correspondence(chair.graph, stool.graph);
+  const Shape_blend blend = blend_of(chair, stool, correspondence);
+  const model_files::Temporary_folder folder;
+  std::ostringstream obj, ply, glb;
+  IO::write_segmented_shape_obj(obj, blend(0.5));
+  const Segmented_shape read = IO::read_segmented_shape(folder.write("half.obj", obj.str()));
+  CHECK(read.parts().size() == blend(0.5).parts().size());
+  IO::write_segmented_shape_ply(ply, blend(0.5));
+  const Segmented_shape one = IO::read_segmented_shape(folder.write("half.ply", ply.str()));
+  Eigen::Index triangles = 0;
+  for (const Shape_part& part : blend(0.5).parts())
+    triangles += part.mesh.triangles.cols();
+  CHECK(one.parts().size() == 1);
+  CHECK(one.parts()[0].mesh.triangles.cols() == triangles);
+
+  IO::write_blend_glb(glb, blend, correspondence, 4);
+  const std::string bytes = glb.str();
+  const auto length = static_cast<unsigned char>(bytes[12]) | static_cast<unsigned char>(bytes[13]) << 8 |
+                      static_cast<unsigned char>(bytes[14]) << 16;
+  const auto document = nlohmann::json::parse(bytes.substr(20, std::size_t(length)));
+  REQUIRE(document["animations"].size() == 1);
+  std::map<std::string, int> channels;
+  for (const auto& channel : document["animations"][0]["channels"])
+    ++channels[channel["target"]["path"]];
+  CHECK(channels["weights"] > 0);
+  CHECK(channels["scale"] >= channels["weights"] + 2); // both ends, too
+}
