@@ -166,8 +166,8 @@ const buttons = [...document.querySelectorAll('.shape')];
     stack.push([i, parent, d, true]);
     for (const c of children.slice().reverse()) stack.push([c, i, d + 1, false]);
   }
-  const root = svg('svg', {width: (depth + 1) * cell.w, height: rows * cell.h + 8, id: 'tree_picture'}, $('#tree'));
-  const at = i => [place[i].x * cell.w + cell.size / 2 + 4, place[i].y * cell.h + cell.size / 2 + 4];
+  const root = svg('svg', {width: (depth + 1) * cell.w + 30, height: rows * cell.h + 8, id: 'tree_picture'}, $('#tree'));
+  const at = i => [place[i].x * cell.w + cell.size / 2 + 30, place[i].y * cell.h + cell.size / 2 + 4];
   data.shapes.forEach((shape, i) => {
     if (place[i].parent < 0) return;
     const [x, y] = at(i), [px, py] = at(place[i].parent), mx = (x + px) / 2;

@@ -36,7 +36,7 @@ struct Run
 
 std::string quoted(const std::string& word) { return "'" + word + "'"; }
 
-/// Runs the command. \param before words before the program
+/// Runs the command. \param arguments as a shell takes them
 Run run(const std::string& arguments)
 {
   const Temporary_folder folder;
@@ -160,6 +160,23 @@ TEST_CASE("The same bytes with any number of threads, tiles, shares and restarts
     CHECK(number_of_tiles(folder) == 12);
   }
 }
+
+#ifdef SHAPE_CORRESPONDENCE_MPIRUN
+TEST_CASE("The same bytes with any number of processes")
+{
+  const Temporary_folder folder;
+  const std::string in = quoted(shape_folder(folder));
+  const std::string expected = run(in + " --json -").out;
+  for (const std::string ranks : {"2", "4"}) {
+    const std::string output = folder.path("c" + ranks + ".json");
+    const std::string command = SHAPE_CORRESPONDENCE_MPIRUN " --allow-run-as-root --oversubscribe -n " + ranks + " " +
+                                quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " collection " + in + " --quiet --tile-size 1" +
+                                " --threads 1 --store " + quoted(folder.path("store" + ranks)) + " --json ";
+    CHECK(std::system((command + quoted(output)).c_str()) == 0);
+    CHECK(text_of(output) == expected);
+  }
+}
+#endif
 
 TEST_CASE("Killed at any moment, a run goes on where it was")
 {

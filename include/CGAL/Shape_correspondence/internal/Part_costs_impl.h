@@ -379,15 +379,18 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd part_costs(const Aligned_shape&
       .cwiseMin(costs_of_wholes(b, a, b_from_a, a_from_b, weights).transpose());
 }
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd part_costs(const Aligned_shape& shape,
-                                                            const Part_cost_weights& weights)
+namespace internal {
+
+// The costs of the parts of one shape among each other, as far as one of the two is chosen; of others some are missing.
+inline Eigen::MatrixXd own_part_costs(const Aligned_shape& shape, const std::vector<char>& is_chosen,
+                                      const Part_cost_weights& weights)
 {
-  using namespace internal;
   const Compared_shape a = compared_shape(shape);
   Eigen::MatrixXd result = costs_of_boxes(a.boxes, a.boxes, weights);
   Eigen::ArrayXd i_from_j, j_from_i;
   for (std::size_t i = 0; i < a.parts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
+      if (!is_chosen[i] && !is_chosen[j]) continue;
       nearest_distances(a.surfaces[i], a.surfaces[j], i_from_j, j_from_i);
       const auto row = Eigen::Index(i), column = Eigen::Index(j);
       result(row, column) +=
@@ -395,6 +398,14 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd part_costs(const Aligned_shape&
       result(column, row) = result(row, column);
     }
   return result;
+}
+
+} // namespace internal
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd part_costs(const Aligned_shape& shape,
+                                                            const Part_cost_weights& weights)
+{
+  return internal::own_part_costs(shape, std::vector<char>(shape.parts.size(), 1), weights);
 }
 
 } // namespace Shape_correspondence

@@ -9,6 +9,7 @@
 #include <CGAL/Shape_correspondence/match_parts.h>
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/internal/Part_costs_impl.h>
 #include <CGAL/Shape_correspondence/internal/quantized.h>
 
 #include <algorithm>
@@ -96,6 +97,20 @@ inline std::vector<Block> blocks_of(const Match_matrix& pairs, const Aligned_sha
 inline void append(std::vector<std::size_t>& to, const std::vector<std::size_t>& from)
 {
   to.insert(to.end(), from.begin(), from.end());
+}
+
+// What the parts of lone blocks cost among each other and with the others of their shape, which is all that joining
+// looks at: one of two blocks that are joined is lone.
+inline Eigen::MatrixXd costs_of_lone_parts(const std::vector<Block>& blocks, std::vector<std::size_t> Block::*side,
+                                           const Aligned_shape& shape, const Part_cost_weights& weights)
+{
+  std::vector<char> is_lone(shape.parts.size(), 0);
+  bool has_lone = false;
+  for (const Block& block : blocks)
+    if (block.is_lone())
+      for (std::size_t part : block.*side)
+        is_lone[part] = has_lone = true;
+  return has_lone ? own_part_costs(shape, is_lone, weights) : Eigen::MatrixXd();
 }
 
 // Lone blocks join what they resemble in their own shape, the most alike first.
@@ -187,10 +202,12 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Part_matching match_parts(const Aligned_shape& 
   const Eigen::MatrixXd costs = part_costs(source, target, options.weights);
 
   std::vector<Block> blocks = blocks_of(pairs_within(costs, options.sure_excess), source, target);
-  if (std::any_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.is_lone(); }))
+  if (std::any_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.is_lone(); })) {
+    Eigen::MatrixXd source_costs = costs_of_lone_parts(blocks, &Block::source, source, options.weights);
+    Eigen::MatrixXd target_costs = costs_of_lone_parts(blocks, &Block::target, target, options.weights);
     blocks =
-        Lone_block_joiner(std::move(blocks), part_costs(source, options.weights), part_costs(target, options.weights))
-            .run(options.sibling);
+        Lone_block_joiner(std::move(blocks), std::move(source_costs), std::move(target_costs)).run(options.sibling);
+  }
   Match_matrix pairs = pairs_within(costs, options.excess);
   fill_blocks(blocks, pairs);
 
