@@ -511,7 +511,8 @@ void worst(const Dataset& dataset, const Options& options)
           << ", F1 " << text(scored.f1(), 2)
           << "</h3><p>Wrong: " << named_pairs(difference(correspondence.pairs, truth.pairs), *category, s, t)
           << "</p><p>Missed: " << named_pairs(difference(truth.pairs, correspondence.pairs), *category, s, t)
-          << "</p><iframe src=\"" << page << "\"></iframe>\n";
+          << "</p><details><summary>Picture</summary><iframe loading=\"lazy\" src=\"" << page
+          << "\"></iframe></details>\n";
   }
 }
 

@@ -6,13 +6,12 @@
   results.py BUILD WORK RESULTS.md [--only peers,table3] [--further NAME=DATA]
 
 BUILD is the build folder; WORK keeps the generated shapes, their graphs, tables and pictures. With --further the experiments that
-need no shapes made worse, and name none, run on another folder of labelled shapes, too. A table that WORK has already is not made again.
+name no shapes, and need no special ones, run on another folder of labelled shapes, too. A table that WORK has already is not made again.
 """
 import argparse
 import os
 import subprocess
 
-WAYS = ("segmentation", "open", "gaps", "noise", "scale", "rotation")
 EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
     ("peers", 45, "All methods side by side, in the same run"),
     ("table1", 0, "Table 1: sizes of shapes and times of the search; the smallest and the largest pair of each category"),
@@ -28,8 +27,7 @@ EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
     ("reliability", 0, "Confidences: how often pairs of a confidence are right"),
     ("worst", 0, "The twenty worst results"),
 ]
-NAMES_SHAPES = ("table1", "worst")  # of no use without the shapes
-DEGRADED = {"figure18": WAYS, "figure19": ("segmentation",)}
+GENERATED_ONLY = ("table1", "worst", "figure17", "figure18", "figure19")  # they name shapes, or need whole or worse ones
 
 
 def generate(generator, folder, way=None):
@@ -43,7 +41,7 @@ def table(args, programs, data, further_data, name, pairs, out):
     if not os.path.exists(path):
         command = [os.path.join(programs, "experiments"), name, data, *further_data, "--out", out, "--cache",
                    os.path.join(args.work, "cache")] + (["--pairs", str(pairs)] if pairs else [])
-        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
         with open(path, "w") as file:
             file.write(done.stdout)
     with open(path) as file:
@@ -56,10 +54,12 @@ def main():
     parser.add_argument("work")
     parser.add_argument("results")
     parser.add_argument("--only", default="")
+    parser.add_argument("--ways", default="segmentation,open,gaps,noise,scale,rotation", help="of making shapes worse, in Figure 18")
     parser.add_argument("--further", action="append", default=[])
     args = parser.parse_args()
     programs = os.path.join(args.build, "benchmark", "Shape_correspondence")
     generator = os.path.join(programs, "generate_models")
+    ways = {"figure18": args.ways.split(","), "figure19": ["segmentation"]}
     only = set(filter(None, args.only.split(",")))
     os.makedirs(args.work, exist_ok=True)
     sets = [("generated shapes", generate(generator, os.path.join(args.work, "benchmark")))]
@@ -70,9 +70,9 @@ def main():
         if only and name not in only:
             continue
         for set_name, data in sets:
-            if set_name != "generated shapes" and (name in DEGRADED or name in NAMES_SHAPES):
+            if set_name != "generated shapes" and name in GENERATED_ONLY:
                 continue
-            worse = [generate(generator, os.path.join(args.work, way), way) for way in DEGRADED.get(name, ())]
+            worse = [generate(generator, os.path.join(args.work, way), way) for way in ways.get(name, ())]
             out = os.path.join(args.work, "out", set_name.replace(" ", "_"))
             os.makedirs(out, exist_ok=True)
             text = table(args, programs, data, worse, name, pairs, out)

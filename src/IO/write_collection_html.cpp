@@ -72,7 +72,6 @@ const svg = (tag, attributes, parent) => {
   return e;
 };
 const n = data.shapes.length, grey = '#9a9a9a';
-const distance = (a, b) => (data.energies[a * n + b] + data.energies[b * n + a]) / 2;
 const shown = x => x === undefined || Number.isNaN(x) ? '?' : x.toPrecision(3);
 
 // Drawing: quads of sheets and strokes of curves, the far ones first
@@ -154,7 +153,8 @@ const buttons = [...document.querySelectorAll('.shape')];
 // The tree: the root on the left, a row a leaf
 {
   const near = data.shapes.map(() => []);
-  for (const [a, b] of data.tree) { near[a].push(b); near[b].push(a); }
+  const distance = {};
+  for (const [a, b, d] of data.tree) { near[a].push(b); near[b].push(a); distance[`${a},${b}`] = distance[`${b},${a}`] = d; }
   const place = [], cell = {w: 130, h: 84, size: 64};
   const stack = [[data.medoid, -1, 0, false]];
   let rows = 0, depth = 0;
@@ -172,7 +172,7 @@ const buttons = [...document.querySelectorAll('.shape')];
     if (place[i].parent < 0) return;
     const [x, y] = at(i), [px, py] = at(place[i].parent), mx = (x + px) / 2;
     svg('path', {d: `M${px} ${py}C${mx} ${py} ${mx} ${y} ${x} ${y}`, fill: 'none', stroke: '#888', 'stroke-width': 1.5}, root);
-    svg('text', {x: x - cell.size / 2 - 2, y: y - 5, 'text-anchor': 'end'}, root).textContent = shown(distance(i, place[i].parent));
+    svg('text', {x: x - cell.size / 2 - 2, y: y - 5, 'text-anchor': 'end'}, root).textContent = shown(distance[`${i},${place[i].parent}`]);
   });
   data.shapes.forEach((shape, i) => {
     const [x, y] = at(i), medoid = i === data.medoid;
@@ -194,14 +194,14 @@ function choose(i) {
 }
 function match(a, b) {
   const swap = a > b, known = data.maps[swap ? `${b},${a}` : `${a},${b}`];
-  const pairs = (known || []).map(([s, t, c]) => swap ? [t, s, c] : [s, t, c]);
+  const pairs = (known ? known.pairs : []).map(([s, t, c]) => swap ? [t, s, c] : [s, t, c]);
   const [A, B] = [data.shapes[a], data.shapes[b]], parent = A.parts.concat(B.parts).map((p, i) => i);
   const root = i => parent[i] === i ? i : root(parent[i]);
   for (const [s, t] of pairs) parent[root(A.parts.length + t)] = root(s);
   const roots = [...new Set(pairs.map(([s]) => root(s)))].sort((x, y) => x - y);
   const colour = i => { const k = roots.indexOf(root(i)); return k < 0 ? grey : data.colours[k % data.colours.length]; };
   const sides = [[A, 0], [B, A.parts.length]].map(([shape, first]) => ({shape, first, colours: shape.parts.map((p, i) => colour(first + i))}));
-  $('#told').textContent = known ? `Energy ${shown(data.energies[a * n + b])} from left to right, ${shown(data.energies[b * n + a])} from right to left.`
+  $('#told').textContent = known ? `Energy ${shown(known.energies[+swap])} from left to right, ${shown(known.energies[+!swap])} from right to left.`
     : 'The page holds the matches of near shapes only; the command match shows this one.';
   $('#views').replaceChildren();
   $('table').replaceChildren();
@@ -309,17 +309,20 @@ Json notes_of(const Collection& collection)
   return result;
 }
 
-/// Source by target, three significant digits.
-Json energies_json(const Eigen::MatrixXd& energies)
+double rounded(double energy) { return std::round(energy * 1e4) / 1e4; }
+
+Json tree_json(const Collection& collection)
 {
   Json result = Json::array();
-  for (Eigen::Index i = 0; i < energies.rows(); ++i)
-    for (Eigen::Index j = 0; j < energies.cols(); ++j)
-      result.push_back(std::round(energies(i, j) * 1e4) / 1e4);
+  for (const auto& [a, b] : collection.tree) {
+    const auto i = Eigen::Index(a), j = Eigen::Index(b);
+    result.push_back({a, b, rounded((collection.energies(i, j) + collection.energies(j, i)) / 2)});
+  }
   return result;
 }
 
-Json maps_json(const std::vector<Shape_pair_map>& maps)
+/// By "source,target", the smaller index first: the energies of both directions, and pairs of parts with per cent.
+Json maps_json(const Collection& collection, const std::vector<Shape_pair_map>& maps)
 {
   Json result = Json::object();
   for (const Shape_pair_map& map : maps) {
@@ -327,7 +330,10 @@ Json maps_json(const std::vector<Shape_pair_map>& maps)
     Json pairs = Json::array();
     for (std::size_t k = 0; k < map.map.pairs.size(); ++k)
       pairs.push_back({map.map.pairs[k].first, map.map.pairs[k].second, std::lround(100 * map.map.confidences[k])});
-    result[std::to_string(map.source) + ',' + std::to_string(map.target)] = std::move(pairs);
+    const auto i = Eigen::Index(map.source), j = Eigen::Index(map.target);
+    result[std::to_string(map.source) + ',' + std::to_string(map.target)] = {
+        {"energies", {rounded(collection.energies(i, j)), rounded(collection.energies(j, i))}},
+        {"pairs", std::move(pairs)}};
   }
   return result;
 }
@@ -350,9 +356,8 @@ void write_collection_html(std::ostream& out, const Collection& collection,
   data["colours"] = Json::array();
   for (const Colour& colour : distinct_colours(most_parts))
     data["colours"].push_back(css_colour(colour));
-  data["tree"] = collection.tree;
-  data["energies"] = energies_json(collection.energies);
-  data["maps"] = maps_json(maps);
+  data["tree"] = tree_json(collection);
+  data["maps"] = maps_json(collection, maps);
   out << page_begin << script_text(data) << page_end;
 }
 

@@ -38,9 +38,8 @@ TEST_CASE("The page holds all shapes, their clusters, the tree and the maps, and
   const std::size_t at = page.find(begin) + begin.size();
   const json data = json::parse(page.substr(at, page.find("</script>", at) - at));
   CHECK(data["medoid"] == 1);
-  CHECK(data["tree"].dump() == "[[0,1]]");
-  CHECK(data["energies"].dump() == "[0.0,0.25,0.5,0.0]");
-  CHECK(data["maps"].dump() == R"({"0,1":[[0,0,76]]})");
+  CHECK(data["tree"].dump() == "[[0,1,0.375]]");
+  CHECK(data["maps"].dump() == R"({"0,1":{"energies":[0.25,0.5],"pairs":[[0,0,76]]}})");
   REQUIRE(data["shapes"].size() == 2);
   CHECK(data["shapes"][0]["name"] == "a </script>");
   const json& parts = data["shapes"][1]["parts"];
