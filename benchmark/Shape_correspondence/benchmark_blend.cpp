@@ -157,8 +157,8 @@ bool check(const std::string& source_path, const std::string& target_path, int f
     ground = std::max(ground, quality.ground);
     apart = std::max(apart, widest_gap(trees_of(shape)) / ((1 - t) * heights[0] + t * heights[1]));
   }
-  const double end_apart = std::max(widest_gap(trees_of(source.shape)) / heights[0],
-                                    widest_gap(trees_of(target.shape)) / heights[1]);
+  const double end_apart =
+      std::max(widest_gap(trees_of(source.shape)) / heights[0], widest_gap(trees_of(target.shape)) / heights[1]);
   const double end_asymmetry = std::max(blend.quality(0).asymmetry, blend.quality(1).asymmetry);
   constexpr double just = 1e-6;
   const double start = distance(source.shape, blend(just)) / heights[0];

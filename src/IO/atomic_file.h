@@ -23,11 +23,12 @@ void check_writable(const std::string& path);
 /// \throw Invalid_input if that fails; names the file
 void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write);
 
-/// Throws `Invalid_input` if the folder `path` cannot be made: where there is anything of that name but an empty folder.
+/// Throws `Invalid_input` if the folder `path` cannot be made: where there is anything of that name but an empty
+/// folder.
 void check_new_folder(const std::string& path);
 
-/// Calls `write` with a folder of a temporary name beside `path`, which is then renamed to `path`: all of it or nothing.
-/// \throw Invalid_input if that fails; names the folder
+/// Calls `write` with a folder of a temporary name beside `path`, which is then renamed to `path`: all of it or
+/// nothing. \throw Invalid_input if that fails; names the folder
 void write_folder_atomically(const std::string& path, const std::function<void(const std::string&)>& write);
 
 } // namespace IO

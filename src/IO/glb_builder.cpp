@@ -193,8 +193,7 @@ int Glb_builder::add_numbers(const std::vector<double>& numbers, const char* typ
 int Glb_builder::add_accessor(const std::string& bytes, int target, Json accessor)
 {
   accessor["bufferView"] = document_["bufferViews"].size();
-  document_["bufferViews"].push_back(
-      Json{{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", bytes.size()}});
+  document_["bufferViews"].push_back(Json{{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", bytes.size()}});
   if (target != no_target) document_["bufferViews"].back()["target"] = target;
   buffer_ += bytes;
   document_["accessors"].push_back(accessor);

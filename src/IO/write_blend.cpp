@@ -123,8 +123,7 @@ void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Correspo
 {
   const Segmented_shape source = blend(0), target = blend(1);
   Glb_builder glb;
-  const std::vector<int> materials =
-      materials_of(glb, correspondence, source.parts().size(), target.parts().size());
+  const std::vector<int> materials = materials_of(glb, correspondence, source.parts().size(), target.parts().size());
   const auto time = [&](double t) { return hold_seconds + t * motion_seconds; };
   std::vector<int> roots = {add_end(glb, source, materials.data(), 0, hold_seconds)};
 

@@ -114,8 +114,10 @@ void write_table(std::ostream& out, const Shape_blend& blend)
     rows.push_back({schedule.name, short_number(schedule.quality.gap), short_number(schedule.quality.apart),
                     short_number(schedule.quality.asymmetry), short_number(schedule.quality.ground)});
   cli::write_table(out, rows);
-  out << "\nThe first schedule is taken. Lengths are over the height, the worst of the shapes in between: by how much a "
-         "contact\nis wider than at the ends, how far parts came apart before they were joined again, how far the shape is "
+  out << "\nThe first schedule is taken. Lengths are over the height, the worst of the shapes in between: by how much "
+         "a "
+         "contact\nis wider than at the ends, how far parts came apart before they were joined again, how far the "
+         "shape is "
          "from its\nmirror image, how far its feet are off the ground.\n";
 }
 
@@ -162,8 +164,7 @@ void run_blend(const std::vector<std::string>& arguments)
     IO::write_atomically(output.path,
                          [&](std::ostream& out) { IO::write_blend_glb(out, blend, correspondence, output.frames); });
   else
-    IO::write_folder_atomically(output.path,
-                                [&](const std::string& folder) { write_frames(folder, output, blend); });
+    IO::write_folder_atomically(output.path, [&](const std::string& folder) { write_frames(folder, output, blend); });
   std::vector<std::string> warnings;
   for (std::size_t i : {0u, 1u})
     for (const std::string& warning : structure(shapes[i].graph).warnings)

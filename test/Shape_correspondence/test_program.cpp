@@ -334,3 +334,30 @@ TEST_CASE("A model of one file through the program")
   CHECK(json::parse(self.out)["energy"].get<double>() == Approx(0).margin(1e-9));
   CHECK(json::parse(self.out)["pairs"].size() == 5);
 }
+
+TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
+{
+  const Temporary_folder folder;
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
+  const std::string models =
+      "blend " + quoted(data + "/stool") + " " + quoted(data + "/stool") + " --abstraction boxes";
+  CHECK(run(models).status == 2); // no output
+  CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 1").status == 2);
+  CHECK(run(models + " -o " + quoted(folder.path("f")) + " --format stl").status == 2);
+  const std::string graph = graph_file(folder, "graph.json", hand_made::chair());
+  const Run refusal = run("blend " + quoted(graph) + " " + quoted(graph) + " -o " + quoted(folder.path("f")));
+  CHECK(refusal.status == 1);
+  CHECK_THAT(refusal.error, Contains("graph.json") && Contains("without surfaces"));
+  CHECK(folder.number_of_files() == 1);
+
+  const Run frames = run(models + " -o " + quoted(folder.path("f")) + " --frames 3 --json -");
+  CHECK(frames.status == 0);
+  CHECK(std::filesystem::exists(folder.path("f/frame_002.obj")));
+  const json report = json::parse(frames.out);
+  CHECK(report["format"] == "shape_correspondence/blend");
+  CHECK(report["frames"].size() == 3);
+  CHECK(report["schedules"].size() == 4);
+  CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 3").status == 1); // it is there already
+  CHECK(run(models + " -o " + quoted(folder.path("a.glb")) + " --frames 3 --quiet").status == 0);
+  CHECK(text_of(folder.path("a.glb")).substr(0, 4) == "glTF");
+}

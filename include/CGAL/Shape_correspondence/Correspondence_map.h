@@ -31,10 +31,10 @@ struct Part_parameter
 /// The continuous map between the curves and sheets of two shapes that a part correspondence stands for (paper, section
 /// 1: "fine-grained and piecewise continuous").
 ///
-/// Parts that correspond one to one are mapped as wholes, in the direction in which they are fitted to each other. A part
-/// that corresponds to many is divided among them as they lie: a curve into intervals of its parameter, a sheet into
-/// rectangles, which are mapped each; where they lie side by side across it, it is mapped to all of them. A curve that
-/// corresponds to a sheet runs along the middle of it, the long way. Continuous inside every piece.
+/// Parts that correspond one to one are mapped as wholes, in the direction in which they are fitted to each other. A
+/// part that corresponds to many is divided among them as they lie: a curve into intervals of its parameter, a sheet
+/// into rectangles, which are mapped each; where they lie side by side across it, it is mapped to all of them. A curve
+/// that corresponds to a sheet runs along the middle of it, the long way. Continuous inside every piece.
 class Correspondence_map
 {
 public:
@@ -52,15 +52,15 @@ private:
   struct Side
   {
     std::size_t part = 0;
-    int dimension = 1; ///< 1 for a curve, 2 for a sheet
+    int dimension = 1;                                                          ///< 1 for a curve, 2 for a sheet
     Eigen::Array2d low = Eigen::Array2d::Zero(), high = Eigen::Array2d::Ones(); ///< the piece, in parameters
   };
   /// A map between pieces of two parts.
   struct Piece_map
   {
     Side source, target;
-    Eigen::Matrix2d turn;    ///< from parameters of a piece, from -1 to 1, to those of the other
-    bool closed = false;     ///< two closed curves: t becomes shift + step t
+    Eigen::Matrix2d turn; ///< from parameters of a piece, from -1 to 1, to those of the other
+    bool closed = false;  ///< two closed curves: t becomes shift + step t
     double shift = 0, step = 1;
   };
 
@@ -79,10 +79,10 @@ struct Surface_place
   Point point = Point::Zero();                       ///< in the world
 };
 
-/// The map between the surfaces of two shapes: a point of a surface is taken by the parameters of the part's abstraction
-/// and the coordinates in the local frame, over the extents of the part's cross-section, to the same place of the other
-/// part, and from there to the nearest point of its surface that faces the same way. Splits and merges are those of the
-/// `Correspondence_map`.
+/// The map between the surfaces of two shapes: a point of a surface is taken by the parameters of the part's
+/// abstraction and the coordinates in the local frame, over the extents of the part's cross-section, to the same place
+/// of the other part, and from there to the nearest point of its surface that faces the same way. Splits and merges are
+/// those of the `Correspondence_map`.
 class Surface_map
 {
 public:
@@ -97,8 +97,8 @@ public:
   std::optional<Surface_place> target_of(std::size_t source_part, Eigen::Index vertex) const;
 
   /// Values for the vertices of the target: those of the source, interpolated over triangles; labels (integral and
-  /// enumerated types) are taken from the nearest corner. \param values by source part and vertex \param none where there
-  /// is no counterpart \pre a value that is no label has + and multiplication by a number
+  /// enumerated types) are taken from the nearest corner. \param values by source part and vertex \param none where
+  /// there is no counterpart \pre a value that is no label has + and multiplication by a number
   template <typename Value>
   std::vector<std::vector<Value>> transferred(const std::vector<std::vector<Value>>& values, const Value& none) const;
 
@@ -109,9 +109,9 @@ private:
   std::vector<Eigen::Matrix3Xi> triangles_; ///< of the source's parts
 };
 
-/// The places of the vertices of a target part, as a property map: a model of `ReadablePropertyMap` with integers as keys
-/// (the vertices of the part's mesh; `CGAL::Surface_mesh` descriptors convert to them) and `std::optional<Surface_place>`
-/// as values.
+/// The places of the vertices of a target part, as a property map: a model of `ReadablePropertyMap` with integers as
+/// keys (the vertices of the part's mesh; `CGAL::Surface_mesh` descriptors convert to them) and
+/// `std::optional<Surface_place>` as values.
 class Source_place_map
 {
 public:

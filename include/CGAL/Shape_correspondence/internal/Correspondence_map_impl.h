@@ -194,8 +194,8 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Surface_map::Surface_map(const Structural_graph
         if (outside >= least) continue;
         least = outside;
         const Mesh_place found = finder(whole[s].coordinates.col(v), normals[s].col(v));
-        (*places[s])[part[s]][std::size_t(v)] = Surface_place{
-            part[other], found.triangle, found.weights, found.of(mesh(other).points, mesh(other).triangles)};
+        (*places[s])[part[s]][std::size_t(v)] = Surface_place{part[other], found.triangle, found.weights,
+                                                              found.of(mesh(other).points, mesh(other).triangles)};
       }
     }
   }

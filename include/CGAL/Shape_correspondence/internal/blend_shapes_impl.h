@@ -59,25 +59,24 @@ inline std::vector<Blend_schedule> plausible_schedules(const Blend_stage& stage)
 
 inline Blend_quality worst(const Blend_quality& a, const Blend_quality& b)
 {
-  return {std::max(a.gap, b.gap), std::max(a.apart, b.apart), std::max(a.asymmetry, b.asymmetry), std::max(a.ground, b.ground)};
+  return {std::max(a.gap, b.gap), std::max(a.apart, b.apart), std::max(a.asymmetry, b.asymmetry),
+          std::max(a.ground, b.ground)};
 }
 
 } // namespace internal
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE Shape_blend::Shape_blend(const Structural_graph& source,
-                                                          const Segmented_shape& source_shape,
-                                                          const Structural_graph& target,
-                                                          const Segmented_shape& target_shape,
-                                                          const Correspondence& correspondence,
-                                                          const Blend_options& options)
+CGAL_SHAPE_CORRESPONDENCE_INLINE
+Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& source_shape,
+                         const Structural_graph& target, const Segmented_shape& target_shape,
+                         const Correspondence& correspondence, const Blend_options& options)
 {
   using namespace internal;
   check_model(source, source_shape);
   check_model(target, target_shape);
-  stage_ = std::make_shared<const Blend_stage>(
-      Blend_stage::Side{source, source_shape, 0},
-      Blend_stage::Side{target, target_shape, correspondence.target_quarter_turns}, correspondence,
-      options.contact_tolerance);
+  stage_ =
+      std::make_shared<const Blend_stage>(Blend_stage::Side{source, source_shape, 0},
+                                          Blend_stage::Side{target, target_shape, correspondence.target_quarter_turns},
+                                          correspondence, options.contact_tolerance);
   schedules_ = plausible_schedules(*stage_);
   std::vector<long> costs(schedules_.size(), std::numeric_limits<long>::max());
   for (std::size_t s = 0; s < schedules_.size(); ++s) {
@@ -110,8 +109,8 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Segmented_shape Shape_blend::operator()(double 
   for (std::size_t a = 0; a < scene.points.size(); ++a) {
     const int surface = scene.surface[a];
     if (surface < 0) continue;
-    result.add_part(stage_->actors()[a].name, {stage_->to_world(scene.points[a][std::size_t(surface)], t),
-                                               stage_->triangles(a, surface)});
+    result.add_part(stage_->actors()[a].name,
+                    {stage_->to_world(scene.points[a][std::size_t(surface)], t), stage_->triangles(a, surface)});
   }
   return result;
 }

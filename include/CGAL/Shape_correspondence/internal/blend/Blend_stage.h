@@ -51,8 +51,8 @@ public:
   {
     std::vector<std::array<Points, 2>> points; ///< by actor and surface
     std::vector<int> surface;                  ///< by actor, the one that there is, or -1
-    double gap = 0;   ///< the widest that a contact is more than it may be
-    double apart = 0; ///< how far sets of parts had come apart that were joined again
+    double gap = 0;                            ///< the widest that a contact is more than it may be
+    double apart = 0;                          ///< how far sets of parts had come apart that were joined again
   };
 
   Blend_stage(const Side& source, const Side& target, const Correspondence& correspondence, double contact_tolerance);
@@ -350,7 +350,8 @@ inline Blend_stage::Tree Blend_stage::tree(const Scene& scene, std::size_t actor
 {
   const auto surface = std::size_t(scene.surface[actor]);
   Tree result = *trees_[actor][surface];
-  result.move([&](std::size_t t) { return triangle_of(scene.points[actor][surface], triangles(actor, int(surface)), t); });
+  result.move(
+      [&](std::size_t t) { return triangle_of(scene.points[actor][surface], triangles(actor, int(surface)), t); });
   return result;
 }
 
@@ -506,7 +507,8 @@ inline void Blend_stage::stand(double t, Scene& scene) const
 {
   double lowest = std::numeric_limits<double>::infinity();
   for (std::size_t a = 0; a < actors_.size(); ++a)
-    if (scene.surface[a] >= 0) lowest = std::min(lowest, scene.points[a][std::size_t(scene.surface[a])].row(1).minCoeff());
+    if (scene.surface[a] >= 0)
+      lowest = std::min(lowest, scene.points[a][std::size_t(scene.surface[a])].row(1).minCoeff());
   const double lift = (1 - t) * ground_[0] + t * ground_[1] - lowest;
   for (auto& surfaces : scene.points)
     for (Points& points : surfaces)
@@ -514,7 +516,8 @@ inline void Blend_stage::stand(double t, Scene& scene) const
 }
 
 /// Root mean square distance of points, mirrored in x = 0, from a set of surfaces.
-inline double mirror_residual(const std::vector<const Points*>& surfaces, const std::vector<contacts::Triangle_tree>& trees)
+inline double mirror_residual(const std::vector<const Points*>& surfaces,
+                              const std::vector<contacts::Triangle_tree>& trees)
 {
   constexpr Eigen::Index samples = 24; // of a surface
   double sum = 0;

@@ -93,9 +93,9 @@ public:
   /// Whether `p` is nearer than the root of `squared`.
   bool is_near(const Point& p, double squared) const
   {
-    return any_triangle(
-        [&](const Box& box) { return box.squaredExteriorDistance(p); },
-        [&](const Triangle& t) { return (nearest_on_triangle(p, t) - p).squaredNorm() < squared; }, squared);
+    return any_triangle([&](const Box& box) { return box.squaredExteriorDistance(p); },
+                        [&](const Triangle& t) { return (nearest_on_triangle(p, t) - p).squaredNorm() < squared; },
+                        squared);
   }
 
   /// For every triangle, whether it is within the root of `squared` of a triangle of the other tree.
@@ -136,10 +136,9 @@ private:
     middles.sizes().maxCoeff(&axis);
     const std::size_t half = (begin + end) / 2;
     const auto first = given_.begin();
-    std::nth_element(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(half), first + std::ptrdiff_t(end),
-                     [&](std::size_t a, std::size_t b) {
-                       return middle(triangles_[a])[axis] < middle(triangles_[b])[axis];
-                     });
+    std::nth_element(
+        first + std::ptrdiff_t(begin), first + std::ptrdiff_t(half), first + std::ptrdiff_t(end),
+        [&](std::size_t a, std::size_t b) { return middle(triangles_[a])[axis] < middle(triangles_[b])[axis]; });
     build(begin, half);
     nodes_[node].right = nodes_.size();
     build(half, end);
@@ -243,12 +242,12 @@ private:
     }
     for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t) {
       const Box box = box_of(triangles_[t]);
-      result[t] = other.any_triangle(
-          [&](const Box& node_box) { return node_box.squaredExteriorDistance(box); },
-          [&](const Triangle& u) {
-            return box.squaredExteriorDistance(box_of(u)) <= squared && are_within(triangles_[t], u, squared);
-          },
-          squared);
+      result[t] = other.any_triangle([&](const Box& node_box) { return node_box.squaredExteriorDistance(box); },
+                                     [&](const Triangle& u) {
+                                       return box.squaredExteriorDistance(box_of(u)) <= squared &&
+                                              are_within(triangles_[t], u, squared);
+                                     },
+                                     squared);
     }
   }
 

@@ -24,7 +24,8 @@ namespace internal {
 class Subdivision
 {
 public:
-  Subdivision(const Points& points, const Eigen::Matrix3Xi& triangles) : points_(points.cols()), triangles_(triangles.cols())
+  Subdivision(const Points& points, const Eigen::Matrix3Xi& triangles)
+      : points_(points.cols()), triangles_(triangles.cols())
   {
     for (std::size_t i = 0; i < points_.size(); ++i)
       points_[i] = points.col(Eigen::Index(i));
@@ -151,7 +152,7 @@ inline Part_mesh piece_of(const Points& points, const Eigen::Matrix3Xi& triangle
 /// A mesh in the coordinates of a chart.
 struct Charted_mesh
 {
-  Points points;      ///< in space
+  Points points; ///< in space
   Eigen::Matrix3Xi triangles;
   Points coordinates; ///< in the chart
   Points offsets;     ///< from where the chart has the coordinates to the points, in its frames
@@ -182,10 +183,9 @@ inline Charted_mesh charted_mesh(const Part_mesh& mesh, const Part_chart& chart,
   for (int round = 0; changed; ++round) {
     for (std::size_t i = k.size(); i < fine.number_of_points(); ++i)
       k.push_back(chart.coordinates(fine.point(int(i))));
-    changed = round < most_rounds && fine.number_of_triangles() < most_triangles &&
-              fine.split_edges([&](int a, int b) {
-                return (k[std::size_t(a)] - k[std::size_t(b)]).norm() > longest_edge ? 0.5 : -1;
-              });
+    changed = round < most_rounds && fine.number_of_triangles() < most_triangles && fine.split_edges([&](int a, int b) {
+      return (k[std::size_t(a)] - k[std::size_t(b)]).norm() > longest_edge ? 0.5 : -1;
+    });
   }
   Charted_mesh result{fine.points(), fine.triangles(), {}, {}};
   result.coordinates.resize(3, result.points.cols());

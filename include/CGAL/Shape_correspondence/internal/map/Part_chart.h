@@ -56,7 +56,8 @@ public:
   /// The same chart laid anew so that the points just fit in.
   Part_chart fitted(const Points& surface) const;
   /// The same chart with its spine in the middle of the surface everywhere, so that both sides of a thin and bent part
-  /// are told apart; the same chart if that makes no narrower one. \param surface has points all over, as near to each other as the stations
+  /// are told apart; the same chart if that makes no narrower one. \param surface has points all over, as near to each
+  /// other as the stations
   Part_chart centred(const Points& surface) const;
   /// The chart of the box from `low` to `high`, in coordinates.
   Part_chart restricted(const Point& low, const Point& high) const;
@@ -391,8 +392,8 @@ inline Part_chart Part_chart::between(const Part_chart& a, const Part_chart& b, 
   const Point centre_a = a.spine_.rowwise().mean(), centre_b = b.spine_.rowwise().mean();
   const Eigen::Matrix3d rotation = b.axes() * a.axes().transpose();
   const Eigen::Quaterniond whole(rotation), part = Eigen::Quaterniond::Identity().slerp(t, whole);
-  const Points shape = (1 - t) * (a.spine_.colwise() - centre_a) +
-                       t * (rotation.transpose() * (b.spine_.colwise() - centre_b));
+  const Points shape =
+      (1 - t) * (a.spine_.colwise() - centre_a) + t * (rotation.transpose() * (b.spine_.colwise() - centre_b));
   const Points spine = (part.toRotationMatrix() * shape).colwise() + ((1 - t) * centre_a + t * centre_b);
   const Point half = (1 - t) * a.half_ + t * b.half_;
   if (a.is_sheet_) return over(spine, half);

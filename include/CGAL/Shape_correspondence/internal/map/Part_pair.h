@@ -82,9 +82,9 @@ inline std::vector<Eigen::Matrix3d> cube_rotations()
 
 /// How the charts of two parts are laid on each other.
 enum class Pair_kind {
-  SAME, ///< two curves or two sheets: along both
+  SAME,       ///< two curves or two sheets: along both
   LENGTHWISE, ///< a curve and a sheet: along the curve and the long way of the sheet
-  BOXES ///< with a closed curve: by the boxes around both
+  BOXES       ///< with a closed curve: by the boxes around both
 };
 
 inline Pair_kind pair_kind(const Part_abstraction& a, const Part_abstraction& b)
@@ -160,8 +160,8 @@ inline Points places(const Charted_shape& shape, const std::vector<std::size_t>&
 /// Pairs in which every part of a block is: one to one by optimal assignment as far as numbers allow, every part left
 /// over with the nearest one, or with all of several that are as near, so that a symmetric block is paired
 /// symmetrically.
-inline std::vector<std::pair<std::size_t, std::size_t>>
-pairs_in(const Block& block, const Charted_shape& source, const Charted_shape& target)
+inline std::vector<std::pair<std::size_t, std::size_t>> pairs_in(const Block& block, const Charted_shape& source,
+                                                                 const Charted_shape& target)
 {
   constexpr double as_near = 0.02;
   const Points from = places(source, block.source), to = places(target, block.target);
@@ -202,7 +202,7 @@ struct Share
 /// their extents; those of one place along it are divided on. What lies about one middle shares the box.
 inline void divide(const Chart_box& box, std::vector<Share> shares)
 {
-  constexpr double apart = 0.25; // a spread that tells, over the largest extent of a share
+  constexpr double apart = 0.25;     // a spread that tells, over the largest extent of a share
   constexpr double one_place = 0.15; // over the spread
   int axis = -1;
   double spread = 0;
@@ -247,8 +247,8 @@ inline void divide(const Chart_box& box, std::vector<Share> shares)
 inline Share share_of(const Part_chart& divided, const Part_chart& other, Chart_box& piece)
 {
   const Eigen::Matrix3d axes = divided.axes();
-  return {axes.transpose() * other(Point::Zero()),
-          (axes.transpose() * other.axes()).cwiseAbs() * other.half_extents(), &piece};
+  return {axes.transpose() * other(Point::Zero()), (axes.transpose() * other.axes()).cwiseAbs() * other.half_extents(),
+          &piece};
 }
 
 /// The pairs of pieces that a correspondence consists of, by source part, then target part.
