@@ -208,7 +208,8 @@ void measure(const std::string& folder, bool quiet, bool brute_force, Totals& to
   const std::vector<SC::Part_group> groups = SC::detect_symmetry_groups(parts, frame);
   const double symmetry_seconds = timer.time();
   std::vector<std::string> warnings;
-  const std::vector<SC::Contact> contacts = SC::detect_contacts<CGAL::Parallel_if_available_tag>(shape, parts, frame, {}, warnings);
+  const std::vector<SC::Contact> contacts =
+      SC::detect_contacts<CGAL::Parallel_if_available_tag>(shape, parts, frame, {}, warnings);
   const double contact_seconds = timer.time() - symmetry_seconds;
 
   std::cout << folder << ": " << parts.size() << " parts, " << groups.size() << " groups, " << contacts.size()

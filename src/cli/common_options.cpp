@@ -125,7 +125,8 @@ po::options_description model_options(Common_options& options)
   po::options_description result("Options on models", help_width, description_width);
   auto add = result.add_options();
   add("up", po::value(&options.up)->value_name("AXIS")->default_value(options.up),
-      "the upright axis of model files: x, y, z or auto, which takes the one along which the model stands best and says "
+      "the upright axis of model files: x, y, z or auto, which takes the one along which the model stands best and "
+      "says "
       "which. COLLADA files say it themselves and are turned to y up; a graph file says it, too");
   add("no-symmetry", po::bool_switch(&options.no_symmetry), "take every part as a group of its own");
   add("symmetries", po::value(&options.symmetries)->value_name("KINDS")->default_value(options.symmetries),

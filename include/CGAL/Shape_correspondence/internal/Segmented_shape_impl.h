@@ -83,10 +83,7 @@ inline void check_mesh(const std::string& name, const Part_mesh& mesh)
 } // namespace internal
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE
-Segmented_shape::Segmented_shape(std::string name, const Point& up) : name_(std::move(name))
-{
-  set_up(up);
-}
+Segmented_shape::Segmented_shape(std::string name, const Point& up) : name_(std::move(name)) { set_up(up); }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE
 void Segmented_shape::set_up(const Point& up)

@@ -207,8 +207,7 @@ private:
       for (std::size_t b = a + 1; b < parts_.size(); ++b)
         if (box_distance(a, b) <= tolerance_ * SLACK) pairs.push_back({a, b});
     std::vector<std::optional<Closest_pair>> closest(pairs.size());
-    for_each_index<ConcurrencyTag>(pairs.size(),
-                                   [&](std::size_t k) { closest[k] = touch(pairs[k][0], pairs[k][1]); });
+    for_each_index<ConcurrencyTag>(pairs.size(), [&](std::size_t k) { closest[k] = touch(pairs[k][0], pairs[k][1]); });
     std::vector<Near_pair> result;
     for (std::size_t k = 0; k < pairs.size(); ++k)
       if (closest[k]) result.push_back(numbered(pairs[k][0], pairs[k][1], *closest[k]));

@@ -23,9 +23,9 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-constexpr double base_height = 0.02;       // what is so near to the lowest point carries, over the largest extent
-constexpr double horizontal_cosine = 0.9;  // of a normal with the axis
-constexpr double least_firmness = -0.2;    // falling over is falling over
+constexpr double base_height = 0.02;      // what is so near to the lowest point carries, over the largest extent
+constexpr double horizontal_cosine = 0.9; // of a normal with the axis
+constexpr double least_firmness = -0.2;   // falling over is falling over
 constexpr double weight_of_horizontal = 0.5;
 
 // What a choice of the upright axis is judged by, in units of the shape's largest extent.
@@ -94,8 +94,7 @@ inline double uprightness(const Surface_summary& surface, int axis)
   for (Eigen::Index v = 0; v < surface.vertices.cols(); ++v)
     if (surface.vertices(axis, v) < base_height)
       carrying.emplace_back(surface.vertices(side, v), surface.vertices(front, v));
-  const double firmness =
-      depth_inside({surface.centre[side], surface.centre[front]}, planar_hull(std::move(carrying)));
+  const double firmness = depth_inside({surface.centre[side], surface.centre[front]}, planar_hull(std::move(carrying)));
   return std::max(firmness, least_firmness) + weight_of_horizontal * surface.horizontal[axis];
 }
 

@@ -98,7 +98,8 @@ inline bool improve_by_crossing(const Triangle& a, const Triangle& b, Closest_pa
   return false;
 }
 
-/// Whether the plane of one triangle alone keeps another farther than the root of `squared`: much cheaper than distances.
+/// Whether the plane of one triangle alone keeps another farther than the root of `squared`: much cheaper than
+/// distances.
 inline bool is_off_plane(const Triangle& plane, const Triangle& t, double squared)
 {
   constexpr double ROUNDING = 1 + 1e-9;
