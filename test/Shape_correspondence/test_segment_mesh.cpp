@@ -83,3 +83,14 @@ TEST_CASE("Connected components are parts, open ones as they are")
   open.triangles = open.triangles.leftCols(open.triangles.cols() - 5).eval();
   CHECK(segment_mesh(open).parts().size() == 4);
 }
+
+TEST_CASE("Components without area are left out")
+{
+  Part_mesh mesh = dumb_bell();
+  const Eigen::Index n = mesh.points.cols();
+  mesh.points.conservativeResize(3, n + 3);
+  mesh.points.rightCols(3) << 5, 6, 7, 0, 0, 0, 0, 0, 0;
+  mesh.triangles.conservativeResize(3, mesh.triangles.cols() + 1);
+  mesh.triangles.rightCols(1) << int(n), int(n + 1), int(n + 2);
+  CHECK(segment_mesh(mesh).parts().size() == segment_mesh(dumb_bell()).parts().size());
+}

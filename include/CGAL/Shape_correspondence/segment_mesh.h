@@ -23,8 +23,8 @@ struct Segmentation_options
 
 /// Makes parts of a mesh that has none: its connected components, and of each closed one the segments that CGAL's
 /// package Triangulated Surface Mesh Segmentation finds by the shape diameter function (Shapira, Shamir and Cohen-Or
-/// 2008). Part names are `segment_0`, `segment_1`, … A rough stand-in for a segmentation by hand.
-/// \throw Invalid_input if the mesh cannot be used
+/// 2008). Components without area are left out. Part names are `segment_0`, `segment_1`, … A rough stand-in for a
+/// segmentation by hand. \throw Invalid_input if the mesh cannot be used
 Segmented_shape segment_mesh(const Part_mesh& mesh, const Segmentation_options& options = {},
                              std::string name = "shape", const Point& up = Point::UnitY());
 

@@ -9,7 +9,9 @@
 #include <CGAL/Shape_correspondence/internal/abstraction/meshes.h>
 #include <CGAL/Shape_correspondence/segment_mesh.h>
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -38,6 +40,16 @@ inline Halfedge_mesh welded_surface(const Part_mesh& mesh)
   return result;
 }
 
+/// Whether a mesh has a surface to speak of, not just slivers.
+inline bool has_area(const Halfedge_mesh& mesh)
+{
+  constexpr double sliver = 1e-14; // area of a triangle over the squared extent
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  const double squared_extent = CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin()) +
+                                CGAL::square(box.zmax() - box.zmin());
+  return CGAL::Polygon_mesh_processing::area(mesh) > sliver * double(mesh.number_of_faces()) * squared_extent;
+}
+
 /// Segment ids of a closed connected mesh, from 0 on.
 inline std::vector<std::size_t> sdf_segments(const Halfedge_mesh& mesh, const Segmentation_options& options)
 {
@@ -64,6 +76,7 @@ Segmented_shape segment_mesh(const Part_mesh& mesh, const Segmentation_options& 
   std::size_t parts = 0;
   for (internal::Halfedge_mesh& component : components) {
     component.collect_garbage();
+    if (!internal::has_area(component)) continue;
     std::vector<std::size_t> segments(component.number_of_faces(), 0);
     if (CGAL::is_closed(component)) {
       CGAL::Polygon_mesh_processing::orient_to_bound_a_volume(component); // its inside is what is measured
