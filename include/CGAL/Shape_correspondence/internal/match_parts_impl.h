@@ -23,7 +23,7 @@ namespace internal {
 
 using Match_matrix = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
-// Logistic model of how often a pair is right by the margin of its cost, set on labelled shapes.
+// Logistic model of how often a pair is right by the margin of its cost, set on the development set.
 constexpr double confidence_offset = 0.1, confidence_slope = 0.5, largest_margin = 3;
 
 inline void check(const Part_matching_options& options)
