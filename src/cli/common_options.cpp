@@ -126,8 +126,7 @@ po::options_description model_options(Common_options& options)
   auto add = result.add_options();
   add("up", po::value(&options.up)->value_name("AXIS")->default_value(options.up),
       "the upright axis of model files: x, y, z or auto, which takes the one along which the model stands best and "
-      "says "
-      "which. COLLADA files say it themselves and are turned to y up; a graph file says it, too");
+      "says so. COLLADA files say it themselves and are turned to y up; a graph file says it, too");
   add("no-symmetry", po::bool_switch(&options.no_symmetry), "take every part as a group of its own");
   add("symmetries", po::value(&options.symmetries)->value_name("KINDS")->default_value(options.symmetries),
       "the kinds of symmetry groups that are looked for");
