@@ -252,10 +252,7 @@ inline std::size_t number_of_counted_pairs(const Aligned_shape& shape)
 }
 
 // How well the parts of two shapes go with one another: the mean of the least cost of every part.
-inline long matching_cost(const Part_matching& matching)
-{
-  return quantized(matching.costs.rowwise().minCoeff().mean() + matching.costs.colwise().minCoeff().mean());
-}
+inline long matching_cost(const Part_matching& matching) { return quantized(mean_least_cost(matching.costs)); }
 
 // The confidences of pairs, in the order of the correspondence's pairs.
 inline std::vector<double> ordered_confidences(const Part_matching& matching, const Aligned_shape& source,
