@@ -23,8 +23,9 @@ namespace internal {
 
 using Match_matrix = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
-// Logistic model of how often a pair is right by the margin of its cost, set on the development set.
-constexpr double confidence_offset = 0.1, confidence_slope = 0.5, largest_margin = 3;
+// Logistic model of how often a pair is right by the margin of its cost, set on one half of the development set, by
+// source family, and on the generated shapes, which weigh the same. Pairs of blocks may have any margin below 0.
+constexpr double confidence_offset = 0.33, confidence_slope = 0.43, least_margin = -0.5, largest_margin = 3;
 
 // Parts that pair one to one at no more cost are twins; set on the development set and the generated shapes.
 constexpr double twin_cost = 0.5;
@@ -336,7 +337,7 @@ inline double margin(const Eigen::MatrixXd& costs, const Match_matrix& pairs, Ei
     if (!pairs(i, k)) alternative = std::min(alternative, costs(i, k));
   for (Eigen::Index k = 0; k < costs.rows(); ++k)
     if (!pairs(k, j)) alternative = std::min(alternative, costs(k, j));
-  return std::clamp(alternative - costs(i, j), -largest_margin, largest_margin);
+  return std::clamp(alternative - costs(i, j), least_margin, largest_margin);
 }
 
 inline double confidence(double margin) { return 1 / (1 + std::exp(-(confidence_offset + confidence_slope * margin))); }
