@@ -303,7 +303,7 @@ void segment_automatically(const std::string& folder, const Structural_graph& gr
     for (Eigen::Index k = 0; k < part.mesh.points.cols(); ++k)
       part_of_point[{part.mesh.points(0, k), part.mesh.points(1, k), part.mesh.points(2, k)}] = index;
   }
-  const Segmented_shape segments = segment_mesh(all, {}, shape.name());
+  const Segmented_shape segments = segment_mesh(all, {}, shape.name()).shape;
   segmented = load_graph(segments, cache);
   segment_labels.clear();
   for (const Part_abstraction& part : structure(segmented).parts) {
