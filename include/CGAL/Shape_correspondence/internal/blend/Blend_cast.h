@@ -189,7 +189,9 @@ inline void Blend_cast::add_morphs(const std::array<Charted_shape, 2>& charted, 
     actor.twin = twins[i];
     std::optional<bool> forward;
     if (actor.twin < i) forward = actors[actor.twin].morph->is_forward();
-    actor.morph.emplace(pair_charts(pair, charted[0], charted[1], from.points, to.points), from, to, forward);
+    Pair_charts charts = pair_charts(pair, charted[0], charted[1], from.points, to.points);
+    if (actor.twin == i) charts = upright_charts(charts, from.points, to.points);
+    actor.morph.emplace(charts, from, to, forward);
     actor.height = (from.points.row(1).mean() + to.points.row(1).mean()) / 2;
     actor.foot = {from.points.row(1).minCoeff() - ground[0], to.points.row(1).minCoeff() - ground[1]};
     actor.stands = std::max(actor.foot[0], actor.foot[1]) <= on_ground;

@@ -101,6 +101,24 @@ inline Eigen::Matrix3d mirror_turn(const Part_chart& chart, const Part_chart& im
   return -best;
 }
 
+/// Whether a chart of a part that is its own mirror image has coordinates that are their own mirror image, too.
+inline bool is_mirrored(const Part_chart& chart)
+{
+  constexpr double upright = 0.05; // sine of an angle; also of the height
+  const Eigen::Matrix3d axes = chart.axes(), image = Point(-1, 1, 1).asDiagonal() * axes;
+  return std::abs(chart(Point::Zero()).x()) <= upright &&
+         (axes * mirror_turn(chart, chart) - image).cwiseAbs().maxCoeff() <= upright;
+}
+
+/// The charts of a pair that is its own mirror image: the boxes upright on the mirror plane, where the given ones are
+/// awry.
+inline Pair_charts upright_charts(const Pair_charts& charts, const Points& source, const Points& target)
+{
+  if (is_mirrored(charts.source) && is_mirrored(charts.target)) return charts;
+  const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
+  return {Part_chart::box(source, upright), Part_chart::box(target, upright)};
+}
+
 /// Turns the coordinates of pairs that are each other's mirror images alike, and those of a pair that is its own image
 /// so that the mirror plane stays where it is.
 /// \param twins of the pairs, by index
@@ -115,13 +133,13 @@ inline void mirror_turns(const Charted_shape& source, const Charted_shape& targe
     const Pair_kind kind = pair_kind(pairs[i], source, target);
     if (kind != pair_kind(pairs[twin], source, target)) continue;
     const Eigen::Matrix3d before = mirror_turn(from, twin_from), after = mirror_turn(to, twin_to);
-    const auto is_mirrored = [&, from = from, to = to](const Eigen::Matrix3d& turn) {
+    const auto is_image = [&, from = from, to = to](const Eigen::Matrix3d& turn) {
       if (twin != i) return (after * turn).isApprox(pairs[twin].turn * before);
       // On the way, too: it turns about the normal of the mirror plane only
       const Eigen::Matrix3d rotation = to.axes() * turn * from.axes().transpose();
       return (after * turn).isApprox(turn * before) && rotation(0, 0) > 0;
     };
-    if (const auto turn = best_turn(from, to, kind, is_mirrored)) pairs[i].turn = *turn;
+    if (const auto turn = best_turn(from, to, kind, is_image)) pairs[i].turn = *turn;
   }
 }
 
