@@ -155,6 +155,14 @@ inline Blend_cast::Blend_cast(const Blend_side& source, const Blend_side& target
   add_links(sides, contact_tolerance);
 }
 
+/// How far what a morph goes through is from its mirror image, half way.
+inline double asymmetry(const Part_morph& morph)
+{
+  const int carrier = morph.carrier(0.5);
+  const Points points = morph.points(carrier, 0.5);
+  return mirror_distance(points, tree_of(points, morph.triangles(carrier)));
+}
+
 /// A pair for every two parts that become each other and, if the blend is to be symmetric, for their mirror images.
 inline void Blend_cast::add_morphs(const std::array<Charted_shape, 2>& charted, const Correspondence& correspondence)
 {
@@ -189,9 +197,12 @@ inline void Blend_cast::add_morphs(const std::array<Charted_shape, 2>& charted, 
     actor.twin = twins[i];
     std::optional<bool> forward;
     if (actor.twin < i) forward = actors[actor.twin].morph->is_forward();
-    Pair_charts charts = pair_charts(pair, charted[0], charted[1], from.points, to.points);
-    if (actor.twin == i) charts = upright_charts(charts, from.points, to.points);
+    const Pair_charts charts = pair_charts(pair, charted[0], charted[1], from.points, to.points);
     actor.morph.emplace(charts, from, to, forward);
+    if (actor.twin == i && !(is_mirrored(charts.source) && is_mirrored(charts.target))) {
+      Part_morph upright(upright_charts(from.points, to.points), from, to);
+      if (quantized(asymmetry(upright)) < quantized(asymmetry(*actor.morph))) actor.morph = std::move(upright);
+    }
     actor.height = (from.points.row(1).mean() + to.points.row(1).mean()) / 2;
     actor.foot = {from.points.row(1).minCoeff() - ground[0], to.points.row(1).minCoeff() - ground[1]};
     actor.stands = std::max(actor.foot[0], actor.foot[1]) <= on_ground;

@@ -46,6 +46,7 @@ private:
 
   double ground() const { return (1 - t_) * cast_.ground[0] + t_ * cast_.ground[1]; }
   double lowest(std::size_t actor) const { return points_[actor][std::size_t(surface_[actor])].row(1).minCoeff(); }
+  double foot_level(std::size_t actor) const;
   double rise_to_stand(std::size_t actor) const;
   Point foot(std::size_t actor) const;
   void morph(const Times& times);
@@ -149,11 +150,16 @@ inline void Blend_scene::mirror()
   }
 }
 
+/// How high the foot of a part that stands is above the ground at the ends, in between.
+inline double Blend_scene::foot_level(std::size_t actor) const
+{
+  return (1 - t_) * cast_.actors[actor].foot[0] + t_ * cast_.actors[actor].foot[1];
+}
+
 /// How far a part that stands is to rise to be as high above the ground as it is at the ends.
 inline double Blend_scene::rise_to_stand(std::size_t actor) const
 {
-  const auto& foot = cast_.actors[actor].foot;
-  return ground() + (1 - t_) * foot[0] + t_ * foot[1] - lowest(actor);
+  return ground() + foot_level(actor) - lowest(actor);
 }
 
 /// The middle of the lowest points.
@@ -296,14 +302,19 @@ inline void Blend_scene::join()
   }
 }
 
-/// Puts the shape on the ground.
+/// Lifts the shape out of the ground, or puts it there if no part of it is to stand.
 inline void Blend_scene::stand()
 {
   double low = std::numeric_limits<double>::infinity();
+  bool stands = false;
+  for (std::size_t a = 0; a < points_.size(); ++a) {
+    if (!is_there(a)) continue;
+    low = std::min(low, lowest(a));
+    stands = stands || cast_.actors[a].stands;
+  }
+  const double lift = stands ? std::max(0., ground() - low) : ground() - low;
   for (std::size_t a = 0; a < points_.size(); ++a)
-    if (is_there(a)) low = std::min(low, lowest(a));
-  for (std::size_t a = 0; a < points_.size(); ++a)
-    move(a, Point(0, ground() - low, 0));
+    move(a, Point(0, lift, 0));
 }
 
 inline double Blend_scene::gap() const

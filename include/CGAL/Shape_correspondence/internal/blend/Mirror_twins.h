@@ -110,11 +110,9 @@ inline bool is_mirrored(const Part_chart& chart)
          (axes * mirror_turn(chart, chart) - image).cwiseAbs().maxCoeff() <= upright;
 }
 
-/// The charts of a pair that is its own mirror image: the boxes upright on the mirror plane, where the given ones are
-/// awry.
-inline Pair_charts upright_charts(const Pair_charts& charts, const Points& source, const Points& target)
+/// Charts of a pair that is its own mirror image: boxes upright on the mirror plane.
+inline Pair_charts upright_charts(const Points& source, const Points& target)
 {
-  if (is_mirrored(charts.source) && is_mirrored(charts.target)) return charts;
   const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
   return {Part_chart::box(source, upright), Part_chart::box(target, upright)};
 }

@@ -151,6 +151,10 @@ inline Part_mesh piece_of(const Points& points, const Eigen::Matrix3Xi& triangle
         if (std::abs(p[axis] - at) <= near_section) sides.back().section.extend(p);
     }
   Part_mesh result{mesh.points(), mesh.triangles()};
+  Eigen::AlignedBox3d kept; // in space: no cap sticks out of it
+  for (Eigen::Index i = 0; i < result.points.cols(); ++i)
+    if (Chart_box(box.min().array() - near_section, box.max().array() + near_section).contains(k[std::size_t(i)]))
+      kept.extend(Point(result.points.col(i)));
   for (Eigen::Index i = 0; i < result.points.cols(); ++i) {
     const Point outside = k[std::size_t(i)];
     Point inside = outside;
@@ -163,6 +167,7 @@ inline Part_mesh piece_of(const Points& points, const Eigen::Matrix3Xi& triangle
     if (inside == outside) continue;
     const Point off = chart.frame(outside).inverse() * (result.points.col(i) - chart(outside));
     result.points.col(i) = chart(inside) + chart.frame(inside) * off;
+    if (!kept.isEmpty()) result.points.col(i) = result.points.col(i).cwiseMax(kept.min()).cwiseMin(kept.max());
   }
   return result;
 }
