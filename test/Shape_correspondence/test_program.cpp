@@ -361,6 +361,7 @@ TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
   CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 3").status == 1); // it is there already
   CHECK(run(models + " -o " + quoted(folder.path("a.glb")) + " --frames 3 --quiet").status == 0);
   CHECK(text_of(folder.path("a.glb")).substr(0, 4) == "glTF");
+  CHECK(run("blend " + quoted(graph) + " " + quoted(graph) + " -o " + quoted(folder.path("frames.obj"))).status == 2);
 }
 
 TEST_CASE("blend takes a correspondence that was found before")
