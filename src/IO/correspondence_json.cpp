@@ -4,10 +4,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include "json_field.h"
 #include "json_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
@@ -105,6 +107,7 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
   result["energy"] = c.energy;
   result["terms"] = terms(c.terms);
   result["direction"] = name_of(c.direction);
+  result["target_quarter_turns"] = c.target_quarter_turns;
   result["complete"] = c.complete;
   result["optimal"] = c.optimal;
   result["pairs"] = pairs(c, source, target);
@@ -138,9 +141,31 @@ Named_correspondence read_correspondence_json(const std::string& file)
     const std::vector<Json_field> names = pair.elements(2, "a pair of part names");
     result.pairs.emplace_back(names[0].text(), names[1].text());
   }
+  if (root.has("target_quarter_turns")) result.target_quarter_turns = root["target_quarter_turns"].integer();
   if (!root.has("confidences")) return result;
   for (const Json_field& confidence : root["confidences"].elements(result.pairs.size(), "a confidence for each pair"))
     result.confidences.push_back(confidence.number_at_least_0());
+  return result;
+}
+
+Correspondence correspondence_of(const Named_correspondence& named, const Structural_graph& source,
+                                 const Structural_graph& target, const std::string& file)
+{
+  const auto part = [&](const std::string& name, const Structural_graph& graph) {
+    const auto& parts = structure(graph).parts;
+    const auto found =
+        std::find_if(parts.begin(), parts.end(), [&](const Part_abstraction& p) { return p.name == name; });
+    if (found == parts.end())
+      throw Invalid_input(file + ": it matches part '" + name + "', which " + structure(graph).name +
+                          " does not have; give the shapes that were matched, in that order");
+    return static_cast<std::size_t>(found - parts.begin());
+  };
+  Correspondence result;
+  for (const auto& [s, t] : named.pairs)
+    result.pairs.emplace_back(part(s, source), part(t, target));
+  std::sort(result.pairs.begin(), result.pairs.end());
+  result.target_quarter_turns = named.target_quarter_turns;
+  result.complete = named.complete;
   return result;
 }
 

@@ -13,11 +13,13 @@
 
 #include "../IO/atomic_file.h"
 
+#include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 #include <CGAL/Shape_correspondence/internal/for_each_index.h>
 
+#include <filesystem>
 #include <iostream>
 
 namespace CGAL {
@@ -41,7 +43,11 @@ a part is named s~t where source part s becomes t, s~ where s vanishes and ~t wh
 SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA: one node is one part) or
 folders of part meshes (one file is one part, its stem the part's name).
 
-Example: shape_correspondence blend chair.obj swivel_chair.obj -o blend.glb
+With --match R.json the parts correspond as in a result of `match` for the same two shapes; options of the search are
+then refused.
+
+Examples: shape_correspondence blend chair.obj swivel_chair.obj -o blend.glb
+          shape_correspondence blend chair.obj swivel_chair.obj -o frames --match chair_swivel.json --frames 9
 
 )";
 
@@ -49,6 +55,7 @@ struct Blend_output
 {
   std::string path;
   std::string format = "obj";
+  std::string match; ///< a result file, or empty
   int frames = 25;
 };
 
@@ -62,6 +69,8 @@ po::options_description output_options(Blend_output& output, Common_options& com
       "frames at even times, the source and the target among them");
   add("format", po::value(&output.format)->value_name("FORMAT")->default_value(output.format),
       "of the files in the folder: obj (an object a part) or ply (binary, the part a property of every face)");
+  add("match", po::value(&output.match)->value_name("R.json"),
+      "the correspondence: a result that `match --json` wrote for these shapes; else it is searched for");
   add("json", po::value(&common.json)->value_name("FILE"),
       "write what happens when, and how well every frame holds together, as JSON; - is standard output");
   return result;
@@ -69,12 +78,32 @@ po::options_description output_options(Blend_output& output, Common_options& com
 
 bool is_glb(const std::string& path) { return path.size() > 4 && path.compare(path.size() - 4, 4, ".glb") == 0; }
 
+/// \throw Usage_error if a folder is to have the name of a file that blend does not write
+void check_is_no_other_file(const std::string& folder)
+{
+  const std::string ending = std::filesystem::path(folder).extension().string();
+  for (const char* file : {".obj", ".ply", ".stl", ".off", ".gltf", ".dae", ".json", ".html", ".png", ".gif", ".mp4"})
+    if (ending == file)
+      throw Usage_error("'" + folder + "' is the name of a " + ending.substr(1) +
+                        " file; blend writes an animation, FILE.glb, or a file a frame into a folder");
+}
+
 void check(const Blend_output& output)
 {
   if (output.path.empty()) throw Usage_error("say with -o where the frames go: a folder, or a file that ends in .glb");
   check_at_least("frames", output.frames, 2);
   check_word("format", output.format, {"obj", "ply"});
-  if (!is_glb(output.path)) IO::check_new_folder(output.path);
+  if (is_glb(output.path)) return;
+  check_is_no_other_file(output.path);
+  IO::check_new_folder(output.path);
+}
+
+/// \throw Usage_error if an option of the search is given along with a correspondence
+void check_needs_no_search(const po::options_description& search, const po::variables_map& given)
+{
+  for (const auto& option : search.options())
+    if (given.count(option->long_name()) && !given[option->long_name()].defaulted())
+      throw Usage_error("--match says what corresponds; leave --" + option->long_name() + " out");
 }
 
 void check_has_surfaces(const std::string& path, const Loaded_shape& shape)
@@ -129,16 +158,15 @@ void run_blend(const std::vector<std::string>& arguments)
   Match_options match;
   Blend_output output;
   po::options_description options;
-  options.add(output_options(output, common))
-      .add(match_options(match))
-      .add(model_options(common))
-      .add(common_options(common));
+  const po::options_description searching = match_options(match);
+  options.add(output_options(output, common)).add(searching).add(model_options(common)).add(common_options(common));
   const Arguments parsed = parse(arguments, options, 2, 2);
   if (parsed.help) {
     std::cout << help_text << options;
     return;
   }
   Search_options search = search_options(match, parsed.values);
+  if (!output.match.empty()) check_needs_no_search(searching, parsed.values);
   if (is_glb(output.path)) common.glb = output.path;
   check(common);
   check(output);
@@ -150,7 +178,10 @@ void run_blend(const std::vector<std::string>& arguments)
   const Loaded_shape &source = shapes[0], &target = shapes[1];
   search.source_parts = chosen_parts(match.source_parts, source.graph, paths[0]);
   search.target_parts = chosen_parts(match.target_parts, target.graph, paths[1]);
-  const Correspondence correspondence = find_correspondence(source.graph, target.graph, search);
+  const Correspondence correspondence =
+      output.match.empty()
+          ? find_correspondence(source.graph, target.graph, search)
+          : IO::correspondence_of(IO::read_correspondence_json(output.match), source.graph, target.graph, output.match);
 
   Progress_bar bar(common, "blend");
   Blend_options blending;

@@ -361,4 +361,36 @@ TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
   CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 3").status == 1); // it is there already
   CHECK(run(models + " -o " + quoted(folder.path("a.glb")) + " --frames 3 --quiet").status == 0);
   CHECK(text_of(folder.path("a.glb")).substr(0, 4) == "glTF");
+  CHECK(run("blend " + quoted(graph) + " " + quoted(graph) + " -o " + quoted(folder.path("frames.obj"))).status == 2);
+}
+
+TEST_CASE("blend takes a correspondence that was found before")
+{
+  const Temporary_folder folder;
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
+  const std::string models = quoted(data + "/chair_spindle") + " " + quoted(data + "/stool") + " --abstraction boxes";
+  const std::string result = folder.path("match.json"), other = folder.path("other.json");
+  REQUIRE(run("match " + models + " --json " + quoted(result)).status == 0);
+  const auto tasks = [&](const std::string& out, const std::string& options) {
+    const Run done = run("blend " + models + " -o " + quoted(folder.path(out)) + " --frames 2 --json - " + options);
+    REQUIRE(done.status == 0);
+    return json::parse(done.out)["tasks"];
+  };
+  CHECK(tasks("a", "--match " + quoted(result)) == tasks("b", ""));
+
+  json seats = json::parse(text_of(result));
+  seats["pairs"] = json::array({json::array({"saddle_seat", "round_board"})});
+  seats.erase("confidences");
+  folder.write("other.json", seats.dump());
+  const json of_seats = tasks("c", "--match " + quoted(other));
+  CHECK(std::count_if(of_seats.begin(), of_seats.end(), [](const json& task) { return task["task"] == "morph"; }) == 1);
+
+  const std::string blend = "blend " + models + " -o " + quoted(folder.path("d"));
+  CHECK(run(blend + " --match " + quoted(result) + " --search beam").status == 2);
+  CHECK(run(blend + " --match " + quoted(folder.path("none.json"))).status == 1);
+  seats["pairs"][0][1] = "no_such_part";
+  folder.write("other.json", seats.dump());
+  const Run refusal = run(blend + " --match " + quoted(other));
+  CHECK(refusal.status == 1);
+  CHECK_THAT(refusal.error, Contains("other.json") && Contains("no_such_part") && Contains("stool"));
 }

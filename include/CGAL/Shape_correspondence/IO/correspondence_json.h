@@ -47,11 +47,18 @@ struct Named_correspondence
   std::vector<std::pair<std::string, std::string>> pairs; ///< (source part, target part)
   std::vector<double> confidences;                        ///< by pair; empty where the method has none
   bool complete = false;
+  int target_quarter_turns = 0; ///< of the target about up, into the source's frame
 };
 
 /// Reads a result in the JSON format `shape_correspondence/match`; of ranked solutions, the first.
 /// \throw Invalid_input if the file cannot be read or is no such result; names the file and what is wrong
 Named_correspondence read_correspondence_json(const std::string& file);
+
+/// The pairs, completeness and turn of a result, by the indices of its parts in graphs of the shapes.
+/// \param file what errors name
+/// \throw Invalid_input if a shape does not have one of the parts
+Correspondence correspondence_of(const Named_correspondence& named, const Structural_graph& source,
+                                 const Structural_graph& target, const std::string& file);
 
 /// Whether a JSON file is a result in that format, and not something else. \throw Invalid_input if it is no JSON
 bool is_correspondence_json(const std::string& file);

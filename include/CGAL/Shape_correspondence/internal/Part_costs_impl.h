@@ -8,6 +8,7 @@
 
 #include <CGAL/Shape_correspondence/Part_costs.h>
 
+#include <CGAL/Shape_correspondence/internal/nearest_points_kernel.h>
 #include <CGAL/Shape_correspondence/internal/part_assemblies_impl.h>
 #include <CGAL/Shape_correspondence/internal/quantized.h>
 
@@ -155,17 +156,20 @@ inline Point_distances room_for_distances(const Compared_shape& from, const Comp
   return result;
 }
 
-// Distances of the points of either surface from the other; both at once, since they need the same distances of points.
-inline void nearest_distances(const Surface& p, const Surface& q, Eigen::ArrayXd& p_from_q, Eigen::ArrayXd& q_from_p)
+inline std::vector<Point_lanes> lanes_of(const Compared_shape& shape)
 {
-  p_from_q.resize(p.rows());
-  q_from_p.setConstant(q.rows(), std::numeric_limits<double>::infinity());
-  Eigen::ArrayXd squared(q.rows());
-  for (Eigen::Index k = 0; k < p.rows(); ++k) {
-    squared = (q.col(0) - p(k, 0)).square() + (q.col(1) - p(k, 1)).square() + (q.col(2) - p(k, 2)).square();
-    p_from_q[k] = squared.minCoeff();
-    q_from_p = q_from_p.min(squared);
-  }
+  return {shape.surfaces.begin(), shape.surfaces.end()};
+}
+
+// Distances of the points of either surface from the other.
+inline void nearest_distances(const Point_lanes& p, const Point_lanes& q, Eigen::ArrayXd& p_from_q,
+                              Eigen::ArrayXd& q_from_p)
+{
+  p_from_q.resize(p.padded());
+  q_from_p.resize(q.padded());
+  nearest_squared_kernel()(p, q, p_from_q.data(), q_from_p.data());
+  p_from_q.conservativeResize(p.count());
+  q_from_p.conservativeResize(q.count());
   p_from_q = p_from_q.sqrt();
   q_from_p = q_from_p.sqrt();
 }
@@ -175,10 +179,11 @@ inline void point_distances(const Compared_shape& a, const Compared_shape& b, Po
 {
   a_from_b = room_for_distances(a, b);
   b_from_a = room_for_distances(b, a);
+  const std::vector<Point_lanes> a_lanes = lanes_of(a), b_lanes = lanes_of(b);
   Eigen::ArrayXd p_from_q, q_from_p;
-  for (std::size_t i = 0; i < a.surfaces.size(); ++i)
-    for (std::size_t j = 0; j < b.surfaces.size(); ++j) {
-      nearest_distances(a.surfaces[i], b.surfaces[j], p_from_q, q_from_p);
+  for (std::size_t i = 0; i < a_lanes.size(); ++i)
+    for (std::size_t j = 0; j < b_lanes.size(); ++j) {
+      nearest_distances(a_lanes[i], b_lanes[j], p_from_q, q_from_p);
       a_from_b[i].col(Eigen::Index(j)) = p_from_q;
       b_from_a[j].col(Eigen::Index(i)) = q_from_p;
     }
@@ -424,11 +429,12 @@ inline Eigen::MatrixXd own_part_costs(const Compared_shape& a, const std::vector
                                       const Part_cost_weights& weights)
 {
   Eigen::MatrixXd result = costs_of_boxes(a.boxes, a.boxes, weights);
+  const std::vector<Point_lanes> lanes = lanes_of(a);
   Eigen::ArrayXd i_from_j, j_from_i;
   for (std::size_t i = 0; i < a.parts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       if (!is_chosen[i] && !is_chosen[j]) continue;
-      nearest_distances(a.surfaces[i], a.surfaces[j], i_from_j, j_from_i);
+      nearest_distances(lanes[i], lanes[j], i_from_j, j_from_i);
       const auto row = Eigen::Index(i), column = Eigen::Index(j);
       result(row, column) +=
           cost_of_kind(a.parts[i], a.parts[j], weights) + weights.chamfer * (i_from_j.mean() + j_from_i.mean()) / 2;

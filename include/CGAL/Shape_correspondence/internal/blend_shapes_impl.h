@@ -37,15 +37,16 @@ struct Schedule_plan
 
 inline std::vector<Blend_schedule> plausible_schedules(const Blend_stage& stage)
 {
+  // What vanishes, or comes, may be all that holds others: it is there until contacts of the other end have come about
   static constexpr Schedule_plan plans[] = {{"all at once", {0, 1}, {0, 1}, {0, 1}, 0},
                                             {"shrink, then grow", {0, 1}, {0, 0.5}, {0.5, 1}, 0},
-                                            {"one after the other", {0.25, 0.75}, {0, 0.35}, {0.65, 1}, 0},
+                                            {"one after the other", {0.25, 0.75}, {0, 0.5}, {0.5, 1}, 0},
                                             {"from the ground up", {0, 0.6}, {0, 0.5}, {0.5, 1}, 0.4}};
   std::vector<Blend_schedule> result;
   for (const Schedule_plan& plan : plans) {
     result.emplace_back();
     result.back().name = plan.name;
-    for (const Blend_stage::Actor& actor : stage.actors()) {
+    for (const Blend_actor& actor : stage.actors()) {
       Blend_task task = actor.task;
       const double delay = actor.morph ? plan.from_the_ground * std::clamp(actor.height, 0., 1.) : 0;
       const auto& times = actor.morph ? plan.morph : task.type == Blend_task_type::SHRINK ? plan.shrink : plan.grow;
@@ -73,10 +74,9 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
   using namespace internal;
   check_model(source, source_shape);
   check_model(target, target_shape);
-  stage_ =
-      std::make_shared<const Blend_stage>(Blend_stage::Side{source, source_shape, 0},
-                                          Blend_stage::Side{target, target_shape, correspondence.target_quarter_turns},
-                                          correspondence, options.contact_tolerance);
+  stage_ = std::make_shared<const Blend_stage>(Blend_side{source, source_shape, 0},
+                                               Blend_side{target, target_shape, correspondence.target_quarter_turns},
+                                               correspondence, options.contact_tolerance);
   schedules_ = plausible_schedules(*stage_);
   std::vector<long> costs(schedules_.size(), std::numeric_limits<long>::max());
   for (std::size_t s = 0; s < schedules_.size(); ++s) {
@@ -85,7 +85,7 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
     std::vector<Blend_quality> qualities(std::size_t(options.samples));
     for_each_index<CGAL::Parallel_if_available_tag>(qualities.size(), [&](std::size_t i) {
       const double t = double(i + 1) / double(qualities.size() + 1);
-      qualities[i] = stage_->quality(stage_->scene(times, t), t);
+      qualities[i] = stage_->quality(stage_->scene(times, t));
     });
     Blend_quality& quality = schedules_[s].quality;
     quality = std::accumulate(qualities.begin(), qualities.end(), quality, worst);
@@ -104,28 +104,28 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Segmented_shape Shape_blend::operator()(double 
 {
   if (t <= 0) return stage_->end(0);
   if (t >= 1) return stage_->end(1);
-  const internal::Blend_stage::Scene scene = stage_->scene(internal::times_of(schedules_[0]), t);
+  const internal::Blend_scene scene = stage_->scene(internal::times_of(schedules_[0]), t);
   Segmented_shape result(stage_->end(0).name() + '~' + stage_->end(1).name(), stage_->up(t));
-  for (std::size_t a = 0; a < scene.points.size(); ++a) {
-    const int surface = scene.surface[a];
-    if (surface < 0) continue;
+  for (std::size_t a = 0; a < stage_->actors().size(); ++a) {
+    if (!scene.is_there(a)) continue;
+    const int surface = scene.surface(a);
     result.add_part(stage_->actors()[a].name,
-                    {stage_->to_world(scene.points[a][std::size_t(surface)], t), stage_->triangles(a, surface)});
+                    {stage_->to_world(scene.points(a, surface), t), stage_->triangles(a, surface)});
   }
   return result;
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Blend_quality Shape_blend::quality(double t) const
 {
-  if (t <= 0 || t >= 1) return stage_->quality({}, t);
-  return stage_->quality(stage_->scene(internal::times_of(schedules_[0]), t), t);
+  if (t <= 0 || t >= 1) return stage_->end_quality(t <= 0 ? 0 : 1);
+  return stage_->quality(stage_->scene(internal::times_of(schedules_[0]), t));
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Blend_surface> Shape_blend::surfaces() const
 {
   std::vector<Blend_surface> result;
   for (std::size_t a = 0; a < stage_->actors().size(); ++a) {
-    const internal::Blend_stage::Actor& actor = stage_->actors()[a];
+    const internal::Blend_actor& actor = stage_->actors()[a];
     const Blend_task& task = schedules_[0].tasks[a];
     if (!actor.morph) {
       const bool shrinks = task.type == Blend_task_type::SHRINK;
@@ -143,10 +143,10 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Blend_surface> Shape_blend::surface
 CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Points> Shape_blend::points(double t) const
 {
   std::vector<Points> result;
-  const internal::Blend_stage::Scene scene = stage_->scene(internal::times_of(schedules_[0]), t);
-  for (std::size_t a = 0; a < scene.points.size(); ++a)
-    for (std::size_t surface = 0; surface < (stage_->actors()[a].morph ? 2 : 1); ++surface)
-      result.push_back(stage_->to_world(scene.points[a][surface], t));
+  const internal::Blend_scene scene = stage_->scene(internal::times_of(schedules_[0]), t);
+  for (std::size_t a = 0; a < stage_->actors().size(); ++a)
+    for (int surface = 0; surface < (stage_->actors()[a].morph ? 2 : 1); ++surface)
+      result.push_back(stage_->to_world(scene.points(a, surface), t));
   return result;
 }
 

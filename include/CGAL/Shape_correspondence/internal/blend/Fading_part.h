@@ -6,6 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_FADING_PART_H
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_FADING_PART_H
 
+#include <CGAL/Shape_correspondence/internal/blend/Affine_moves.h>
 #include <CGAL/Shape_correspondence/internal/map/Charted_mesh.h>
 
 #include <utility>
@@ -21,26 +22,25 @@ struct Handle
   Point at, move;
 };
 
-/// Moves points along with handles: by the affine map nearest to all of them that changes shapes little where handles
-/// do not ask for it.
-inline void follow(const std::vector<Handle>& handles, Points& points)
+/// The affine move nearest to what handles ask for that changes shapes little where they do not ask for it.
+/// \param size of what is to move
+inline Affine_move following(const std::vector<Handle>& handles, double size)
 {
-  if (handles.empty()) return;
-  constexpr double stiffness = 0.25; // over the squared size of what moves
-  Point middle = Point::Zero(), move = Point::Zero();
+  Affine_move result;
+  if (handles.empty()) return result;
+  constexpr double stiffness = 0.1; // over the squared size
   for (const Handle& handle : handles) {
-    middle += handle.at / double(handles.size());
-    move += handle.move / double(handles.size());
+    result.middle += handle.at / double(handles.size());
+    result.shift += handle.move / double(handles.size());
   }
-  const Point size = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
   Eigen::Matrix3d across = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d spread = (stiffness * size.squaredNorm() + 1e-12) * Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d spread = (stiffness * size * size + 1e-12) * Eigen::Matrix3d::Identity();
   for (const Handle& handle : handles) {
-    across += (handle.move - move) * (handle.at - middle).transpose();
-    spread += (handle.at - middle) * (handle.at - middle).transpose();
+    across += (handle.move - result.shift) * (handle.at - result.middle).transpose();
+    spread += (handle.at - result.middle) * (handle.at - result.middle).transpose();
   }
-  const Eigen::Matrix3d gradient = across * spread.inverse();
-  points = (points + gradient * (points.colwise() - middle)).colwise() + move;
+  result.gradient = across * spread.inverse();
+  return result;
 }
 
 /// A part without counterpart. It shrinks to where it touches what stays; between contacts far from each other it
@@ -72,17 +72,29 @@ public:
   Points points(double left) const
   {
     if (left >= 1) return mesh_.points;
-    if (kept_axis_ < 0) return (left * (mesh_.points.colwise() - centre_)).colwise() + centre_;
     Points result(3, mesh_.points.cols());
-    for (Eigen::Index i = 0; i < result.cols(); ++i) {
-      Point k = left * mesh_.coordinates.col(i) + (1 - left) * thread_;
-      k[kept_axis_] = mesh_.coordinates(kept_axis_, i);
-      result.col(i) = chart_(k) + chart_.frame(k) * (left * mesh_.offsets.col(i));
-    }
+    for (Eigen::Index i = 0; i < result.cols(); ++i)
+      result.col(i) = place(mesh_.points.col(i), mesh_.coordinates.col(i), mesh_.offsets.col(i), left);
     return result;
   }
 
+  /// Where a point of the part is then.
+  Point place(const Point& p, double left) const
+  {
+    if (left >= 1) return p;
+    const Point k = chart_.coordinates(p);
+    return place(p, k, chart_.frame(k).inverse() * (p - chart_(k)), left);
+  }
+
 private:
+  Point place(const Point& p, const Point& coordinates, const Point& offset, double left) const
+  {
+    if (kept_axis_ < 0) return left * p + (1 - left) * centre_;
+    Point k = left * coordinates + (1 - left) * thread_;
+    k[kept_axis_] = coordinates[kept_axis_];
+    return chart_(k) + chart_.frame(k) * (left * offset);
+  }
+
   Part_chart chart_;
   Charted_mesh mesh_;
   Point centre_, thread_;

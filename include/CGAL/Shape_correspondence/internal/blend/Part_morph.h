@@ -8,6 +8,7 @@
 
 #include <CGAL/Shape_correspondence/internal/map/Charted_mesh.h>
 
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -24,16 +25,25 @@ class Part_morph
 public:
   static constexpr double longest_edge = 0.3; ///< in chart coordinates
 
-  Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target)
+  /// \param forward whether the source's surface moves first; if not said, it is that of which less is left to grow
+  Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target,
+             const std::optional<bool>& forward = {})
   {
     source_ = charts.source;
     target_ = charts.target;
     const Charted_mesh a = finely_charted(source, source_, longest_edge);
     const Charted_mesh b = finely_charted(target, target_, longest_edge);
+    if (forward) {
+      forward_ = *forward;
+      carriers_ = forward_ ? Carriers(a, b) : Carriers(b, a);
+      return;
+    }
     Carriers ahead(a, b), back(b, a);
     forward_ = ahead.second_reach <= back.second_reach;
     carriers_ = forward_ ? std::move(ahead) : std::move(back);
   }
+
+  bool is_forward() const { return forward_; }
 
   /// The surfaces, the one at the source's end first.
   const Eigen::Matrix3Xi& triangles(int carrier) const { return moving(carrier).triangles; }

@@ -134,17 +134,40 @@ inline Part_mesh piece_of(const Points& points, const Eigen::Matrix3Xi& triangle
       });
     }
   update();
-  // Only sides within the chart press
-  const auto unbounded = [](double side) { return std::abs(side) < 1 ? side : 2 * side; };
-  const Point low = box.min().unaryExpr(unbounded), high = box.max().unaryExpr(unbounded);
+  // What is outside goes to the section along which it is cut off, no farther across than that reaches
+  constexpr double near_section = 0.02;
+  struct Side
+  {
+    int axis;
+    double at;
+    Chart_box section;
+  };
+  std::vector<Side> sides;
+  for (int axis = 0; axis < 3; ++axis)
+    for (double at : {box.min()[axis], box.max()[axis]}) {
+      if (std::abs(at) >= 1) continue;
+      sides.push_back({axis, at, {}});
+      for (const Point& p : k)
+        if (std::abs(p[axis] - at) <= near_section) sides.back().section.extend(p);
+    }
   Part_mesh result{mesh.points(), mesh.triangles()};
+  Eigen::AlignedBox3d kept; // in space: no cap sticks out of it
+  for (Eigen::Index i = 0; i < result.points.cols(); ++i)
+    if (Chart_box(box.min().array() - near_section, box.max().array() + near_section).contains(k[std::size_t(i)]))
+      kept.extend(Point(result.points.col(i)));
   for (Eigen::Index i = 0; i < result.points.cols(); ++i) {
     const Point outside = k[std::size_t(i)];
-    const Point inside = outside.cwiseMax(low).cwiseMin(high);
-    // Off the sides that press, the place on the surface is kept
+    Point inside = outside;
+    for (const Side& side : sides) {
+      const bool is_low = side.at == box.min()[side.axis];
+      if (is_low ? outside[side.axis] >= side.at - on_side : outside[side.axis] <= side.at + on_side) continue;
+      if (!side.section.isEmpty()) inside = inside.cwiseMax(side.section.min()).cwiseMin(side.section.max());
+      inside[side.axis] = side.at;
+    }
+    if (inside == outside) continue;
     const Point off = chart.frame(outside).inverse() * (result.points.col(i) - chart(outside));
-    if ((inside - outside).cwiseAbs().maxCoeff() > on_side)
-      result.points.col(i) = chart(inside) + chart.frame(inside) * off;
+    result.points.col(i) = chart(inside) + chart.frame(inside) * off;
+    if (!kept.isEmpty()) result.points.col(i) = result.points.col(i).cwiseMax(kept.min()).cwiseMin(kept.max());
   }
   return result;
 }

@@ -13,7 +13,10 @@
 #include <CGAL/Shape_correspondence/internal/quantized.h>
 #include <CGAL/Shape_correspondence/internal/quarter_turn.h>
 
+#include <array>
 #include <numeric>
+#include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -94,32 +97,44 @@ inline Pair_kind pair_kind(const Part_abstraction& a, const Part_abstraction& b)
 }
 
 /// The turn from coordinates of one chart to those of another that lays the longest extents on each other best (paper,
-/// section 5, "Deform-to-fit": extremities are matched by proximity).
-inline Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, Pair_kind kind)
+/// section 5, "Deform-to-fit": extremities are matched by proximity), of those for which `is_allowed(turn)` holds; none
+/// if it holds for none.
+template <typename Allowed>
+std::optional<Eigen::Matrix3d> best_turn(const Part_chart& source, const Part_chart& target, Pair_kind kind,
+                                         const Allowed& is_allowed)
 {
-  if (kind == Pair_kind::LENGTHWISE)
-    return target.lengthwise_turn() * best_turn(source.lengthwise(), target.lengthwise(), Pair_kind::SAME) *
-           source.lengthwise_turn().transpose();
-  const Eigen::Matrix3d from = source.axes() * source.half_extents().asDiagonal();
-  const Eigen::Matrix3d to = target.axes() * target.half_extents().asDiagonal();
-  const int kept = source.is_sheet() ? 2 : 0;
-  Eigen::Matrix3d best = Eigen::Matrix3d::Identity();
+  const bool lengthwise = kind == Pair_kind::LENGTHWISE;
+  const Part_chart a = lengthwise ? source.lengthwise() : source, b = lengthwise ? target.lengthwise() : target;
+  Eigen::Matrix3d before = Eigen::Matrix3d::Identity(), after = before;
+  if (lengthwise) before = source.lengthwise_turn().transpose(), after = target.lengthwise_turn();
+  const Eigen::Matrix3d from = a.axes() * a.half_extents().asDiagonal();
+  const Eigen::Matrix3d to = b.axes() * b.half_extents().asDiagonal();
+  const int kept = a.is_sheet() ? 2 : 0;
+  std::optional<Eigen::Matrix3d> best;
   long best_score = std::numeric_limits<long>::min();
   for (const Eigen::Matrix3d& turn : cube_rotations()) {
-    if (kind == Pair_kind::SAME && turn(kept, kept) == 0) continue;
+    if (kind != Pair_kind::BOXES && turn(kept, kept) == 0) continue;
+    if (!is_allowed(after * turn * before)) continue;
     const long score = quantized(from.cwiseProduct(to * turn).sum());
-    if (score > best_score) best = turn, best_score = score;
+    if (!best || score > best_score) best = after * turn * before, best_score = score;
   }
   return best;
 }
 
+inline Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, Pair_kind kind)
+{
+  return *best_turn(source, target, kind, [](const Eigen::Matrix3d&) { return true; });
+}
+
 /// Sets of parts that pairs connect, as two lists of indices.
-struct Block
+struct Connected_parts
 {
   std::vector<std::size_t> source, target;
 };
 
-inline std::vector<Block> blocks(const Correspondence& correspondence, std::size_t sources, std::size_t targets)
+using Index_pairs = std::vector<std::pair<std::size_t, std::size_t>>; ///< source part, target part
+
+inline std::vector<Connected_parts> connected_parts(const Index_pairs& pairs, std::size_t sources, std::size_t targets)
 {
   std::vector<std::size_t> root(sources + targets);
   std::iota(root.begin(), root.end(), std::size_t(0));
@@ -128,14 +143,14 @@ inline std::vector<Block> blocks(const Correspondence& correspondence, std::size
       i = root[i];
     return i;
   };
-  for (const auto& [s, t] : correspondence.pairs) {
+  for (const auto& [s, t] : pairs) {
     const std::size_t a = find(s), b = find(sources + t);
     root[std::max(a, b)] = std::min(a, b);
   }
-  std::vector<Block> all(sources + targets), result;
+  std::vector<Connected_parts> all(sources + targets), result;
   for (std::size_t i = 0; i < root.size(); ++i)
     (i < sources ? all[find(i)].source : all[find(i)].target).push_back(i < sources ? i : i - sources);
-  for (Block& block : all)
+  for (Connected_parts& block : all)
     if (!block.source.empty() && !block.target.empty()) result.push_back(std::move(block));
   return result;
 }
@@ -160,8 +175,7 @@ inline Points places(const Charted_shape& shape, const std::vector<std::size_t>&
 /// Pairs in which every part of a block is: one to one by optimal assignment as far as numbers allow, every part left
 /// over with the nearest one, or with all of several that are as near, so that a symmetric block is paired
 /// symmetrically.
-inline std::vector<std::pair<std::size_t, std::size_t>> pairs_in(const Block& block, const Charted_shape& source,
-                                                                 const Charted_shape& target)
+inline Index_pairs pairs_in(const Connected_parts& block, const Charted_shape& source, const Charted_shape& target)
 {
   constexpr double as_near = 0.02;
   const Points from = places(source, block.source), to = places(target, block.target);
@@ -171,7 +185,7 @@ inline std::vector<std::pair<std::size_t, std::size_t>> pairs_in(const Block& bl
       cost(i, j) = double(quantized((from.col(i) - to.col(j)).norm())) * comparison_grid;
   const bool fewer_sources = cost.rows() <= cost.cols();
   if (!fewer_sources) cost.transposeInPlace();
-  std::vector<std::pair<std::size_t, std::size_t>> result;
+  Index_pairs result;
   const auto add = [&](std::size_t row, std::size_t col) {
     result.emplace_back(block.source[fewer_sources ? row : col], block.target[fewer_sources ? col : row]);
   };
@@ -251,22 +265,42 @@ inline Share share_of(const Part_chart& divided, const Part_chart& other, Chart_
           &piece};
 }
 
-/// The pairs of pieces that a correspondence consists of, by source part, then target part.
-inline std::vector<Part_pair> part_pairs(const Charted_shape& source, const Charted_shape& target,
-                                         const Correspondence& correspondence)
+/// Which parts become which: pairs in every set of parts that `pairs` connect, sorted.
+inline Index_pairs paired_parts(const Charted_shape& source, const Charted_shape& target, const Index_pairs& pairs)
 {
-  std::vector<Part_pair> result;
-  for (const Block& block : blocks(correspondence, source.charts.size(), target.charts.size()))
-    for (const auto& [s, t] : pairs_in(block, source, target)) {
-      result.emplace_back();
-      result.back().source = s;
-      result.back().target = t;
-    }
-  std::sort(result.begin(), result.end(), [](const Part_pair& a, const Part_pair& b) {
-    return std::make_pair(a.source, a.target) < std::make_pair(b.source, b.target);
-  });
+  Index_pairs result;
+  for (const Connected_parts& block : connected_parts(pairs, source.charts.size(), target.charts.size())) {
+    const Index_pairs in_block = pairs_in(block, source, target);
+    result.insert(result.end(), in_block.begin(), in_block.end());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// The charts of the pieces of a pair.
+inline std::array<Part_chart, 2> piece_charts(const Part_pair& pair, const Charted_shape& source,
+                                              const Charted_shape& target)
+{
+  const auto piece = [](const Part_chart& chart, const Chart_box& box) {
+    return is_whole(box) ? chart : chart.restricted(box.min(), box.max());
+  };
+  return {piece(source.charts[pair.source], pair.source_piece), piece(target.charts[pair.target], pair.target_piece)};
+}
+
+inline Pair_kind pair_kind(const Part_pair& pair, const Charted_shape& source, const Charted_shape& target)
+{
+  return pair_kind(*source.parts[pair.source], *target.parts[pair.target]);
+}
+
+/// The pairs of pieces that pairs of parts consist of, in the same order.
+inline std::vector<Part_pair> part_pairs(const Charted_shape& source, const Charted_shape& target,
+                                         const Index_pairs& paired)
+{
+  std::vector<Part_pair> result(paired.size());
   std::vector<std::vector<Share>> of_source(source.charts.size()), of_target(target.charts.size());
-  for (Part_pair& pair : result) {
+  for (std::size_t i = 0; i < paired.size(); ++i) {
+    Part_pair& pair = result[i];
+    std::tie(pair.source, pair.target) = paired[i];
     const Part_chart &from = source.charts[pair.source], &to = target.charts[pair.target];
     of_source[pair.source].push_back(share_of(from, to, pair.source_piece));
     of_target[pair.target].push_back(share_of(to, from, pair.target_piece));
@@ -275,11 +309,17 @@ inline std::vector<Part_pair> part_pairs(const Charted_shape& source, const Char
     for (const std::vector<Share>& of_part : *shares)
       if (of_part.size() > 1) divide(whole_chart(), of_part);
   for (Part_pair& pair : result) {
-    const Part_chart from = source.charts[pair.source].restricted(pair.source_piece.min(), pair.source_piece.max());
-    const Part_chart to = target.charts[pair.target].restricted(pair.target_piece.min(), pair.target_piece.max());
-    pair.turn = best_turn(from, to, pair_kind(*source.parts[pair.source], *target.parts[pair.target]));
+    const auto [from, to] = piece_charts(pair, source, target);
+    pair.turn = best_turn(from, to, pair_kind(pair, source, target));
   }
   return result;
+}
+
+/// The pairs of pieces that a correspondence consists of, by source part, then target part.
+inline std::vector<Part_pair> part_pairs(const Charted_shape& source, const Charted_shape& target,
+                                         const Correspondence& correspondence)
+{
+  return part_pairs(source, target, paired_parts(source, target, correspondence.pairs));
 }
 
 /// The charts that a pair of pieces is mapped by: both of one kind, with the same coordinates.
@@ -291,12 +331,8 @@ struct Pair_charts
 inline Pair_charts pair_charts(const Part_pair& pair, const Charted_shape& source, const Charted_shape& target,
                                const Points& source_piece, const Points& target_piece)
 {
-  const Part_chart &from = source.charts[pair.source], &to = target.charts[pair.target];
-  const auto piece = [](const Part_chart& chart, const Chart_box& box) {
-    return is_whole(box) ? chart : chart.restricted(box.min(), box.max());
-  };
-  const Part_chart source_chart = piece(from, pair.source_piece), target_chart = piece(to, pair.target_piece);
-  switch (pair_kind(*source.parts[pair.source], *target.parts[pair.target])) {
+  const auto [source_chart, target_chart] = piece_charts(pair, source, target);
+  switch (pair_kind(pair, source, target)) {
   case Pair_kind::SAME:
     return {source_chart.fitted(source_piece), target_chart.turned(pair.turn).fitted(target_piece)};
   case Pair_kind::LENGTHWISE: {

@@ -1,0 +1,347 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_BLEND_SCENE_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_BLEND_SCENE_H
+
+#include <CGAL/Shape_correspondence/internal/blend/Affine_moves.h>
+#include <CGAL/Shape_correspondence/internal/blend/Blend_cast.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// The surfaces of all actors of a blend at a time strictly between its ends.
+class Blend_scene
+{
+public:
+  using Tree = contacts::Triangle_tree;
+  using Times = std::vector<std::array<double, 2>>; ///< begin and end, by actor
+
+  Blend_scene(const Blend_cast& cast, const Times& times, double t);
+
+  double time() const { return t_; }
+  /// The points of an actor's surface.
+  const Points& points(std::size_t actor, int surface) const { return points_[actor][std::size_t(surface)]; }
+  /// The one of an actor's surfaces that there is, or -1.
+  int surface(std::size_t actor) const { return surface_[actor]; }
+  bool is_there(std::size_t actor) const { return surface_[actor] >= 0; }
+  /// A tree of what there is of an actor.
+  Tree tree(std::size_t actor) const;
+
+  /// By how much a contact that is to be kept is wider than it may be.
+  double gap() const;
+  /// How far sets of parts had come apart that were joined again.
+  double apart() const { return apart_; }
+  /// How far a part that stands is off the place on the ground, or above it, that it has at the ends, at most.
+  double off_ground() const;
+
+private:
+  static constexpr double closed = 1e-4;  ///< a gap that is none
+  static constexpr double joined = 0.005; ///< over what the ends have, the widest gap between sets of parts
+
+  double ground() const { return (1 - t_) * cast_.ground[0] + t_ * cast_.ground[1]; }
+  double lowest(std::size_t actor) const { return points_[actor][std::size_t(surface_[actor])].row(1).minCoeff(); }
+  double foot_level(std::size_t actor) const;
+  double rise_to_stand(std::size_t actor) const;
+  Point foot(std::size_t actor) const;
+  void morph(const Times& times);
+  void fade();
+  void mirror();
+  void relink();
+  void join();
+  void stand();
+  void move(std::size_t actor, const Point& step);
+
+  const Blend_cast& cast_;
+  double t_;
+  std::vector<std::array<Points, 2>> points_; ///< by actor and surface
+  std::vector<int> surface_;
+  std::vector<double> left_; ///< by actor, how much there is of one that fades
+  double apart_ = 0;
+};
+
+inline Blend_scene::Blend_scene(const Blend_cast& cast, const Times& times, double t)
+    : cast_(cast), t_(t), points_(cast.actors.size()), surface_(cast.actors.size(), -1), left_(cast.actors.size(), 1)
+{
+  morph(times);
+  mirror();
+  relink();
+  fade();
+  join();
+  stand();
+}
+
+inline Blend_scene::Tree Blend_scene::tree(std::size_t actor) const
+{
+  const int surface = surface_[actor];
+  Tree result = *cast_.trees[actor][std::size_t(surface)];
+  result.move([&](std::size_t t) { return triangle_of(points(actor, surface), cast_.triangles(actor, surface), t); });
+  return result;
+}
+
+/// Parts that correspond morph, without regard to each other.
+inline void Blend_scene::morph(const Times& times)
+{
+  for (std::size_t a = 0; a < points_.size(); ++a) {
+    const Blend_actor& actor = cast_.actors[a];
+    const double own = std::clamp((t_ - times[a][0]) / (times[a][1] - times[a][0]), 0., 1.);
+    if (actor.morph) {
+      surface_[a] = actor.morph->carrier(own);
+      for (int surface : {0, 1})
+        points_[a][std::size_t(surface)] = actor.morph->points(surface, own);
+    } else {
+      left_[a] = actor.side() == 0 ? 1 - own : own;
+    }
+  }
+}
+
+/// Parts without counterpart are as much as is left of them, and follow what they hang on; none goes into the ground.
+inline void Blend_scene::fade()
+{
+  constexpr int rounds = 4;
+  for (std::size_t a = 0; a < points_.size(); ++a) {
+    const Blend_actor& actor = cast_.actors[a];
+    if (actor.morph) continue;
+    if (left_[a] > 0) surface_[a] = 0;
+    Points& points = points_[a][0] = actor.fading->points(left_[a]);
+    const double size = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+    std::vector<Handle> handles;
+    for (const Blend_attachment& on : cast_.attachments[a]) {
+      const Point there = on.place.of(this->points(on.actor, on.surface), cast_.triangles(on.actor, on.surface));
+      handles.push_back({actor.fading->place(on.at, left_[a]), there - on.at});
+    }
+    for (int round = 0; round < rounds; ++round) {
+      const Affine_move move = following(handles, size);
+      move.apply(points);
+      for (Handle& handle : handles) {
+        const Point step = move.of(handle.at);
+        handle.at += step;
+        handle.move -= step;
+      }
+    }
+    points.row(1) = points.row(1).cwiseMax(ground());
+  }
+}
+
+/// Gives mirror images boxes that are mirror images: each one goes half of the way to the other. At the ends, which
+/// need not be quite symmetric, nothing moves.
+inline void Blend_scene::mirror()
+{
+  constexpr double flat = 1e-6;
+  const double share =
+      std::min({1., 4 * t_, 4 * (1 - t_)}); // from the end of the first quarter to the last one's begin
+  std::vector<contacts::Box> boxes(points_.size());
+  for (std::size_t a = 0; a < points_.size(); ++a)
+    if (is_there(a))
+      boxes[a] = {points(a, surface_[a]).rowwise().minCoeff(), points(a, surface_[a]).rowwise().maxCoeff()};
+  for (std::size_t a = 0; a < points_.size(); ++a) {
+    const std::size_t twin = cast_.actors[a].twin;
+    if (twin == Mirror_twins::none || !is_there(a) || !is_there(twin)) continue;
+    const Point middle = boxes[a].center(), size = boxes[a].sizes();
+    const Point shift = share / 2 * (mirrored(Point(boxes[twin].center())) - middle);
+    const Point growth = share / 2 * (boxes[twin].sizes() - size).cwiseQuotient(size.cwiseMax(flat));
+    for (Points& surface : points_[a])
+      Affine_move{middle, shift, growth.asDiagonal()}.apply(surface);
+  }
+}
+
+/// How high the foot of a part that stands is above the ground at the ends, in between.
+inline double Blend_scene::foot_level(std::size_t actor) const
+{
+  return (1 - t_) * cast_.actors[actor].foot[0] + t_ * cast_.actors[actor].foot[1];
+}
+
+/// How far a part that stands is to rise to be as high above the ground as it is at the ends.
+inline double Blend_scene::rise_to_stand(std::size_t actor) const
+{
+  return ground() + foot_level(actor) - lowest(actor);
+}
+
+/// The middle of the lowest points.
+inline Point Blend_scene::foot(std::size_t actor) const
+{
+  constexpr double level = 1e-3;
+  const Points& of_actor = points(actor, surface_[actor]);
+  const double low = lowest(actor);
+  Point sum = Point::Zero();
+  int count = 0;
+  for (Eigen::Index i = 0; i < of_actor.cols(); ++i)
+    if (of_actor(1, i) <= low + level) sum += of_actor.col(i), ++count;
+  return sum / count;
+}
+
+/// Closes the gaps of links between parts that stay and puts feet on the ground: all move at once by the affine moves
+/// nearest to that, mirror images alike.
+inline void Blend_scene::relink()
+{
+  constexpr int most_rounds = 10;
+  constexpr double inertia = 0.01; // of a part as large as the shape is high, against a pull of 1
+  const std::size_t count = points_.size();
+  std::vector<std::optional<Tree>> trees(count);
+  std::vector<contacts::Box> boxes(count, contacts::Box(Point::Zero()));
+  std::vector<double> inertias(count, 1);
+  for (int round = 0; round < most_rounds; ++round) {
+    for (std::size_t a = 0; a < count; ++a) {
+      if (!is_there(a)) continue;
+      trees[a] = tree(a);
+      boxes[a] = trees[a]->box();
+      inertias[a] = inertia * boxes[a].diagonal().norm();
+    }
+    Affine_moves moves(boxes, inertias);
+    bool is_good = true;
+    for (const Blend_link& link : cast_.links) {
+      const auto [a, b] = link.actors;
+      const double allowed = link.allowed(t_);
+      const contacts::Closest_pair closest =
+          trees[a]->nearly_closest(*trees[b], (allowed + closed) * (allowed + closed));
+      const double gap = std::sqrt(closest.squared);
+      if (gap + joined < allowed) continue; // it holds nothing
+      Point step = Point::Zero();
+      if (gap > allowed + closed) {
+        step = (gap - allowed) / gap * (closest.second - closest.first);
+        is_good = false;
+      }
+      moves.pull(a, closest.first, b, closest.second, step);
+    }
+    for (std::size_t a = 0; a < count; ++a) {
+      if (!is_there(a)) continue;
+      const double below = ground() - lowest(a), rise = cast_.actors[a].stands ? rise_to_stand(a) : std::max(0., below);
+      if (!cast_.actors[a].stands && below <= 0) continue;
+      moves.lift(a, foot(a), rise);
+      is_good = is_good && std::abs(rise) <= closed;
+    }
+    if (is_good) return;
+    const std::vector<Affine_move> solved = moves.solve();
+    for (std::size_t a = 0; a < count; ++a) {
+      const std::size_t twin = cast_.actors[a].twin;
+      const Affine_move move = twin == Mirror_twins::none ? solved[a] : solved[a].symmetrised(solved[twin]);
+      for (Points& surface : points_[a])
+        move.apply(surface);
+    }
+  }
+}
+
+inline void Blend_scene::move(std::size_t actor, const Point& step)
+{
+  for (Points& surface : points_[actor])
+    if (surface.cols() > 0) surface.colwise() += step;
+}
+
+/// Moves sets of parts that have come apart from the rest, the smallest one first, back to what is nearest to them;
+/// mirror images of sets alike.
+inline void Blend_scene::join()
+{
+  std::vector<std::size_t> present, place(points_.size(), Mirror_twins::none);
+  std::vector<Tree> trees;
+  for (std::size_t a = 0; a < points_.size(); ++a)
+    if (is_there(a)) place[a] = present.size(), present.push_back(a), trees.push_back(tree(a));
+  const auto image = [&](std::size_t i) {
+    const std::size_t twin = cast_.actors[present[i]].twin;
+    return twin == Mirror_twins::none ? twin : place[twin];
+  };
+  const double allowed = (1 - t_) * cast_.apart[0] + t_ * cast_.apart[1] + joined;
+  std::vector<std::size_t> set(present.size());
+  std::iota(set.begin(), set.end(), std::size_t(0));
+  const auto unite_sets = [&](std::size_t a, std::size_t b) {
+    const std::size_t kept = std::min(set[a], set[b]), given_up = std::max(set[a], set[b]);
+    std::replace(set.begin(), set.end(), given_up, kept);
+  };
+  const auto unite = [&](std::size_t a, std::size_t b) {
+    unite_sets(a, b);
+    if (image(a) != Mirror_twins::none && image(b) != Mirror_twins::none) unite_sets(image(a), image(b));
+  };
+  for (std::size_t a = 0; a < present.size(); ++a)
+    for (std::size_t b = a + 1; b < present.size(); ++b)
+      if (set[a] != set[b] && trees[a].box().squaredExteriorDistance(trees[b].box()) <= allowed * allowed &&
+          trees[a].nearly_closest(trees[b], allowed * allowed).squared <= allowed * allowed)
+        unite(a, b);
+  for (;;) {
+    std::map<std::size_t, double> sizes;
+    for (std::size_t a = 0; a < present.size(); ++a)
+      sizes[set[a]] += trees[a].box().diagonal().norm();
+    if (sizes.size() < 2) return;
+    const std::size_t least = std::min_element(sizes.begin(), sizes.end(), [](const auto& a, const auto& b) {
+                                return quantized(a.second) < quantized(b.second);
+                              })->first;
+    contacts::Closest_pair closest;
+    std::size_t from = 0, to = 0;
+    for (std::size_t a = 0; a < present.size(); ++a)
+      for (std::size_t b = 0; b < present.size(); ++b) {
+        if (set[a] != least || set[b] == least ||
+            trees[a].box().squaredExteriorDistance(trees[b].box()) >= closest.squared)
+          continue;
+        const contacts::Closest_pair pair = trees[a].nearly_closest(trees[b]);
+        if (pair.squared < closest.squared) closest = pair, from = a, to = b;
+      }
+    const double gap = std::sqrt(closest.squared), excess = std::max(0., gap - allowed);
+    apart_ = std::max(apart_, excess);
+    if (excess > 0) {
+      Point step = excess / gap * (closest.second - closest.first);
+      std::vector<char> moves(present.size(), 0), image_moves(present.size(), 0);
+      for (std::size_t a = 0; a < present.size(); ++a) {
+        if (set[a] != least) continue;
+        moves[a] = 1;
+        if (image(a) != Mirror_twins::none) image_moves[image(a)] = 1;
+      }
+      if (image_moves[to]) step /= 2; // they move towards each other
+      for (std::size_t a = 0; a < present.size(); ++a) {
+        if (!moves[a] && !image_moves[a]) continue;
+        const bool is_symmetric = moves[a] && image_moves[a] && std::abs(step.x()) < step.norm() / 2;
+        Point own = moves[a] ? step : mirrored(step);
+        if (is_symmetric) own.x() = 0;
+        move(present[a], own);
+        trees[a] = tree(present[a]);
+      }
+    }
+    unite(from, to);
+  }
+}
+
+/// Lifts the shape out of the ground, or puts it there if no part of it is to stand.
+inline void Blend_scene::stand()
+{
+  double low = std::numeric_limits<double>::infinity();
+  bool stands = false;
+  for (std::size_t a = 0; a < points_.size(); ++a) {
+    if (!is_there(a)) continue;
+    low = std::min(low, lowest(a));
+    stands = stands || cast_.actors[a].stands;
+  }
+  const double lift = stands ? std::max(0., ground() - low) : ground() - low;
+  for (std::size_t a = 0; a < points_.size(); ++a)
+    move(a, Point(0, lift, 0));
+}
+
+inline double Blend_scene::gap() const
+{
+  double widest = 0;
+  std::vector<std::optional<Tree>> trees(points_.size());
+  for (const Blend_link& link : cast_.links) {
+    const auto [a, b] = link.actors;
+    for (std::size_t actor : link.actors)
+      if (!trees[actor]) trees[actor] = tree(actor);
+    const double allowed = link.allowed(t_);
+    const double gap = std::sqrt(trees[a]->nearly_closest(*trees[b], allowed * allowed).squared);
+    widest = std::max(widest, gap - allowed);
+  }
+  return widest;
+}
+
+inline double Blend_scene::off_ground() const
+{
+  double result = 0;
+  for (std::size_t a = 0; a < points_.size(); ++a)
+    if (is_there(a) && cast_.actors[a].stands) result = std::max(result, std::abs(rise_to_stand(a)));
+  return result;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_BLEND_SCENE_H

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_MIRROR_TWINS_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_MIRROR_TWINS_H
+
+#include <CGAL/Shape_correspondence/internal/map/Charted_mesh.h>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+inline Point mirrored(Point p)
+{
+  p.x() = -p.x();
+  return p;
+}
+
+inline Points mirrored(Points points)
+{
+  points.row(0) = -points.row(0);
+  return points;
+}
+
+/// The root mean square distance of some of the points, mirrored in x = 0, from a surface.
+inline double mirror_distance(const Points& points, const contacts::Triangle_tree& surface)
+{
+  constexpr Eigen::Index samples = 24;
+  const Eigen::Index n = std::min(points.cols(), samples);
+  double sum = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    Point nearest;
+    double squared = std::numeric_limits<double>::infinity();
+    std::size_t triangle;
+    surface.improve_nearest(mirrored(Point(points.col(i * points.cols() / n))), nearest, squared, triangle);
+    sum += squared;
+  }
+  return std::sqrt(sum / double(n));
+}
+
+/// The mirror images in x = 0 of the parts of a shape, by index: a part that is its own image has itself.
+class Mirror_twins
+{
+public:
+  static constexpr std::size_t none = std::size_t(-1);
+  static constexpr double tolerance = 0.05; ///< of the height: how far a part is from its twin's image at most
+
+  Mirror_twins() = default;
+
+  explicit Mirror_twins(const std::vector<Part_mesh>& parts) : twins_(parts.size(), none)
+  {
+    std::vector<contacts::Triangle_tree> trees;
+    for (const Part_mesh& part : parts)
+      trees.push_back(tree_of(part.points, part.triangles));
+    std::vector<std::tuple<long, std::size_t, std::size_t>> likely;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      for (std::size_t j = i; j < parts.size(); ++j) {
+        const contacts::Box box = trees[i].box();
+        Point low = mirrored(box.min()), high = mirrored(box.max());
+        std::swap(low.x(), high.x());
+        constexpr double loosely = 2 * tolerance;
+        if ((low - trees[j].box().min()).cwiseAbs().maxCoeff() > loosely ||
+            (high - trees[j].box().max()).cwiseAbs().maxCoeff() > loosely)
+          continue;
+        const double distance =
+            std::max(mirror_distance(parts[i].points, trees[j]), mirror_distance(parts[j].points, trees[i]));
+        if (distance <= tolerance) likely.emplace_back(quantized(distance), i, j);
+      }
+    std::sort(likely.begin(), likely.end());
+    for (const auto& [distance, i, j] : likely)
+      if (twins_[i] == none && twins_[j] == none) twins_[i] = j, twins_[j] = i;
+  }
+
+  std::size_t operator[](std::size_t part) const { return twins_.empty() ? none : twins_[part]; }
+
+private:
+  std::vector<std::size_t> twins_;
+};
+
+/// Adds the mirror image of every pair that has one: what a part becomes, its image becomes the image of.
+inline void add_mirrored(Index_pairs& pairs, const Mirror_twins& source, const Mirror_twins& target)
+{
+  for (std::size_t i = 0, count = pairs.size(); i < count; ++i) {
+    const std::size_t s = source[pairs[i].first], t = target[pairs[i].second];
+    if (s != Mirror_twins::none && t != Mirror_twins::none) pairs.emplace_back(s, t);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+/// From the coordinates of a point in one chart to those of its mirror image in the other, as nearly as axes and their
+/// signs can tell.
+inline Eigen::Matrix3d mirror_turn(const Part_chart& chart, const Part_chart& image)
+{
+  const Eigen::Matrix3d wanted = -(image.axes().transpose() * Point(-1, 1, 1).asDiagonal() * chart.axes());
+  Eigen::Matrix3d best = Eigen::Matrix3d::Identity();
+  for (const Eigen::Matrix3d& turn : cube_rotations())
+    if (quantized(turn.cwiseProduct(wanted).sum()) > quantized(best.cwiseProduct(wanted).sum())) best = turn;
+  return -best;
+}
+
+/// Whether a chart of a part that is its own mirror image has coordinates that are their own mirror image, too.
+inline bool is_mirrored(const Part_chart& chart)
+{
+  constexpr double upright = 0.05; // sine of an angle; also of the height
+  const Eigen::Matrix3d axes = chart.axes(), image = Point(-1, 1, 1).asDiagonal() * axes;
+  return std::abs(chart(Point::Zero()).x()) <= upright &&
+         (axes * mirror_turn(chart, chart) - image).cwiseAbs().maxCoeff() <= upright;
+}
+
+/// Charts of a pair that is its own mirror image: boxes upright on the mirror plane.
+inline Pair_charts upright_charts(const Points& source, const Points& target)
+{
+  const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
+  return {Part_chart::box(source, upright), Part_chart::box(target, upright)};
+}
+
+/// Turns the coordinates of pairs that are each other's mirror images alike, and those of a pair that is its own image
+/// so that the mirror plane stays where it is.
+/// \param twins of the pairs, by index
+inline void mirror_turns(const Charted_shape& source, const Charted_shape& target,
+                         const std::vector<std::size_t>& twins, std::vector<Part_pair>& pairs)
+{
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const std::size_t twin = twins[i];
+    if (twin == Mirror_twins::none || twin > i) continue;
+    const auto [from, to] = piece_charts(pairs[i], source, target);
+    const auto [twin_from, twin_to] = piece_charts(pairs[twin], source, target);
+    const Pair_kind kind = pair_kind(pairs[i], source, target);
+    if (kind != pair_kind(pairs[twin], source, target)) continue;
+    const Eigen::Matrix3d before = mirror_turn(from, twin_from), after = mirror_turn(to, twin_to);
+    const auto is_image = [&, from = from, to = to](const Eigen::Matrix3d& turn) {
+      if (twin != i) return (after * turn).isApprox(pairs[twin].turn * before);
+      // On the way, too: it turns about the normal of the mirror plane only
+      const Eigen::Matrix3d rotation = to.axes() * turn * from.axes().transpose();
+      return (after * turn).isApprox(turn * before) && rotation(0, 0) > 0;
+    };
+    if (const auto turn = best_turn(from, to, kind, is_image)) pairs[i].turn = *turn;
+  }
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_MIRROR_TWINS_H
