@@ -203,6 +203,9 @@ TEST_CASE("A ball is called a blob")
   CHECK_FALSE(part.is_sheet());
   CHECK(part.report.blob);
   CHECK(abstraction_of(ball).control_points().allFinite());
+  const Part_abstraction block = abstraction_of(box({0, 0, 0}, {1, 0.8, 0.7}));
+  CHECK(block.report.blob);
+  CHECK_FALSE(block.report.is_fallback());
 }
 
 TEST_CASE("A curve reaches both ends of a flat bar")

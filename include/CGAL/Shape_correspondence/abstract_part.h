@@ -26,8 +26,8 @@ struct Abstraction_options;
 /// What a part is to become: a curve, a sheet, or what suits it.
 enum class Abstraction_kind { AUTOMATIC, CURVE, SHEET };
 
-/// Finds curves and sheets by mean curvature flow skeletonization (paper, section 3; Tagliasacchi et al. 2012). What
-/// the flow cannot treat gets `Bounding_box_abstraction`, and the report says why. Model of `PartAbstractor`.
+/// Finds curves by mean curvature flow skeletonization (paper, section 3; Tagliasacchi et al. 2012), sheets on the
+/// medial axis. What cannot be treated gets `Bounding_box_abstraction`; the report says why. Model of `PartAbstractor`.
 struct Skeleton_abstraction
 {
   Part_abstraction operator()(const Shape_part& part, const Abstraction_options& options) const;

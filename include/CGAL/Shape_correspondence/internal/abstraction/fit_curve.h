@@ -149,17 +149,20 @@ inline void smooth(Curve& curve, int rounds)
 }
 
 /// Lengthens an end of a curve in its direction up to the surface: the flow draws tips back by about half the width.
-inline void extend_end(Curve& curve, bool last, double most, const Inside_test& is_inside)
+inline void extend_end(Curve& curve, bool last, const Nearest_points& surface, const Inside_test& is_inside)
 {
   const int steps = 64;
+  const double most_lengths = 0.2, most_radii = 2;
   const Eigen::Index n = curve.points.cols();
-  const Eigen::Index inner = std::min<Eigen::Index>(2, n - 1);
   const Eigen::Index end = last ? n - 1 : 0;
+  const Eigen::Index inner = last ? std::max<Eigen::Index>(n - 3, 0) : std::min<Eigen::Index>(2, n - 1);
   const Point tip = curve.points.col(end);
-  const Point direction = (tip - curve.points.col(last ? n - 1 - inner : inner)).normalized();
+  const Point direction = (tip - curve.points.col(inner)).normalized();
   if (!direction.allFinite()) {
     return;
   }
+  const double most =
+      std::max(most_lengths * arc_lengths(curve).back(), most_radii * surface.distance(curve.points.col(inner)));
   int step = 0;
   while (step < steps && is_inside(tip + (step + 1) * (most / steps) * direction)) {
     ++step;
@@ -179,16 +182,14 @@ inline Curve to_curve(const Spatial_graph_view& graph, const std::vector<int>& p
 }
 
 /// Resamples a raw path finely, smoothes, extends and resamples it to its control points.
-inline Curve finish_curve(Curve curve, int control_points, const Inside_test& is_inside)
+inline Curve finish_curve(Curve curve, int control_points, const Nearest_points& surface, const Inside_test& is_inside)
 {
   const int rounds = 3;
-  const double longest_extension = 0.2;
   curve.points = sample(curve, 4 * control_points);
   smooth(curve, rounds);
   if (!curve.closed) {
-    const double most = longest_extension * arc_lengths(curve).back();
-    extend_end(curve, false, most, is_inside);
-    extend_end(curve, true, most, is_inside);
+    extend_end(curve, false, surface, is_inside);
+    extend_end(curve, true, surface, is_inside);
   }
   curve.points = sample(curve, control_points);
   return curve;
@@ -215,7 +216,7 @@ inline Fitted_curve fit_curve(const Spatial_graph& skeleton, const Part_mesh& so
   }
   const Curve raw = to_curve(graph, path, closed);
   result.coverage = std::min(1., arc_lengths(raw).back() / graph.total_length());
-  result.curve = finish_curve(raw, control_points, Inside_test(solid));
+  result.curve = finish_curve(raw, control_points, surface, Inside_test(solid));
   double sum = 0;
   for (const auto& [a, b] : graph.edges()) {
     const Point middle = 0.5 * (graph.point(a) + graph.point(b));

@@ -42,8 +42,8 @@ public:
     }
   }
 
-  /// Joins all vertices that are nearer to each other than a radius. The two sides of a medial axis, as its poles show it,
-  /// are connected at its rim only; this makes them one layer.
+  /// Joins all vertices that are nearer to each other than a radius. The two sides of a medial axis, as its poles show
+  /// it, are connected at its rim only; this makes them one layer.
   void connect_near(double radius)
   {
     std::vector<int> order(neighbours_.size());
