@@ -17,3 +17,4 @@
 #include <CGAL/Shape_correspondence/internal/exact_search_impl.h>
 #include <CGAL/Shape_correspondence/internal/find_correspondence_impl.h>
 #include <CGAL/Shape_correspondence/internal/match_parts_impl.h>
+#include <CGAL/Shape_correspondence/internal/part_assemblies_impl.h>

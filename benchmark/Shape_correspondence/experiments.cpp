@@ -13,7 +13,9 @@
 #include <CGAL/Shape_correspondence/IO/write_html.h>
 #include <CGAL/Shape_correspondence/segment_mesh.h>
 
+#include <memory>
 #include <numeric>
+#include <random>
 #include <set>
 #include <sstream>
 
@@ -43,7 +45,8 @@ of shapes of a category are matched, or those of DATA/pairs.json: [[CATEGORY, SO
   figure17     automatic segmentations in place of one shape of every pair
   figure18     FURTHER_DATA made worse (generate_models --degrade): scores on each
   figure19     FURTHER_DATA segmented otherwise: energy against the quality of the correspondence
-  ablation     the default method without each of its costs and rules
+  ablation     the default method without each of its costs and rules; by halves of the shapes, too
+  pose         the default method on shapes turned about the up axis
   reliability  how often pairs of a confidence are right; FOLDER/reliability.svg
   worst        the twenty worst results with pictures; FOLDER/worst.html
 
@@ -89,6 +92,17 @@ void compare(const Dataset& dataset, const std::vector<std::pair<std::string, pe
   write_run_heading(dataset, what);
   for (const auto& [name, method] : methods)
     write_run_row(name, run(dataset, method));
+}
+
+/// The same, and by halves of the shapes, on one of which constants were set.
+void compare_by_halves(const Dataset& dataset, const std::vector<std::pair<std::string, peers::Peer>>& methods,
+                       const std::string& what)
+{
+  write_run_heading(dataset, what, {"half A F1", "half B F1", "across F1"});
+  for (const auto& [name, method] : methods) {
+    const Run of_all = run(dataset, method);
+    write_run_row(name, of_all, f1_of_halves(dataset, of_all));
+  }
 }
 
 /// The share of the pairs of equal coarse labels that was found, mean of pairs by category, then of categories.
@@ -289,7 +303,7 @@ void segment_automatically(const std::string& folder, const Structural_graph& gr
     for (Eigen::Index k = 0; k < part.mesh.points.cols(); ++k)
       part_of_point[{part.mesh.points(0, k), part.mesh.points(1, k), part.mesh.points(2, k)}] = index;
   }
-  const Segmented_shape segments = segment_mesh(all, {}, shape.name());
+  const Segmented_shape segments = segment_mesh(all, {}, shape.name()).shape;
   segmented = load_graph(segments, cache);
   segment_labels.clear();
   for (const Part_abstraction& part : structure(segmented).parts) {
@@ -402,17 +416,112 @@ void ablation(const Dataset& dataset)
     options.parts.weights.*weight = 0;
     methods.emplace_back(name, ours(options));
   }
+  constexpr double never = 1e6;
   const std::tuple<const char*, double Part_matching_options::*, double> rules[] = {
       {"best pairs of parts only", &Part_matching_options::excess, 0},
       {"no sure pairs, so no blocks", &Part_matching_options::sure_excess, 0},
-      {"no siblings", &Part_matching_options::sibling, 0}};
+      {"no siblings", &Part_matching_options::sibling, 0},
+      {"nothing turned over", &Part_matching_options::upside_down, never}};
   for (const auto& [name, rule, value] : rules) {
     Search_options options;
     options.parts.*rule = value;
     methods.emplace_back(name, ours(options));
   }
+  const std::pair<const char*, bool Part_matching_options::*> wholes[] = {
+      {"no rows with frames", &Part_matching_options::rows}, {"no support", &Part_matching_options::support}};
+  for (const auto& [name, whole] : wholes) {
+    Search_options options;
+    options.parts.*whole = false;
+    methods.emplace_back(name, ours(options));
+  }
+  Search_options plain;
+  plain.parts.rows = plain.parts.support = false;
+  plain.parts.upside_down = never;
+  methods.emplace_back("none of the last three", ours(plain));
+  plain.parts.excess = 2;
+  plain.parts.sibling = 4;
+  methods.emplace_back("nor their bounds: excess 2, sibling 4", ours(plain));
   methods.emplace_back("no symmetry groups", without_symmetry(ours(default_options())));
-  compare(dataset, methods, "costs and rules");
+  compare_by_halves(dataset, methods, "costs and rules");
+}
+
+/// The graph turned about the up axis, as if its meshes had been.
+Structural_graph turned(const Structural_graph& graph, double angle)
+{
+  Structural_graph result = graph;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Point::UnitY()).toRotationMatrix();
+  Shape_structure& shape = structure(result);
+  for (Part_abstraction& part : shape.parts) {
+    part.surface = (turn * part.surface).eval();
+    std::visit([&](auto& geometry) { geometry.points = (turn * geometry.points).eval(); }, part.geometry);
+  }
+  shape.frame.axes = turn * shape.frame.axes;
+  shape.frame.origin = turn * shape.frame.origin;
+  for (std::size_t v = 0; v < num_vertices(result); ++v) {
+    result[v].symmetry.point = turn * result[v].symmetry.point;
+    result[v].symmetry.direction = turn * result[v].symmetry.direction;
+  }
+  return result;
+}
+
+/// A method on shapes that were turned: every source by an angle and every target by another.
+template <typename Angle>
+peers::Peer on_turned(const Search_options& options, const Angle& angle)
+{
+  return [options, angle](const std::vector<Structural_graph>& shapes, const std::vector<peers::Shape_pair>& pairs) {
+    std::vector<Part_pairs> result;
+    for (const auto& [s, t] : pairs) {
+      const Structural_graph source = turned(shapes[s], angle(true)), target = turned(shapes[t], angle(false));
+      result.push_back(find_correspondence(source, target, options).pairs);
+    }
+    return result;
+  };
+}
+
+/// The pairs of shapes that have one mirror plane; categories without such pairs are left out.
+Dataset of_shapes_with_front(const Dataset& dataset)
+{
+  Dataset result;
+  for (Category category : dataset) {
+    const auto has_front = [&](std::size_t shape) {
+      const Shape_frame& frame = structure(category.graphs[shape]).frame;
+      return frame.mirror_x != frame.mirror_z;
+    };
+    const auto is_left_out = [&](const peers::Shape_pair& pair) { return !has_front(pair[0]) || !has_front(pair[1]); };
+    category.pairs.erase(std::remove_if(category.pairs.begin(), category.pairs.end(), is_left_out),
+                         category.pairs.end());
+    if (!category.pairs.empty()) result.push_back(std::move(category));
+  }
+  return result;
+}
+
+void pose(const Dataset& dataset)
+{
+  constexpr double degree = EIGEN_PI / 180;
+  const auto by = [&](double source, double target) {
+    return [=](bool is_source) { return (is_source ? source : target) * degree; };
+  };
+  const auto any = [random = std::make_shared<std::mt19937>(1)](bool) {
+    return 2 * EIGEN_PI * double((*random)()) / double(std::mt19937::max());
+  };
+  Search_options automatic;
+  automatic.alignments = 0;
+  compare(dataset,
+          {{"as given", ours(default_options())},
+           {"both turned by 40°", on_turned(default_options(), by(40, 40))},
+           {"by 40° and -40°", on_turned(default_options(), by(40, -40))},
+           {"by any angles, --front auto", on_turned(automatic, any)},
+           {"by any angles, front as given", on_turned(default_options(), any)}},
+          "pose");
+  const Dataset with_front = of_shapes_with_front(dataset);
+  std::size_t pairs = 0;
+  for (const Category& category : with_front)
+    pairs += category.pairs.size();
+  std::cout << "\nThe " << pairs
+            << " pairs of shapes that have one mirror plane, so that they tell where their front is:\n\n";
+  if (pairs == 0) return;
+  compare(with_front,
+          {{"as given", ours(default_options())}, {"by any angles, --front auto", on_turned(automatic, any)}}, "pose");
 }
 
 void reliability(const Dataset& dataset, const Options& options)
@@ -577,6 +686,7 @@ Experiment experiment(const std::string& name)
                                                       {"figure18", figure18},
                                                       {"figure19", figure19},
                                                       {"ablation", of_data_alone(ablation)},
+                                                      {"pose", of_data_alone(pose)},
                                                       {"reliability", reliability},
                                                       {"worst", worst}};
   const auto found = experiments.find(name);

@@ -133,12 +133,20 @@ layers.sort((a, b) => (a.colour[3] < 1) - (b.colour[3] < 1));
 const home = {yaw: 0.5, pitch: 0.3, zoom: 1, x: 0, y: 0};
 const camera = {...home};
 const size = Math.hypot(...high.map((h, i) => h - low[i])) || 1, middle = high.map((h, i) => (h + low[i]) / 2);
+const times = (turn, v) => turn.map(r => r[0] * v[0] + r[1] * v[1] + r[2] * v[2]);
+function rotation(yaw, pitch) {
+  const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
+  return [[cy, 0, -sy], [-sy * sp, cp, -cy * sp], [sy * cp, sp, cy * cp]];
+}
+const turnedCorners = [...Array(8).keys()].map(k =>
+  times(rotation(home.yaw, home.pitch), high.map((h, i) => (k >> i & 1 ? h : low[i]) - middle[i])));
 function matrices() {
-  const [cy, sy, cp, sp] = [Math.cos(camera.yaw), Math.sin(camera.yaw), Math.cos(camera.pitch), Math.sin(camera.pitch)];
-  const turn = [[cy, 0, -sy], [-sy * sp, cp, -cy * sp], [sy * cp, sp, cy * cp]];
+  const turn = rotation(camera.yaw, camera.pitch);
   const angle = 0.5, aspect = canvas.width / canvas.height, f = 1 / Math.tan(angle / 2);
-  const distance = camera.zoom * size * 0.45 / Math.tan(angle / 2) * Math.max(1, 1 / aspect);
-  const move = turn.map((r, i) => -(r[0] * middle[0] + r[1] * middle[1] + r[2] * middle[2]) + [camera.x, camera.y, -distance][i]);
+  // From home, the whole box is in view
+  const fit = Math.max(...turnedCorners.map(([x, y, z]) => z + f * Math.max(Math.abs(x) / aspect, Math.abs(y))));
+  const distance = camera.zoom * 1.03 * (fit > 0 ? fit : 1);
+  const move = times(turn, middle).map((m, i) => [camera.x, camera.y, -distance][i] - m);
   const near = Math.max(distance - size, 0.01 * distance), far = distance + size;
   return {view: [0, 1, 2].flatMap(c => [turn[0][c], turn[1][c], turn[2][c], 0]).concat(move, 1), distance, f,
     projection: [f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0, 2 * far * near / (near - far), 0]};

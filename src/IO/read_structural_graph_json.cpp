@@ -98,7 +98,9 @@ Abstraction_report read_report(const Json_field& field)
   Abstraction_report report;
   if (field.has("method"))
     report.method = read_word<Method>(field["method"], {{"skeleton", Method::SKELETON},
-                                                        {"meso_skeleton", Method::MESO_SKELETON},
+                                                        {"medial_axis", Method::MEDIAL_AXIS},
+                                                        {"meso_skeleton", Method::MEDIAL_AXIS}, // of other programs
+                                                        {"revolution_axis", Method::REVOLUTION_AXIS},
                                                         {"bounding_box", Method::BOUNDING_BOX},
                                                         {"copy", Method::COPY},
                                                         {"given", Method::GIVEN}});

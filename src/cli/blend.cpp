@@ -19,6 +19,7 @@
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 #include <CGAL/Shape_correspondence/internal/for_each_index.h>
 
+#include <filesystem>
 #include <iostream>
 
 namespace CGAL {
@@ -77,12 +78,24 @@ po::options_description output_options(Blend_output& output, Common_options& com
 
 bool is_glb(const std::string& path) { return path.size() > 4 && path.compare(path.size() - 4, 4, ".glb") == 0; }
 
+/// \throw Usage_error if a folder is to have the name of a file that blend does not write
+void check_is_no_other_file(const std::string& folder)
+{
+  const std::string ending = std::filesystem::path(folder).extension().string();
+  for (const char* file : {".obj", ".ply", ".stl", ".off", ".gltf", ".dae", ".json", ".html", ".png", ".gif", ".mp4"})
+    if (ending == file)
+      throw Usage_error("'" + folder + "' is the name of a " + ending.substr(1) +
+                        " file; blend writes an animation, FILE.glb, or a file a frame into a folder");
+}
+
 void check(const Blend_output& output)
 {
   if (output.path.empty()) throw Usage_error("say with -o where the frames go: a folder, or a file that ends in .glb");
   check_at_least("frames", output.frames, 2);
   check_word("format", output.format, {"obj", "ply"});
-  if (!is_glb(output.path)) IO::check_new_folder(output.path);
+  if (is_glb(output.path)) return;
+  check_is_no_other_file(output.path);
+  IO::check_new_folder(output.path);
 }
 
 /// \throw Usage_error if an option of the search is given along with a correspondence

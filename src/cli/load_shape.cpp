@@ -59,14 +59,26 @@ void load_graph(const std::string& path, const Common_options& common, const Str
   shape.read_seconds = now() - begin;
 }
 
-Segmented_shape read_model(const std::string& path, const Common_options& common)
+/// A model, and what had to be said while it was read.
+struct Read_model
+{
+  Segmented_shape shape;
+  std::vector<std::string> warnings;
+};
+
+Read_model read_model(const std::string& path, const Common_options& common)
 {
   Segmented_shape model = IO::read_segmented_shape(path, common.up_vector());
   if (common.finds_up() && !says_up(path)) model.set_up(estimate_up(model));
-  if (!common.segment) return model;
+  if (!common.segment) return {std::move(model), {}};
   if (model.parts().size() > 1)
     throw Invalid_input("it has " + std::to_string(model.parts().size()) + " parts already; leave --segment out");
-  return segment_mesh(model.parts()[0].mesh, {}, model.name(), model.up());
+  Mesh_segmentation segmentation = segment_mesh(model.parts()[0].mesh, {}, model.name(), model.up());
+  Read_model result{std::move(segmentation.shape), {}};
+  if (segmentation.pieces_left_out > 0)
+    result.warnings.push_back("Pieces of the mesh that the segmentation left out, since they have no area: " +
+                              std::to_string(segmentation.pieces_left_out) + ".");
+  return result;
 }
 
 void build_graph(const Common_options& common, const Structure_options& options, Loaded_shape& shape)
@@ -96,7 +108,8 @@ void load_model(const std::string& path, const Common_options& common, const Str
                 Loaded_shape& shape)
 {
   const double begin = now();
-  shape.model = read_model(path, common);
+  Read_model model = read_model(path, common);
+  shape.model = std::move(model.shape);
   const std::string content = IO::content_hash(*shape.model, options);
   std::optional<IO::Structural_graph_cache> cache;
   std::optional<Structural_graph> known;
@@ -112,6 +125,8 @@ void load_model(const std::string& path, const Common_options& common, const Str
     structure(shape.graph).content = content;
     if (cache) cache->insert(shape.graph);
   }
+  std::vector<std::string>& warnings = structure(shape.graph).warnings;
+  warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
   if (common.finds_up() && !says_up(path)) add_warning_of_up(shape);
 }
 

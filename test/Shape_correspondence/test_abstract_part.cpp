@@ -60,6 +60,59 @@ Part_mesh torus(double radius, double thickness)
   });
 }
 
+/// A closed surface of revolution about y through points (radius, height), from the axis to the axis.
+Part_mesh turned(const std::vector<Eigen::Vector2d>& profile, int n = 24)
+{
+  const int rings = int(profile.size());
+  Part_mesh result;
+  result.points.resize(3, rings * n);
+  std::vector<Eigen::Vector3i> triangles;
+  for (int i = 0; i < rings; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const double angle = 2 * EIGEN_PI * j / n, radius = profile[std::size_t(i)].x();
+      result.points.col(i * n + j) << radius * std::cos(angle), profile[std::size_t(i)].y(), radius * std::sin(angle);
+      if (i + 1 < rings) {
+        const int a = i * n + j, b = i * n + (j + 1) % n;
+        triangles.emplace_back(a, a + n, b + n);
+        triangles.emplace_back(a, b + n, b);
+      }
+    }
+  }
+  result.triangles.resize(3, Eigen::Index(triangles.size()));
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    result.triangles.col(Eigen::Index(t)) = triangles[t];
+  }
+  return result;
+}
+
+/// A plate of a thickness about half a cylinder of radius 1, `width` along its axis y.
+Part_mesh half_pipe(double width, double thickness)
+{
+  const int n = 24;
+  Part_mesh result;
+  result.points.resize(3, 4 * (n + 1));
+  std::vector<Eigen::Vector3i> triangles;
+  for (int i = 0; i <= n; ++i) {
+    const double angle = EIGEN_PI * i / n;
+    for (int k = 0; k < 4; ++k) {
+      const double r = 1 + (k == 1 || k == 2 ? 0.5 : -0.5) * thickness;
+      result.points.col(4 * i + k) << r * std::cos(angle), k < 2 ? 0 : width, r * std::sin(angle);
+      const int a = 4 * i + k, b = 4 * i + (k + 1) % 4;
+      if (i < n) {
+        triangles.emplace_back(a, b, b + 4);
+        triangles.emplace_back(a, b + 4, a + 4);
+      }
+    }
+  }
+  triangles.insert(triangles.end(),
+                   {{0, 2, 1}, {0, 3, 2}, {4 * n, 4 * n + 1, 4 * n + 2}, {4 * n, 4 * n + 2, 4 * n + 3}});
+  result.triangles.resize(3, Eigen::Index(triangles.size()));
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    result.triangles.col(Eigen::Index(t)) = triangles[t];
+  }
+  return result;
+}
+
 Part_mesh joined(const Part_mesh& a, const Part_mesh& b)
 {
   Part_mesh result;
@@ -119,7 +172,7 @@ TEST_CASE("A plate becomes a sheet that reaches its rim")
 {
   const Part_abstraction part = abstraction_of(plate);
   REQUIRE(part.is_sheet());
-  CHECK(part.report.method == Method::MESO_SKELETON);
+  CHECK(part.report.method == Method::MEDIAL_AXIS);
   CHECK(part.report.residual < 0.02);
   const Points& points = part.control_points();
   REQUIRE(points.cols() == 64);
@@ -150,6 +203,83 @@ TEST_CASE("A ball is called a blob")
   CHECK_FALSE(part.is_sheet());
   CHECK(part.report.blob);
   CHECK(abstraction_of(ball).control_points().allFinite());
+}
+
+TEST_CASE("A curve reaches both ends of a flat bar")
+{
+  const Part_abstraction part = abstraction_of(box({0, 0, 0}, {0.06, 0.38, 0.02}));
+  REQUIRE_FALSE(part.is_sheet());
+  CHECK(part.control_points().row(1).minCoeff() < 0.01);
+  CHECK(part.control_points().row(1).maxCoeff() > 0.37);
+}
+
+TEST_CASE("A long part is a sheet if it is a blade, a curve if it is a slat")
+{
+  CHECK(abstraction_of(box({0, 0, 0}, {1, 0.014, 0.15})).is_sheet());
+  CHECK_FALSE(abstraction_of(box({0, 0, 0}, {1, 0.04, 0.14})).is_sheet());
+  CHECK_FALSE(abstraction_of(box({0, 0, 0}, {1, 0.003, 0.04})).is_sheet());
+}
+
+TEST_CASE("Arms that spread make no blade")
+{
+  const Part_mesh cross =
+      joined(joined(box({-0.03, 0, -0.03}, {0.03, 1, 0.03}), box({-0.35, 0, -0.03}, {0.35, 0.03, 0.03})),
+             box({-0.03, 0, -0.35}, {0.03, 0.03, 0.35}));
+  CHECK_FALSE(abstraction_of(cross).is_sheet());
+}
+
+TEST_CASE("A compact body of revolution becomes a curve along its axis")
+{
+  const Point axis = Point(0.3, 0.8, -0.5).normalized();
+  const Eigen::Matrix3d tilt = Eigen::Quaterniond::FromTwoVectors(Point::UnitY(), axis).toRotationMatrix();
+  const auto check = [&](const std::vector<Eigen::Vector2d>& profile, double height) {
+    const Part_abstraction part = abstraction_of(moved(turned(profile), tilt, Point(1, 2, 3)));
+    REQUIRE_FALSE(part.is_sheet());
+    CHECK(part.report.method == Method::REVOLUTION_AXIS);
+    CHECK(part.report.blob);
+    const Points& points = part.control_points();
+    const Point along = points.col(15) - points.col(0);
+    CHECK(std::abs(along.dot(axis)) == Approx(height).epsilon(0.03));
+    CHECK(along.cross(axis).norm() < 0.03 * height);
+    CHECK((points.col(7) - Point(1, 2, 3)).cross(axis).norm() < 0.02);
+  };
+  SECTION("a wheel") { check({{0, 0}, {0.5, 0}, {0.5, 0.4}, {0, 0.4}}, 0.4); }
+  SECTION("a bell, whose principal axes say nothing")
+  {
+    check({{0, 0}, {0.3, 0}, {0.45, -0.3}, {0.5, -0.55}, {0.48, -0.55}, {0.43, -0.3}, {0.28, -0.02}, {0, -0.02}}, 0.55);
+  }
+  SECTION("a tube, which is said to be one")
+  {
+    const double r = 0.5, wall = 0.02, h = 0.4;
+    const Part_abstraction part = abstraction_of(torus_like(32, 4, [=](double u, double v) {
+      const int corner = int(std::lround(2 * v / EIGEN_PI));
+      const double radius = r + (corner == 1 || corner == 2 ? wall : 0.);
+      return Point(radius * std::cos(u), corner < 2 ? 0 : h, radius * std::sin(u));
+    }));
+    CHECK(part.report.tube);
+    CHECK_FALSE(part.report.blob);
+    CHECK(part.report.method == Method::REVOLUTION_AXIS);
+    CHECK(part.control_points().row(1).maxCoeff() == Approx(h).epsilon(0.05));
+    CHECK(part.control_points().row(0).cwiseAbs().maxCoeff() < 0.02);
+  }
+  SECTION("but a disc is a sheet")
+  {
+    CHECK(abstraction_of(moved(turned({{0, 0}, {0.5, 0}, {0.5, 0.1}, {0, 0.1}}), tilt, Point::Zero())).is_sheet());
+  }
+}
+
+TEST_CASE("A sheet goes along a part that is bent")
+{
+  const Part_abstraction part = abstraction_of(half_pipe(1.5, 0.06));
+  REQUIRE(part.is_sheet());
+  CHECK(part.report.residual < 0.02);
+  const Points& points = part.control_points();
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    CHECK(std::hypot(points(0, i), points(2, i)) == Approx(1).margin(0.08));
+  }
+  CHECK(points.row(0).minCoeff() < -0.9);
+  CHECK(points.row(0).maxCoeff() > 0.9);
+  CHECK(points.row(1).maxCoeff() - points.row(1).minCoeff() == Approx(1.5).margin(0.1));
 }
 
 TEST_CASE("Open and badly made parts get an abstraction")
@@ -438,7 +568,8 @@ TEST_CASE("Fewer triangles give nearly the same curve")
 TEST_CASE("Mid-lines and mid-surfaces of the models are found")
 {
   std::vector<double> deviations;
-  for (const char* model : {"chair_four_legged", "stool", "table_pedestal", "bed_slatted"}) {
+  for (const char* model : {"chair_four_legged", "chair_swivel", "stool", "table_pedestal", "bed_slatted", "lamp_desk",
+                            "airplane_twin_engine"}) {
     const std::string folder = std::string(SHAPE_CORRESPONDENCE_DATA_DIR) + "/" + model;
     const Segmented_shape shape = IO::read_segmented_shape(folder + "/parts");
     const std::map<std::string, Part_abstraction> stated = benchmark::stated_abstractions(folder);

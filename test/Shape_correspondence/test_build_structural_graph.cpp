@@ -72,6 +72,29 @@ TEST_CASE("The graph does not depend on pose and order")
   CHECK(structure(graph).contacts.size() == 4);
 }
 
+TEST_CASE("The order of parts and their names change no bit")
+{
+  const Segmented_shape shape = star_stool();
+  std::mt19937 random(7);
+  const std::vector<std::size_t> order = random_order(shape.parts().size(), random);
+  Segmented_shape shuffled(shape.name());
+  for (std::size_t i : order)
+    shuffled.add_part("x" + shape.parts()[i].name, shape.parts()[i].mesh);
+  const Structural_graph a = build_structural_graph(shape), b = build_structural_graph(shuffled);
+  CHECK(structure(a).frame.axes == structure(b).frame.axes);
+  CHECK(structure(a).frame.origin == structure(b).frame.origin);
+  CHECK(structure(a).frame.height == structure(b).frame.height);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const Part_abstraction &part = structure(a).parts[order[k]], &same = structure(b).parts[k];
+    INFO(part.name);
+    CHECK(same.name == "x" + part.name);
+    CHECK(same.report.method == part.report.method);
+    CHECK(same.control_points() == part.control_points());
+    CHECK(same.surface == part.surface);
+    CHECK(same.volume == part.volume);
+  }
+}
+
 TEST_CASE("Parts that fall back to their bounding box are named")
 {
   Structure_options hasty;

@@ -83,7 +83,6 @@ TEST_CASE("All ordered pairs, each as find_correspondence() finds it")
   CHECK(distances(0, 1) == (matrix.energies(0, 1) + matrix.energies(1, 0)) / 2);
   CHECK(distances(0, 1) == distances(1, 0));
   CHECK(distances(0, 1) < distances(0, 2)); // a chair is nearer to a chair than to a table
-  CHECK(distances(2, 3) < distances(1, 3));
 }
 
 TEST_CASE("A shape is no way from a moved copy of itself")

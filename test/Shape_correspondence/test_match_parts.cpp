@@ -130,6 +130,84 @@ TEST_CASE("Eight legs in two groups match four, every one every one")
   CHECK(pairs(table_with_double_legs(), hand_made::table(), strangers) == identity(5));
 }
 
+TEST_CASE("Rows match all to all, unless they are the very same")
+{
+  const Structural_graph slats = hand_made::slatted_chair();
+  Shape_structure shape = structure(slats); // the slats lower and leaning
+  const double x[] = {-.15, 0, .15};
+  for (std::size_t slat = 1; slat <= 3; ++slat)
+    shape.parts[slat] = hand_made::curve("slat", {x[slat - 1], .6, -.25}, {x[slat - 1], .9, -.4});
+  const Structural_graph other = make_structural_graph(std::move(shape), {slats[0], slats[1], slats[2], slats[3]});
+  Pairs expected = {{0, 0}, {1, 1}, {1, 2}, {1, 3}, {2, 1}, {2, 2}, {2, 3}, {3, 1}, {3, 2}, {3, 3}};
+  for (std::size_t leg = 4; leg <= 7; ++leg)
+    expected.emplace_back(leg, leg);
+  CHECK(pairs(slats, other) == expected);
+
+  Part_matching_options one_by_one;
+  one_by_one.rows = false;
+  CHECK(pairs(slats, other, one_by_one) == identity(8));
+}
+
+TEST_CASE("What carries one table carries the other, as a whole")
+{
+  // a column on a plate: two parts for four legs
+  Shape_structure shape = structure(hand_made::pedestal_table());
+  shape.parts[1] = hand_made::curve("column", {0, .05, 0}, {0, 1, 0});
+  shape.parts.push_back(hand_made::sheet("plate", {-.3, 0, -.3}, {.6, 0, 0}, {0, 0, .6}));
+  shape.contacts = {hand_made::contact(shape, 0, 1, {0, 1, 0}), hand_made::contact(shape, 1, 2, {0, 0, 0})};
+  const Structural_graph on_plate =
+      make_structural_graph(std::move(shape), {hand_made::group({0}), hand_made::group({1}), hand_made::group({2})});
+  CHECK(pairs(on_plate, hand_made::table()) ==
+        Pairs{{0, 0}, {1, 1}, {1, 2}, {1, 3}, {1, 4}, {2, 1}, {2, 2}, {2, 3}, {2, 4}});
+}
+
+TEST_CASE("A part on the ground beside the legs leaves them one to one")
+{
+  const Structural_graph table = hand_made::table();
+  Shape_structure shape = structure(table);
+  shape.parts.push_back(hand_made::curve("ladder", {0, 0, .5}, {0, 1, .5}));
+  shape.contacts.push_back(hand_made::contact(shape, 0, 5, {0, 1, .5}));
+  const Structural_graph with_ladder =
+      make_structural_graph(std::move(shape), {table[0], table[1], hand_made::group({5})});
+  const Pairs found = pairs(with_ladder, table);
+  for (std::size_t leg = 1; leg <= 4; ++leg)
+    CHECK(std::count_if(found.begin(), found.end(), [&](const auto& pair) { return pair.first == leg; }) == 1);
+}
+
+TEST_CASE("A hanging lamp is turned over, whichever it is")
+{
+  const auto lamp = [](bool hangs) {
+    const auto y = [hangs](double height) { return hangs ? 1 - height : height; };
+    Shape_structure shape;
+    shape.name = "lamp";
+    shape.parts = {hand_made::sheet("foot", {-.15, y(0), -.15}, {.3, 0, 0}, {0, 0, .3}),
+                   hand_made::curve("stem", {0, y(0), 0}, {0, y(.6), 0}),
+                   hand_made::curve("bulb", {0, y(.65), 0}, {0, y(.7), 0}),
+                   hand_made::sheet("shade", {-.3, y(.6), 0}, {.6, 0, 0}, {0, y(1) - y(.6), 0})};
+    shape.parts[3].surface = hand_made::points({{-.3, y(.6), -.3},
+                                                {.3, y(.6), -.3},
+                                                {-.3, y(.6), .3},
+                                                {.3, y(.6), .3},
+                                                {-.3, y(1), -.3},
+                                                {.3, y(1), -.3},
+                                                {-.3, y(1), .3},
+                                                {.3, y(1), .3}});
+    shape.contacts = {hand_made::contact(shape, 0, 1, {0, y(0), 0}), hand_made::contact(shape, 1, 2, {0, y(.6), 0}),
+                      hand_made::contact(shape, 1, 3, {0, y(.6), 0})};
+    return make_structural_graph(
+        std::move(shape), {hand_made::group({0}), hand_made::group({1}), hand_made::group({2}), hand_made::group({3})});
+  };
+  for (bool source_hangs : {false, true}) {
+    const Part_matching found = matching(lamp(source_hangs), lamp(!source_hangs));
+    CHECK(found.upside_down);
+    CHECK(pairs(found) == identity(4));
+  }
+  CHECK_FALSE(matching(lamp(true), lamp(true)).upside_down);
+  Part_matching_options as_it_is;
+  as_it_is.upside_down = 100;
+  CHECK_FALSE(matching(lamp(true), lamp(false), as_it_is).upside_down);
+}
+
 TEST_CASE("Source and target have the same standing, to the bit")
 {
   const Part_matching there = matching(hand_made::chair(), hand_made::slatted_chair());

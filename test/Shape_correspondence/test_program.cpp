@@ -302,7 +302,7 @@ TEST_CASE("Parts are made of a model that has none, and marked as automatic")
 {
   const Temporary_folder folder;
   const std::string two = obj_box("o all", 0, 0, 0, 0, 1, 1, 1) + "v 0 3 0\nv 1 3 0\nv 0 4 0\nv 0 3 1\n" +
-                          "f 9 11 10\nf 9 10 12\nf 9 12 11\nf 10 11 12\n";
+                          "f 9 11 10\nf 9 10 12\nf 9 12 11\nf 10 11 12\n" + "v 5 0 0\nv 6 0 0\nv 7 0 0\nf 13 14 15\n";
   const std::string model = quoted(folder.write("two.obj", two));
   CHECK(run("graph " + model).status == 1);
   const Run done = run("graph " + model + " --segment --abstraction boxes --json -");
@@ -312,6 +312,7 @@ TEST_CASE("Parts are made of a model that has none, and marked as automatic")
   CHECK(graph["segmentation"] == "automatic");
   CHECK(graph["parts"].size() >= 2);
   CHECK_THAT(graph["warnings"][0].get<std::string>(), Contains("automatic segmentation"));
+  CHECK_THAT(graph["warnings"].back().get<std::string>(), Contains("they have no area: 1."));
   const Run refused = run("graph " + quoted(folder.write("table.obj", obj_table())) + " --segment");
   CHECK(refused.status == 1);
   CHECK_THAT(refused.error, Contains("5 parts already"));
@@ -360,6 +361,7 @@ TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
   CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 3").status == 1); // it is there already
   CHECK(run(models + " -o " + quoted(folder.path("a.glb")) + " --frames 3 --quiet").status == 0);
   CHECK(text_of(folder.path("a.glb")).substr(0, 4) == "glTF");
+  CHECK(run("blend " + quoted(graph) + " " + quoted(graph) + " -o " + quoted(folder.path("frames.obj"))).status == 2);
 }
 
 TEST_CASE("blend takes a correspondence that was found before")

@@ -57,7 +57,7 @@ Part_mesh twice(const Part_mesh& mesh)
 
 TEST_CASE("Thick and thin pieces of a mesh become parts")
 {
-  const Segmented_shape shape = segment_mesh(dumb_bell(), {}, "bell", Point::UnitZ());
+  const Segmented_shape shape = segment_mesh(dumb_bell(), {}, "bell", Point::UnitZ()).shape;
   CHECK(shape.name() == "bell");
   CHECK(shape.up() == Point::UnitZ());
   REQUIRE(shape.parts().size() == 3);
@@ -70,7 +70,7 @@ TEST_CASE("Thick and thin pieces of a mesh become parts")
 
   SECTION("the same in every run")
   {
-    const Segmented_shape again = segment_mesh(dumb_bell());
+    const Segmented_shape again = segment_mesh(dumb_bell()).shape;
     for (std::size_t i = 0; i < 3; ++i)
       CHECK(again.parts()[i].mesh.points == shape.parts()[i].mesh.points);
   }
@@ -78,13 +78,13 @@ TEST_CASE("Thick and thin pieces of a mesh become parts")
 
 TEST_CASE("Connected components are parts, open ones as they are")
 {
-  CHECK(segment_mesh(twice(dumb_bell())).parts().size() == 6);
+  CHECK(segment_mesh(twice(dumb_bell())).shape.parts().size() == 6);
   Part_mesh open = twice(dumb_bell());
   open.triangles = open.triangles.leftCols(open.triangles.cols() - 5).eval();
-  CHECK(segment_mesh(open).parts().size() == 4);
+  CHECK(segment_mesh(open).shape.parts().size() == 4);
 }
 
-TEST_CASE("Components without area are left out")
+TEST_CASE("Components without area are left out, and counted")
 {
   Part_mesh mesh = dumb_bell();
   const Eigen::Index n = mesh.points.cols();
@@ -92,5 +92,8 @@ TEST_CASE("Components without area are left out")
   mesh.points.rightCols(3) << 5, 6, 7, 0, 0, 0, 0, 0, 0;
   mesh.triangles.conservativeResize(3, mesh.triangles.cols() + 1);
   mesh.triangles.rightCols(1) << int(n), int(n + 1), int(n + 2);
-  CHECK(segment_mesh(mesh).parts().size() == segment_mesh(dumb_bell()).parts().size());
+  const Mesh_segmentation whole = segment_mesh(dumb_bell()), segmentation = segment_mesh(mesh);
+  CHECK(segmentation.shape.parts().size() == whole.shape.parts().size());
+  CHECK(segmentation.pieces_left_out == 1);
+  CHECK(whole.pieces_left_out == 0);
 }

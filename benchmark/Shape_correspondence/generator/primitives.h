@@ -8,6 +8,8 @@
 
 #include "paths.h"
 
+#include <cmath>
+
 namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
@@ -74,8 +76,42 @@ inline Path normals(const Path& path, bool closed, const Point& hint)
   return result;
 }
 
-/// A section swept along a path; the section's first axis starts nearest to `hint`, or to y where the path starts along
-/// `hint`. A closed path must lie in a plane.
+/// Whether a piece of three lengths is a plate, rather than a bar: flat and not much longer than wide, or a blade.
+inline bool is_plate(double length, double width, double thickness)
+{
+  constexpr double least_width = 0.18, most_thickness = 0.45, least_blade_width = 0.075, blade_thickness = 0.165;
+  return (width >= least_width * length && thickness < most_thickness * width) ||
+         (width >= least_blade_width * length && thickness <= blade_thickness * width);
+}
+
+/// The point at `t` in [0, 1] of points whose parameters are even.
+inline Point point_at(const Path& path, double t)
+{
+  const int last = int(path.size()) - 1, k = std::min(int(t * last), last - 1);
+  return between(path[k], path[k + 1], t * last - k);
+}
+
+/// The sheet grid of a surface given by its points at (u, v) in [0, 1]^2.
+template <class Surface>
+Path sheet_grid(const Surface& surface)
+{
+  Path grid;
+  for (int i = 0; i < sheet_grid_size; ++i)
+    for (int j = 0; j < sheet_grid_size; ++j)
+      grid.push_back(surface(double(i) / (sheet_grid_size - 1), double(j) / (sheet_grid_size - 1)));
+  return grid;
+}
+
+/// States the mid-surface of a tube whose section is as wide as a plate, `across` its wider half axis at each point.
+inline void state_flat_tube(Solid& solid, const Path& path, const Path& across)
+{
+  solid.kind = Kind::sheet;
+  solid.mid =
+      sheet_grid([&](double u, double v) -> Point { return point_at(path, u) + (2 * v - 1) * point_at(across, u); });
+}
+
+/// A section swept along a path, a curve unless it is as wide as a plate; the section's first axis starts nearest to
+/// `hint`, or to y where the path starts along `hint`. A closed path must lie in a plane.
 inline Solid tube(Path path, const Section& section, Point hint = Point::UnitX(), bool closed = false)
 {
   if (std::abs(tangent(path, closed, 0).dot(hint)) > 0.9 * hint.norm()) hint = Point::UnitY();
@@ -103,6 +139,17 @@ inline Solid tube(Path path, const Section& section, Point hint = Point::UnitX()
     rings.push_back(ring);
   }
   solid.mesh = closed ? loft(rings, true, Point::Zero(), Point::Zero()) : loft(rings);
+  if (closed) return solid;
+  Point_2 half = Point_2::Zero();
+  for (const Point_2& p : section.ring(0.5, 0))
+    half = half.cwiseMax(p.cwiseAbs());
+  if (is_plate(whole, 2 * half.maxCoeff(), 2 * half.minCoeff())) {
+    Path across;
+    for (int i = 0; i < int(path.size()); ++i)
+      across.push_back(half.maxCoeff() *
+                       (half.x() > half.y() ? normal[i] : Point(tangent(path, closed, i).cross(normal[i]))));
+    state_flat_tube(solid, path, across);
+  }
   return solid;
 }
 
@@ -152,15 +199,38 @@ inline Point_2 square_to_disc(const Point_2& p)
   return {p.x() * std::sqrt(1 - p.y() * p.y() / 2), p.y() * std::sqrt(1 - p.x() * p.x() / 2)};
 }
 
-/// The sheet grid of a surface given by its points at (u, v) in [0, 1]^2.
+/// Length and width of a surface, as of a parallelogram with middle lines and diagonals of the same lengths.
 template <class Surface>
-Path sheet_grid(const Surface& surface)
+Point_2 length_and_width(const Surface& surface)
 {
-  Path grid;
-  for (int i = 0; i < sheet_grid_size; ++i)
-    for (int j = 0; j < sheet_grid_size; ++j)
-      grid.push_back(surface(double(i) / (sheet_grid_size - 1), double(j) / (sheet_grid_size - 1)));
-  return grid;
+  constexpr int pieces = 8;
+  auto squared_length = [&](auto point) {
+    Path path;
+    for (int i = 0; i <= pieces; ++i)
+      path.push_back(point(double(i) / pieces));
+    return length(path) * length(path);
+  };
+  const double uu = squared_length([&](double t) { return Point(surface(t, 0.5)); });
+  const double vv = squared_length([&](double t) { return Point(surface(0.5, t)); });
+  const double uv = (squared_length([&](double t) { return Point(surface(t, t)); }) -
+                     squared_length([&](double t) { return Point(surface(t, 1 - t)); })) /
+                    4;
+  const double mean = (uu + vv) / 2, spread = std::hypot((uu - vv) / 2, uv);
+  return {std::sqrt(mean + spread), std::sqrt(std::max(mean - spread, 0.))};
+}
+
+/// What is made about a surface: a sheet, or its mid-line where it is a bar.
+template <class Surface>
+Solid plate_or_bar(const Mesh& mesh, const Surface& surface)
+{
+  const Point_2 size = length_and_width(surface);
+  if (is_plate(size.x(), size.y(), volume(mesh) / size.prod())) return {mesh, Kind::sheet, sheet_grid(surface)};
+  Path along_u, along_v;
+  for (double t : {0., .125, .25, .375, .5, .625, .75, .875, 1.}) {
+    along_u.push_back(surface(t, 0.5));
+    along_v.push_back(surface(0.5, t));
+  }
+  return {mesh, Kind::curve, length(along_u) > length(along_v) ? along_u : along_v};
 }
 
 /// A turned plate about the y axis, a sheet whose mid-surface is the disc of `radius` at `height`.
@@ -259,7 +329,7 @@ inline std::vector<Point> slab_points(const Surface& surface, double thickness, 
   return points;
 }
 
-/// A plate of even thickness about a surface patch, edges bevelled, a sheet.
+/// A plate of even thickness about a surface patch, edges bevelled; a sheet, or a curve if it is as narrow as a bar.
 inline Solid slab(const Surface& patch, double thickness, const Slab_options& options = {})
 {
   const Surface surface = with_round_corners(patch, options.corner);
@@ -282,7 +352,7 @@ inline Solid slab(const Surface& patch, double thickness, const Slab_options& op
   for (int k = 0; k < n; ++k)
     for (int l = 0; l < 3; ++l)
       add_quad(mesh, around(k)[l], around(k)[l + 1], around(k + 1)[l + 1], around(k + 1)[l]);
-  return {outward(mesh), Kind::sheet, sheet_grid(surface)};
+  return plate_or_bar(outward(mesh), surface);
 }
 
 /// The flat patch with corner `origin` and edges `u_edge` and `v_edge`.
@@ -327,7 +397,7 @@ inline Path wing_ring(const Wing_station& station, const Point& upwards)
   return ring;
 }
 
-/// A wing through its stations from root to tip, a sheet; `upwards` is across the wing.
+/// A wing through its stations from root to tip, a sheet unless it is a strut; `upwards` is across the wing.
 inline Solid wing(const std::vector<Wing_station>& stations, const Point& upwards, int pieces = 4)
 {
   const int last = int(stations.size()) - 1;
@@ -345,7 +415,7 @@ inline Solid wing(const std::vector<Wing_station>& stations, const Point& upward
     const Wing_station station = at(u);
     return Point(station.leading_edge - Point(0, 0, v * station.chord));
   };
-  return {loft(rings), Kind::sheet, sheet_grid(surface)};
+  return plate_or_bar(loft(rings), surface);
 }
 
 /// One cross-section of a hull along z: its middle and half axes.

@@ -9,9 +9,12 @@
 #include <CGAL/Shape_correspondence/Deformation_energy.h>
 #include <CGAL/Shape_correspondence/Geotopo_transform.h>
 #include <CGAL/Shape_correspondence/Pairwise_energy.h>
+#include <CGAL/Shape_correspondence/internal/Piece_list.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -47,14 +50,17 @@ struct Matching_options
 class Matching_problem
 {
 public:
+  using Shared_shape = std::shared_ptr<const Aligned_shape>;
+
+  Matching_problem(Shared_shape source, Shared_shape target, const Matching_options& options = {});
   Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options = {});
   /// The same with given labels, by source group: to rate a mapping that was found in another way. Members of a group
   /// may have no image; their contacts cost nothing. \pre at least one label a group, as many images as it has members
-  Matching_problem(Aligned_shape source, Aligned_shape target, std::vector<std::vector<Group_label>> labels,
+  Matching_problem(Shared_shape source, Shared_shape target, std::vector<std::vector<Group_label>> labels,
                    const Matching_options& options = {});
 
-  const Aligned_shape& source() const { return source_; }
-  const Aligned_shape& target() const { return target_; }
+  const Aligned_shape& source() const { return *source_; }
+  const Aligned_shape& target() const { return *target_; }
   const Matching_options& options() const { return options_; }
   std::size_t number_of_labels(std::size_t group) const { return labels_[group].size(); }
   const Group_label& label(std::size_t group, std::size_t label) const { return labels_[group][label]; }
@@ -76,7 +82,7 @@ public:
   /// pairs averaged. A cut part counts with the segment that touches.
   Rod_energy contact_energy(std::size_t contact, std::size_t first_label, std::size_t second_label) const
   {
-    const std::size_t second = source_.group_of[source_.contacts[contact].parts[1]];
+    const std::size_t second = source_->group_of[source_->contacts[contact].parts[1]];
     return contact_energies_[contact][first_label * number_of_labels(second) + second_label];
   }
   /// E_d and E_c, summed, between the segments of a group's cut parts.
@@ -88,47 +94,55 @@ public:
     Piece source, target;
     std::size_t source_index, target_index; ///< of the pieces
     const std::vector<int>* order;          ///< `fitting_order()`
-    internal::Sample_lanes samples;
+    std::size_t lanes;                      ///< `samples()`
+  };
+  /// Indices of fitted pieces.
+  struct Images
+  {
+    const std::uint32_t *first, *last;
+    const std::uint32_t* begin() const { return first; }
+    const std::uint32_t* end() const { return last; }
+    std::size_t size() const { return std::size_t(last - first); }
+    bool empty() const { return first == last; }
   };
   /// What touches at a contact on a side when the part there has a label: all its clones, or the one segment.
-  const std::vector<std::size_t>& touching(std::size_t contact, int side, std::size_t label) const
-  {
-    return touching_[2 * contact + std::size_t(side)][label];
-  }
+  Images touching(std::size_t contact, int side, std::size_t label) const;
   const Fitted& fitted(std::size_t index) const { return fitted_[index]; }
+  /// The samples of the target piece in the order in which the source piece takes them.
+  const internal::Sample_lanes& samples(const Fitted& fitted) const { return lanes_[fitted.lanes]; }
   const Sampled_part& target_piece(std::size_t index) const { return target_pieces_[index]; }
   /// The rods of a contact, of the whole parts; with a curve's samples lifted to a sheet's number or not.
   const Structural_rods& rods(std::size_t contact, bool lift_first, bool lift_second) const
   {
-    return (*source_.rods)[contact][2 * std::size_t(lift_first) + std::size_t(lift_second)];
+    return (*source_->rods)[contact][2 * std::size_t(lift_first) + std::size_t(lift_second)];
   }
 
 private:
-  struct Scratch;
+  class Contact_table;
 
   void choose_labels();
   void make_tables();
   std::size_t fit(const Image& image);
   void fit_parts();
+  Images images(std::size_t part, std::size_t label) const;
   double target_distance(std::size_t first_piece, std::size_t second_piece) const;
-  const std::vector<std::pair<std::size_t, std::size_t>>&
-  clone_pairs(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second, Scratch& scratch) const;
   Rod_energy fitted_energy(const Structural_rods& rods, const Fitted& first, const Fitted& second) const;
-  Rod_energy pair_energy(std::size_t contact, const Fitted& first, const Fitted& second) const;
-  void fill_contact_energies(std::size_t contact, Scratch& scratch);
+  void fill_contact_energies(std::size_t contact, Contact_table& table);
   void fill_cut_energies();
   void add_up_energy();
 
-  Aligned_shape source_, target_;
+  Shared_shape source_, target_;
   Matching_options options_;
   bool has_shortlists_ = false;
   std::vector<std::vector<Group_label>> labels_;
-  std::vector<Sampled_part> source_pieces_, target_pieces_; // the parts, then segments
-  std::vector<Piece> source_segments_, target_segments_;
-  std::vector<Fitted> fitted_;
-  Eigen::MatrixXi fitted_index_;                                // whole part × whole target part; -1: none
-  std::vector<std::vector<std::vector<std::size_t>>> images_;   // by part and label, indices of fitted pieces
-  std::vector<std::vector<std::vector<std::size_t>>> touching_; // by side of contact and label, the same
+  internal::Piece_list source_pieces_, target_pieces_;
+  std::vector<Fitted> fitted_;            // those of a part together
+  std::vector<std::size_t> fitted_begin_; // by part
+  std::vector<internal::Sample_lanes> lanes_;
+  std::vector<std::vector<std::pair<const std::vector<int>*, std::size_t>>> lanes_of_; // by target piece and order
+  std::vector<std::size_t> label_begin_; // by part, of its labels in `image_begin_`
+  std::vector<std::size_t> image_begin_; // by part and label, in `images_`
+  std::vector<std::uint32_t> images_;    // fitted pieces
   std::vector<std::vector<Rod_energy>> contact_energies_, cut_energies_;
   Pairwise_energy energy_;
 };

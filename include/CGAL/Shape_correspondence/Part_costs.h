@@ -8,6 +8,7 @@
 
 #include <CGAL/Shape_correspondence/align_shapes.h>
 #include <CGAL/Shape_correspondence/config.h>
+#include <CGAL/Shape_correspondence/part_assemblies.h>
 
 #include <Eigen/Core>
 
@@ -30,15 +31,13 @@ struct Part_cost_weights
   double chamfer = 2;       ///< mean distance of a point of either surface from the other surface
 };
 
-/// A symmetry group of so many parts or more may stand as a whole for one part.
-constexpr std::size_t whole_group_size = 3;
-
 /// The cost of every part of the source (row) standing for every part of the target (column), by index of the aligned
 /// shapes. Symmetric: with the shapes swapped, the transposed matrix.
 ///
 /// The boxes are compared as they are and after either shape was warped towards the other, axis by axis, where the most
 /// alike parts ask for it; the three are averaged. A part shares in how alike its symmetry group is to the other's, and
-/// a group of `whole_group_size` parts or more may cost less as a whole (legs for a pedestal, slats for a panel).
+/// a group of `whole_group_size` parts or more, or a row with its frame (`Part_assemblies`), may cost less as a whole
+/// (legs for a pedestal, slats for a panel).
 /// O(n m k²) for n and m parts with k = `surface_samples` points each.
 Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
                            const Part_cost_weights& weights = {});
@@ -50,6 +49,10 @@ Eigen::MatrixXd part_costs(const Aligned_shape& shape, const Part_cost_weights& 
 /// with, averaged over both sets. \pre neither is empty
 double set_cost(const Eigen::MatrixXd& costs, const std::vector<std::size_t>& rows,
                 const std::vector<std::size_t>& columns);
+
+/// How badly two shapes go together: the mean of the least cost of every source part, and that of every target part,
+/// added. \pre the matrix has rows and columns
+double mean_least_cost(const Eigen::MatrixXd& costs);
 
 } // namespace Shape_correspondence
 } // namespace CGAL

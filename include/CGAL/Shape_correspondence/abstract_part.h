@@ -50,7 +50,7 @@ struct Abstraction_options
   std::map<std::string, Abstraction_kind> part_kinds; ///< by part name, in place of `kind`
   double edge_length = 0.02;    ///< target edge length of the remeshing before the flow, where `triangles` suffice
   int triangles = 1500;         ///< about how many triangles the remeshed part may have; edges are longer if need be
-  double stop_volume = 0.02;    ///< the meso-skeleton is taken when its volume falls under this fraction of the part's
+  double stop_volume = 0.02;    ///< whether a part is hollow shows when the flow has left this fraction of its volume
   int maximum_iterations = 300; ///< of the flow; the bounding box stands in for a part that needs more
   double time_limit = 20;       ///< seconds a part; the bounding box stands in for a part that needs more
   int curve_points = 16;        ///< control points of a curve

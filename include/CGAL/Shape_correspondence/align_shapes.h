@@ -10,6 +10,8 @@
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 #include <CGAL/Shape_correspondence/config.h>
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -47,6 +49,7 @@ struct Aligned_shape
   struct Group
   {
     std::vector<std::size_t> parts;
+    Eigen::AlignedBox3d box;           ///< of its parts' samples
     Symmetry symmetry;                 ///< in the common frame
     double solidity = 1;               ///< summed volumes over the volume of the common hull
     std::vector<std::size_t> contacts; ///< those of its parts, ascending

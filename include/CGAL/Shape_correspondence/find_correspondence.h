@@ -90,7 +90,7 @@ private:
   std::vector<Correspondence> least_energy(const Prepared_shape& target) const;
   Correspondence matched_parts(const Prepared_shape& target) const;
   Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const;
-  double lower_bound(const Aligned_shape& deformed, const Aligned_shape& other, double unmatched_energy) const;
+  double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;
 
   Search_options options_;
   Shape_frame source_frame_;

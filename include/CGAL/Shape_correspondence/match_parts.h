@@ -23,9 +23,12 @@ struct Part_matching_options
   Part_cost_weights weights;
   /// A pair is matched if it costs least for one of its parts and, over both parts, at most so much more than least.
   /// Less of it: fewer and surer pairs.
-  double excess = 2;
-  double sure_excess = 0.5; ///< the same, for pairs that decide which sets of parts stand for one another
-  double sibling = 4;       ///< parts of one shape that cost less among each other may share a counterpart
+  double excess = 1.5;
+  double sure_excess = 0.5;  ///< the same, for pairs that decide which sets of parts stand for one another
+  double sibling = 3.5;      ///< parts of one shape that cost less among each other may share a counterpart
+  double upside_down = 0.75; ///< a shape is turned over where that makes `mean_least_cost()` so much less
+  bool rows = true;          ///< match rows with their frames as wholes (`Part_assemblies::rows`)
+  bool support = true;       ///< match what carries the shapes as a whole (`Part_assemblies::support`)
 };
 
 /// Two parts that correspond, by index of the aligned shapes.
@@ -40,6 +43,7 @@ struct Part_matching
 {
   std::vector<Part_match> pairs; ///< by source, then target
   Eigen::MatrixXd costs;         ///< source part × target part, by index of the aligned shapes
+  bool upside_down = false;      ///< one shape was turned over, as a hanging lamp for one that stands
 };
 
 /// Matches parts by their costs alone, without deforming a shape.
@@ -48,7 +52,13 @@ struct Part_matching
 /// that have nothing better. Sure pairs join parts and groups of both shapes to blocks. A part that is in no sure pair
 /// joins the block of the parts it resembles most. A block with as many parts on either side keeps its pairs (four legs
 /// and four legs); of one with different numbers, every part corresponds to every other (a back of five slats and one
-/// of seven; a pedestal and four legs).
+/// of seven; a pedestal and four legs). So it does in a block with a row, whose parts have no places of their own,
+/// unless both shapes have the very same one.
+///
+/// What carries the shapes (`Part_assemblies::support`) is matched as a whole, and with nothing else, unless its parts
+/// pair one to one, but for some that stand on the ground apart from the others (a ladder beside the legs of a bed).
+///
+/// Where neither shape has a deck, one is turned over if the parts cost less then (a hanging lamp and one that stands).
 ///
 /// Deterministic; the source and the target have the same standing. O(n m k²) as `part_costs()`, and O(b³) for b
 /// blocks. \throw Invalid_input if a weight or an option is negative or not finite

@@ -9,6 +9,7 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/config.h>
 
+#include <cstddef>
 #include <string>
 
 namespace CGAL {
@@ -21,12 +22,19 @@ struct Segmentation_options
   double smoothness = 0.26; ///< in [0, 1]: how much short borders between segments count
 };
 
+/// What `segment_mesh()` makes.
+struct Mesh_segmentation
+{
+  Segmented_shape shape;
+  std::size_t pieces_left_out = 0; ///< components and segments without area, which can be no parts
+};
+
 /// Makes parts of a mesh that has none: its connected components, and of each closed one the segments that CGAL's
 /// package Triangulated Surface Mesh Segmentation finds by the shape diameter function (Shapira, Shamir and Cohen-Or
-/// 2008). Components without area are left out. Part names are `segment_0`, `segment_1`, … A rough stand-in for a
-/// segmentation by hand. \throw Invalid_input if the mesh cannot be used
-Segmented_shape segment_mesh(const Part_mesh& mesh, const Segmentation_options& options = {},
-                             std::string name = "shape", const Point& up = Point::UnitY());
+/// 2008). Pieces without area are left out, and counted. Part names are `segment_0`, `segment_1`, … A rough stand-in
+/// for a segmentation by hand. \throw Invalid_input if the mesh cannot be used
+Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options = {},
+                               std::string name = "shape", const Point& up = Point::UnitY());
 
 } // namespace Shape_correspondence
 } // namespace CGAL

@@ -83,26 +83,21 @@ inline const std::vector<int>& extremities(const Sampled_part& source, const Sam
 class Unit_box
 {
 public:
-  Unit_box(const Aligned_shape& shape, const std::vector<std::size_t>& parts)
-  {
-    for (std::size_t part : parts)
-      for (Eigen::Index i = 0; i < shape.parts[part].samples.cols(); ++i)
-        box_.extend(shape.parts[part].samples.col(i));
-  }
-
-  Point operator()(const Point& p) const
+  explicit Unit_box(const Aligned_shape::Group& group)
   {
     constexpr double flat_extent = 0.02; // of the shape's height
-    Point result;
     for (int axis = 0; axis < 3; ++axis) {
-      const double extent = box_.sizes()[axis];
-      result[axis] = extent < flat_extent ? 0.5 : (p[axis] - box_.min()[axis]) / extent;
+      const double extent = group.box.sizes()[axis];
+      const bool is_flat = extent < flat_extent;
+      scale_[axis] = is_flat ? 0 : 1 / extent;
+      origin_[axis] = is_flat ? 0.5 : -group.box.min()[axis] / extent;
     }
-    return result;
   }
 
+  Point operator()(const Point& p) const { return origin_ + scale_.cwiseProduct(p); }
+
 private:
-  Eigen::AlignedBox3d box_;
+  Point scale_, origin_;
 };
 
 inline double quantized_distance(const Point& a, const Point& b) { return double(quantized((a - b).norm())); }
@@ -218,7 +213,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Group_label match_members(const Aligned_shape& 
     return label;
   }
 
-  const Unit_box from_box(source, from), to_box(target, to);
+  const Unit_box from_box(source.groups[source_group]), to_box(target.groups[target_group]);
   Eigen::MatrixXd cost(from.size(), to.size());
   for (Eigen::Index i = 0; i < cost.rows(); ++i)
     for (Eigen::Index j = 0; j < cost.cols(); ++j)
@@ -285,7 +280,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Group_label cut_members(const Aligned_shape& so
   const auto all_curves = [](const Aligned_shape& shape, const std::vector<std::size_t>& parts) {
     return std::all_of(parts.begin(), parts.end(), [&](std::size_t part) { return is_open_curve(shape.parts[part]); });
   };
-  const Unit_box from_box(source, from), to_box(target, to);
+  const Unit_box from_box(source.groups[source_group]), to_box(target.groups[label.target_group]);
 
   for (std::vector<Image>& images : result.images) {
     const std::size_t part = images[0].source.part;

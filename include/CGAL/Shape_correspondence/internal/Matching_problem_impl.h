@@ -9,9 +9,8 @@
 #include <CGAL/Shape_correspondence/Matching_problem.h>
 #include <CGAL/Shape_correspondence/internal/quantized.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -19,31 +18,12 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-// Least and greatest coordinates of every group.
-inline Eigen::Matrix<double, 6, Eigen::Dynamic> group_boxes(const Aligned_shape& shape)
+// Least and greatest coordinates of a group.
+inline Eigen::Matrix<double, 6, 1> extremes(const Aligned_shape::Group& group)
 {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> boxes(6, shape.groups.size());
-  for (std::size_t g = 0; g < shape.groups.size(); ++g) {
-    Eigen::AlignedBox3d box;
-    for (std::size_t part : shape.groups[g].parts) {
-      box.extend(Point(shape.parts[part].samples.rowwise().minCoeff()));
-      box.extend(Point(shape.parts[part].samples.rowwise().maxCoeff()));
-    }
-    boxes.col(Eigen::Index(g)) << box.min(), box.max();
-  }
-  return boxes;
-}
-
-// The index of a piece among the parts and the segments, which it joins if it is new.
-inline std::size_t piece_index(const Piece& piece, std::size_t number_of_parts, std::vector<Piece>& segments,
-                               std::vector<Sampled_part>& pieces)
-{
-  if (piece.count == 1) return piece.part;
-  const auto found = std::find(segments.begin(), segments.end(), piece);
-  if (found != segments.end()) return number_of_parts + std::size_t(found - segments.begin());
-  segments.push_back(piece);
-  pieces.push_back(segment(pieces[piece.part], piece.index, piece.count));
-  return pieces.size() - 1;
+  Eigen::Matrix<double, 6, 1> result;
+  result << group.box.min(), group.box.max();
+  return result;
 }
 
 // Which of `count` segments of a curve a sample of it is on.
@@ -54,35 +34,138 @@ inline int segment_of_sample(std::size_t sample, int count)
 
 } // namespace internal
 
-// Buffers for the energies of a contact.
-struct Matching_problem::Scratch
+// The energies of a contact by what its two parts are fitted to, each computed when it is first asked for.
+class Matching_problem::Contact_table
 {
-  Eigen::MatrixXi contact_of; // by pair of target pieces, the contact that `energy` was computed for
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic> distortion, connectedness;
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+public:
+  explicit Contact_table(const Matching_problem& problem) : problem_(problem) {}
+
+  void start(std::size_t contact)
+  {
+    contact_ = contact;
+    const auto& parts = problem_.source().contacts[contact].parts;
+    for (std::size_t side : {0, 1}) {
+      begin_[side] = problem_.fitted_begin_[parts[side]];
+      count_[side] = problem_.fitted_begin_[parts[side] + 1] - begin_[side];
+    }
+    energies_.assign(count_[0] * count_[1], {unknown, 0});
+    rods_of_pieces_.clear();
+  }
+
+  // The mean over clones, each with its nearest counterpart.
+  Rod_energy mean_energy(const Images& first, const Images& second)
+  {
+    Rod_energy sum;
+    std::size_t pairs = 0;
+    const auto add = [&](std::size_t a, std::size_t b) {
+      const Rod_energy& energy = this->energy(a, b);
+      sum.distortion += energy.distortion;
+      sum.connectedness += energy.connectedness;
+      ++pairs;
+    };
+    if (first.size() == 1 || second.size() == 1) {
+      for (std::size_t a : first)
+        for (std::size_t b : second)
+          add(a, b);
+    } else {
+      for (std::size_t a : first)
+        if (!second.empty()) add(a, nearest(a, second));
+      for (std::size_t b : second) {
+        if (first.empty()) break;
+        const std::size_t a = nearest(b, first);
+        if (nearest(a, second) != b) add(a, b);
+      }
+    }
+    if (pairs > 1) sum = {sum.distortion / double(pairs), sum.connectedness / double(pairs)};
+    return sum;
+  }
+
+private:
+  static constexpr double unknown = -1;
+
+  std::size_t nearest(std::size_t fitted, const Images& others) const
+  {
+    const std::size_t from = problem_.fitted_[fitted].target_index;
+    const auto distance = [&](std::size_t other) {
+      return problem_.target_distance(from, problem_.fitted_[other].target_index);
+    };
+    std::size_t best = *others.first;
+    double least = distance(best);
+    for (const std::uint32_t* other = others.first + 1; other != others.last; ++other) {
+      const double d = distance(*other);
+      if (d < least) least = d, best = *other;
+    }
+    return best;
+  }
+
+  const Rod_energy& energy(std::size_t a, std::size_t b)
+  {
+    Rod_energy& energy = energies_[(a - begin_[0]) * count_[1] + b - begin_[1]];
+    if (energy.distortion == unknown) {
+      const Fitted &first = problem_.fitted_[a], &second = problem_.fitted_[b];
+      energy = problem_.fitted_energy(rods(first, second), first, second);
+    }
+    return energy;
+  }
+
+  const Structural_rods& rods(const Fitted& first, const Fitted& second)
+  {
+    const Sampled_part &a = problem_.source_pieces_[first.source_index],
+                       &b = problem_.source_pieces_[second.source_index];
+    const Eigen::Index n = Eigen::Index(first.order->size()), m = Eigen::Index(second.order->size());
+    if (first.source.count == 1 && second.source.count == 1)
+      return problem_.rods(contact_, n != a.samples.cols(), m != b.samples.cols());
+    for (const Piece_rods& known : rods_of_pieces_)
+      if (known.first == first.source_index && known.second == second.source_index && known.counts[0] == n &&
+          known.counts[1] == m)
+        return known.rods;
+    rods_of_pieces_.push_back(
+        {first.source_index, second.source_index, {n, m}, Structural_rods(lifted_samples(a, n), lifted_samples(b, m))});
+    return rods_of_pieces_.back().rods;
+  }
+
+  // The rods between pieces of which one is a segment, with as many samples
+  struct Piece_rods
+  {
+    std::size_t first, second;
+    std::array<Eigen::Index, 2> counts;
+    Structural_rods rods;
+  };
+
+  const Matching_problem& problem_;
+  std::size_t contact_ = 0;
+  std::array<std::size_t, 2> begin_, count_; // the fitted pieces of either side
+  std::vector<Rod_energy> energies_;
+  std::vector<Piece_rods> rods_of_pieces_;
 };
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Matching_problem(Aligned_shape source, Aligned_shape target,
+CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
                                                                     const Matching_options& options)
     : source_(std::move(source)),
       target_(std::move(target)),
       options_(options),
-      source_pieces_(source_.parts),
-      target_pieces_(target_.parts)
+      source_pieces_(*source_),
+      target_pieces_(*target_)
 {
   choose_labels();
   make_tables();
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Matching_problem(Aligned_shape source, Aligned_shape target,
+                                                                    const Matching_options& options)
+    : Matching_problem(std::make_shared<Aligned_shape>(std::move(source)),
+                       std::make_shared<Aligned_shape>(std::move(target)), options)
+{}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
                                                                     std::vector<std::vector<Group_label>> labels,
                                                                     const Matching_options& options)
     : source_(std::move(source)),
       target_(std::move(target)),
       options_(options),
       labels_(std::move(labels)),
-      source_pieces_(source_.parts),
-      target_pieces_(target_.parts)
+      source_pieces_(*source_),
+      target_pieces_(*target_)
 {
   make_tables();
 }
@@ -90,130 +173,117 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Matching_problem(Aligned_shap
 CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::make_tables()
 {
   fit_parts();
-  const Eigen::Index n = Eigen::Index(target_pieces_.size());
-  Scratch scratch;
-  scratch.contact_of = Eigen::MatrixXi::Constant(n, n, -1);
-  scratch.distortion.resize(n, n);
-  scratch.connectedness.resize(n, n);
-  contact_energies_.resize(source_.contacts.size());
-  for (std::size_t contact = 0; contact < source_.contacts.size(); ++contact)
-    fill_contact_energies(contact, scratch);
+  Contact_table table(*this);
+  contact_energies_.resize(source().contacts.size());
+  for (std::size_t contact = 0; contact < source().contacts.size(); ++contact)
+    fill_contact_energies(contact, table);
   fill_cut_energies();
   add_up_energy();
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::choose_labels()
 {
-  const Eigen::Matrix<double, 6, Eigen::Dynamic> from = internal::group_boxes(source_),
-                                                 to = internal::group_boxes(target_);
-  has_shortlists_ = target_.groups.size() > maximum_labels;
-  labels_.resize(source_.groups.size());
+  has_shortlists_ = target().groups.size() > maximum_labels;
+  labels_.resize(source().groups.size());
   std::vector<std::pair<long, std::size_t>> candidates;
   for (std::size_t g = 0; g < labels_.size(); ++g) {
     candidates.clear();
-    for (std::size_t h = 0; h < target_.groups.size(); ++h)
-      candidates.emplace_back(internal::quantized((from.col(Eigen::Index(g)) - to.col(Eigen::Index(h))).norm()), h);
+    for (std::size_t h = 0; h < target().groups.size(); ++h)
+      candidates.emplace_back(
+          internal::quantized((internal::extremes(source().groups[g]) - internal::extremes(target().groups[h])).norm()),
+          h);
     if (has_shortlists_) {
       std::sort(candidates.begin(), candidates.end());
       candidates.resize(maximum_labels);
       std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     }
+    labels_[g].reserve(2 * candidates.size() + 1);
     for (const auto& candidate : candidates)
-      labels_[g].push_back(match_members(source_, g, target_, candidate.second));
-    if (options_.cut_curves)
-      for (std::size_t l = 0; l < candidates.size(); ++l) {
-        Group_label cut = cut_members(source_, g, target_, labels_[g][l]);
-        if (cut.operation == Operation::CUT || cut.operation == Operation::JOIN) labels_[g].push_back(std::move(cut));
-      }
+      labels_[g].push_back(match_members(source(), g, target(), candidate.second));
+    for (std::size_t l = 0; options_.cut_curves && l < candidates.size(); ++l) {
+      if (labels_[g][l].operation == Operation::MATCH) continue; // one to one
+      Group_label cut = cut_members(source(), g, target(), labels_[g][l]);
+      if (cut.operation == Operation::CUT || cut.operation == Operation::JOIN) labels_[g].push_back(std::move(cut));
+    }
     if (options_.unmatched_cost < Matching_options::never) {
       Group_label none;
-      none.images.resize(source_.groups[g].parts.size());
+      none.images.resize(source().groups[g].parts.size());
       labels_[g].push_back(std::move(none));
     }
   }
 }
 
+// The index of a fitted piece among those of its part, the last part that has any.
 CGAL_SHAPE_CORRESPONDENCE_INLINE std::size_t Matching_problem::fit(const Image& image)
 {
-  const bool whole = image.source.count == 1 && image.target.count == 1;
-  int* known = whole ? &fitted_index_(Eigen::Index(image.source.part), Eigen::Index(image.target.part)) : nullptr;
-  if (whole && *known >= 0) return std::size_t(*known);
-  if (whole) *known = int(fitted_.size());
+  const std::size_t from = source_pieces_.index(image.source), to = target_pieces_.index(image.target);
+  for (std::size_t known = fitted_begin_.back(); known < fitted_.size(); ++known)
+    if (fitted_[known].source_index == from && fitted_[known].target_index == to) return known;
 
-  const std::size_t from = internal::piece_index(image.source, source_.parts.size(), source_segments_, source_pieces_);
-  const std::size_t to = internal::piece_index(image.target, target_.parts.size(), target_segments_, target_pieces_);
-  const Points& samples = target_pieces_[to].samples;
-  fitted_.push_back({image.source, image.target, from, to, &fitting_order(source_pieces_[from], target_pieces_[to]),
-                     internal::Sample_lanes()});
-  const std::vector<int>& order = *fitted_.back().order;
-  const int lift = int(order.size()) / int(samples.cols());
-  for (int axis = 0; axis < 3; ++axis)
-    for (int i = 0; i < internal::lane_count; ++i)
-      fitted_.back().samples.coordinates[axis][i] =
-          i < int(order.size()) ? float(samples(axis, order[std::size_t(i)] / lift)) : internal::far_away;
+  const std::vector<int>& order = fitting_order(source_pieces_[from], target_pieces_[to]);
+  if (lanes_of_.size() <= to) lanes_of_.resize(target_pieces_.size());
+  std::size_t lanes = lanes_.size();
+  for (const auto& known : lanes_of_[to])
+    if (known.first == &order) lanes = known.second;
+  if (lanes == lanes_.size()) {
+    lanes_of_[to].emplace_back(&order, lanes);
+    lanes_.emplace_back();
+    const Points& samples = target_pieces_[to].samples;
+    const int lift = int(order.size()) / int(samples.cols());
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < internal::lane_count; ++i)
+        lanes_.back().coordinates[axis][i] =
+            i < int(order.size()) ? float(samples(axis, order[std::size_t(i)] / lift)) : internal::far_away;
+  }
+  fitted_.push_back({image.source, image.target, from, to, &order, lanes});
   return fitted_.size() - 1;
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fit_parts()
 {
-  fitted_index_ = Eigen::MatrixXi::Constant(Eigen::Index(source_.parts.size()), Eigen::Index(target_.parts.size()), -1);
-  fitted_.reserve(source_.parts.size() * target_.parts.size());
-  images_.resize(source_.parts.size());
-  for (std::size_t g = 0; g < labels_.size(); ++g)
-    for (const Group_label& label : labels_[g])
-      for (std::size_t i = 0; i < label.images.size(); ++i) {
-        auto& images = images_[source_.groups[g].parts[i]];
-        images.emplace_back();
-        for (const Image& image : label.images[i])
-          images.back().push_back(fit(image));
-      }
+  for (std::size_t part = 0; part < source().parts.size(); ++part) {
+    const std::size_t group = source().group_of[part];
+    const auto& parts = source().groups[group].parts;
+    const std::size_t member = std::size_t(std::find(parts.begin(), parts.end(), part) - parts.begin());
+    fitted_begin_.push_back(fitted_.size());
+    label_begin_.push_back(image_begin_.size());
+    for (const Group_label& label : labels_[group]) {
+      image_begin_.push_back(images_.size());
+      for (const Image& image : label.images[member])
+        images_.push_back(std::uint32_t(fit(image)));
+    }
+  }
+  fitted_begin_.push_back(fitted_.size());
+  image_begin_.push_back(images_.size());
+}
 
-  touching_.resize(2 * source_.contacts.size());
-  for (std::size_t contact = 0; contact < source_.contacts.size(); ++contact)
-    for (std::size_t side : {0, 1})
-      for (const auto& images : images_[source_.contacts[contact].parts[side]]) {
-        auto& touching = touching_[2 * contact + side];
-        touching.push_back(images);
-        for (std::size_t image : images) {
-          const Piece& piece = fitted_[image].source;
-          if (piece.count > 1 &&
-              piece.index == internal::segment_of_sample(source_.contacts[contact].samples[side], piece.count))
-            touching.back() = {image};
-        }
-      }
+CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Images Matching_problem::images(std::size_t part,
+                                                                                   std::size_t label) const
+{
+  const std::size_t i = label_begin_[part] + label;
+  return {images_.data() + image_begin_[i], images_.data() + image_begin_[i + 1]};
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Images Matching_problem::touching(std::size_t contact, int side,
+                                                                                     std::size_t label) const
+{
+  const Aligned_shape::Contact& c = source().contacts[contact];
+  const Images clones = images(c.parts[std::size_t(side)], label);
+  for (const std::uint32_t& image : clones) {
+    const Piece& piece = fitted_[image].source;
+    if (piece.count > 1 && piece.index == internal::segment_of_sample(c.samples[std::size_t(side)], piece.count))
+      return {&image, &image + 1};
+  }
+  return clones;
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double Matching_problem::target_distance(std::size_t first_piece,
                                                                           std::size_t second_piece) const
 {
-  const std::size_t n = target_.parts.size();
+  const std::size_t n = target_pieces_.number_of_parts();
   if (first_piece < n && second_piece < n)
-    return target_.distance(Eigen::Index(first_piece), Eigen::Index(second_piece));
+    return target().distance(Eigen::Index(first_piece), Eigen::Index(second_piece));
   return least_distance(target_pieces_[first_piece].samples, target_pieces_[second_piece].samples);
-}
-
-// Each clone with its nearest counterpart.
-CGAL_SHAPE_CORRESPONDENCE_INLINE const std::vector<std::pair<std::size_t, std::size_t>>&
-Matching_problem::clone_pairs(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second,
-                              Scratch& scratch) const
-{
-  const auto nearest = [&](std::size_t image, const std::vector<std::size_t>& others) {
-    return *std::min_element(others.begin(), others.end(), [&](std::size_t a, std::size_t b) {
-      return target_distance(fitted_[image].target_index, fitted_[a].target_index) <
-             target_distance(fitted_[image].target_index, fitted_[b].target_index);
-    });
-  };
-  auto& pairs = scratch.pairs;
-  pairs.clear();
-  if (first.empty() || second.empty()) return pairs;
-  for (std::size_t a : first)
-    pairs.emplace_back(a, second.size() == 1 ? second[0] : nearest(a, second));
-  if (second.size() == 1) return pairs;
-  for (std::size_t b : second)
-    pairs.emplace_back(nearest(b, first), b);
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Rod_energy Matching_problem::fitted_energy(const Structural_rods& rods,
@@ -221,51 +291,26 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Rod_energy Matching_problem::fitted_energy(cons
                                                                             const Fitted& second) const
 {
   const bool collapsed = first.target_index == second.target_index;
-  return {rods.distortion(first.samples, second.samples),
+  return {rods.distortion(samples(first), samples(second)),
           collapsed ? collapsed_connectedness
                     : rods.connectedness(target_distance(first.target_index, second.target_index))};
 }
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE Rod_energy Matching_problem::pair_energy(std::size_t contact, const Fitted& first,
-                                                                          const Fitted& second) const
+CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fill_contact_energies(std::size_t contact, Contact_table& table)
 {
-  const Sampled_part &a = source_pieces_[first.source_index], &b = source_pieces_[second.source_index];
-  const Eigen::Index n = Eigen::Index(first.order->size()), m = Eigen::Index(second.order->size());
-  if (first.source.count == 1 && second.source.count == 1)
-    return fitted_energy(rods(contact, n != a.samples.cols(), m != b.samples.cols()), first, second);
-  return fitted_energy(Structural_rods(lifted_samples(a, n), lifted_samples(b, m)), first, second);
-}
-
-CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fill_contact_energies(std::size_t contact, Scratch& scratch)
-{
-  const auto image_energy = [&](std::size_t a, std::size_t b) {
-    const Fitted &first = fitted_[a], &second = fitted_[b];
-    if (first.source.count > 1 || second.source.count > 1) return pair_energy(contact, first, second);
-    const Eigen::Index i = Eigen::Index(first.target_index), j = Eigen::Index(second.target_index);
-    if (scratch.contact_of(i, j) != int(contact)) {
-      scratch.contact_of(i, j) = int(contact);
-      const Rod_energy energy = pair_energy(contact, first, second);
-      scratch.distortion(i, j) = energy.distortion;
-      scratch.connectedness(i, j) = energy.connectedness;
-    }
-    return Rod_energy{scratch.distortion(i, j), scratch.connectedness(i, j)};
-  };
-
-  const auto& parts = source_.contacts[contact].parts;
-  const std::size_t g = source_.group_of[parts[0]], h = source_.group_of[parts[1]];
+  const auto& parts = source().contacts[contact].parts;
+  const std::size_t g = source().group_of[parts[0]], h = source().group_of[parts[1]];
   const std::size_t first_labels = labels_[g].size(), second_labels = labels_[h].size();
+  std::vector<Images> second;
+  for (std::size_t b = 0; b < second_labels; ++b)
+    second.push_back(touching(contact, 1, b));
+  table.start(contact);
   contact_energies_[contact].resize(first_labels * second_labels);
-  for (std::size_t a = 0; a < first_labels; ++a)
-    for (std::size_t b = 0; b < second_labels; ++b) {
-      if ((g == h && a != b) || is_unmatched(g, a) || is_unmatched(h, b)) continue;
-      const auto& pairs = clone_pairs(touching(contact, 0, a), touching(contact, 1, b), scratch);
-      Rod_energy& mean = contact_energies_[contact][a * second_labels + b];
-      for (const auto& pair : pairs) {
-        const Rod_energy energy = image_energy(pair.first, pair.second);
-        mean.distortion += energy.distortion / double(pairs.size());
-        mean.connectedness += energy.connectedness / double(pairs.size());
-      }
-    }
+  for (std::size_t a = 0; a < first_labels; ++a) {
+    const Images first = touching(contact, 0, a);
+    for (std::size_t b = 0; b < second_labels; ++b)
+      if (g != h || a == b) contact_energies_[contact][a * second_labels + b] = table.mean_energy(first, second[b]);
+  }
 }
 
 // Segments next to each other were connected.
@@ -276,10 +321,9 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fill_cut_energies()
     cut_energies_[g].resize(labels_[g].size());
     for (std::size_t l = 0; l < labels_[g].size(); ++l) {
       if (labels_[g][l].operation != Operation::CUT) continue;
-      for (std::size_t part : source_.groups[g].parts) {
-        const auto& images = images_[part][l];
-        for (std::size_t a : images)
-          for (std::size_t b : images) {
+      for (std::size_t part : source().groups[g].parts)
+        for (std::size_t a : images(part, l))
+          for (std::size_t b : images(part, l)) {
             const Fitted &first = fitted_[a], &second = fitted_[b];
             if (first.source.count < 2 || second.source.index != first.source.index + 1) continue;
             const Structural_rods rods(source_pieces_[first.source_index].samples,
@@ -288,7 +332,6 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fill_cut_energies()
             cut_energies_[g][l].distortion += energy.distortion;
             cut_energies_[g][l].connectedness += energy.connectedness;
           }
-      }
     }
   }
 }
@@ -309,21 +352,21 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::add_up_energy()
       split.unary[g][l] = label.solidity_ratio * label.solidity_ratio;
       const Rod_energy& cut = cut_energies_[g][std::size_t(l)];
       energy_.unary[g][l] = weights.distortion * cut.distortion + weights.connectedness * cut.connectedness;
-      if (is_unmatched(g, std::size_t(l)) && source_.groups[g].contacts.empty())
+      if (is_unmatched(g, std::size_t(l)) && source().groups[g].contacts.empty())
         energy_.unary[g][l] = options_.unmatched_cost;
     }
   }
 
   Eigen::MatrixXi edge_of = Eigen::MatrixXi::Constant(Eigen::Index(n), Eigen::Index(n), -1);
-  const double contact_count = double(std::max<std::size_t>(1, source_.contacts.size()));
-  for (std::size_t contact = 0; contact < source_.contacts.size(); ++contact) {
-    const auto& parts = source_.contacts[contact].parts;
-    const double rod_count = double(source_.parts[parts[0]].samples.cols() * source_.parts[parts[1]].samples.cols());
+  const double contact_count = double(std::max<std::size_t>(1, source().contacts.size()));
+  for (std::size_t contact = 0; contact < source().contacts.size(); ++contact) {
+    const auto& parts = source().contacts[contact].parts;
+    const double rod_count = double(source().parts[parts[0]].samples.cols() * source().parts[parts[1]].samples.cols());
     rods.count += rod_count;
-    const std::size_t g = source_.group_of[parts[0]], h = source_.group_of[parts[1]];
+    const std::size_t g = source().group_of[parts[0]], h = source().group_of[parts[1]];
     const auto add = [&](std::size_t a, std::size_t b, double& cost, double& kept) {
       const Rod_energy energy = contact_energy(contact, a, b);
-      kept += rod_count * (1 - energy.distortion) * (1 - energy.distortion);
+      if (pooled) kept += rod_count * (1 - energy.distortion) * (1 - energy.distortion);
       if (is_unmatched(g, a) || is_unmatched(h, b))
         cost += options_.unmatched_cost;
       else
@@ -358,11 +401,11 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::add_up_energy()
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Energy_terms Matching_problem::terms(const Assignment& assignment) const
 {
-  std::vector<Rod_energy> contacts(source_.contacts.size());
+  std::vector<Rod_energy> contacts(source().contacts.size());
   for (std::size_t contact = 0; contact < contacts.size(); ++contact) {
-    const auto& parts = source_.contacts[contact].parts;
-    contacts[contact] = contact_energy(contact, std::size_t(assignment[source_.group_of[parts[0]]]),
-                                       std::size_t(assignment[source_.group_of[parts[1]]]));
+    const auto& parts = source().contacts[contact].parts;
+    contacts[contact] = contact_energy(contact, std::size_t(assignment[source().group_of[parts[0]]]),
+                                       std::size_t(assignment[source().group_of[parts[1]]]));
   }
   return terms(assignment, contacts);
 }
@@ -377,13 +420,13 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Energy_terms Matching_problem::terms(const Assi
   Energy_terms terms;
   double kept = 0, rod_count = 0;
   for (std::size_t contact = 0; contact < contacts.size(); ++contact) {
-    const auto& parts = source_.contacts[contact].parts;
-    if (unmatched(source_.group_of[parts[0]]) || unmatched(source_.group_of[parts[1]]))
+    const auto& parts = source().contacts[contact].parts;
+    if (unmatched(source().group_of[parts[0]]) || unmatched(source().group_of[parts[1]]))
       terms.unmatched += options_.unmatched_cost;
     const Rod_energy& energy = contacts[contact];
     terms.distortion += energy.distortion;
     terms.connectedness += energy.connectedness;
-    const double rods = double(source_.parts[parts[0]].samples.cols() * source_.parts[parts[1]].samples.cols());
+    const double rods = double(source().parts[parts[0]].samples.cols() * source().parts[parts[1]].samples.cols());
     rod_count += rods;
     kept += rods * (1 - energy.distortion) * (1 - energy.distortion);
   }
@@ -401,7 +444,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Energy_terms Matching_problem::terms(const Assi
     ratios += labels_[g][l].solidity_ratio * labels_[g][l].solidity_ratio;
     terms.distortion += cut_energies_[g][l].distortion;
     terms.connectedness += cut_energies_[g][l].connectedness;
-    if (is_unmatched(g, l) && source_.groups[g].contacts.empty()) terms.unmatched += options_.unmatched_cost;
+    if (is_unmatched(g, l) && source().groups[g].contacts.empty()) terms.unmatched += options_.unmatched_cost;
   }
   terms.split = 1 - std::sqrt(ratios / double(labels_.size()));
   return terms;

@@ -9,6 +9,7 @@
 #include <CGAL/Shape_correspondence/Part_costs.h>
 
 #include <CGAL/Shape_correspondence/internal/nearest_points_kernel.h>
+#include <CGAL/Shape_correspondence/internal/part_assemblies_impl.h>
 #include <CGAL/Shape_correspondence/internal/quantized.h>
 
 #include <Eigen/Eigenvalues>
@@ -22,9 +23,8 @@ namespace Shape_correspondence {
 namespace internal {
 
 // Lengths in the unit box
-constexpr double box_padding = 0.02;      // keeps the volume of flat boxes above 0
-constexpr double extent_padding = 0.03;   // under it, extents count as equal
-constexpr double ground_tolerance = 0.03; // a part that starts lower stands on the ground
+constexpr double box_padding = 0.02;    // keeps the volume of flat boxes above 0
+constexpr double extent_padding = 0.03; // under it, extents count as equal
 
 constexpr double flat = 1e-12; // variance in a direction, over the largest, that counts as none
 
@@ -58,7 +58,7 @@ struct Compared_shape
   std::vector<Part_extent> parts;
   Boxes boxes;
 
-  std::vector<const Aligned_shape::Group*> wholes; // the groups that may stand for one part
+  std::vector<std::vector<std::size_t>> wholes; // sets of parts that may stand for one part
   std::vector<Part_extent> whole_parts;
   Boxes whole_boxes;
 };
@@ -103,7 +103,27 @@ inline void add_box(Boxes& boxes, Eigen::Index row, const Surface& surface)
   boxes.high.row(row) = surface.colwise().maxCoeff();
 }
 
-inline Compared_shape compared_shape(const Aligned_shape& shape)
+// Groups and rows with their frames, as one part each.
+inline void add_wholes(Compared_shape& compared, const Aligned_shape& shape,
+                       const std::vector<std::vector<std::size_t>>& rows)
+{
+  for (const Aligned_shape::Group& group : shape.groups)
+    if (group.parts.size() >= whole_group_size) compared.wholes.push_back(group.parts);
+  for (const std::vector<std::size_t>& row : rows)
+    if (shape.groups[shape.group_of[row[0]]].parts != row) compared.wholes.push_back(row);
+  const auto is_all = [&](const std::vector<std::size_t>& whole) { return whole.size() == shape.parts.size(); };
+  compared.wholes.erase(std::remove_if(compared.wholes.begin(), compared.wholes.end(), is_all), compared.wholes.end());
+
+  const auto n = Eigen::Index(compared.wholes.size());
+  compared.whole_boxes = {Eigen::ArrayX3d(n, 3), Eigen::ArrayX3d(n, 3)};
+  for (const std::vector<std::size_t>& whole : compared.wholes) {
+    const Surface surface = surface_of(compared, whole);
+    add_box(compared.whole_boxes, Eigen::Index(compared.whole_parts.size()), surface);
+    compared.whole_parts.push_back(part_extent(surface));
+  }
+}
+
+inline Compared_shape compared_shape(const Aligned_shape& shape, const std::vector<std::vector<std::size_t>>& rows)
 {
   Compared_shape result;
   Axes low = Axes::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -121,17 +141,7 @@ inline Compared_shape compared_shape(const Aligned_shape& shape)
     add_box(result.boxes, Eigen::Index(result.parts.size()), result.surfaces.back());
     result.parts.push_back(part_extent(result.surfaces.back()));
   }
-
-  for (const Aligned_shape::Group& group : shape.groups)
-    if (group.parts.size() >= whole_group_size && group.parts.size() < shape.parts.size())
-      result.wholes.push_back(&group);
-  const auto wholes = Eigen::Index(result.wholes.size());
-  result.whole_boxes = {Eigen::ArrayX3d(wholes, 3), Eigen::ArrayX3d(wholes, 3)};
-  for (const Aligned_shape::Group* group : result.wholes) {
-    const Surface surface = surface_of(result, group->parts);
-    add_box(result.whole_boxes, Eigen::Index(result.whole_parts.size()), surface);
-    result.whole_parts.push_back(part_extent(surface));
-  }
+  add_wholes(result, shape, rows);
   return result;
 }
 
@@ -316,7 +326,7 @@ inline Eigen::MatrixXd shared_in_groups(const Eigen::MatrixXd& costs, const Alig
   return result;
 }
 
-// What it costs that a part of `a` stands for a whole group of `b`; infinite for parts in no such group.
+// What it costs that a part of `a` stands for a whole of `b`; infinite for parts in none.
 inline Eigen::MatrixXd costs_of_wholes(const Compared_shape& a, const Compared_shape& b,
                                        const Point_distances& a_from_b, const Point_distances& b_from_a,
                                        const Part_cost_weights& weights)
@@ -326,13 +336,25 @@ inline Eigen::MatrixXd costs_of_wholes(const Compared_shape& a, const Compared_s
   const Eigen::MatrixXd boxes = costs_of_boxes(a.boxes, b.whole_boxes, weights);
   for (std::size_t h = 0; h < b.wholes.size(); ++h)
     for (std::size_t i = 0; i < a.parts.size(); ++i) {
-      const std::vector<std::size_t>& parts = b.wholes[h]->parts;
+      const std::vector<std::size_t>& parts = b.wholes[h];
       const double cost = cost_of_kind(a.parts[i], b.whole_parts[h], weights) +
                           boxes(Eigen::Index(i), Eigen::Index(h)) +
                           weights.chamfer * chamfer(a_from_b, b_from_a, i, parts) + whole_group_charge;
-      for (std::size_t j : parts)
-        result(Eigen::Index(i), Eigen::Index(j)) = cost;
+      for (std::size_t j : parts) {
+        double& least = result(Eigen::Index(i), Eigen::Index(j));
+        least = std::min(least, cost);
+      }
     }
+  return result;
+}
+
+// The costs without those of surfaces: for a first look.
+inline Eigen::MatrixXd rough_costs(const Compared_shape& a, const Compared_shape& b, const Part_cost_weights& weights)
+{
+  Eigen::MatrixXd result = costs_of_boxes(a.boxes, b.boxes, weights);
+  for (std::size_t i = 0; i < a.parts.size(); ++i)
+    for (std::size_t j = 0; j < b.parts.size(); ++j)
+      result(Eigen::Index(i), Eigen::Index(j)) += cost_of_kind(a.parts[i], b.parts[j], weights);
   return result;
 }
 
@@ -369,11 +391,16 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE double set_cost(const Eigen::MatrixXd& costs, c
   return (over_rows / double(rows.size()) + over_columns / double(columns.size())) / 2;
 }
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
-                                                            const Part_cost_weights& weights)
+CGAL_SHAPE_CORRESPONDENCE_INLINE double mean_least_cost(const Eigen::MatrixXd& costs)
 {
-  using namespace internal;
-  const Compared_shape a = compared_shape(source), b = compared_shape(target);
+  return costs.rowwise().minCoeff().mean() + costs.colwise().minCoeff().mean();
+}
+
+namespace internal {
+
+inline Eigen::MatrixXd part_costs(const Compared_shape& a, const Aligned_shape& source, const Compared_shape& b,
+                                  const Aligned_shape& target, const Part_cost_weights& weights)
+{
   Point_distances a_from_b, b_from_a;
   point_distances(a, b, a_from_b, b_from_a);
 
@@ -384,13 +411,23 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd part_costs(const Aligned_shape&
       .cwiseMin(costs_of_wholes(b, a, b_from_a, a_from_b, weights).transpose());
 }
 
+} // namespace internal
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
+                                                            const Part_cost_weights& weights)
+{
+  using namespace internal;
+  const Compared_shape a = compared_shape(source, part_assemblies(source).rows),
+                       b = compared_shape(target, part_assemblies(target).rows);
+  return internal::part_costs(a, source, b, target, weights);
+}
+
 namespace internal {
 
 // The costs of the parts of one shape among each other, as far as one of the two is chosen; of others some are missing.
-inline Eigen::MatrixXd own_part_costs(const Aligned_shape& shape, const std::vector<char>& is_chosen,
+inline Eigen::MatrixXd own_part_costs(const Compared_shape& a, const std::vector<char>& is_chosen,
                                       const Part_cost_weights& weights)
 {
-  const Compared_shape a = compared_shape(shape);
   Eigen::MatrixXd result = costs_of_boxes(a.boxes, a.boxes, weights);
   const std::vector<Point_lanes> lanes = lanes_of(a);
   Eigen::ArrayXd i_from_j, j_from_i;
@@ -411,7 +448,8 @@ inline Eigen::MatrixXd own_part_costs(const Aligned_shape& shape, const std::vec
 CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd part_costs(const Aligned_shape& shape,
                                                             const Part_cost_weights& weights)
 {
-  return internal::own_part_costs(shape, std::vector<char>(shape.parts.size(), 1), weights);
+  return internal::own_part_costs(internal::compared_shape(shape, {}), std::vector<char>(shape.parts.size(), 1),
+                                  weights);
 }
 
 } // namespace Shape_correspondence

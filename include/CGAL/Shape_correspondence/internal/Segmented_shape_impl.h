@@ -8,6 +8,7 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/internal/has_area.h>
 
 #include <Eigen/Geometry>
 
@@ -54,22 +55,6 @@ inline void check_indices(const std::string& name, const Part_mesh& mesh)
   }
 }
 
-inline void check_area(const std::string& name, const Part_mesh& mesh)
-{
-  // Relative to the squared extent, so that the unit of length does not matter.
-  const double smallest = 1e-14;
-  const double extent = (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Point a = mesh.points.col(mesh.triangles(0, t));
-    const Point b = mesh.points.col(mesh.triangles(1, t));
-    const Point c = mesh.points.col(mesh.triangles(2, t));
-    if ((b - a).cross(c - a).norm() > smallest * extent * extent) {
-      return;
-    }
-  }
-  throw Invalid_input(part_message(name, "all triangles have zero area; remove the part or give it a surface"));
-}
-
 inline void check_mesh(const std::string& name, const Part_mesh& mesh)
 {
   if (mesh.triangles.cols() == 0) {
@@ -77,7 +62,9 @@ inline void check_mesh(const std::string& name, const Part_mesh& mesh)
   }
   check_coordinates(name, mesh.points);
   check_indices(name, mesh);
-  check_area(name, mesh);
+  if (!has_area(mesh)) {
+    throw Invalid_input(part_message(name, "all triangles have zero area; remove the part or give it a surface"));
+  }
 }
 
 } // namespace internal

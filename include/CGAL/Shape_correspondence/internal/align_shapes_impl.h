@@ -77,12 +77,19 @@ inline std::size_t nearest_sample(const Points& samples, const Point& p)
   return std::size_t(nearest);
 }
 
-inline void number_groups(Aligned_shape& shape)
+// What depends on the groups' parts.
+inline void complete_groups(Aligned_shape& shape)
 {
   shape.group_of.resize(shape.parts.size());
-  for (std::size_t g = 0; g < shape.groups.size(); ++g)
-    for (std::size_t part : shape.groups[g].parts)
+  for (std::size_t g = 0; g < shape.groups.size(); ++g) {
+    Eigen::AlignedBox3d& box = shape.groups[g].box;
+    box.setEmpty();
+    for (std::size_t part : shape.groups[g].parts) {
       shape.group_of[part] = g;
+      box.extend(Point(shape.parts[part].samples.rowwise().minCoeff()));
+      box.extend(Point(shape.parts[part].samples.rowwise().maxCoeff()));
+    }
+  }
 }
 
 // Samples in their own number, or a curve's repeated in a sheet's.
@@ -145,7 +152,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape restricted(const Aligned_shape& s
     contact.parts = {index[contact.parts[0]], index[contact.parts[1]]};
     result.contacts.push_back(contact);
   }
-  internal::number_groups(result);
+  internal::complete_groups(result);
   internal::list_contacts(result);
   result.distance = shape.distance(kept, kept);
   result.rods = std::move(rods);
@@ -238,7 +245,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape align_shape(const Structural_grap
   }
   std::sort(result.groups.begin(), result.groups.end(),
             [](const Aligned_shape::Group& a, const Aligned_shape::Group& b) { return a.parts[0] < b.parts[0]; });
-  number_groups(result);
+  complete_groups(result);
 
   for (const Contact& contact : shape.contacts) {
     Aligned_shape::Contact c;

@@ -108,7 +108,7 @@ private:
   {
     const Points& samples = shape_.parts[shape_.contacts[contact].parts[std::size_t(side)]].samples;
     const std::size_t at = shape_.contacts[contact].samples[std::size_t(side)];
-    const auto& clones = problem_.touching(contact, side, label);
+    const Matching_problem::Images clones = problem_.touching(contact, side, label);
     if (clones.empty()) return Point::Zero();
     Point sum = Point::Zero();
     for (std::size_t clone : clones) {
@@ -177,9 +177,9 @@ private:
       const Matching_problem::Fitted& fitted = problem_.fitted(clone);
       const bool lift = Eigen::Index(fitted.order->size()) != own && fitted.source.count == 1;
       const Rod_energy energy =
-          side == 0
-              ? rod_energy(contact, lift, fitted.samples, int(fitted.order->size()), false, other)
-              : rod_energy(contact, false, other, int(shape_.parts[moved_part].samples.cols()), lift, fitted.samples);
+          side == 0 ? rod_energy(contact, lift, problem_.samples(fitted), int(fitted.order->size()), false, other)
+                    : rod_energy(contact, false, other, int(shape_.parts[moved_part].samples.cols()), lift,
+                                 problem_.samples(fitted));
       const double cost = weights.distortion * energy.distortion + weights.connectedness * energy.connectedness;
       if (cost < best_cost) best = energy, best_cost = cost;
     }

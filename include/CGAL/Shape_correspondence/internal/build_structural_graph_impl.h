@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -53,19 +54,40 @@ inline double total_area(const std::vector<contacts::Sampled_triangle>& triangle
   return sum;
 }
 
-/// Points spread over the whole shape, each part with its share of the area, whatever the order of the parts.
+/// A part's surface, to be sampled.
+struct Part_triangles
+{
+  explicit Part_triangles(const Part_mesh& mesh) : triangles(triangles_of(mesh)), area(total_area(triangles)) {}
+
+  /// An order that does not depend on that of the file: by size, copies by place.
+  bool operator<(const Part_triangles& other) const
+  {
+    const auto key = [](const Part_triangles& part) {
+      const Point& p = part.triangles.front().corner;
+      return std::make_tuple(part.area, p.x(), p.y(), p.z());
+    };
+    return key(*this) < key(other);
+  }
+
+  std::vector<contacts::Sampled_triangle> triangles;
+  double area;
+};
+
+/// Points spread over the whole shape, each part with its share of the area, the same to the bit whatever the order of
+/// the parts.
 inline Points sample_shape(const Segmented_shape& shape)
 {
+  std::vector<Part_triangles> parts;
+  for (const Shape_part& part : shape.parts())
+    parts.emplace_back(part.mesh);
+  std::sort(parts.begin(), parts.end());
   double total = 0;
-  std::vector<std::vector<contacts::Sampled_triangle>> parts;
-  for (const Shape_part& part : shape.parts()) {
-    parts.push_back(triangles_of(part.mesh));
-    total += total_area(parts.back());
-  }
+  for (const Part_triangles& part : parts)
+    total += part.area;
   std::vector<Point> points;
-  for (const auto& triangles : parts) {
-    const int share = static_cast<int>(std::lround(FRAME_SAMPLES * total_area(triangles) / total));
-    const auto samples = contacts::sample_triangles(triangles, std::max(LEAST_FRAME_SAMPLES, share)).points;
+  for (const Part_triangles& part : parts) {
+    const int share = static_cast<int>(std::lround(FRAME_SAMPLES * part.area / total));
+    const auto samples = contacts::sample_triangles(part.triangles, std::max(LEAST_FRAME_SAMPLES, share)).points;
     points.insert(points.end(), samples.begin(), samples.end());
   }
   Points result(3, points.size());

@@ -31,7 +31,7 @@ class Tangent_bound
 {
 public:
   Tangent_bound(const Pairwise_energy& energy, const std::vector<std::size_t>& order,
-                const std::vector<double>& touched, std::size_t table_limit)
+                const std::vector<double>& touched, std::size_t table_limit, Messages& messages)
   {
     std::vector<std::size_t> position(order.size()), labels(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -68,8 +68,9 @@ public:
     buckets_ = std::make_unique<Mini_bucket_bound>(labels, table_limit);
     fill(unary, pairs);
     if (buckets_->exact()) return;
-    constexpr int sweeps = 30; // of messages, where the tables do not fit
-    reparametrize(unary, pairs, sweeps);
+    // Where the tables do not fit; fewer sweeps from the messages of the tangent before
+    constexpr int first_sweeps = 30, next_sweeps = 6;
+    reparametrize(unary, pairs, messages.to_first.empty() ? first_sweeps : next_sweeps, messages);
     buckets_ = std::make_unique<Mini_bucket_bound>(labels, table_limit);
     fill(unary, pairs);
   }
@@ -168,11 +169,13 @@ private:
   {
     constexpr int maximum_tangents = 5;
     wanted_ = options_.solutions;
+    internal::Messages messages;
     std::vector<double> touched;
     for (const Pairwise_energy::Root_term& term : energy_.root_terms)
       touched.push_back(term.count);
     for (int i = 0; i < maximum_tangents; ++i) {
-      auto tangent = std::make_unique<internal::Tangent_bound>(energy_, order_, touched, options_.table_limit);
+      auto tangent =
+          std::make_unique<internal::Tangent_bound>(energy_, order_, touched, options_.table_limit, messages);
       const bool better = !tangent_ || tangent->bound() > tangent_->bound();
       std::swap(tangent, better ? tangent_ : tangent);
       start(options_.node_limit);

@@ -11,6 +11,7 @@
 #include <CGAL/Shape_correspondence/internal/quantized.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
@@ -34,7 +35,9 @@ struct Search_run
   int turns; // of the target
   Search_result result;
 
-  Search_run(const Aligned_shape& source, const Aligned_shape& target, Direction direction, int turns,
+  using Shared_shape = Matching_problem::Shared_shape;
+
+  Search_run(const Shared_shape& source, const Shared_shape& target, Direction direction, int turns,
              const Search_options& options)
       : problem(direction == Direction::SOURCE_TO_TARGET ? source : target,
                 direction == Direction::SOURCE_TO_TARGET ? target : source, options.matching),
@@ -55,13 +58,13 @@ struct Search_run
 
   // A mapping that was found by other means: the only label of every group of the source. What it leaves unmatched
   // costs nothing.
-  Search_run(const Aligned_shape& source, const Aligned_shape& target, int turns,
+  Search_run(const Shared_shape& source, const Shared_shape& target, int turns,
              std::vector<std::vector<Group_label>> labels, const Search_options& options)
       : problem(source, target, std::move(labels), without_cost_of_unmatched(options.matching)),
         direction(Direction::SOURCE_TO_TARGET),
         turns(turns)
   {
-    const Assignment assignment(source.groups.size(), 0);
+    const Assignment assignment(source->groups.size(), 0);
     result.solutions = {{problem.energy()(assignment), assignment}};
     result.summary.method = "parts";
     result.summary.states = result.summary.evaluations = 1;
@@ -236,7 +239,7 @@ inline Aligned_shape ungrouped(Aligned_shape shape)
   shape.groups.assign(shape.parts.size(), {});
   for (std::size_t part = 0; part < shape.parts.size(); ++part)
     shape.groups[part].parts = {part};
-  number_groups(shape);
+  complete_groups(shape);
   list_contacts(shape);
   return shape;
 }
@@ -251,10 +254,27 @@ inline std::size_t number_of_counted_pairs(const Aligned_shape& shape)
   return std::max<std::size_t>(1, shape.contacts.size() + alone);
 }
 
-// How well the parts of two shapes go with one another: the mean of the least cost of every part.
-inline long matching_cost(const Part_matching& matching)
+// What differing proportions count among alignments; set on one half of the development set, by source family, and on
+// the generated shapes.
+constexpr double proportion_weight = 1;
+
+// Log of the extent sideways over that to the front; 0 for what has neither.
+inline double log_proportion(const Aligned_shape& shape)
 {
-  return quantized(matching.costs.rowwise().minCoeff().mean() + matching.costs.colwise().minCoeff().mean());
+  Point low = shape.parts[0].surface.col(0), high = low;
+  for (const Sampled_part& part : shape.parts) {
+    low = low.cwiseMin(part.surface.rowwise().minCoeff());
+    high = high.cwiseMax(part.surface.rowwise().maxCoeff());
+  }
+  const Point extent = high - low;
+  return std::min(extent.x(), extent.z()) > comparison_grid ? std::log(extent.x() / extent.z()) : 0;
+}
+
+// How badly two shapes go together in an alignment. Parts are compared in unit boxes, which forget proportions.
+inline long alignment_cost(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& target)
+{
+  return quantized(mean_least_cost(matching.costs) +
+                   proportion_weight * std::abs(log_proportion(source) - log_proportion(target)));
 }
 
 // The confidences of pairs, in the order of the correspondence's pairs.
@@ -381,7 +401,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence Correspondence_finder::matched_p
     const Shared_shape shape = aligned(target, turn);
     Part_matching matching = match_parts(*source_, *shape, options_.parts);
     ++done;
-    const long cost = internal::matching_cost(matching);
+    const long cost = internal::alignment_cost(matching, *source_, *shape);
     if (cost >= best_cost) continue;
     best_cost = cost;
     best_turn = turn;
@@ -392,7 +412,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence Correspondence_finder::matched_p
   const auto unsure = [&](const Part_match& pair) { return pair.confidence < options_.min_confidence; };
   best.pairs.erase(std::remove_if(best.pairs.begin(), best.pairs.end(), unsure), best.pairs.end());
 
-  const internal::Search_run run(*source_, *best_shape, best_turn, internal::group_labels(best, *source_, *best_shape),
+  const internal::Search_run run(source_, best_shape, best_turn, internal::group_labels(best, *source_, *best_shape),
                                  options_);
   Correspondence result = internal::correspondence_of(run, run.result.best(), {});
   result.confidences = internal::ordered_confidences(best, *source_, *best_shape);
@@ -417,7 +437,7 @@ Correspondence_finder::least_energy(const Prepared_shape& target) const
     for (Direction direction : directions) {
       cancelled = cancelled || (options_.progress && !options_.progress(double(done) / double(run_count)));
       if (cancelled) break;
-      auto run = std::make_unique<internal::Search_run>(*source_, *shape, direction, turns[t], options_);
+      auto run = std::make_unique<internal::Search_run>(source_, shape, direction, turns[t], options_);
       ++done;
       states += run->result.summary.states;
       evaluations += run->result.summary.evaluations;
@@ -451,25 +471,25 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE double Correspondence_finder::lower_bound(const
   double bound = std::numeric_limits<double>::infinity();
   for (int turn : internal::tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments)) {
     const Shared_shape shape = aligned(target, turn);
-    bound = std::min(bound, lower_bound(*source_, *shape, unmatched_energy));
-    if (both_directions) bound = std::min(bound, lower_bound(*shape, *source_, unmatched_energy));
+    bound = std::min(bound, lower_bound(source_, shape, unmatched_energy));
+    if (both_directions) bound = std::min(bound, lower_bound(shape, source_, unmatched_energy));
   }
   constexpr double rounding = 1e-9; // sums are added up in another order
   return std::max(0., bound * (1 - rounding) - rounding);
 }
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE double Correspondence_finder::lower_bound(const Aligned_shape& deformed,
-                                                                           const Aligned_shape& other,
+CGAL_SHAPE_CORRESPONDENCE_INLINE double Correspondence_finder::lower_bound(const Shared_shape& deformed,
+                                                                           const Shared_shape& other,
                                                                            double unmatched_energy) const
 {
-  const double pairs = double(internal::number_of_counted_pairs(deformed));
+  const double pairs = double(internal::number_of_counted_pairs(*deformed));
   if (options_.method != Search_method::PARTS)
     return Matching_problem(deformed, other, options_.matching).energy().lower_bound() / pairs;
   if (options_.matching.norm == Energy_norm::POOLED) return 0;
   Matching_options matching = options_.matching;
   matching.cut_curves = false;
   matching.unmatched_cost = unmatched_energy;
-  const Matching_problem problem(internal::ungrouped(deformed), internal::ungrouped(other), matching);
+  const Matching_problem problem(internal::ungrouped(*deformed), internal::ungrouped(*other), matching);
   return problem.has_shortlists() ? 0 : problem.energy().lower_bound() / pairs;
 }
 

@@ -23,14 +23,18 @@ namespace internal {
 
 using Match_matrix = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
-// Logistic model of how often a pair is right by the margin of its cost, set on the development set.
-constexpr double confidence_offset = 0.1, confidence_slope = 0.5, largest_margin = 3;
+// Logistic model of how often a pair is right by the margin of its cost, set on one half of the development set, by
+// source family, and on the generated shapes, which weigh the same. Pairs of blocks may have any margin below 0.
+constexpr double confidence_offset = 0.33, confidence_slope = 0.43, least_margin = -0.5, largest_margin = 3;
+
+// Parts that pair one to one at no more cost are twins; set on the development set and the generated shapes.
+constexpr double twin_cost = 0.5;
 
 inline void check(const Part_matching_options& options)
 {
   const Part_cost_weights& w = options.weights;
   for (double value : {w.overlap, w.extent, w.ground, w.side, w.front, w.orientation, w.chamfer, options.excess,
-                       options.sure_excess, options.sibling})
+                       options.sure_excess, options.sibling, options.upside_down})
     if (!(value >= 0) || !std::isfinite(value))
       throw Invalid_input("match_parts: the weights and bounds of costs must be finite and not negative");
 }
@@ -57,10 +61,29 @@ struct Block
   bool is_lone() const { return source.empty() || target.empty(); }
 };
 
-// Groups of three or more stay together, as do parts in a pair.
-inline std::vector<Block> blocks_of(const Match_matrix& pairs, const Aligned_shape& source, const Aligned_shape& target)
+// A shape with all that is derived from it.
+struct Assembled_shape
 {
-  const std::size_t n = source.parts.size(), all = n + target.parts.size();
+  const Aligned_shape& shape;
+  Part_assemblies assemblies;
+  Compared_shape compared;
+
+  Assembled_shape(const Aligned_shape& shape, const Part_matching_options& options)
+      : shape(shape), assemblies(part_assemblies(shape))
+  {
+    if (!options.rows) assemblies.rows.clear();
+    if (!options.support) assemblies.support.clear();
+    compared = compared_shape(shape, assemblies.rows);
+  }
+
+  std::size_t size() const { return shape.parts.size(); }
+};
+
+// Groups of three or more and rows with their frames stay together, as do parts in a pair.
+inline std::vector<Block> blocks_of(const Match_matrix& pairs, const Assembled_shape& source,
+                                    const Assembled_shape& target)
+{
+  const std::size_t n = source.size(), all = n + target.size();
   std::vector<std::size_t> parent(all);
   std::iota(parent.begin(), parent.end(), std::size_t(0));
   const auto root = [&](std::size_t k) {
@@ -72,14 +95,18 @@ inline std::vector<Block> blocks_of(const Match_matrix& pairs, const Aligned_sha
     const std::size_t a = root(k), b = root(l);
     parent[std::max(a, b)] = std::min(a, b);
   };
-  const auto join_groups = [&](const Aligned_shape& shape, std::size_t first) {
-    for (const Aligned_shape::Group& group : shape.groups)
-      if (group.parts.size() >= whole_group_size)
-        for (std::size_t part : group.parts)
-          join(first + group.parts[0], first + part);
+  const auto join_all = [&](const std::vector<std::size_t>& parts, std::size_t first) {
+    for (std::size_t part : parts)
+      join(first + parts[0], first + part);
   };
-  join_groups(source, 0);
-  join_groups(target, n);
+  const auto join_wholes = [&](const Assembled_shape& assembled, std::size_t first) {
+    for (const Aligned_shape::Group& group : assembled.shape.groups)
+      if (group.parts.size() >= whole_group_size) join_all(group.parts, first);
+    for (const std::vector<std::size_t>& row : assembled.assemblies.rows)
+      join_all(row, first);
+  };
+  join_wholes(source, 0);
+  join_wholes(target, n);
   for (Eigen::Index i = 0; i < pairs.rows(); ++i)
     for (Eigen::Index j = 0; j < pairs.cols(); ++j)
       if (pairs(i, j)) join(std::size_t(i), n + std::size_t(j));
@@ -102,7 +129,7 @@ inline void append(std::vector<std::size_t>& to, const std::vector<std::size_t>&
 // What the parts of lone blocks cost among each other and with the others of their shape, which is all that joining
 // looks at: one of two blocks that are joined is lone.
 inline Eigen::MatrixXd costs_of_lone_parts(const std::vector<Block>& blocks, std::vector<std::size_t> Block::*side,
-                                           const Aligned_shape& shape, const Part_cost_weights& weights)
+                                           const Compared_shape& shape, const Part_cost_weights& weights)
 {
   std::vector<char> is_lone(shape.parts.size(), 0);
   bool has_lone = false;
@@ -169,14 +196,137 @@ private:
   std::vector<std::vector<long>> costs_; // [k][l] for l < k
 };
 
-// Every part of a block with every other where they differ in number.
-inline void fill_blocks(const std::vector<Block>& blocks, Match_matrix& pairs)
+// Blocks of parts that stand for one another, the sure pairs first.
+inline std::vector<Block> joined_blocks(const Match_matrix& sure, const Assembled_shape& source,
+                                        const Assembled_shape& target, const Part_matching_options& options)
 {
+  std::vector<Block> blocks = blocks_of(sure, source, target);
+  if (std::none_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.is_lone(); })) return blocks;
+  Eigen::MatrixXd source_costs = costs_of_lone_parts(blocks, &Block::source, source.compared, options.weights);
+  Eigen::MatrixXd target_costs = costs_of_lone_parts(blocks, &Block::target, target.compared, options.weights);
+  return Lone_block_joiner(std::move(blocks), std::move(source_costs), std::move(target_costs)).run(options.sibling);
+}
+
+// How many of the pairs each of the rows is in.
+inline std::vector<std::size_t> number_of_pairs(const Match_matrix& pairs, const std::vector<std::size_t>& rows,
+                                                const std::vector<std::size_t>& columns)
+{
+  std::vector<std::size_t> result;
+  for (std::size_t i : rows)
+    result.push_back(std::size_t(std::count_if(
+        columns.begin(), columns.end(), [&](std::size_t j) { return pairs(Eigen::Index(i), Eigen::Index(j)); })));
+  return result;
+}
+
+inline bool are_all(const std::vector<std::size_t>& counts, std::size_t count)
+{
+  return std::all_of(counts.begin(), counts.end(), [&](std::size_t c) { return c == count; });
+}
+
+// Parts of a block that pair one to one and are as good as equal.
+inline bool are_twins(const Block& block, const Match_matrix& sure, const Eigen::MatrixXd& costs)
+{
+  const std::vector<std::size_t> of_source = number_of_pairs(sure, block.source, block.target),
+                                 of_target = number_of_pairs(sure.transpose(), block.target, block.source);
+  if (!are_all(of_source, 1) || !are_all(of_target, 1)) return false;
+  for (std::size_t i : block.source)
+    for (std::size_t j : block.target)
+      if (sure(Eigen::Index(i), Eigen::Index(j)) &&
+          quantized(costs(Eigen::Index(i), Eigen::Index(j))) > quantized(twin_cost))
+        return false;
+  return true;
+}
+
+inline std::vector<char> flags(const std::vector<std::size_t>& parts, std::size_t count)
+{
+  std::vector<char> result(count, 0);
+  for (std::size_t part : parts)
+    result[part] = 1;
+  return result;
+}
+
+inline std::vector<char> is_in_row(const Assembled_shape& assembled)
+{
+  std::vector<std::size_t> parts;
+  for (const std::vector<std::size_t>& row : assembled.assemblies.rows)
+    append(parts, row);
+  return flags(parts, assembled.size());
+}
+
+inline void match_all(const std::vector<std::size_t>& source, const std::vector<std::size_t>& target,
+                      Match_matrix& pairs)
+{
+  for (std::size_t i : source)
+    for (std::size_t j : target)
+      pairs(Eigen::Index(i), Eigen::Index(j)) = true;
+}
+
+// Every part of a block with every other where they differ in number, or are in rows.
+inline void fill_blocks(const std::vector<Block>& blocks, const Match_matrix& sure, const Eigen::MatrixXd& costs,
+                        const Assembled_shape& source, const Assembled_shape& target, Match_matrix& pairs)
+{
+  const std::vector<char> source_rows = is_in_row(source), target_rows = is_in_row(target);
+  const auto has_row = [](const std::vector<std::size_t>& parts, const std::vector<char>& is_in_row) {
+    return std::any_of(parts.begin(), parts.end(), [&](std::size_t part) { return bool(is_in_row[part]); });
+  };
   for (const Block& block : blocks)
-    if (block.source.size() != block.target.size())
-      for (std::size_t i : block.source)
-        for (std::size_t j : block.target)
-          pairs(Eigen::Index(i), Eigen::Index(j)) = true;
+    if (block.source.size() != block.target.size() ||
+        ((has_row(block.source, source_rows) || has_row(block.target, target_rows)) && !are_twins(block, sure, costs)))
+      match_all(block.source, block.target, pairs);
+}
+
+// Does every part that carries the shape with fewer of them pair with one of its own, and stand what is left over on
+// the ground?
+inline bool carry_one_by_one(const Match_matrix& sure, const Part_assemblies& fewer, const Part_assemblies& more)
+{
+  const std::vector<std::size_t> of_fewer = number_of_pairs(sure, fewer.legs, more.legs),
+                                 of_more = number_of_pairs(sure.transpose(), more.legs, fewer.legs);
+  if (!are_all(of_fewer, 1)) return false;
+  for (std::size_t k = 0; k < of_more.size(); ++k)
+    if (of_more[k] > 1 || (of_more[k] == 0 && !more.is_on_ground[more.legs[k]])) return false;
+  return true;
+}
+
+inline bool carry_as_wholes(const Match_matrix& sure, const Assembled_shape& source, const Assembled_shape& target)
+{
+  const Part_assemblies &a = source.assemblies, &b = target.assemblies;
+  if (a.support.empty() || b.support.empty()) return false;
+  return a.legs.size() <= b.legs.size() ? !carry_one_by_one(sure, a, b) : !carry_one_by_one(sure.transpose(), b, a);
+}
+
+// What carries a shape stands for nothing but what carries the other.
+inline void part_support(const Assembled_shape& source, const Assembled_shape& target, Match_matrix& pairs)
+{
+  const std::vector<char> a = flags(source.assemblies.support, source.size()),
+                          b = flags(target.assemblies.support, target.size());
+  for (std::size_t i : source.assemblies.legs)
+    for (std::size_t j = 0; j < target.size(); ++j)
+      if (!b[j]) pairs(Eigen::Index(i), Eigen::Index(j)) = false;
+  for (std::size_t j : target.assemblies.legs)
+    for (std::size_t i = 0; i < source.size(); ++i)
+      if (!a[i]) pairs(Eigen::Index(i), Eigen::Index(j)) = false;
+}
+
+inline Match_matrix matched(const Eigen::MatrixXd& costs, const Assembled_shape& source, const Assembled_shape& target,
+                            const Part_matching_options& options)
+{
+  Match_matrix sure = pairs_within(costs, options.sure_excess), pairs = pairs_within(costs, options.excess);
+  const bool whole_support = carry_as_wholes(sure, source, target);
+  if (whole_support) part_support(source, target, sure);
+  fill_blocks(joined_blocks(sure, source, target, options), sure, costs, source, target, pairs);
+  if (whole_support) {
+    part_support(source, target, pairs);
+    match_all(source.assemblies.legs, target.assemblies.legs, pairs);
+  }
+  return pairs;
+}
+
+// Mirrored at a level plane, so that left and right, front and back stay.
+inline Aligned_shape turned_over(Aligned_shape shape)
+{
+  for (Sampled_part& part : shape.parts)
+    part.surface.row(1) *= -1;
+  return shape;
 }
 
 // By how much the best pair that was not taken costs more, of either part.
@@ -187,10 +337,34 @@ inline double margin(const Eigen::MatrixXd& costs, const Match_matrix& pairs, Ei
     if (!pairs(i, k)) alternative = std::min(alternative, costs(i, k));
   for (Eigen::Index k = 0; k < costs.rows(); ++k)
     if (!pairs(k, j)) alternative = std::min(alternative, costs(k, j));
-  return std::clamp(alternative - costs(i, j), -largest_margin, largest_margin);
+  return std::clamp(alternative - costs(i, j), least_margin, largest_margin);
 }
 
 inline double confidence(double margin) { return 1 / (1 + std::exp(-(confidence_offset + confidence_slope * margin))); }
+
+inline Eigen::MatrixXd costs_of(const Assembled_shape& a, const Assembled_shape& b,
+                                const Part_matching_options& options)
+{
+  return part_costs(a.compared, a.shape, b.compared, b.shape, options.weights);
+}
+
+// Without surfaces: enough to tell whether a closer look may pay.
+inline long rough_cost(const Assembled_shape& a, const Assembled_shape& b, const Part_matching_options& options)
+{
+  return quantized(mean_least_cost(rough_costs(a.compared, b.compared, options.weights)));
+}
+
+inline Part_matching matching_of(Eigen::MatrixXd costs, const Assembled_shape& source, const Assembled_shape& target,
+                                 const Part_matching_options& options)
+{
+  const Match_matrix pairs = matched(costs, source, target, options);
+  Part_matching result;
+  for (Eigen::Index i = 0; i < costs.rows(); ++i)
+    for (Eigen::Index j = 0; j < costs.cols(); ++j)
+      if (pairs(i, j)) result.pairs.push_back({std::size_t(i), std::size_t(j), confidence(margin(costs, pairs, i, j))});
+  result.costs = std::move(costs);
+  return result;
+}
 
 } // namespace internal
 
@@ -199,23 +373,25 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Part_matching match_parts(const Aligned_shape& 
 {
   using namespace internal;
   check(options);
-  const Eigen::MatrixXd costs = part_costs(source, target, options.weights);
+  const Assembled_shape a(source, options), b(target, options);
+  Eigen::MatrixXd costs = costs_of(a, b, options);
+  if (a.assemblies.has_deck || b.assemblies.has_deck) return matching_of(std::move(costs), a, b, options);
 
-  std::vector<Block> blocks = blocks_of(pairs_within(costs, options.sure_excess), source, target);
-  if (std::any_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.is_lone(); })) {
-    Eigen::MatrixXd source_costs = costs_of_lone_parts(blocks, &Block::source, source, options.weights);
-    Eigen::MatrixXd target_costs = costs_of_lone_parts(blocks, &Block::target, target, options.weights);
-    blocks =
-        Lone_block_joiner(std::move(blocks), std::move(source_costs), std::move(target_costs)).run(options.sibling);
+  const Aligned_shape source_over = turned_over(source), target_over = turned_over(target);
+  const Assembled_shape a_over(source_over, options), b_over(target_over, options);
+  const long rough = rough_cost(a, b, options);
+  long least = quantized(mean_least_cost(costs) - options.upside_down);
+  std::pair<const Assembled_shape*, const Assembled_shape*> best{&a, &b};
+  for (const auto& turned : {std::make_pair(&a, &b_over), std::make_pair(&a_over, &b)}) {
+    if (rough_cost(*turned.first, *turned.second, options) >= rough) continue;
+    Eigen::MatrixXd costs_over = costs_of(*turned.first, *turned.second, options);
+    if (quantized(mean_least_cost(costs_over)) >= least) continue;
+    least = quantized(mean_least_cost(costs_over));
+    costs = std::move(costs_over);
+    best = turned;
   }
-  Match_matrix pairs = pairs_within(costs, options.excess);
-  fill_blocks(blocks, pairs);
-
-  Part_matching result;
-  for (Eigen::Index i = 0; i < costs.rows(); ++i)
-    for (Eigen::Index j = 0; j < costs.cols(); ++j)
-      if (pairs(i, j)) result.pairs.push_back({std::size_t(i), std::size_t(j), confidence(margin(costs, pairs, i, j))});
-  result.costs = costs;
+  Part_matching result = matching_of(std::move(costs), *best.first, *best.second, options);
+  result.upside_down = best.first != &a || best.second != &b;
   return result;
 }
 

@@ -23,9 +23,17 @@ struct Pair_cost
   Eigen::MatrixXd cost;
 };
 
+// By pair, the cost moved to either variable.
+struct Messages
+{
+  std::vector<Eigen::VectorXd> to_first, to_second;
+};
+
 // Sequential tree-reweighted message passing (TRW-S, Kolmogorov 2006): moves costs between terms that share a variable,
-// so that the sum of the least costs of all terms rises and no assignment's cost changes.
-inline void reparametrize(std::vector<Eigen::VectorXd>& unary, std::vector<Pair_cost>& pairs, int sweeps)
+// so that the sum of the least costs of all terms rises and no assignment's cost changes. It goes on from `messages`,
+// those of a similar problem; none at first.
+inline void reparametrize(std::vector<Eigen::VectorXd>& unary, std::vector<Pair_cost>& pairs, int sweeps,
+                          Messages& messages)
 {
   const std::size_t n = unary.size();
   std::vector<std::vector<std::size_t>> forward(n), backward(n); // pairs to later and to earlier variables
@@ -33,14 +41,16 @@ inline void reparametrize(std::vector<Eigen::VectorXd>& unary, std::vector<Pair_
     forward[pairs[e].first].push_back(e);
     backward[pairs[e].second].push_back(e);
   }
-  std::vector<Eigen::VectorXd> to_first, to_second; // by pair, the cost moved to either variable
-  for (const Pair_cost& pair : pairs) {
-    to_first.push_back(Eigen::VectorXd::Zero(pair.cost.rows()));
-    to_second.push_back(Eigen::VectorXd::Zero(pair.cost.cols()));
-  }
+  auto& [to_first, to_second] = messages;
+  if (to_first.empty())
+    for (const Pair_cost& pair : pairs) {
+      to_first.push_back(Eigen::VectorXd::Zero(pair.cost.rows()));
+      to_second.push_back(Eigen::VectorXd::Zero(pair.cost.cols()));
+    }
 
-  const auto pass = [&](std::size_t v, bool is_forward) {
-    Eigen::VectorXd sum = unary[v];
+  Eigen::VectorXd sum;
+  const auto pass = [&, &to_first = to_first, &to_second = to_second](std::size_t v, bool is_forward) {
+    sum = unary[v];
     for (std::size_t e : forward[v])
       sum += to_first[e];
     for (std::size_t e : backward[v])

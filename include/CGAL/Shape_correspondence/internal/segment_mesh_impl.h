@@ -7,11 +7,10 @@
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_SEGMENT_MESH_IMPL_H
 
 #include <CGAL/Shape_correspondence/internal/abstraction/meshes.h>
+#include <CGAL/Shape_correspondence/internal/has_area.h>
 #include <CGAL/Shape_correspondence/segment_mesh.h>
 
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -40,16 +39,6 @@ inline Halfedge_mesh welded_surface(const Part_mesh& mesh)
   return result;
 }
 
-/// Whether a mesh has a surface to speak of, not just slivers.
-inline bool has_area(const Halfedge_mesh& mesh)
-{
-  constexpr double sliver = 1e-14; // area of a triangle over the squared extent
-  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
-  const double squared_extent = CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin()) +
-                                CGAL::square(box.zmax() - box.zmin());
-  return CGAL::Polygon_mesh_processing::area(mesh) > sliver * double(mesh.number_of_faces()) * squared_extent;
-}
-
 /// Segment ids of a closed connected mesh, from 0 on.
 inline std::vector<std::size_t> sdf_segments(const Halfedge_mesh& mesh, const Segmentation_options& options)
 {
@@ -66,17 +55,19 @@ inline std::vector<std::size_t> sdf_segments(const Halfedge_mesh& mesh, const Se
 } // namespace internal
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE
-Segmented_shape segment_mesh(const Part_mesh& mesh, const Segmentation_options& options, std::string name,
-                             const Point& up)
+Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options, std::string name,
+                               const Point& up)
 {
   internal::Halfedge_mesh surface = internal::welded_surface(mesh);
   std::vector<internal::Halfedge_mesh> components;
   CGAL::Polygon_mesh_processing::split_connected_components(surface, components);
-  Segmented_shape result(std::move(name), up);
-  std::size_t parts = 0;
+  Mesh_segmentation result{Segmented_shape(std::move(name), up)};
   for (internal::Halfedge_mesh& component : components) {
     component.collect_garbage();
-    if (!internal::has_area(component)) continue;
+    if (!internal::has_area(internal::to_part_mesh(component))) {
+      ++result.pieces_left_out;
+      continue;
+    }
     std::vector<std::size_t> segments(component.number_of_faces(), 0);
     if (CGAL::is_closed(component)) {
       CGAL::Polygon_mesh_processing::orient_to_bound_a_volume(component); // its inside is what is measured
@@ -87,7 +78,12 @@ Segmented_shape segment_mesh(const Part_mesh& mesh, const Segmentation_options& 
       builders.try_emplace(segments[face.idx()], component).first->second.add_face(face);
     }
     for (const auto& [segment, builder] : builders) {
-      result.add_part("segment_" + std::to_string(parts++), builder.build());
+      Part_mesh part = builder.build();
+      if (internal::has_area(part)) {
+        result.shape.add_part("segment_" + std::to_string(result.shape.parts().size()), std::move(part));
+      } else {
+        ++result.pieces_left_out;
+      }
     }
   }
   return result;

@@ -16,11 +16,13 @@
 #include <CGAL/Shape_correspondence/internal/abstraction/intrinsic_extent.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/medial_poles.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/repair.h>
+#include <CGAL/Shape_correspondence/internal/abstraction/revolution_axis.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/skeletonize.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/surface_samples.h>
 
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <string>
 
 namespace CGAL {
@@ -29,8 +31,8 @@ namespace internal {
 
 constexpr std::size_t surface_points_of_a_part = 256;
 
-/// What a part is like when it is measured along itself.
-enum class Intrinsic_kind { ELONGATED, FLAT, COMPACT };
+/// What a part is like when it is measured along itself. A blade is long, but far wider than thick.
+enum class Intrinsic_kind { ELONGATED, BLADE, FLAT, COMPACT };
 
 /// \param layout of the medial axis
 /// \param thickness mean distance of the surface from the medial axis
@@ -38,9 +40,11 @@ enum class Intrinsic_kind { ELONGATED, FLAT, COMPACT };
 inline Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, const Eigen::Vector3d& box)
 {
   const double least_width = 0.21, least_depth = 0.5, least_thickness = 0.3, least_height = 0.32;
+  const double least_blade_width = 0.075, blade_thickness = 0.26; // about six times as wide as thick
   const Eigen::Vector3d& extents = layout.extents;
   if (extents[1] <= least_width * extents[0]) {
-    return Intrinsic_kind::ELONGATED;
+    const bool is_blade = extents[1] > least_blade_width * extents[0] && thickness < blade_thickness * extents[1];
+    return is_blade ? Intrinsic_kind::BLADE : Intrinsic_kind::ELONGATED;
   }
   const bool is_thick = thickness > least_thickness * extents[0] && box[2] > least_height * box[0];
   return is_thick || extents[2] >= least_depth * extents[1] ? Intrinsic_kind::COMPACT : Intrinsic_kind::FLAT;
@@ -87,9 +91,7 @@ public:
     if (solid.points.cols() < fewest_vertices) {
       throw Flow_failure("its surface encloses next to nothing");
     }
-    Stepwise_flow flow(solid, options_.maximum_iterations, deadline_);
-    follow(flow, solid);
-    report().iterations = flow.iterations();
+    find_geometry(solid);
     if (!result_.control_points().allFinite()) {
       throw Flow_failure("its skeleton is not finite");
     }
@@ -103,53 +105,94 @@ private:
 
   Abstraction_report& report() { return result_.report; }
 
-  void follow(Stepwise_flow& flow, const Part_mesh& solid)
+  void find_geometry(const Part_mesh& solid)
   {
-    const bool has_handle = euler_characteristic(solid) < 2;
     const Spatial_graph axis = medial_graph(solid);
-    const Intrinsic_kind kind = kind_of(axis, solid);
+    const double thickness = (axis.points - solid.points).colwise().norm().mean();
+    const Intrinsic_layout layout = layout_of(axis);
+    const Intrinsic_kind kind = intrinsic_kind(layout, thickness, oriented_box(mesh_.points).extents);
+    const bool has_handle = euler_characteristic(solid) < 2;
+    const std::optional<Revolution_axis> revolution = axis_of_revolution(solid, kind, thickness, has_handle);
     report().phases.fit = watch_.lap();
-    flow.run_to_volume(options_.stop_volume);
-    const double area_kept = flow.area_kept();
-    const Points medial = medial_points(flow.meso_skeleton().points, axis.points);
-    report().phases.flow = watch_.lap();
-    if (kind_ == Abstraction_kind::SHEET ||
-        (kind_ == Abstraction_kind::AUTOMATIC && kind == Intrinsic_kind::FLAT && !has_handle)) {
-      use_sheet(medial);
+    if (revolution) {
+      report().tube = has_handle;
+      use_axis(*revolution);
       return;
     }
-    flow.run_to_convergence();
-    report().phases.flow += watch_.lap();
-    const Fitted_curve fitted = fit_curve(flow.curve_skeleton(), solid.points, options_.curve_points);
-    const double tube_area = 0.5;
-    report().tube = fitted.curve.closed && area_kept > tube_area;
+    const auto sheet = [&] { return fitted_sheet(axis.points, layout, thickness); };
+    if (kind_ == Abstraction_kind::SHEET) {
+      use_sheet(sheet());
+      return;
+    }
+    if (kind_ == Abstraction_kind::AUTOMATIC && !has_handle &&
+        (kind == Intrinsic_kind::FLAT || kind == Intrinsic_kind::BLADE)) {
+      const double most = 0.02; // arms that branch off are no blade
+      const Fitted_sheet fitted = sheet();
+      if (kind == Intrinsic_kind::FLAT || fitted.residual < most * diagonal_) {
+        use_sheet(fitted);
+        return;
+      }
+    }
+    const Fitted_curve fitted = contracted_curve(solid);
     if (kind_ == Abstraction_kind::AUTOMATIC &&
         (report().tube || (kind == Intrinsic_kind::FLAT && !fitted.curve.closed))) {
-      use_sheet(medial);
-      return;
+      use_sheet(sheet());
+    } else {
+      report().blob = kind == Intrinsic_kind::COMPACT && !fitted.curve.closed;
+      use_curve(fitted);
     }
-    report().blob = kind == Intrinsic_kind::COMPACT && !fitted.curve.closed;
-    use_curve(fitted);
   }
 
-  Intrinsic_kind kind_of(const Spatial_graph& axis, const Part_mesh& solid) const
+  /// The curve that the flow finds. Whether the part is a tube shows on the way.
+  Fitted_curve contracted_curve(const Part_mesh& solid)
+  {
+    const double tube_area = 0.5;
+    Stepwise_flow flow(solid, options_.maximum_iterations, deadline_);
+    flow.run_to_volume(options_.stop_volume);
+    const double area_kept = flow.area_kept();
+    flow.run_to_convergence();
+    report().iterations = flow.iterations();
+    report().phases.flow = watch_.lap();
+    const Fitted_curve result = fit_curve(flow.curve_skeleton(), solid, options_.curve_points);
+    report().tube = result.curve.closed && area_kept > tube_area;
+    return result;
+  }
+
+  Intrinsic_layout layout_of(const Spatial_graph& axis) const
   {
     Spatial_graph_view layer(axis);
     layer.connect_near(edge_length_);
-    const double thickness = (axis.points - solid.points).colwise().norm().mean();
-    return intrinsic_kind(intrinsic_layout(layer), thickness, oriented_box(mesh_.points).extents);
+    return intrinsic_layout(layer);
   }
 
-  /// What a sheet is fitted to: the meso-skeleton, or the medial axis where the flow has drawn a narrow sheet together
-  /// to a line.
-  static Points medial_points(const Points& meso, const Points& axis)
+  /// That of a part that is neither long nor flat, where it says more than a skeleton, which may run in any direction;
+  /// with a hole through it, only of a tube of a thin wall, for others are rings.
+  std::optional<Revolution_axis> axis_of_revolution(const Part_mesh& solid, Intrinsic_kind kind, double thickness,
+                                                    bool has_handle) const
   {
-    const double least_width_kept = 0.5;
-    const auto width = [](const Points& points) {
-      const Eigen::Vector3d variances = principal_variances(points);
-      return std::sqrt(variances[1] / variances[0]);
-    };
-    return width(meso) >= least_width_kept * width(axis) ? meso : axis;
+    const double least_slenderness = has_handle ? 0.15 : 1. / 3, thin_wall = 0.25;
+    if (kind_ == Abstraction_kind::SHEET || kind == Intrinsic_kind::ELONGATED) {
+      return std::nullopt;
+    }
+    const std::optional<Revolution_axis> result = revolution_axis(solid.points, edge_length_);
+    if (!result || result->slenderness < least_slenderness ||
+        (has_handle && 2 * thickness > thin_wall * result->height)) {
+      return std::nullopt;
+    }
+    return result;
+  }
+
+  /// A sheet as it is seen from one side, or, of a part that is bent too much for that, along the part itself.
+  Fitted_sheet fitted_sheet(const Points& axis, const Intrinsic_layout& layout, double thickness) const
+  {
+    const double bent = 0.4; // depth over width
+    const Fitted_sheet seen = fit_sheet(axis, mesh_.points, options_.sheet_points);
+    const Eigen::Vector3d extents = principal_variances(axis).cwiseSqrt();
+    if (extents[2] < bent * extents[1]) {
+      return seen;
+    }
+    const Fitted_sheet along = fit_bent_sheet(axis, layout.coordinates, thickness, mesh_.points, options_.sheet_points);
+    return along.residual < seen.residual ? along : seen;
   }
 
   void use_curve(const Fitted_curve& fitted)
@@ -167,11 +210,18 @@ private:
     report().phases.fit += watch_.lap();
   }
 
-  void use_sheet(const Points& medial)
+  void use_axis(const Revolution_axis& axis)
   {
-    const Fitted_sheet fitted = fit_sheet(medial, mesh_.points, options_.sheet_points);
+    result_.geometry = axis.curve(mesh_.points, options_.curve_points);
+    report().method = Method::REVOLUTION_AXIS;
+    report().blob = !report().tube;
+    report().phases.fit += watch_.lap();
+  }
+
+  void use_sheet(const Fitted_sheet& fitted)
+  {
     result_.geometry = fitted.sheet;
-    report().method = Method::MESO_SKELETON;
+    report().method = Method::MEDIAL_AXIS;
     report().residual = fitted.residual / diagonal_;
     report().phases.fit += watch_.lap();
   }

@@ -12,6 +12,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -19,6 +20,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,8 +36,9 @@ struct Motion
   Points operator()(const Points& points) const { return (linear * points).colwise() + offset; }
 };
 
-/// What is the same for congruent meshes, and what tells how one lies.
-struct Mesh_signature
+/// What is the same for congruent meshes, and what tells how one lies. Aligned, since the order in which Eigen adds,
+/// and so the last bit of a sum, depends on the alignment of its operands.
+struct alignas(EIGEN_MAX_ALIGN_BYTES) Mesh_signature
 {
   explicit Mesh_signature(const Part_mesh& mesh)
       : mesh(&mesh), centre(mesh.points.rowwise().mean()), area(surface_area(mesh))
@@ -130,8 +133,26 @@ struct Congruence
   Motion motion;
 };
 
-/// Sorts meshes into classes of congruent ones. Which of a class is the original depends on their places, not on their
-/// order.
+/// An order of different meshes in canonical form.
+inline bool comes_first(const Part_mesh& a, const Part_mesh& b)
+{
+  const auto points = [](const Part_mesh& m) {
+    return std::make_pair(m.points.data(), m.points.data() + m.points.size());
+  };
+  const auto corners = [](const Part_mesh& m) {
+    return std::make_pair(m.triangles.data(), m.triangles.data() + m.triangles.size());
+  };
+  const auto is_less = [](const auto& x, const auto& y) {
+    return std::lexicographical_compare(x.first, x.second, y.first, y.second);
+  };
+  if (is_less(points(a), points(b)) || is_less(points(b), points(a))) {
+    return is_less(points(a), points(b));
+  }
+  return is_less(corners(a), corners(b));
+}
+
+/// Sorts meshes in canonical form into classes of congruent ones. Which of a class is the original depends on their
+/// places, not on their order.
 /// \param comparable whether the meshes of two indices may be in one class
 inline std::vector<Congruence> find_congruences(const std::vector<Part_mesh>& meshes,
                                                 const std::function<bool(std::size_t, std::size_t)>& comparable)
@@ -144,7 +165,10 @@ inline std::vector<Congruence> find_congruences(const std::vector<Part_mesh>& me
     const Point& c = signatures[i].centre;
     return std::array<double, 3>{-std::round(1e4 * c.x()), -std::round(1e4 * c.z()), std::round(1e4 * c.y())};
   };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const auto place_a = place(a), place_b = place(b);
+    return place_a != place_b ? place_a < place_b : comes_first(meshes[a], meshes[b]);
+  });
 
   std::vector<Congruence> result(meshes.size());
   std::vector<std::size_t> originals;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/internal/Nearest_points.h>
+#include <CGAL/Shape_correspondence/internal/abstraction/inside_test.h>
 #include <CGAL/Shape_correspondence/internal/abstraction/spatial_graph.h>
 #include <CGAL/Shape_correspondence/internal/curve_and_sheet_geometry.h>
 
@@ -147,27 +148,23 @@ inline void smooth(Curve& curve, int rounds)
   }
 }
 
-/// Lengthens an end of a curve in its direction up to the surface: the flow draws tips back by about the radius.
-inline void extend_end(Curve& curve, bool last, const Points& surface_points, const Nearest_points& surface)
+/// Lengthens an end of a curve in its direction up to the surface: the flow draws tips back by about half the width.
+inline void extend_end(Curve& curve, bool last, double most, const Inside_test& is_inside)
 {
-  const double most_radii = 2;
+  const int steps = 64;
   const Eigen::Index n = curve.points.cols();
   const Eigen::Index inner = std::min<Eigen::Index>(2, n - 1);
-  const Point tip = curve.points.col(last ? n - 1 : 0);
+  const Eigen::Index end = last ? n - 1 : 0;
+  const Point tip = curve.points.col(end);
   const Point direction = (tip - curve.points.col(last ? n - 1 - inner : inner)).normalized();
   if (!direction.allFinite()) {
     return;
   }
-  const double radius = surface.distance(curve.points.col(last ? n - 1 - inner : inner));
-  double reach = 0;
-  for (Eigen::Index i = 0; i < surface_points.cols(); ++i) {
-    const Point offset = surface_points.col(i) - tip;
-    const double along = offset.dot(direction);
-    if ((offset - along * direction).norm() < most_radii * radius && along < most_radii * radius) {
-      reach = std::max(reach, along);
-    }
+  int step = 0;
+  while (step < steps && is_inside(tip + (step + 1) * (most / steps) * direction)) {
+    ++step;
   }
-  curve.points.col(last ? n - 1 : 0) += reach * direction;
+  curve.points.col(end) = tip + step * (most / steps) * direction;
 }
 
 inline Curve to_curve(const Spatial_graph_view& graph, const std::vector<int>& path, bool closed)
@@ -182,23 +179,25 @@ inline Curve to_curve(const Spatial_graph_view& graph, const std::vector<int>& p
 }
 
 /// Resamples a raw path finely, smoothes, extends and resamples it to its control points.
-inline Curve finish_curve(Curve curve, int control_points, const Points& surface_points, const Nearest_points& surface)
+inline Curve finish_curve(Curve curve, int control_points, const Inside_test& is_inside)
 {
   const int rounds = 3;
+  const double longest_extension = 0.2;
   curve.points = sample(curve, 4 * control_points);
   smooth(curve, rounds);
   if (!curve.closed) {
-    extend_end(curve, false, surface_points, surface);
-    extend_end(curve, true, surface_points, surface);
+    const double most = longest_extension * arc_lengths(curve).back();
+    extend_end(curve, false, most, is_inside);
+    extend_end(curve, true, most, is_inside);
   }
   curve.points = sample(curve, control_points);
   return curve;
 }
 
-/// \param surface_points points of the part's surface
-inline Fitted_curve fit_curve(const Spatial_graph& skeleton, const Points& surface_points, int control_points)
+/// \param solid the closed mesh that the skeleton is of
+inline Fitted_curve fit_curve(const Spatial_graph& skeleton, const Part_mesh& solid, int control_points)
 {
-  const Nearest_points surface(surface_points);
+  const Nearest_points surface(solid.points);
   Spatial_graph_view graph(skeleton);
   prune(graph, surface);
   Fitted_curve result;
@@ -216,7 +215,7 @@ inline Fitted_curve fit_curve(const Spatial_graph& skeleton, const Points& surfa
   }
   const Curve raw = to_curve(graph, path, closed);
   result.coverage = std::min(1., arc_lengths(raw).back() / graph.total_length());
-  result.curve = finish_curve(raw, control_points, surface_points, surface);
+  result.curve = finish_curve(raw, control_points, Inside_test(solid));
   double sum = 0;
   for (const auto& [a, b] : graph.edges()) {
     const Point middle = 0.5 * (graph.point(a) + graph.point(b));

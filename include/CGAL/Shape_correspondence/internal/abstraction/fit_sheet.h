@@ -28,7 +28,7 @@ namespace internal {
 struct Fitted_sheet
 {
   Sheet sheet;
-  double residual = 0; ///< root mean square distance of the meso-skeleton's vertices from it
+  double residual = 0; ///< root mean square distance of the medial axis from it
 };
 
 /// The plane of a sheet: its centre and axes, the normal last.
@@ -246,25 +246,34 @@ inline Eigen::MatrixXd bending_form(int rows, int cols)
   return result;
 }
 
-/// Lifts a flat grid to the heights of points above it, smoothly.
-inline void lift(Sheet& grid, const Points& points)
+/// Smooth values at the control points of a flat grid, a column each, that are near to given values at points of its
+/// plane.
+inline Eigen::MatrixXd smooth_values(const Sheet& grid, const Points& points, const Eigen::MatrixXd& values)
 {
   const double smoothness = 0.05, ridge = 1e-9;
   const Eigen::Index n = grid.points.cols();
   Eigen::MatrixXd form = Eigen::MatrixXd::Zero(n, n);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, values.rows());
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Point foot(points(0, i), points(1, i), 0.);
     const Eigen::VectorXd weights = bilinear_weights(grid, nearest_parameter_on_sheet(grid, foot));
     form += weights * weights.transpose();
-    right += points(2, i) * weights;
+    right += weights * values.col(i).transpose();
   }
   const double points_per_cell = static_cast<double>(points.cols()) / static_cast<double>(n);
   form += smoothness * points_per_cell * bending_form(grid.rows, grid.cols);
   form.diagonal().array() += ridge * points_per_cell;
-  // Past the data, a strongly curved sheet would go on without end.
-  const double lowest = points.row(2).minCoeff(), highest = points.row(2).maxCoeff();
-  grid.points.row(2) = form.ldlt().solve(right).cwiseMax(lowest).cwiseMin(highest).transpose();
+  return form.ldlt().solve(right).transpose();
+}
+
+/// Values, but none past the least and the greatest of others: a strongly curved sheet would go on without end.
+inline Eigen::MatrixXd clamped(const Eigen::MatrixXd& values, const Eigen::MatrixXd& range)
+{
+  Eigen::MatrixXd result = values;
+  for (Eigen::Index k = 0; k < values.rows(); ++k) {
+    result.row(k) = values.row(k).cwiseMax(range.row(k).minCoeff()).cwiseMin(range.row(k).maxCoeff());
+  }
+  return result;
 }
 
 /// At most `limit` of some points, evenly picked.
@@ -280,27 +289,56 @@ inline Points thin_out(const Points& points, Eigen::Index limit)
   return result;
 }
 
-/// Fits a sheet to a meso-skeleton: its rim follows the outline of the part, seen across the sheet, its height the
-/// meso-skeleton.
-/// \param surface points of the part's surface that span its hull
-inline Fitted_sheet fit_sheet(const Points& meso_skeleton, const Points& surface, int n)
+/// Root mean square distance of points from a sheet.
+inline double sheet_residual(const Sheet& sheet, const Points& points)
 {
-  const Eigen::Index most_points = 600;
-  const Points medial = thin_out(meso_skeleton, most_points);
-  Sheet_plane plane = principal_plane(medial);
-  turn_to_rectangle(plane, surface);
-  Fitted_sheet result;
-  result.sheet = flat_grid(planar_hull(project(plane.to_plane(surface))), n);
-  lift(result.sheet, plane.to_plane(medial));
-  result.sheet.points = plane.to_space(result.sheet.points);
   const Eigen::Index most_measured = 150;
-  const Points measured = thin_out(medial, most_measured);
+  const Points measured = thin_out(points, most_measured);
   double sum = 0;
   for (Eigen::Index i = 0; i < measured.cols(); ++i) {
-    const Eigen::Vector2d nearest = nearest_parameter_on_sheet(result.sheet, measured.col(i));
-    sum += (result.sheet(nearest[0], nearest[1]) - measured.col(i)).squaredNorm();
+    const Eigen::Vector2d nearest = nearest_parameter_on_sheet(sheet, measured.col(i));
+    sum += (sheet(nearest[0], nearest[1]) - measured.col(i)).squaredNorm();
   }
-  result.residual = std::sqrt(sum / static_cast<double>(measured.cols()));
+  return std::sqrt(sum / static_cast<double>(measured.cols()));
+}
+
+constexpr Eigen::Index most_fitted_points = 600;
+
+/// Fits a sheet to a medial axis: its rim follows the outline of the part, seen across the sheet, its height the axis.
+/// \param surface points of the part's surface that span its hull
+inline Fitted_sheet fit_sheet(const Points& axis, const Points& surface, int n)
+{
+  const Points medial = thin_out(axis, most_fitted_points);
+  Sheet_plane plane = principal_plane(medial);
+  turn_to_rectangle(plane, surface);
+  const Points in_plane = plane.to_plane(medial);
+  Fitted_sheet result;
+  result.sheet = flat_grid(planar_hull(project(plane.to_plane(surface))), n);
+  result.sheet.points.row(2) = clamped(smooth_values(result.sheet, in_plane, in_plane.row(2)), in_plane.row(2));
+  result.sheet.points = plane.to_space(result.sheet.points);
+  result.residual = sheet_residual(result.sheet, medial);
+  return result;
+}
+
+/// Fits a sheet to a medial axis that is bent too much to be seen from one side: its rim follows the outline of a
+/// layout of the axis, a little farther out, where the part's surface is.
+/// \param layout of the axis in the plane
+/// \param margin from the rim of the axis to that of the part
+inline Fitted_sheet fit_bent_sheet(const Points& axis, const Points& layout, double margin, const Points& surface,
+                                   int n)
+{
+  Sheet_plane plane{Point::Zero(), Eigen::Matrix3d::Identity()};
+  turn_to_rectangle(plane, layout);
+  const Points turned = plane.to_plane(layout);
+  Planar_points outline = planar_hull(project(turned));
+  for (Eigen::Vector2d& corner : outline) {
+    corner += margin * corner.normalized();
+  }
+  Fitted_sheet result;
+  result.sheet = flat_grid(outline, n);
+  const Points medial = thin_out(axis, most_fitted_points);
+  result.sheet.points = clamped(smooth_values(result.sheet, thin_out(turned, most_fitted_points), medial), surface);
+  result.residual = sheet_residual(result.sheet, medial);
   return result;
 }
 

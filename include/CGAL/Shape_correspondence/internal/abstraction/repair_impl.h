@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numeric>
 #include <set>
@@ -156,14 +157,30 @@ inline bool is_solid(Halfedge_mesh& mesh)
   return fullness(mesh) > smallest_fullness;
 }
 
-/// A closed surface around everything, at a small distance.
-inline Halfedge_mesh wrap(const Part_mesh& part)
+/// Ends a wrap that takes too long: what it throws leaves the algorithm.
+struct Wrap_watch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor
+{
+  explicit Wrap_watch(const Deadline& deadline) : deadline(&deadline) {}
+
+  template <typename Wrapper, typename Gate>
+  void before_facet_treatment(const Wrapper&, const Gate&)
+  {
+    deadline->check();
+  }
+
+  const Deadline* deadline;
+};
+
+/// A closed surface around everything, at a small distance. \throw Out_of_time
+inline Halfedge_mesh wrap(const Part_mesh& part, const Deadline& deadline)
 {
   const double size = diagonal(part.points);
   const double alpha = size / 20, offset = size / 600;
   const Triangle_soup soup = to_soup(part);
   Halfedge_mesh result;
-  CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset, result);
+  Wrap_watch watch(deadline);
+  CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset, result, CGAL::parameters::default_values(),
+                     CGAL::parameters::visitor(std::ref(watch)));
   turn_outwards(result);
   return result;
 }
@@ -206,7 +223,7 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
     return result;
   }
   deadline.check();
-  const Halfedge_mesh wrapped = wrap(part);
+  const Halfedge_mesh wrapped = wrap(part, deadline);
   if (!all_solid) {
     result.volume = PMP::volume(wrapped);
   }
@@ -246,7 +263,8 @@ inline bool hardly_changes(const Halfedge_mesh& mesh, Halfedge_mesh::Halfedge_in
 /// Collapses the edges of a closed mesh that are shorter than a length, the shortest first, where that changes neither
 /// topology nor, by much, the surface. The remeshing does it, too, but after it has split the needles that such edges
 /// are the short sides of.
-inline void collapse_edges_shorter_than(double length, Halfedge_mesh& mesh)
+/// \throw Out_of_time
+inline void collapse_edges_shorter_than(double length, Halfedge_mesh& mesh, const Deadline& deadline)
 {
   const double thickness = 2 * std::abs(PMP::volume(mesh)) / PMP::area(mesh); // of a plate
   const double tolerance = 0.1 * std::min(length, thickness);
@@ -262,6 +280,7 @@ inline void collapse_edges_shorter_than(double length, Halfedge_mesh& mesh)
     push(e);
   }
   while (!queue.empty()) {
+    deadline.check();
     const auto [squared, e] = *queue.begin();
     queue.erase(queue.begin());
     if (mesh.is_removed(e) || squared_length(mesh, mesh.halfedge(e)) != squared ||
@@ -291,7 +310,7 @@ Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& d
   const int rounds = 3;
   const double short_edge = 0.6;
   Halfedge_mesh mesh = to_halfedge_mesh(solid);
-  collapse_edges_shorter_than(short_edge * edge_length, mesh);
+  collapse_edges_shorter_than(short_edge * edge_length, mesh, deadline);
   for (int round = 0; round < rounds; ++round) {
     deadline.check();
     PMP::isotropic_remeshing(faces(mesh), edge_length, mesh, CGAL::parameters::number_of_iterations(1));

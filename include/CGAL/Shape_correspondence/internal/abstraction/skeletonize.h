@@ -36,7 +36,6 @@ public:
   int iterations() const;
   /// Area of the meso-skeleton over that of the mesh.
   double area_kept() const;
-  Spatial_graph meso_skeleton() const;
   /// \pre the flow has converged
   Spatial_graph curve_skeleton();
 

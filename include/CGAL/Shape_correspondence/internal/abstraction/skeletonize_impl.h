@@ -187,24 +187,6 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE
 double Stepwise_flow::area_kept() const { return state_->area_kept(); }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE
-Spatial_graph Stepwise_flow::meso_skeleton() const
-{
-  const Flow_mesh& mesh = state_->mesh();
-  Spatial_graph result;
-  result.points.resize(3, static_cast<Eigen::Index>(mesh.size_of_vertices()));
-  std::unordered_map<std::size_t, int> index;
-  for (auto v : vertices(mesh)) {
-    const int i = static_cast<int>(index.size());
-    index[v->id()] = i;
-    result.points.col(i) = to_point(v->point());
-  }
-  for (auto e : edges(mesh)) {
-    result.edges.emplace_back(index.at(source(e, mesh)->id()), index.at(target(e, mesh)->id()));
-  }
-  return result;
-}
-
-CGAL_SHAPE_CORRESPONDENCE_INLINE
 Spatial_graph Stepwise_flow::curve_skeleton() { return state_->curve_skeleton(); }
 
 } // namespace internal

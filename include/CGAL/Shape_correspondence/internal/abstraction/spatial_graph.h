@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-/// A graph embedded in space: a curve skeleton, or the vertices and edges of a meso-skeleton.
+/// A graph embedded in space: a curve skeleton, or a medial axis as far as a mesh's vertices and edges show it.
 struct Spatial_graph
 {
   Points points;
@@ -42,8 +42,8 @@ public:
     }
   }
 
-  /// Joins all vertices that are nearer to each other than a radius. The two sides of a flattened meso-skeleton are
-  /// connected at its rim only; this makes them one layer.
+  /// Joins all vertices that are nearer to each other than a radius. The two sides of a medial axis, as its poles show it,
+  /// are connected at its rim only; this makes them one layer.
   void connect_near(double radius)
   {
     std::vector<int> order(neighbours_.size());

@@ -1,0 +1,161 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Shape_correspondence/part_assemblies.h>
+
+#include "hand_made_graphs.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+using namespace CGAL::Shape_correspondence;
+
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+// By index in the structural graph.
+Indices original(const Aligned_shape& shape, const Indices& parts)
+{
+  Indices result;
+  for (std::size_t part : parts)
+    result.push_back(shape.original[part]);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+struct Assemblies
+{
+  std::vector<Indices> rows;
+  Indices support, legs;
+};
+
+Assemblies assemblies(const Structural_graph& graph)
+{
+  const Aligned_shape shape = align_shape(graph);
+  const Part_assemblies found = part_assemblies(shape);
+  Assemblies result;
+  for (const Indices& row : found.rows)
+    result.rows.push_back(original(shape, row));
+  result.support = original(shape, found.support);
+  result.legs = original(shape, found.legs);
+  return result;
+}
+
+Structural_graph with_parts(const Structural_graph& graph, const std::vector<Part_abstraction>& parts,
+                            const std::vector<std::pair<std::array<std::size_t, 2>, Point>>& contacts)
+{
+  Shape_structure shape = structure(graph);
+  std::vector<Part_group> groups;
+  for (std::size_t v = 0; v < num_vertices(graph); ++v)
+    groups.push_back(graph[v]);
+  for (const Part_abstraction& part : parts) {
+    groups.push_back(hand_made::group({shape.parts.size()}));
+    shape.parts.push_back(part);
+  }
+  for (const auto& [pair, where] : contacts)
+    shape.contacts.push_back(hand_made::contact(shape, pair[0], pair[1], where));
+  return make_structural_graph(std::move(shape), std::move(groups));
+}
+
+// The slatted chair with a top rail (8), two posts (9, 10) and a far bar (11) on the rail, and a rail under the seat
+// (12).
+Structural_graph framed_chair()
+{
+  using hand_made::curve;
+  return with_parts(hand_made::slatted_chair(),
+                    {curve("rail", {-.25, 1, -.25}, {.25, 1, -.25}),
+                     curve("post left", {.25, .5, -.25}, {.25, 1, -.25}),
+                     curve("post right", {-.25, .5, -.25}, {-.25, 1, -.25}), curve("bar", {0, 1, -.25}, {0, 1, .25}),
+                     curve("seat rail", {-.25, .45, -.25}, {.25, .45, -.25})},
+                    {{{1, 8}, {-.2, 1, -.25}},
+                     {{2, 8}, {0, 1, -.25}},
+                     {{3, 8}, {.2, 1, -.25}},
+                     {{8, 9}, {.25, 1, -.25}},
+                     {{8, 10}, {-.25, 1, -.25}},
+                     {{8, 11}, {0, 1, -.25}},
+                     {{9, 12}, {.25, .5, -.25}},
+                     {{0, 12}, {0, .5, -.25}}});
+}
+
+// The pedestal table on a plate (2) on which the column stands.
+Structural_graph table_on_plate()
+{
+  Shape_structure shape = structure(hand_made::pedestal_table());
+  shape.parts[1] = hand_made::curve("column", {0, .05, 0}, {0, 1, 0});
+  shape.parts.push_back(hand_made::sheet("plate", {-.2, 0, -.2}, {.4, 0, 0}, {0, 0, .4}));
+  shape.contacts = {hand_made::contact(shape, 0, 1, {0, 1, 0}), hand_made::contact(shape, 1, 2, {0, 0, 0})};
+  return make_structural_graph(std::move(shape), {hand_made::group({0}), hand_made::group({1}), hand_made::group({2})});
+}
+
+} // namespace
+
+TEST_CASE("A row has a frame of what lies in its plane, is connected and reaches no further")
+{
+  const Assemblies found = assemblies(framed_chair());
+  REQUIRE(found.rows.size() == 1);
+  // neither the seat, nor the bar that leaves the plane, nor the rail under the seat
+  CHECK(found.rows[0] == Indices{1, 2, 3, 8, 9, 10});
+}
+
+TEST_CASE("A row without a frame is the row; groups that are no rows are none")
+{
+  CHECK(assemblies(hand_made::slatted_chair()).rows == std::vector<Indices>{{1, 2, 3}});
+  CHECK(assemblies(hand_made::table()).rows.empty());
+  CHECK(assemblies(hand_made::chair()).rows.empty());
+}
+
+TEST_CASE("Legs carry the deck, and so does all without which one of them would hang in the air")
+{
+  CHECK(assemblies(hand_made::chair()).support == Indices{2, 3, 4, 5});
+  CHECK(assemblies(hand_made::table()).support == Indices{1, 2, 3, 4});
+  CHECK(assemblies(hand_made::pedestal_table()).support == Indices{1});
+  CHECK(assemblies(table_on_plate()).support == Indices{1, 2});
+  // a stretcher between two legs carries nothing
+  const Structural_graph table =
+      with_parts(hand_made::table(), {hand_made::curve("stretcher", {-.5, .3, -.5}, {.5, .3, -.5})},
+                 {{{1, 5}, {-.5, .3, -.5}}, {{2, 5}, {.5, .3, -.5}}});
+  CHECK(assemblies(table).support == Indices{1, 2, 3, 4});
+}
+
+TEST_CASE("Wide parts on the ground are no legs where there are narrow ones")
+{
+  const Structural_graph panelled = with_parts(
+      hand_made::table(), {hand_made::sheet("panel", {-.5, 0, -.5}, {1, 0, 0}, {0, 1, 0})}, {{{0, 5}, {0, 1, -.5}}});
+  const Assemblies found = assemblies(panelled);
+  CHECK(found.support == Indices{1, 2, 3, 4, 5});
+  CHECK(found.legs == Indices{1, 2, 3, 4});
+
+  Shape_structure shape = structure(hand_made::table());
+  shape.parts.resize(1);
+  shape.contacts.clear();
+  for (double x : {-.5, .5}) {
+    shape.parts.push_back(hand_made::sheet("side", {x, 0, -.5}, {0, 0, 1}, {0, 1, 0}));
+    shape.contacts.push_back(hand_made::contact(shape, 0, shape.parts.size() - 1, {x, 1, 0}));
+  }
+  const Structural_graph on_panels =
+      make_structural_graph(std::move(shape), {hand_made::group({0}), hand_made::group({1}), hand_made::group({2})});
+  CHECK(assemblies(on_panels).legs == Indices{1, 2});
+}
+
+TEST_CASE("What has no deck has no support")
+{
+  Shape_structure shape;
+  shape.name = "posts";
+  shape.parts = {hand_made::curve("post", {0, 0, 0}, {0, 1, 0}), hand_made::curve("beam", {0, 1, 0}, {1, 1, 0})};
+  shape.contacts = {hand_made::contact(shape, 0, 1, {0, 1, 0})};
+  const Assemblies found =
+      assemblies(make_structural_graph(std::move(shape), {hand_made::group({0}), hand_made::group({1})}));
+  CHECK(found.support.empty());
+  CHECK(found.legs.empty());
+}
+
+TEST_CASE("Assemblies do not depend on position, scale and turning")
+{
+  const Structural_graph moved = hand_made::moved(framed_chair(), 0.6, 20, {7, 3, -4});
+  CHECK(assemblies(moved).rows == assemblies(framed_chair()).rows);
+  CHECK(assemblies(moved).support == assemblies(framed_chair()).support);
+}
