@@ -177,7 +177,7 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
   result["frames"] = Json::array();
   for (int frame = 0; frame < frames; ++frame) {
     const double t = double(frame) / (frames - 1);
-    result["frames"].push_back({{"t", t}, {"quality", quality_json(blend.quality(t))}});
+    result["frames"].push_back({{"t", t}, {"quality", quality_json(blend.quality(t))}, {"faults", blend.faults(t)}});
   }
   result["warnings"] = warnings;
   write_json(out, result);

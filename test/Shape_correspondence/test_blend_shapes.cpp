@@ -138,11 +138,31 @@ TEST_CASE("Shapes between two models are closed, hang together, are symmetric an
       }
       // Heights of the models are about 1
       CHECK(hangs_together(shape, 0.01));
-      CHECK(blend.quality(t).gap < 0.005);
-      CHECK(blend.quality(t).asymmetry < ends + 0.01);
-      CHECK(blend.quality(t).ground < 0.01);
+      CHECK(blend.quality(t).gap <= Shape_blend::contact_tolerance);
+      CHECK(blend.quality(t).asymmetry <= ends + Shape_blend::symmetry_tolerance);
+      CHECK(blend.quality(t).ground <= Shape_blend::ground_tolerance);
+      CHECK(blend.faults(t).empty());
     }
   }
+}
+
+TEST_CASE("What one part becomes, its mirror image becomes the mirror image of; what cannot be symmetric is told")
+{
+  const Model& chair = model("chair_four_legged");
+  const auto named = [&](const std::string& name) {
+    const auto& parts = chair.shape.parts();
+    return std::size_t(std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.name == name; }) -
+                       parts.begin());
+  };
+  const std::size_t leg = named("front_left_leg"), image = named("front_right_leg");
+  REQUIRE(std::max(leg, image) < chair.shape.parts().size());
+  Correspondence one_leg;
+  one_leg.pairs = {{leg, leg}};
+  const Shape_blend blend = blend_of(chair, chair, one_leg);
+  const auto& tasks = blend.schedules()[0].tasks;
+  CHECK(std::any_of(tasks.begin(), tasks.end(),
+                    [&](const Blend_task& task) { return task.source == image && task.target == image; }));
+  CHECK(blend.quality(0.5).asymmetry <= blend.quality(0).asymmetry + Shape_blend::symmetry_tolerance);
 }
 
 TEST_CASE("A shape blended with itself stays as it is")

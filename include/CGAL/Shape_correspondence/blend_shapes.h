@@ -54,10 +54,10 @@ struct Blend_task
 /// How well an in-between shape holds together; lengths over the shape's height.
 struct Blend_quality
 {
-  double gap = 0;       ///< by how much a contact of single parts is wider than at the ends, at most
+  double gap = 0;       ///< by how much a contact of parts that stay is wider than at the ends, at most
   double apart = 0;     ///< how far sets of parts came apart, at most, before they were moved together again
   double asymmetry = 0; ///< root mean square distance from the mirror image, if both ends have a mirror plane in common
-  double ground = 0;    ///< how far a part that stands on the ground at both ends is off it, at most
+  double ground = 0;    ///< how far a part that stands on the ground at both ends is off its height there, at most
 };
 
 /// A plausible order of the tasks of a blend.
@@ -82,13 +82,21 @@ struct Blend_surface
 ///
 /// Matched parts morph into each other in coordinates along their curves and sheets, with rotation-minimising frames; a
 /// part that corresponds to many is divided into closed pieces, one for each; parts without counterpart shrink towards
-/// or grow out of what they touch. The parts' own surfaces are carried along. Contacts are kept: what comes apart is
-/// moved, or stretched between its contacts, until it touches again; no set of parts is farther from the rest than at
-/// the ends by more than 0.005 of the height. Of several schedules the one is taken in which
-/// contacts, mirror symmetry and ground contact hold best. Deterministic.
+/// or grow out of what they touch, of which they keep one contact, or two far from each other. The parts' own surfaces
+/// are carried along. If both shapes have the mirror plane in common, what a part becomes, its mirror image becomes the
+/// mirror image of, also where the correspondence has only one of the two, and both move alike. Contacts of parts that
+/// stay are kept, and feet on the ground: all parts are moved and stretched at once, as little as that takes. No set of
+/// parts is farther from the rest than at the ends by more than 0.005 of the height. Of several schedules the one is
+/// taken in which contacts, mirror symmetry and ground contact hold best; `faults()` tells what does not hold.
+/// Deterministic.
 class Shape_blend
 {
 public:
+  // Over the shape's height
+  static constexpr double contact_tolerance = 0.005;  ///< of `Blend_quality::gap`
+  static constexpr double symmetry_tolerance = 0.005; ///< of `Blend_quality::asymmetry`, over that of the ends
+  static constexpr double ground_tolerance = 0.005;   ///< of `Blend_quality::ground`
+
   /// \param source_shape, target_shape the models that the graphs were built from
   /// \throw Invalid_input if a model does not have the parts of its graph. O(v log v) for v vertices of the models and
   /// what their subdivision adds (a box of 8 vertices becomes one of some hundreds)
@@ -105,6 +113,9 @@ public:
 
   /// How well the shape at `t` holds together.
   Blend_quality quality(double t) const;
+
+  /// What does not hold of the shape at `t` within the tolerances, in whole sentences that say why.
+  std::vector<std::string> faults(double t) const;
 
   /// All surfaces of the blend, for animations.
   std::vector<Blend_surface> surfaces() const;

@@ -13,7 +13,9 @@
 #include <CGAL/Shape_correspondence/internal/map/check_model.h>
 
 #include <algorithm>
+#include <iomanip>
 #include <numeric>
+#include <sstream>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -119,6 +121,31 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Blend_quality Shape_blend::quality(double t) co
 {
   if (t <= 0 || t >= 1) return stage_->end_quality(t <= 0 ? 0 : 1);
   return stage_->quality(stage_->scene(internal::times_of(schedules_[0]), t));
+}
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<std::string> Shape_blend::faults(double t) const
+{
+  std::vector<std::string> result;
+  if (t <= 0 || t >= 1) return result;
+  const Blend_quality now = quality(t);
+  const double ends = std::max(quality(0).asymmetry, quality(1).asymmetry);
+  const auto add = [&](const std::string& what, double value, const std::string& why) {
+    std::ostringstream sentence;
+    sentence << what << ' ' << std::setprecision(2) << value << " of the height" << why << '.';
+    result.push_back(sentence.str());
+  };
+  if (now.gap > contact_tolerance)
+    add("A contact is open by", now.gap, ": the parts that meet there have other contacts that pull them apart");
+  if (now.ground > ground_tolerance)
+    add("A foot is off its place above the ground by", now.ground, ": its contacts hold it there");
+  if (now.asymmetry <= ends + symmetry_tolerance) return result;
+  std::string lone;
+  for (const internal::Blend_actor& actor : stage_->actors())
+    if (actor.twin == internal::Mirror_twins::none) lone += (lone.empty() ? "" : ", ") + actor.name;
+  add("It is farther from its mirror image than the ends by", now.asymmetry - ends,
+      lone.empty() ? std::string(": mirror images have surfaces of different kinds")
+                   : ", with parts without a mirror image: " + lone);
+  return result;
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<Blend_surface> Shape_blend::surfaces() const

@@ -107,7 +107,9 @@ private:
       }
       const double first_reach = reach(first);
       second_reach = reach(second);
-      change = first_reach + second_reach > 0 ? first_reach / (first_reach + second_reach) : 1;
+      constexpr double shortest = 0.1; // so that what has a short way does not take it in an instant
+      const double both = first_reach + second_reach;
+      change = both > 0 ? std::clamp(first_reach / both, shortest, 1 - shortest) : 1;
       first.end = second.begin = change;
     }
 
