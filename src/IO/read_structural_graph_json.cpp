@@ -98,12 +98,13 @@ Abstraction_report read_report(const Json_field& field)
   Abstraction_report report;
   if (field.has("method"))
     report.method = read_word<Method>(field["method"], {{"skeleton", Method::SKELETON},
-                                                        {"medial_axis", Method::MEDIAL_AXIS},
-                                                        {"meso_skeleton", Method::MEDIAL_AXIS}, // of other programs
-                                                        {"revolution_axis", Method::REVOLUTION_AXIS},
+                                                        {"meso_skeleton", Method::MEDIAL_AXIS},
                                                         {"bounding_box", Method::BOUNDING_BOX},
                                                         {"copy", Method::COPY},
                                                         {"given", Method::GIVEN}});
+  if (field.has("fitted_to"))
+    report.method = read_word<Method>(
+        field["fitted_to"], {{"medial_axis", Method::MEDIAL_AXIS}, {"revolution_axis", Method::REVOLUTION_AXIS}});
   if (field.has("repair"))
     report.repair = read_word<Repair>(
         field["repair"],

@@ -49,6 +49,17 @@ void set_geometry(Json& part, const Sheet& sheet)
   part["grid"] = rows;
 }
 
+// The words of the format's version 1; what else a curve or sheet was fitted to has a key of its own.
+void set_method(Json& abstraction, Abstraction_report::Method method)
+{
+  using Method = Abstraction_report::Method;
+  const bool is_fitted = method == Method::MEDIAL_AXIS || method == Method::REVOLUTION_AXIS;
+  abstraction["method"] = method == Method::MEDIAL_AXIS       ? "meso_skeleton"
+                          : method == Method::REVOLUTION_AXIS ? "skeleton"
+                                                              : name_of(method);
+  if (is_fitted) abstraction["fitted_to"] = name_of(method);
+}
+
 Json part(const Part_abstraction& part)
 {
   Json result;
@@ -59,11 +70,15 @@ Json part(const Part_abstraction& part)
   result["area"] = part.area;
   if (part.surface.cols() > 0)
     result["surface"] = points(part.surface, 0, std::min<Eigen::Index>(part.surface.cols(), surface_samples));
-  result["abstraction"] = {{"method", name_of(part.report.method)}, {"repair", name_of(part.report.repair)},
-                           {"residual", part.report.residual},      {"coverage", part.report.coverage},
-                           {"iterations", part.report.iterations},  {"flags", flags_of(part.report)}};
-  if (part.report.is_fallback()) result["abstraction"]["fallback"] = part.report.fallback;
-  if (!part.report.copy_of.empty()) result["abstraction"]["copy_of"] = part.report.copy_of;
+  Json& abstraction = result["abstraction"];
+  set_method(abstraction, part.report.method);
+  abstraction["repair"] = name_of(part.report.repair);
+  abstraction["residual"] = part.report.residual;
+  abstraction["coverage"] = part.report.coverage;
+  abstraction["iterations"] = part.report.iterations;
+  abstraction["flags"] = flags_of(part.report);
+  if (part.report.is_fallback()) abstraction["fallback"] = part.report.fallback;
+  if (!part.report.copy_of.empty()) abstraction["copy_of"] = part.report.copy_of;
   return result;
 }
 

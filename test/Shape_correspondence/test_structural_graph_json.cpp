@@ -54,7 +54,7 @@ Structural_graph crooked(const Structural_graph& graph)
     part.hull_volume = std::exp(-0.9 * i);
     part.area = std::sqrt(1.0 + i++);
     part.report.residual = 1 / 7.0;
-    part.report.method = Abstraction_report::Method::MEDIAL_AXIS;
+    part.report.method = i % 2 ? Abstraction_report::Method::MEDIAL_AXIS : Abstraction_report::Method::REVOLUTION_AXIS;
     part.report.repair = Abstraction_report::Repair::HOLES;
     part.report.tube = true;
     part.surface = 1e3 / 7 * Points::Random(3, surface_samples + 5);
