@@ -85,10 +85,9 @@ struct Blend_surface
 /// or grow out of what they touch, of which they keep one contact, or two far from each other. The parts' own surfaces
 /// are carried along. If both shapes have the mirror plane in common, what a part becomes, its mirror image becomes the
 /// mirror image of, also where the correspondence has only one of the two, and both move alike. Contacts of parts that
-/// stay are kept, and feet on the ground: all parts are moved and stretched at once, as little as that takes. No set of
-/// parts is farther from the rest than at the ends by more than 0.005 of the height. Of several schedules the one is
-/// taken in which contacts, mirror symmetry and ground contact hold best; `faults()` tells what does not hold.
-/// Deterministic.
+/// stay are kept, and feet on the ground: all parts are moved and stretched at once, as little as that takes. Sets of
+/// parts that have come apart all the same are moved together. Of several schedules the one is taken in which contacts,
+/// mirror symmetry and ground contact hold best; `faults()` tells what does not hold. Deterministic.
 class Shape_blend
 {
 public:
@@ -114,7 +113,7 @@ public:
   /// How well the shape at `t` holds together.
   Blend_quality quality(double t) const;
 
-  /// What does not hold of the shape at `t` within the tolerances, in whole sentences that say why.
+  /// What does not hold of the shape at `t` within the tolerances, in whole sentences with likely causes.
   std::vector<std::string> faults(double t) const;
 
   /// All surfaces of the blend, for animations.
