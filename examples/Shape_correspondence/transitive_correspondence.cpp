@@ -26,7 +26,7 @@ std::vector<SC::Structural_graph> read_shapes(const std::vector<std::string>& na
 int main()
 {
   const std::vector<std::string> names{"chair_four_legged", "chair_slatted", "chair_spindle", "stool",
-                                       "table_four_legged", "table_pedestal"};
+                                       "table_four_legged", "bed_slatted"};
   const std::vector<SC::Structural_graph> shapes = read_shapes(names);
   const SC::Energy_matrix matrix = SC::energy_matrix<CGAL::Parallel_if_available_tag>(shapes);
   const auto tree = SC::minimum_spanning_tree(SC::symmetric_distances(matrix.energies));
