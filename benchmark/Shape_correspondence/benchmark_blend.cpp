@@ -18,6 +18,7 @@
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
+#include <CGAL/Shape_correspondence/internal/blend/widest_gap.h>
 #include <CGAL/Shape_correspondence/internal/map/Charted_mesh.h>
 
 #include <chrono>
@@ -73,26 +74,6 @@ std::vector<Triangle_tree> trees_of(const Segmented_shape& shape)
   for (const Shape_part& part : shape.parts())
     result.push_back(internal::tree_of(part.mesh.points, part.mesh.triangles));
   return result;
-}
-
-/// The longest edge of a shortest spanning tree of the parts.
-double widest_gap(const std::vector<Triangle_tree>& trees)
-{
-  std::vector<double> distance(trees.size(), std::numeric_limits<double>::infinity());
-  std::vector<char> joined(trees.size(), 0);
-  double widest = 0;
-  for (std::size_t next = 0, count = 0; count < trees.size(); ++count) {
-    joined[next] = 1;
-    std::size_t nearest = next;
-    for (std::size_t i = 0; i < trees.size(); ++i) {
-      if (joined[i]) continue;
-      distance[i] = std::min(distance[i], std::sqrt(trees[next].nearly_closest(trees[i]).squared));
-      if (joined[nearest] || distance[i] < distance[nearest]) nearest = i;
-    }
-    if (nearest != next) widest = std::max(widest, distance[nearest]);
-    next = nearest;
-  }
-  return widest;
 }
 
 /// How far the vertices of one shape are from the surface of another.
@@ -155,10 +136,10 @@ bool check(const std::string& source_path, const std::string& target_path, int f
     gap = std::max(gap, quality.gap);
     asymmetry = std::max(asymmetry, quality.asymmetry);
     ground = std::max(ground, quality.ground);
-    apart = std::max(apart, widest_gap(trees_of(shape)) / ((1 - t) * heights[0] + t * heights[1]));
+    apart = std::max(apart, internal::widest_gap(trees_of(shape)) / ((1 - t) * heights[0] + t * heights[1]));
   }
-  const double end_apart =
-      std::max(widest_gap(trees_of(source.shape)) / heights[0], widest_gap(trees_of(target.shape)) / heights[1]);
+  const double end_apart = std::max(internal::widest_gap(trees_of(source.shape)) / heights[0],
+                                    internal::widest_gap(trees_of(target.shape)) / heights[1]);
   const double end_asymmetry = std::max(blend.quality(0).asymmetry, blend.quality(1).asymmetry);
   constexpr double just = 1e-6;
   const double start = distance(source.shape, blend(just)) / heights[0];
@@ -197,7 +178,12 @@ int main(int argc, char** argv)
   std::printf("%-30s %-30s %5s %4s %7s %16s %16s %7s %8s %8s %5s %5s\n", "source", "target", "parts", "open", "gap",
               "apart (ends)", "asymmetry (ends)", "ground", "start", "end", "ends", "s");
   bool good = true;
-  for (std::size_t i = 0; i < paths.size(); i += 2)
-    good = check(paths[i], paths[i + 1], frames, cache) && good;
+  try {
+    for (std::size_t i = 0; i < paths.size(); i += 2)
+      good = check(paths[i], paths[i + 1], frames, cache) && good;
+  } catch (const Invalid_input& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
   return good ? 0 : 1;
 }
