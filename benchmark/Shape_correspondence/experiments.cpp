@@ -410,7 +410,7 @@ void ablation(const Dataset& dataset)
       {"no overlap of boxes", &Part_cost_weights::overlap}, {"no extents", &Part_cost_weights::extent},
       {"no ground contact", &Part_cost_weights::ground},    {"no place sideways", &Part_cost_weights::side},
       {"no place to the front", &Part_cost_weights::front}, {"no orientation", &Part_cost_weights::orientation},
-      {"no chamfer distance", &Part_cost_weights::chamfer}};
+      {"no chamfer distance", &Part_cost_weights::chamfer}, {"no contacts", &Part_cost_weights::contacts}};
   for (const auto& [name, weight] : weights) {
     Search_options options;
     options.parts.weights.*weight = 0;
@@ -428,16 +428,18 @@ void ablation(const Dataset& dataset)
     methods.emplace_back(name, ours(options));
   }
   const std::pair<const char*, bool Part_matching_options::*> wholes[] = {
-      {"no rows with frames", &Part_matching_options::rows}, {"no support", &Part_matching_options::support}};
+      {"no panels", &Part_matching_options::panels},
+      {"no support", &Part_matching_options::support},
+      {"no chains", &Part_matching_options::chains}};
   for (const auto& [name, whole] : wholes) {
     Search_options options;
     options.parts.*whole = false;
     methods.emplace_back(name, ours(options));
   }
   Search_options plain;
-  plain.parts.rows = plain.parts.support = false;
+  plain.parts.panels = plain.parts.support = plain.parts.chains = false;
   plain.parts.upside_down = never;
-  methods.emplace_back("none of the last three", ours(plain));
+  methods.emplace_back("none of the last four", ours(plain));
   plain.parts.excess = 2;
   plain.parts.sibling = 4;
   methods.emplace_back("nor their bounds: excess 2, sibling 4", ours(plain));

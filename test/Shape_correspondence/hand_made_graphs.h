@@ -36,6 +36,15 @@ inline Part_abstraction curve(const std::string& name, const Point& from, const 
   return part;
 }
 
+// The closed curve through the ends of two crossing segments: centre ± u, centre ± v.
+inline Part_abstraction ring(const std::string& name, const Point& centre, const Point& u, const Point& v)
+{
+  Part_abstraction part;
+  part.name = name;
+  part.geometry = Curve{points({centre + u, centre + v, centre - u, centre - v}), true};
+  return part;
+}
+
 // The rectangle from `corner` along two edge vectors.
 inline Part_abstraction sheet(const std::string& name, const Point& corner, const Point& u, const Point& v)
 {

@@ -18,7 +18,7 @@ using namespace CGAL::Shape_correspondence;
 
 namespace {
 
-constexpr Part_cost_weights no_weights{0, 0, 0, 0, 0, 0, 0};
+constexpr Part_cost_weights no_weights{0, 0, 0, 0, 0, 0, 0, 0, 0};
 
 // The index in the aligned shape of a part of the graph.
 Eigen::Index aligned(const Aligned_shape& shape, std::size_t part)
@@ -68,6 +68,37 @@ TEST_CASE("Part costs by hand, in the unit box: a table of width 1 and height 1"
 
   CHECK(cost(table, &W::chamfer, 1, 2) == Approx(1));
   CHECK(cost(table, &W::chamfer, 1, 4) == Approx(std::sqrt(2.)));
+}
+
+TEST_CASE("Part costs: a board from side to side pays half for reaching the ground")
+{
+  Shape_structure shape = structure(hand_made::table());
+  shape.parts.push_back(hand_made::sheet("board", {-.5, 0, -.5}, {1, 0, 0}, {0, .6, 0}));
+  shape.parts.push_back(hand_made::sheet("low board", {-.5, 0, .5}, {1, 0, 0}, {0, .4, 0}));
+  shape.parts.push_back(hand_made::sheet("narrow board", {-.5, 0, 0}, {.6, 0, 0}, {0, .6, 0}));
+  std::vector<Part_group> groups;
+  for (std::size_t k = 0; k < shape.parts.size(); ++k)
+    groups.push_back(hand_made::group({k}));
+  const Structural_graph graph = make_structural_graph(std::move(shape), std::move(groups));
+  CHECK(cost(graph, &Part_cost_weights::ground, 0, 5) == .5);
+  CHECK(cost(graph, &Part_cost_weights::ground, 0, 6) == 1);
+  CHECK(cost(graph, &Part_cost_weights::ground, 0, 7) == 1);
+}
+
+TEST_CASE("Part costs: the parts that two parts touch should correspond")
+{
+  // where nothing else counts, each of the n parts is as likely for each of the m: 1 / sqrt(n m)
+  Part_cost_weights weights = no_weights;
+  weights.contacts = 1;
+  const Aligned_shape table = align_shape(hand_made::table()), pedestal = align_shape(hand_made::pedestal_table());
+  CHECK(part_costs(table, pedestal, weights).isApprox(Eigen::MatrixXd::Constant(5, 2, 1 - 1 / std::sqrt(10.)), 1e-12));
+
+  // a part without contacts has nothing to show for itself
+  Shape_structure shape = structure(hand_made::pedestal_table());
+  shape.contacts.clear();
+  const Structural_graph apart =
+      make_structural_graph(std::move(shape), {hand_made::group({0}), hand_made::group({1})});
+  CHECK(part_costs(table, align_shape(apart), weights).isApprox(Eigen::MatrixXd::Ones(5, 2), 1e-12));
 }
 
 TEST_CASE("Part costs within a shape are symmetric and 0 on the diagonal")

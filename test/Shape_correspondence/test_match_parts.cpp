@@ -144,7 +144,7 @@ TEST_CASE("Rows match all to all, unless they are the very same")
   CHECK(pairs(slats, other) == expected);
 
   Part_matching_options one_by_one;
-  one_by_one.rows = false;
+  one_by_one.panels = false;
   CHECK(pairs(slats, other, one_by_one) == identity(8));
 }
 
@@ -206,6 +206,45 @@ TEST_CASE("A hanging lamp is turned over, whichever it is")
   Part_matching_options as_it_is;
   as_it_is.upside_down = 100;
   CHECK_FALSE(matching(lamp(true), lamp(false), as_it_is).upside_down);
+}
+
+TEST_CASE("What has a chain hangs; links stand for links or nothing")
+{
+  const auto lantern = [](std::size_t links, double link) {
+    Shape_structure shape;
+    shape.name = "lantern";
+    shape.parts = {hand_made::curve("light", {0, 0, 0}, {0, 1, 0}), hand_made::curve("arm", {-.4, .3, 0}, {.4, .3, 0})};
+    double y = 1;
+    for (std::size_t k = 0; k < links; ++k, y += 1.8 * link)
+      shape.parts.push_back(
+          hand_made::ring("link", {0, y + link, 0}, {0, link, 0}, k % 2 == 0 ? Point(link, 0, 0) : Point(0, 0, link)));
+    shape.parts.push_back(hand_made::curve("mount", {-.2, y, 0}, {.2, y, 0}));
+    std::vector<Part_group> groups;
+    for (std::size_t k = 0; k < shape.parts.size(); ++k)
+      groups.push_back(hand_made::group({k}));
+    shape.contacts.push_back(hand_made::contact(shape, 0, 1, {0, .3, 0}));
+    std::size_t last = 0;
+    for (std::size_t k = 2; k < shape.parts.size(); last = k++)
+      shape.contacts.push_back(hand_made::contact(shape, last, k, {0, 1 + 1.8 * link * double(k - 2), 0}));
+    return make_structural_graph(std::move(shape), std::move(groups));
+  };
+  Part_matching_options options;
+  options.upside_down = 100;
+  const Structural_graph hanging = lantern(4, .1), longer = lantern(6, .1), standing = lantern(0, 0);
+  for (const bool swap : {false, true}) {
+    const Part_matching found = swap ? matching(standing, hanging, options) : matching(hanging, standing, options);
+    CHECK(found.upside_down);
+    for (const auto& [i, j] : pairs(found)) {
+      const std::size_t part = swap ? j : i;
+      CHECK((part < 2 || part > 5));
+    }
+  }
+  const Part_matching both = matching(hanging, longer, options);
+  CHECK_FALSE(both.upside_down);
+  for (const auto& [i, j] : pairs(both))
+    CHECK((i >= 2 && i <= 5) == (j >= 2 && j <= 7));
+  options.chains = false;
+  CHECK_FALSE(matching(hanging, standing, options).upside_down);
 }
 
 TEST_CASE("Source and target have the same standing, to the bit")

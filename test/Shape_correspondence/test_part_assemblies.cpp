@@ -29,7 +29,7 @@ Indices original(const Aligned_shape& shape, const Indices& parts)
 
 struct Assemblies
 {
-  std::vector<Indices> rows;
+  std::vector<Indices> panels;
   Indices support, legs;
 };
 
@@ -38,8 +38,8 @@ Assemblies assemblies(const Structural_graph& graph)
   const Aligned_shape shape = align_shape(graph);
   const Part_assemblies found = part_assemblies(shape);
   Assemblies result;
-  for (const Indices& row : found.rows)
-    result.rows.push_back(original(shape, row));
+  for (const Indices& panel : found.panels)
+    result.panels.push_back(original(shape, panel));
   result.support = original(shape, found.support);
   result.legs = original(shape, found.legs);
   return result;
@@ -96,16 +96,70 @@ Structural_graph table_on_plate()
 TEST_CASE("A row has a frame of what lies in its plane, is connected and reaches no further")
 {
   const Assemblies found = assemblies(framed_chair());
-  REQUIRE(found.rows.size() == 1);
+  REQUIRE(found.panels.size() == 1);
   // neither the seat, nor the bar that leaves the plane, nor the rail under the seat
-  CHECK(found.rows[0] == Indices{1, 2, 3, 8, 9, 10});
+  CHECK(found.panels[0] == Indices{1, 2, 3, 8, 9, 10});
 }
 
 TEST_CASE("A row without a frame is the row; groups that are no rows are none")
 {
-  CHECK(assemblies(hand_made::slatted_chair()).rows == std::vector<Indices>{{1, 2, 3}});
-  CHECK(assemblies(hand_made::table()).rows.empty());
-  CHECK(assemblies(hand_made::chair()).rows.empty());
+  CHECK(assemblies(hand_made::slatted_chair()).panels == std::vector<Indices>{{1, 2, 3}});
+  CHECK(assemblies(hand_made::table()).panels.empty());
+  CHECK(assemblies(hand_made::chair()).panels.empty());
+}
+
+TEST_CASE("What lies flat in a side of a shape, above its deck, is a panel")
+{
+  using hand_made::curve;
+  // a bed: the table with board and rail (5, 6) at one end, held by posts on two of its legs (7, 8), a rail (9) at the
+  // other end, one (10) under the deck and one (11) across its middle
+  const Structural_graph bed =
+      with_parts(hand_made::table(),
+                 {hand_made::sheet("board", {-.5, 1.05, -.5}, {1, 0, 0}, {0, .3, 0}),
+                  curve("rail", {-.5, 1.5, -.5}, {.5, 1.5, -.5}), curve("post", {-.5, 1, -.5}, {-.5, 1.5, -.5}),
+                  curve("post", {.5, 1, -.5}, {.5, 1.5, -.5}), curve("foot rail", {-.5, 1.2, .5}, {.5, 1.2, .5}),
+                  curve("low rail", {-.5, .8, -.5}, {.5, .8, -.5}), curve("middle rail", {-.5, 1.2, 0}, {.5, 1.2, 0})},
+                 {{{1, 7}, {-.5, 1, -.5}},
+                  {{2, 8}, {.5, 1, -.5}},
+                  {{5, 7}, {-.5, 1.2, -.5}},
+                  {{6, 8}, {.5, 1.5, -.5}},
+                  {{1, 10}, {-.5, .8, -.5}},
+                  {{5, 11}, {-.5, 1.2, 0}},
+                  {{9, 11}, {.5, 1.2, .5}}});
+  // 5 and 7 meet 6 and 8 over the legs only where the deck does not count
+  CHECK(assemblies(bed).panels == std::vector<Indices>{{5, 7}, {6, 8}});
+}
+
+TEST_CASE("Links of a chain are like closed curves that touch one after the other")
+{
+  Shape_structure shape;
+  shape.name = "lantern";
+  std::vector<Part_group> groups;
+  for (int k = 0; k < 4; ++k) {
+    const Point across = k % 2 == 0 ? Point(.1, 0, 0) : Point(0, 0, .1);
+    shape.parts.push_back(hand_made::ring("link", {0, 1 + .18 * k, 0}, {0, .1, 0}, across));
+  }
+  shape.parts.push_back(hand_made::ring("rim", {0, 0, 0}, {.5, 0, 0}, {0, 0, .5}));    // of another size
+  shape.parts.push_back(hand_made::ring("tyre", {0, 0, 0}, {.55, 0, 0}, {0, 0, .55})); // of like size, around it
+  shape.parts.push_back(hand_made::curve("rod", {0, 0, 0}, {0, .9, 0}));
+  for (std::size_t k = 0; k + 1 < 4; ++k)
+    shape.contacts.push_back(hand_made::contact(shape, k, k + 1, {0, 1.09 + .18 * double(k), 0}));
+  for (const auto& [a, b] : {std::make_pair(0, 6), std::make_pair(4, 6), std::make_pair(4, 5)})
+    shape.contacts.push_back(hand_made::contact(shape, std::size_t(a), std::size_t(b), {.5, 0, 0}));
+  for (std::size_t k = 0; k < shape.parts.size(); ++k)
+    groups.push_back(hand_made::group({k}));
+  const auto links = [](const Structural_graph& graph) {
+    const Aligned_shape aligned = align_shape(graph);
+    Indices found;
+    for (std::size_t k = 0; k < aligned.parts.size(); ++k)
+      if (part_assemblies(aligned).is_link[k]) found.push_back(k);
+    return original(aligned, found);
+  };
+  CHECK(links(make_structural_graph(shape, groups)) == Indices{0, 1, 2, 3});
+  shape.contacts.erase(shape.contacts.begin()); // now the first hangs loose
+  CHECK(links(make_structural_graph(shape, groups)) == Indices{1, 2, 3});
+  shape.contacts.erase(shape.contacts.begin()); // and two are no chain
+  CHECK(links(make_structural_graph(shape, groups)).empty());
 }
 
 TEST_CASE("Legs carry the deck, and so does all without which one of them would hang in the air")
@@ -156,6 +210,6 @@ TEST_CASE("What has no deck has no support")
 TEST_CASE("Assemblies do not depend on position, scale and turning")
 {
   const Structural_graph moved = hand_made::moved(framed_chair(), 0.6, 20, {7, 3, -4});
-  CHECK(assemblies(moved).rows == assemblies(framed_chair()).rows);
+  CHECK(assemblies(moved).panels == assemblies(framed_chair()).panels);
   CHECK(assemblies(moved).support == assemblies(framed_chair()).support);
 }

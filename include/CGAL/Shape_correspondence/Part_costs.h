@@ -22,13 +22,15 @@ namespace Shape_correspondence {
 /// frame runs from 0 to 1 over the shape, so that a low chair and a high one compare.
 struct Part_cost_weights
 {
-  double overlap = 2;       ///< the share of the smaller part's box that lies outside of the other one's
-  double extent = 0.7;      ///< |log of the ratio of the boxes' sides|, summed over the axes
-  double ground = 1.5;      ///< one stands on the ground and the other does not
-  double side = 3;          ///< distance of the boxes' centres sideways
-  double front = 3.5;       ///< the same, to the front
+  double overlap = 2;  ///< the share of the smaller part's box that lies outside of the other one's
+  double extent = 0.7; ///< |log of the ratio of the boxes' sides|, summed over the axes
+  double ground = 1.5; ///< one stands on the ground and the other does not; half of it for boards from side to side
+  double side = 3;     ///< distance of the boxes' centres sideways
+  double front = 3.5;  ///< the same, to the front
   double orientation = 1.5; ///< Frobenius distance of the normalized square roots of the surfaces' covariances
   double chamfer = 2;       ///< mean distance of a point of either surface from the other surface
+  double contacts = 2;      ///< the share of the parts that they touch which do not stand for one another
+  double link = 50;         ///< one is a link of a chain and the other is not (`Part_assemblies::is_link`)
 };
 
 /// The cost of every part of the source (row) standing for every part of the target (column), by index of the aligned
@@ -36,8 +38,8 @@ struct Part_cost_weights
 ///
 /// The boxes are compared as they are and after either shape was warped towards the other, axis by axis, where the most
 /// alike parts ask for it; the three are averaged. A part shares in how alike its symmetry group is to the other's, and
-/// a group of `whole_group_size` parts or more, or a row with its frame (`Part_assemblies`), may cost less as a whole
-/// (legs for a pedestal, slats for a panel).
+/// a group of `whole_group_size` parts or more, or a panel (`Part_assemblies`), may cost less as a whole (legs for a
+/// pedestal, slats for a board). How well the parts that two parts touch stand for one another goes by these costs.
 /// O(n m k²) for n and m parts with k = `surface_samples` points each.
 Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
                            const Part_cost_weights& weights = {});

@@ -24,11 +24,12 @@ struct Part_matching_options
   /// A pair is matched if it costs least for one of its parts and, over both parts, at most so much more than least.
   /// Less of it: fewer and surer pairs.
   double excess = 1.5;
-  double sure_excess = 0.5;  ///< the same, for pairs that decide which sets of parts stand for one another
-  double sibling = 3.5;      ///< parts of one shape that cost less among each other may share a counterpart
-  double upside_down = 0.75; ///< a shape is turned over where that makes `mean_least_cost()` so much less
-  bool rows = true;          ///< match rows with their frames as wholes (`Part_assemblies::rows`)
-  bool support = true;       ///< match what carries the shapes as a whole (`Part_assemblies::support`)
+  double sure_excess = 0.5; ///< the same, for pairs that decide which sets of parts stand for one another
+  double sibling = 3.5;     ///< parts of one shape that cost less among each other may share a counterpart
+  double upside_down = 1;   ///< a shape is turned over where that makes `mean_least_cost()` so much less
+  bool panels = true;       ///< match panels as wholes (`Part_assemblies::panels`)
+  bool support = true;      ///< match what carries the shapes as a whole (`Part_assemblies::support`)
+  bool chains = true;       ///< what has a chain hangs, and its links stand for links (`Part_assemblies::is_link`)
 };
 
 /// Two parts that correspond, by index of the aligned shapes.

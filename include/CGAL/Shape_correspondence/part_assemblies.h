@@ -19,10 +19,13 @@ namespace Shape_correspondence {
 /// ascending.
 struct Part_assemblies
 {
-  /// Rows of `whole_group_size` or more parts that a translation takes to one another, with their frames: the parts in
-  /// the plane of an upright row that are connected to it and reach little further (the rails and posts of a back of
-  /// slats). What stands on the ground or is level with the deck frames nothing above it. No part is in two of them.
-  std::vector<std::vector<std::size_t>> rows;
+  /// Sets of parts that make up a panel. Rows of `whole_group_size` or more parts that a translation takes to one
+  /// another, with their frames: the parts in the plane of an upright row that are connected to it and reach little
+  /// further (the rails and posts of a back of slats). What stands on the ground or is level with the deck frames
+  /// nothing above it. And the parts that lie flat in one of the four sides of the shape, above its deck and off the
+  /// ground, connected by each other or the support (the boards and rails at the head of a bed). No part is in two
+  /// panels.
+  std::vector<std::vector<std::size_t>> panels;
   /// What carries the deck, which is the lowest flat part that covers enough of the shape as seen from above (a seat, a
   /// tabletop, a mattress): the parts on the ground, and those without which one of them would lose its connection to
   /// the deck (the column of a pedestal). Empty where there is no deck.
@@ -30,6 +33,9 @@ struct Part_assemblies
   /// The support without the wide parts on the ground, where there are narrow ones (legs rather than side panels).
   std::vector<std::size_t> legs;
   std::vector<char> is_on_ground; ///< by part
+  /// By part, whether it is a link of a chain: one of at least `whole_group_size` closed curves of like size, of which
+  /// each touches the next.
+  std::vector<char> is_link;
   bool has_deck = false;
 };
 

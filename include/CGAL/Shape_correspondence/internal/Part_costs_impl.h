@@ -14,6 +14,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -25,6 +26,9 @@ namespace internal {
 // Lengths in the unit box
 constexpr double box_padding = 0.02;    // keeps the volume of flat boxes above 0
 constexpr double extent_padding = 0.03; // under it, extents count as equal
+
+constexpr double board_width = 0.7, board_height = 0.5; // at least
+constexpr double board_share = 0.5; // of the cost of ground contact, for boards: many reach down where others end above
 
 constexpr double flat = 1e-12; // variance in a direction, over the largest, that counts as none
 
@@ -49,6 +53,8 @@ struct Part_extent
 {
   Eigen::Matrix3d orientation;
   bool on_ground = false;
+  bool is_board = false; // upright, from side to side
+  bool is_link = false;  // of a chain
 };
 
 // The parts of a shape in its unit box.
@@ -78,9 +84,20 @@ inline Eigen::Matrix3d orientation(const Surface& surface)
   return eigen.eigenvectors() * (lengths / norm).asDiagonal() * eigen.eigenvectors().transpose();
 }
 
+inline bool is_board(const Axes& sides)
+{
+  return quantized(sides[1]) >= quantized(board_height) &&
+         quantized(std::max(sides[0], sides[2])) >= quantized(board_width);
+}
+
 inline Part_extent part_extent(const Surface& surface)
 {
-  return {orientation(surface), quantized(surface.col(1).minCoeff()) < quantized(ground_tolerance)};
+  const Axes low = surface.colwise().minCoeff(), high = surface.colwise().maxCoeff();
+  Part_extent result;
+  result.orientation = orientation(surface);
+  result.on_ground = quantized(low[1]) < quantized(ground_tolerance);
+  result.is_board = is_board(high - low);
+  return result;
 }
 
 inline Surface surface_of(const Compared_shape& shape, const std::vector<std::size_t>& parts)
@@ -103,14 +120,13 @@ inline void add_box(Boxes& boxes, Eigen::Index row, const Surface& surface)
   boxes.high.row(row) = surface.colwise().maxCoeff();
 }
 
-// Groups and rows with their frames, as one part each.
-inline void add_wholes(Compared_shape& compared, const Aligned_shape& shape,
-                       const std::vector<std::vector<std::size_t>>& rows)
+// Groups and panels, as one part each.
+inline void add_wholes(Compared_shape& compared, const Aligned_shape& shape, const Part_assemblies& assemblies)
 {
   for (const Aligned_shape::Group& group : shape.groups)
     if (group.parts.size() >= whole_group_size) compared.wholes.push_back(group.parts);
-  for (const std::vector<std::size_t>& row : rows)
-    if (shape.groups[shape.group_of[row[0]]].parts != row) compared.wholes.push_back(row);
+  for (const std::vector<std::size_t>& panel : assemblies.panels)
+    if (shape.groups[shape.group_of[panel[0]]].parts != panel) compared.wholes.push_back(panel);
   const auto is_all = [&](const std::vector<std::size_t>& whole) { return whole.size() == shape.parts.size(); };
   compared.wholes.erase(std::remove_if(compared.wholes.begin(), compared.wholes.end(), is_all), compared.wholes.end());
 
@@ -120,10 +136,12 @@ inline void add_wholes(Compared_shape& compared, const Aligned_shape& shape,
     const Surface surface = surface_of(compared, whole);
     add_box(compared.whole_boxes, Eigen::Index(compared.whole_parts.size()), surface);
     compared.whole_parts.push_back(part_extent(surface));
+    compared.whole_parts.back().is_link =
+        std::all_of(whole.begin(), whole.end(), [&](std::size_t part) { return compared.parts[part].is_link; });
   }
 }
 
-inline Compared_shape compared_shape(const Aligned_shape& shape, const std::vector<std::vector<std::size_t>>& rows)
+inline Compared_shape compared_shape(const Aligned_shape& shape, const Part_assemblies& assemblies)
 {
   Compared_shape result;
   Axes low = Axes::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -141,7 +159,9 @@ inline Compared_shape compared_shape(const Aligned_shape& shape, const std::vect
     add_box(result.boxes, Eigen::Index(result.parts.size()), result.surfaces.back());
     result.parts.push_back(part_extent(result.surfaces.back()));
   }
-  add_wholes(result, shape, rows);
+  for (std::size_t part = 0; part < assemblies.is_link.size(); ++part)
+    result.parts[part].is_link = assemblies.is_link[part];
+  add_wholes(result, shape, assemblies);
   return result;
 }
 
@@ -211,8 +231,10 @@ inline double chamfer(const Point_distances& a_from_b, const Point_distances& b_
 // The costs that no place changes.
 inline double cost_of_kind(const Part_extent& a, const Part_extent& b, const Part_cost_weights& weights)
 {
-  return (a.on_ground != b.on_ground ? weights.ground : 0) +
-         weights.orientation * (a.orientation - b.orientation).norm();
+  double result = weights.orientation * (a.orientation - b.orientation).norm();
+  if (a.on_ground != b.on_ground) result += (a.is_board || b.is_board ? board_share : 1) * weights.ground;
+  if (a.is_link != b.is_link) result += weights.link;
+  return result;
 }
 
 // The costs of places and extents.
@@ -272,13 +294,13 @@ inline Boxes warped(const Boxes& boxes, const Anchors& anchors)
   return {warped(boxes.low, anchors), warped(boxes.high, anchors)};
 }
 
-// How likely parts are to stand for one another, going by either of them: geometric mean of the two softmaxes.
+// How likely parts are to stand for one another, going by either of them: geometric mean of the two softmaxes. Sums run
+// along rows both times: with the shapes swapped, the same bits.
 inline Eigen::ArrayXXd mutual_softmax(const Eigen::MatrixXd& costs)
 {
-  const Eigen::ArrayXXd likelihood = (-costs.array()).exp();
-  const Eigen::ArrayXd rows = likelihood.rowwise().sum();
-  const Eigen::RowVectorXd columns = likelihood.colwise().sum();
-  return likelihood / (rows.matrix() * columns).array().sqrt();
+  const Eigen::ArrayXXd likelihood = (-costs.array()).exp(), transposed = likelihood.transpose();
+  const Eigen::VectorXd of_rows = likelihood.rowwise().sum(), of_columns = transposed.rowwise().sum();
+  return likelihood / (of_rows * of_columns.transpose()).array().sqrt();
 }
 
 inline Anchors anchors_of(const Boxes& a, const Boxes& b, const Eigen::MatrixXd& costs)
@@ -348,6 +370,47 @@ inline Eigen::MatrixXd costs_of_wholes(const Compared_shape& a, const Compared_s
   return result;
 }
 
+using Part_indices = std::vector<Eigen::Index>;
+
+// Of every part, the parts that it touches.
+inline std::vector<Part_indices> touching_parts(const Aligned_shape& shape)
+{
+  std::vector<Part_indices> result(shape.parts.size());
+  for (const Aligned_shape::Contact& contact : shape.contacts) {
+    result[contact.parts[0]].push_back(Eigen::Index(contact.parts[1]));
+    result[contact.parts[1]].push_back(Eigen::Index(contact.parts[0]));
+  }
+  return result;
+}
+
+inline double mean_of_best(const Eigen::ArrayXXd& likelihood, const Part_indices& rows, const Part_indices& columns)
+{
+  double sum = 0;
+  for (Eigen::Index i : rows) {
+    double best = 0;
+    for (Eigen::Index j : columns)
+      best = std::max(best, likelihood(i, j));
+    sum += best;
+  }
+  return sum / double(rows.size());
+}
+
+// How well the parts that two parts touch stand for one another: the mean over those of either of how likely their best
+// counterpart among the other's is; geometric mean of the two.
+inline Eigen::ArrayXXd support_of_contacts(const Eigen::ArrayXXd& likelihood, const Aligned_shape& source,
+                                           const Aligned_shape& target)
+{
+  const Eigen::ArrayXXd transposed = likelihood.transpose();
+  const std::vector<Part_indices> of_source = touching_parts(source), of_target = touching_parts(target);
+  Eigen::ArrayXXd result = Eigen::ArrayXXd::Zero(likelihood.rows(), likelihood.cols());
+  for (std::size_t i = 0; i < of_source.size(); ++i)
+    for (std::size_t j = 0; j < of_target.size(); ++j)
+      if (!of_source[i].empty() && !of_target[j].empty())
+        result(Eigen::Index(i), Eigen::Index(j)) = std::sqrt(mean_of_best(likelihood, of_source[i], of_target[j]) *
+                                                             mean_of_best(transposed, of_target[j], of_source[i]));
+  return result;
+}
+
 // The costs without those of surfaces: for a first look.
 inline Eigen::MatrixXd rough_costs(const Compared_shape& a, const Compared_shape& b, const Part_cost_weights& weights)
 {
@@ -406,9 +469,10 @@ inline Eigen::MatrixXd part_costs(const Compared_shape& a, const Aligned_shape& 
 
   const Eigen::MatrixXd of_kind = costs_of_kind(a, b, a_from_b, b_from_a, weights);
   const Eigen::MatrixXd of_parts = costs_after_warping(a.boxes, b.boxes, of_kind, weights);
-  return shared_in_groups(of_parts, source, target)
-      .cwiseMin(costs_of_wholes(a, b, a_from_b, b_from_a, weights))
-      .cwiseMin(costs_of_wholes(b, a, b_from_a, a_from_b, weights).transpose());
+  const Eigen::MatrixXd costs = shared_in_groups(of_parts, source, target)
+                                    .cwiseMin(costs_of_wholes(a, b, a_from_b, b_from_a, weights))
+                                    .cwiseMin(costs_of_wholes(b, a, b_from_a, a_from_b, weights).transpose());
+  return costs + weights.contacts * (1 - support_of_contacts(mutual_softmax(costs), source, target)).matrix();
 }
 
 } // namespace internal
@@ -417,8 +481,8 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd part_costs(const Aligned_shape&
                                                             const Part_cost_weights& weights)
 {
   using namespace internal;
-  const Compared_shape a = compared_shape(source, part_assemblies(source).rows),
-                       b = compared_shape(target, part_assemblies(target).rows);
+  const Compared_shape a = compared_shape(source, part_assemblies(source)),
+                       b = compared_shape(target, part_assemblies(target));
   return internal::part_costs(a, source, b, target, weights);
 }
 
@@ -448,8 +512,8 @@ inline Eigen::MatrixXd own_part_costs(const Compared_shape& a, const std::vector
 CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd part_costs(const Aligned_shape& shape,
                                                             const Part_cost_weights& weights)
 {
-  return internal::own_part_costs(internal::compared_shape(shape, {}), std::vector<char>(shape.parts.size(), 1),
-                                  weights);
+  return internal::own_part_costs(internal::compared_shape(shape, part_assemblies(shape)),
+                                  std::vector<char>(shape.parts.size(), 1), weights);
 }
 
 } // namespace Shape_correspondence

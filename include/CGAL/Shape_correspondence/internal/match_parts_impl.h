@@ -33,8 +33,8 @@ constexpr double twin_cost = 0.5;
 inline void check(const Part_matching_options& options)
 {
   const Part_cost_weights& w = options.weights;
-  for (double value : {w.overlap, w.extent, w.ground, w.side, w.front, w.orientation, w.chamfer, options.excess,
-                       options.sure_excess, options.sibling, options.upside_down})
+  for (double value : {w.overlap, w.extent, w.ground, w.side, w.front, w.orientation, w.chamfer, w.contacts, w.link,
+                       options.excess, options.sure_excess, options.sibling, options.upside_down})
     if (!(value >= 0) || !std::isfinite(value))
       throw Invalid_input("match_parts: the weights and bounds of costs must be finite and not negative");
 }
@@ -71,15 +71,16 @@ struct Assembled_shape
   Assembled_shape(const Aligned_shape& shape, const Part_matching_options& options)
       : shape(shape), assemblies(part_assemblies(shape))
   {
-    if (!options.rows) assemblies.rows.clear();
+    if (!options.panels) assemblies.panels.clear();
     if (!options.support) assemblies.support.clear();
-    compared = compared_shape(shape, assemblies.rows);
+    if (!options.chains) assemblies.is_link.assign(shape.parts.size(), 0);
+    compared = compared_shape(shape, assemblies);
   }
 
   std::size_t size() const { return shape.parts.size(); }
 };
 
-// Groups of three or more and rows with their frames stay together, as do parts in a pair.
+// Groups of three or more and panels stay together, as do parts in a pair.
 inline std::vector<Block> blocks_of(const Match_matrix& pairs, const Assembled_shape& source,
                                     const Assembled_shape& target)
 {
@@ -102,8 +103,8 @@ inline std::vector<Block> blocks_of(const Match_matrix& pairs, const Assembled_s
   const auto join_wholes = [&](const Assembled_shape& assembled, std::size_t first) {
     for (const Aligned_shape::Group& group : assembled.shape.groups)
       if (group.parts.size() >= whole_group_size) join_all(group.parts, first);
-    for (const std::vector<std::size_t>& row : assembled.assemblies.rows)
-      join_all(row, first);
+    for (const std::vector<std::size_t>& panel : assembled.assemblies.panels)
+      join_all(panel, first);
   };
   join_wholes(source, 0);
   join_wholes(target, n);
@@ -245,11 +246,11 @@ inline std::vector<char> flags(const std::vector<std::size_t>& parts, std::size_
   return result;
 }
 
-inline std::vector<char> is_in_row(const Assembled_shape& assembled)
+inline std::vector<char> is_in_panel(const Assembled_shape& assembled)
 {
   std::vector<std::size_t> parts;
-  for (const std::vector<std::size_t>& row : assembled.assemblies.rows)
-    append(parts, row);
+  for (const std::vector<std::size_t>& panel : assembled.assemblies.panels)
+    append(parts, panel);
   return flags(parts, assembled.size());
 }
 
@@ -261,17 +262,18 @@ inline void match_all(const std::vector<std::size_t>& source, const std::vector<
       pairs(Eigen::Index(i), Eigen::Index(j)) = true;
 }
 
-// Every part of a block with every other where they differ in number, or are in rows.
+// Every part of a block with every other where they differ in number, or are in panels.
 inline void fill_blocks(const std::vector<Block>& blocks, const Match_matrix& sure, const Eigen::MatrixXd& costs,
                         const Assembled_shape& source, const Assembled_shape& target, Match_matrix& pairs)
 {
-  const std::vector<char> source_rows = is_in_row(source), target_rows = is_in_row(target);
-  const auto has_row = [](const std::vector<std::size_t>& parts, const std::vector<char>& is_in_row) {
-    return std::any_of(parts.begin(), parts.end(), [&](std::size_t part) { return bool(is_in_row[part]); });
+  const std::vector<char> source_panels = is_in_panel(source), target_panels = is_in_panel(target);
+  const auto has_panel = [](const std::vector<std::size_t>& parts, const std::vector<char>& is_in_panel) {
+    return std::any_of(parts.begin(), parts.end(), [&](std::size_t part) { return bool(is_in_panel[part]); });
   };
   for (const Block& block : blocks)
     if (block.source.size() != block.target.size() ||
-        ((has_row(block.source, source_rows) || has_row(block.target, target_rows)) && !are_twins(block, sure, costs)))
+        ((has_panel(block.source, source_panels) || has_panel(block.target, target_panels)) &&
+         !are_twins(block, sure, costs)))
       match_all(block.source, block.target, pairs);
 }
 
@@ -329,6 +331,13 @@ inline Aligned_shape turned_over(Aligned_shape shape)
   return shape;
 }
 
+// A chain carries nothing that stands on it.
+inline bool hangs(const Assembled_shape& assembled)
+{
+  const std::vector<char>& is_link = assembled.assemblies.is_link;
+  return std::any_of(is_link.begin(), is_link.end(), [](char link) { return bool(link); });
+}
+
 // By how much the best pair that was not taken costs more, of either part.
 inline double margin(const Eigen::MatrixXd& costs, const Match_matrix& pairs, Eigen::Index i, Eigen::Index j)
 {
@@ -375,15 +384,17 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Part_matching match_parts(const Aligned_shape& 
   check(options);
   const Assembled_shape a(source, options), b(target, options);
   Eigen::MatrixXd costs = costs_of(a, b, options);
-  if (a.assemblies.has_deck || b.assemblies.has_deck) return matching_of(std::move(costs), a, b, options);
+  const bool one_hangs = hangs(a) != hangs(b);
+  if (a.assemblies.has_deck || b.assemblies.has_deck || (hangs(a) && hangs(b)))
+    return matching_of(std::move(costs), a, b, options);
 
   const Aligned_shape source_over = turned_over(source), target_over = turned_over(target);
   const Assembled_shape a_over(source_over, options), b_over(target_over, options);
   const long rough = rough_cost(a, b, options);
-  long least = quantized(mean_least_cost(costs) - options.upside_down);
+  long least = one_hangs ? std::numeric_limits<long>::max() : quantized(mean_least_cost(costs) - options.upside_down);
   std::pair<const Assembled_shape*, const Assembled_shape*> best{&a, &b};
   for (const auto& turned : {std::make_pair(&a, &b_over), std::make_pair(&a_over, &b)}) {
-    if (rough_cost(*turned.first, *turned.second, options) >= rough) continue;
+    if (!one_hangs && rough_cost(*turned.first, *turned.second, options) >= rough) continue;
     Eigen::MatrixXd costs_over = costs_of(*turned.first, *turned.second, options);
     if (quantized(mean_least_cost(costs_over)) >= least) continue;
     least = quantized(mean_least_cost(costs_over));

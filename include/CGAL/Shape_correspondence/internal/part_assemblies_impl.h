@@ -33,11 +33,16 @@ constexpr double frame_thickness = 5;   // of the row's: a row and its frame are
 constexpr double frame_allowance = 0.1; // of the height: or than this
 constexpr double frame_reach = 1.25;    // of the row's extents: by this a frame may be larger, in the plane
 
+constexpr double side_depth = 0.1;   // of the shape's: by this a part in one of its sides is thick, and off it
+constexpr double link_ratio = 1.25;  // of their longest sides: links of a chain are no more unlike
+constexpr double link_offset = 0.25; // of a link's longest side: the next one is farther off than wheel and tyre
+
 struct Axis_box
 {
   Eigen::Array3d low, high;
 
   Eigen::Array3d sides() const { return high - low; }
+  Eigen::Array3d centre() const { return (low + high) / 2; }
   double middle() const { return (low.y() + high.y()) / 2; }
 };
 
@@ -70,13 +75,15 @@ public:
   Part_assemblies run() const
   {
     Part_assemblies result;
-    for (const Aligned_shape::Group& group : shape_.groups)
-      if (group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= whole_group_size)
-        add_row(framed(group.parts), result.rows);
     result.has_deck = deck_ != none;
     if (result.has_deck) result.support = support();
     result.legs = legs(result.support);
     result.is_on_ground = is_on_ground_;
+    result.is_link = links();
+    for (const Aligned_shape::Group& group : shape_.groups)
+      if (group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= whole_group_size)
+        add_panel(framed(group.parts), result.panels);
+    if (result.has_deck) add_side_panels(result.support, result.panels);
     return result;
   }
 
@@ -98,22 +105,30 @@ private:
     return lowest;
   }
 
+  // The part and what is connected to it by steps from one part to the next that are allowed, ascending.
+  template <typename Is_step>
+  std::vector<std::size_t> connected(std::size_t first, const Is_step& is_step) const
+  {
+    std::vector<char> is_reached(boxes_.size(), 0);
+    std::vector<std::size_t> result{first};
+    is_reached[first] = 1;
+    for (std::size_t k = 0; k < result.size(); ++k)
+      for (std::size_t next : neighbours_[result[k]])
+        if (!is_reached[next] && is_step(result[k], next)) {
+          is_reached[next] = 1;
+          result.push_back(next);
+        }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
   // By part, whether it is connected to the deck by other parts than the one left out.
   std::vector<char> connected_to_deck(std::size_t left_out = none) const
   {
-    std::vector<char> is_reached(boxes_.size(), 0);
-    std::vector<std::size_t> open{deck_};
-    is_reached[deck_] = 1;
-    while (!open.empty()) {
-      const std::size_t part = open.back();
-      open.pop_back();
-      for (std::size_t next : neighbours_[part])
-        if (next != left_out && !is_reached[next]) {
-          is_reached[next] = 1;
-          open.push_back(next);
-        }
-    }
-    return is_reached;
+    std::vector<char> result(boxes_.size(), 0);
+    for (std::size_t part : connected(deck_, [&](std::size_t, std::size_t next) { return next != left_out; }))
+      result[part] = 1;
+    return result;
   }
 
   bool carries(std::size_t part, const std::vector<char>& is_connected) const
@@ -217,17 +232,76 @@ private:
     return axes;
   }
 
-  // Rows that share parts are one.
-  static void add_row(std::vector<std::size_t> row, std::vector<std::vector<std::size_t>>& rows)
+  // Panels that share parts are one.
+  static void add_panel(std::vector<std::size_t> panel, std::vector<std::vector<std::size_t>>& panels)
   {
-    for (std::size_t k = rows.size(); k-- > 0;) {
+    for (std::size_t k = panels.size(); k-- > 0;) {
       std::vector<std::size_t> both;
-      std::set_union(row.begin(), row.end(), rows[k].begin(), rows[k].end(), std::back_inserter(both));
-      if (both.size() == row.size() + rows[k].size()) continue;
-      row = std::move(both);
-      rows.erase(rows.begin() + std::ptrdiff_t(k));
+      std::set_union(panel.begin(), panel.end(), panels[k].begin(), panels[k].end(), std::back_inserter(both));
+      if (both.size() == panel.size() + panels[k].size()) continue;
+      panel = std::move(both);
+      panels.erase(panels.begin() + std::ptrdiff_t(k));
     }
-    rows.push_back(std::move(row));
+    panels.push_back(std::move(panel));
+  }
+
+  bool is_in_side(std::size_t part, Eigen::Index axis, double side) const
+  {
+    const double depth = side_depth * whole_.sides()[axis];
+    return !is_less(depth, boxes_[part].sides()[axis]) && !is_less(depth, std::abs(boxes_[part].centre()[axis] - side));
+  }
+
+  // By part, whether it is a flat one in this side of the shape, above the deck.
+  std::vector<char> parts_in_side(Eigen::Index axis, double side) const
+  {
+    std::vector<char> result(boxes_.size(), 0);
+    for (std::size_t part = 0; part < boxes_.size(); ++part)
+      result[part] = part != deck_ && !is_on_ground_[part] && is_in_side(part, axis, side) &&
+                     is_less(boxes_[deck_].low.y(), boxes_[part].middle());
+    return result;
+  }
+
+  void add_side_panels(const std::vector<std::size_t>& support, std::vector<std::vector<std::size_t>>& panels) const
+  {
+    for (Eigen::Index axis : {0, 2})
+      for (double side : {whole_.low[axis], whole_.high[axis]}) {
+        std::vector<char> is_in = parts_in_side(axis, side), may_connect = is_in;
+        for (std::size_t part : support)
+          may_connect[part] = 1;
+        for (std::size_t first = 0; first < boxes_.size(); ++first) {
+          if (!is_in[first]) continue;
+          std::vector<std::size_t> panel;
+          for (std::size_t part : connected(first, [&](std::size_t, std::size_t next) { return may_connect[next]; }))
+            if (is_in[part]) {
+              panel.push_back(part);
+              is_in[part] = 0;
+            }
+          if (panel.size() > 1) add_panel(std::move(panel), panels);
+        }
+      }
+  }
+
+  // Are the two closed curves of like size, and not around one another?
+  bool are_linked(std::size_t part, std::size_t next) const
+  {
+    if (shape_.parts[next].kind != Sampled_part::Kind::CLOSED_CURVE) return false;
+    const double a = boxes_[part].sides().maxCoeff(), b = boxes_[next].sides().maxCoeff();
+    const double apart = (boxes_[part].centre() - boxes_[next].centre()).matrix().norm();
+    return is_less(std::max(a, b), link_ratio * std::min(a, b)) && is_less(link_offset * std::max(a, b), apart);
+  }
+
+  std::vector<char> links() const
+  {
+    std::vector<char> result(boxes_.size(), 0);
+    for (std::size_t part = 0; part < boxes_.size(); ++part) {
+      if (result[part] || shape_.parts[part].kind != Sampled_part::Kind::CLOSED_CURVE) continue;
+      const std::vector<std::size_t> chain =
+          connected(part, [&](std::size_t link, std::size_t next) { return are_linked(link, next); });
+      if (chain.size() < whole_group_size) continue;
+      for (std::size_t link : chain)
+        result[link] = 1;
+    }
+    return result;
   }
 
   const Aligned_shape& shape_;
