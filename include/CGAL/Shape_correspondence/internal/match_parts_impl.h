@@ -25,7 +25,7 @@ using Match_matrix = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
 // Logistic model of how often a pair is right by the margin of its cost, set on one half of the development set, by
 // source family, and on the generated shapes, which weigh the same. Pairs of blocks may have any margin below 0.
-constexpr double confidence_offset = 0.33, confidence_slope = 0.43, least_margin = -0.5, largest_margin = 3;
+constexpr double confidence_offset = 0.37, confidence_slope = 0.52, least_margin = -0.5, largest_margin = 3;
 
 // Parts that pair one to one at no more cost are twins; set on the development set and the generated shapes.
 constexpr double twin_cost = 0.5;
