@@ -67,6 +67,32 @@ TEST_CASE("A wrap stops at the time limit")
   CHECK(stopped.control_points().allFinite());
 }
 
+TEST_CASE("Filling many large holes stops at the time limit")
+{
+  // A dense torus with 36 windows; each of their borders is long and not flat.
+  const int n = 216, period = 36, window = 24;
+  const Part_mesh whole = torus_like(n, n, [](double u, double v) {
+    const double r = 1 + 0.4 * std::cos(v);
+    return Point(r * std::cos(u), 0.4 * std::sin(v), r * std::sin(u));
+  });
+  Part_mesh mesh{whole.points, whole.triangles};
+  Eigen::Index kept = 0;
+  for (Eigen::Index t = 0; t < whole.triangles.cols(); ++t) {
+    const Eigen::Index i = t / 2 / n, j = t / 2 % n;
+    if (i % period >= window || j % period >= window) {
+      mesh.triangles.col(kept++) = whole.triangles.col(t);
+    }
+  }
+  mesh.triangles.conservativeResize(3, kept);
+  Abstraction_options options;
+  options.time_limit = 0.3;
+  CGAL::Timer timer;
+  timer.start();
+  const Part_abstraction part = abstract_part({"torus", mesh}, options);
+  CHECK(part.report.time_limit);
+  CHECK(timer.time() - 1e-3 * part.report.phases.measure < 1);
+}
+
 TEST_CASE("The number of control points is an option")
 {
   Abstraction_options options;

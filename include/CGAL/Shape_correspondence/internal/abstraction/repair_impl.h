@@ -120,7 +120,8 @@ inline std::vector<Halfedge_mesh> components_by_area(const Halfedge_mesh& mesh)
 
 /// Closes all holes by flat or minimal patches.
 /// \return whether that gave a solid to rely on; `mesh` is unchanged if not
-inline bool fill_holes(Halfedge_mesh& mesh)
+/// \throw Out_of_time
+inline bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
 {
   const double area = PMP::area(mesh);
   // A longer border is not a hole but the rim of a surface; triangulating it takes cubic time.
@@ -130,6 +131,7 @@ inline bool fill_holes(Halfedge_mesh& mesh)
   std::vector<Halfedge_mesh::Halfedge_index> borders;
   PMP::extract_boundary_cycles(filled, std::back_inserter(borders));
   for (auto h : borders) {
+    deadline.check();
     if (halfedges_around_face(h, filled).size() > longest_border) {
       return false;
     }
@@ -211,7 +213,7 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
   for (Halfedge_mesh& component : components) {
     deadline.check();
     const bool closed = CGAL::is_closed(component);
-    solid.push_back(closed ? is_solid(component) : fill_holes(component));
+    solid.push_back(closed ? is_solid(component) : fill_holes(component, deadline));
     if (!closed && solid.back()) {
       result.repair = Repair::HOLES;
     }
