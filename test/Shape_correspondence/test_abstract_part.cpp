@@ -69,11 +69,11 @@ TEST_CASE("A wrap stops at the time limit")
 
 TEST_CASE("Filling many large holes stops at the time limit")
 {
-  // A dense torus with 36 windows; each of their borders is long and not flat.
-  const int n = 216, period = 36, window = 24;
+  // A rough torus of 16 windows, whose borders are long and jagged: five seconds to fill all of them.
+  const int n = 400, period = 100, window = 95;
   const Part_mesh whole = torus_like(n, n, [](double u, double v) {
-    const double r = 1 + 0.4 * std::cos(v);
-    return Point(r * std::cos(u), 0.4 * std::sin(v), r * std::sin(u));
+    const double rough = 0.4 + 0.2 * std::sin(1e4 * u * (v + 1)), r = 1 + rough * std::cos(v);
+    return Point(r * std::cos(u), rough * std::sin(v), r * std::sin(u));
   });
   Part_mesh mesh{whole.points, whole.triangles};
   Eigen::Index kept = 0;
@@ -85,12 +85,12 @@ TEST_CASE("Filling many large holes stops at the time limit")
   }
   mesh.triangles.conservativeResize(3, kept);
   Abstraction_options options;
-  options.time_limit = 0.3;
+  options.time_limit = 1;
   CGAL::Timer timer;
   timer.start();
   const Part_abstraction part = abstract_part({"torus", mesh}, options);
   CHECK(part.report.time_limit);
-  CHECK(timer.time() - 1e-3 * part.report.phases.measure < 1);
+  CHECK(timer.time() < 2.5);
 }
 
 TEST_CASE("The number of control points is an option")
