@@ -13,10 +13,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <map>
 #include <numeric>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -91,65 +93,109 @@ inline std::vector<double> deviations(const Part_abstraction& a, const Part_abst
   return result;
 }
 
-/// A plane's cut through a mesh, the connected piece nearest to a point.
+/// A plane's cut through a mesh: line segments, and how they hang together.
+class Plane_cut
+{
+public:
+  struct Segment
+  {
+    Point a, b;
+    std::size_t piece; ///< segments of the same connected piece have the same number
+
+    Point middle() const { return 0.5 * (a + b); }
+    double length() const { return (b - a).norm(); }
+  };
+
+  Plane_cut(const Part_mesh& mesh, const Point& p, const Point& normal)
+  {
+    std::map<std::pair<int, int>, std::size_t> edges;
+    std::vector<std::array<std::size_t, 2>> edges_of_segments;
+    const Eigen::RowVectorXd heights = normal.transpose() * (mesh.points.colwise() - p);
+    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+      Segment segment;
+      std::array<std::size_t, 2> cut_edges;
+      std::size_t crossings = 0;
+      for (int k = 0; k < 3; ++k) {
+        const int u = mesh.triangles(k, t), v = mesh.triangles((k + 1) % 3, t);
+        if ((heights[u] > 0) == (heights[v] > 0)) continue;
+        const double f = heights[u] / (heights[u] - heights[v]);
+        (crossings == 0 ? segment.a : segment.b) = (1 - f) * mesh.points.col(u) + f * mesh.points.col(v);
+        cut_edges[crossings++] = edges.emplace(std::minmax(u, v), edges.size()).first->second;
+      }
+      if (crossings != 2) continue;
+      segments_.push_back(segment);
+      edges_of_segments.push_back(cut_edges);
+    }
+    std::vector<std::size_t> parent(edges.size());
+    std::iota(parent.begin(), parent.end(), std::size_t(0));
+    const auto root = [&parent](std::size_t i) {
+      while (parent[i] != i)
+        i = parent[i] = parent[parent[i]];
+      return i;
+    };
+    for (const auto& [e, f] : edges_of_segments)
+      parent[root(e)] = root(f);
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+      segments_[i].piece = root(edges_of_segments[i][0]);
+  }
+
+  const std::vector<Segment>& segments() const { return segments_; }
+
+  /// The piece nearest to a point, and all that are joined to it by gaps smaller than a length.
+  std::set<std::size_t> pieces_near(const Point& p, double gap) const
+  {
+    std::set<std::size_t> result;
+    if (segments_.empty()) return result;
+    const auto nearer = [&p](const Segment& s, const Segment& t) { return distance(s, p) < distance(t, p); };
+    std::vector<const Segment*> queue{&*std::min_element(segments_.begin(), segments_.end(), nearer)};
+    result.insert(queue.front()->piece);
+    for (const Segment& s : segments_)
+      if (s.piece == queue.front()->piece) queue.push_back(&s);
+    for (std::size_t next = 0; next < queue.size(); ++next)
+      for (const Segment& s : segments_)
+        if (result.count(s.piece) == 0 && distance(s, queue[next]->middle()) < gap) {
+          result.insert(s.piece);
+          for (const Segment& other : segments_)
+            if (other.piece == s.piece) queue.push_back(&other);
+        }
+    return result;
+  }
+
+private:
+  static double distance(const Segment& s, const Point& p)
+  {
+    const Point along = s.b - s.a;
+    const double t = along.squaredNorm() > 0 ? (p - s.a).dot(along) / along.squaredNorm() : 0;
+    return (s.a + std::clamp(t, 0., 1.) * along - p).norm();
+  }
+
+  std::vector<Segment> segments_;
+};
+
 struct Cross_section
 {
   Point centre = Point::Zero();
   double radius = 0; ///< mean distance of the outline from its centre; 0: the plane misses the mesh
 };
 
+/// The local cross-section: what the plane cuts nearest to a point, with what is near to it as the two shells of a
+/// hollow part or the tyre on a rim are. A wrap, which such parts get, closes gaps of the same width.
 inline Cross_section cross_section(const Part_mesh& mesh, const Point& p, const Point& normal)
 {
-  struct Segment
-  {
-    Point a, b;
-    std::size_t edges[2];
-  };
-  std::vector<Segment> segments;
-  std::map<std::pair<int, int>, std::size_t> edges;
-  const Eigen::RowVectorXd heights = normal.transpose() * (mesh.points.colwise() - p);
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    Segment segment;
-    int crossings = 0;
-    for (int k = 0; k < 3; ++k) {
-      const int u = mesh.triangles(k, t), v = mesh.triangles((k + 1) % 3, t);
-      if ((heights[u] > 0) == (heights[v] > 0)) continue;
-      const double f = heights[u] / (heights[u] - heights[v]);
-      (crossings == 0 ? segment.a : segment.b) = (1 - f) * mesh.points.col(u) + f * mesh.points.col(v);
-      segment.edges[crossings++] = edges.emplace(std::minmax(u, v), edges.size()).first->second;
-    }
-    if (crossings == 2) segments.push_back(segment);
-  }
-  std::vector<std::size_t> parent(edges.size());
-  std::iota(parent.begin(), parent.end(), std::size_t(0));
-  const auto find = [&](std::size_t i) {
-    while (parent[i] != i)
-      i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (const Segment& s : segments)
-    parent[find(s.edges[0])] = find(s.edges[1]);
-  std::size_t nearest = 0;
-  double least = 1e300;
-  for (const Segment& s : segments) {
-    const double distance = (0.5 * (s.a + s.b) - p).norm();
-    if (distance < least) {
-      least = distance;
-      nearest = find(s.edges[0]);
-    }
-  }
+  const double gap = diagonal(mesh.points) / 20;
+  const Plane_cut cut(mesh, p, normal);
+  const std::set<std::size_t> pieces = cut.pieces_near(p, gap);
   Cross_section result;
   double length = 0;
-  for (const Segment& s : segments) {
-    if (find(s.edges[0]) != nearest) continue;
-    length += (s.b - s.a).norm();
-    result.centre += (s.b - s.a).norm() * 0.5 * (s.a + s.b);
+  for (const Plane_cut::Segment& s : cut.segments()) {
+    if (pieces.count(s.piece) == 0) continue;
+    length += s.length();
+    result.centre += s.length() * s.middle();
   }
   if (!(length > 0)) return Cross_section();
   result.centre /= length;
-  for (const Segment& s : segments)
-    if (find(s.edges[0]) == nearest)
-      result.radius += (s.b - s.a).norm() / length * (0.5 * (s.a + s.b) - result.centre).norm();
+  for (const Plane_cut::Segment& s : cut.segments())
+    if (pieces.count(s.piece) > 0) result.radius += s.length() / length * (s.middle() - result.centre).norm();
   return result;
 }
 

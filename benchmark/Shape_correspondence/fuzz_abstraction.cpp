@@ -21,7 +21,12 @@ namespace SC = CGAL::Shape_correspondence;
 
 namespace {
 
-constexpr double time_limit = 5, slack = 5; // seconds; the slack is for steps that cannot be interrupted
+// In seconds; the slack is for steps that cannot be interrupted.
+#ifdef __SANITIZE_ADDRESS__
+constexpr double time_limit = 60, slack = 60; // sanitized code is ten times slower
+#else
+constexpr double time_limit = 5, slack = 5;
+#endif
 constexpr unsigned long progress_step = 100;
 
 struct Summary

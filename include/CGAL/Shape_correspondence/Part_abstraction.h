@@ -50,14 +50,14 @@ struct Phase_milliseconds
 /// How an abstraction was made and how far to trust it.
 struct Abstraction_report
 {
-  /// From the flow's curve skeleton, from the medial axis, or the axis of a body of revolution; or from elsewhere.
+  /// From the flow's skeleton, from the medial axis, or the axis of a body of revolution or a block; or from elsewhere.
   enum class Method { SKELETON, MEDIAL_AXIS, REVOLUTION_AXIS, BOUNDING_BOX, COPY, GIVEN };
   enum class Repair { NONE, SOUP, HOLES, WRAP };
 
   Method method = Method::GIVEN;
   Repair repair = Repair::NONE;
   bool tube = false;               ///< a hollow tube: its axis of revolution, or a sheet across it, stands for it
-  bool blob = false;               ///< neither elongated nor flat: a curve along its axis of revolution, or through it
+  bool blob = false;               ///< neither elongated nor flat: a curve along its axis, or through it
   bool branching = false;          ///< a curve that leaves more than a fifth of the skeleton out
   bool several_components = false; ///< the part's surface is not connected
   bool time_limit = false;         ///< the time limit was reached

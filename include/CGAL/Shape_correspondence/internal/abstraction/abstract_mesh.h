@@ -31,23 +31,27 @@ namespace internal {
 
 constexpr std::size_t surface_points_of_a_part = 256;
 
-/// What a part is like when it is measured along itself. A blade is long, but far wider than thick.
-enum class Intrinsic_kind { ELONGATED, BLADE, FLAT, COMPACT };
+/// What a part is like when it is measured along itself. A blade is long, but far wider than thick; a block is compact
+/// and so thick that its medial axis tells no direction.
+enum class Intrinsic_kind { ELONGATED, BLADE, FLAT, COMPACT, BLOCK };
 
 /// \param layout of the medial axis
 /// \param thickness mean distance of the surface from the medial axis
 /// \param box extents of the bounding box, longest first
 inline Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, const Eigen::Vector3d& box)
 {
-  const double least_width = 0.21, least_depth = 0.5, least_thickness = 0.3, least_height = 0.32;
+  const double least_width = 0.21, least_depth = 0.5, least_thickness = 0.3;
   const double least_blade_width = 0.075, blade_thickness = 0.26; // about six times as wide as thick
+  const double least_height = 0.32, plate_height = 0.45;          // of the box, over its length and its width
   const Eigen::Vector3d& extents = layout.extents;
   if (extents[1] <= least_width * extents[0]) {
     const bool is_blade = extents[1] > least_blade_width * extents[0] && thickness < blade_thickness * extents[1];
     return is_blade ? Intrinsic_kind::BLADE : Intrinsic_kind::ELONGATED;
   }
-  const bool is_thick = thickness > least_thickness * extents[0] && box[2] > least_height * box[0];
-  return is_thick || extents[2] >= least_depth * extents[1] ? Intrinsic_kind::COMPACT : Intrinsic_kind::FLAT;
+  if (thickness > least_thickness * extents[0] && box[2] > least_height * box[0] && box[2] > plate_height * box[1]) {
+    return Intrinsic_kind::BLOCK;
+  }
+  return extents[2] >= least_depth * extents[1] ? Intrinsic_kind::COMPACT : Intrinsic_kind::FLAT;
 }
 
 /// 2 of a closed connected surface without handles, less by two for each handle.
@@ -110,13 +114,14 @@ private:
     const Spatial_graph axis = medial_graph(solid);
     const double thickness = (axis.points - solid.points).colwise().norm().mean();
     const Intrinsic_layout layout = layout_of(axis);
-    const Intrinsic_kind kind = intrinsic_kind(layout, thickness, oriented_box(mesh_.points).extents);
+    const Oriented_box box = oriented_box(mesh_.points);
+    const Intrinsic_kind kind = intrinsic_kind(layout, thickness, box.extents);
     const bool has_handle = euler_characteristic(solid) < 2;
     const std::optional<Revolution_axis> revolution = axis_of_revolution(solid, kind, thickness, has_handle);
     report().phases.fit = watch_.lap();
     if (revolution) {
       report().tube = has_handle;
-      use_axis(*revolution);
+      use_axis(revolution->curve(mesh_.points, options_.curve_points));
       return;
     }
     const auto sheet = [&] { return fitted_sheet(axis.points, layout, thickness); };
@@ -124,21 +129,28 @@ private:
       use_sheet(sheet());
       return;
     }
+    if (kind == Intrinsic_kind::BLOCK && !has_handle) {
+      use_axis(medial_curve(box, options_.curve_points, distinct_axis(box)));
+      return;
+    }
+    const double most = 0.02 * diagonal_; // arms that branch off are no blade, and no curve goes along all of them
     if (kind_ == Abstraction_kind::AUTOMATIC && !has_handle &&
         (kind == Intrinsic_kind::FLAT || kind == Intrinsic_kind::BLADE)) {
-      const double most = 0.02; // arms that branch off are no blade
       const Fitted_sheet fitted = sheet();
-      if (kind == Intrinsic_kind::FLAT || fitted.residual < most * diagonal_) {
+      if (kind == Intrinsic_kind::FLAT || fitted.residual < most) {
         use_sheet(fitted);
         return;
       }
     }
     const Fitted_curve fitted = contracted_curve(solid);
+    const bool is_net = fitted.residual > most;
     if (kind_ == Abstraction_kind::AUTOMATIC &&
-        (report().tube || (kind == Intrinsic_kind::FLAT && !fitted.curve.closed))) {
-      use_sheet(sheet());
+        (report().tube || (is_net && is_flat(box.extents)) || (kind == Intrinsic_kind::FLAT && !fitted.curve.closed))) {
+      use_sheet(sheet()); // also of a propeller or a pedal
+    } else if (is_net && fitted.curve.closed) {
+      use_axis(medial_curve(box, options_.curve_points, distinct_axis(box))); // of a cage
     } else {
-      report().blob = kind == Intrinsic_kind::COMPACT && !fitted.curve.closed;
+      report().blob = (kind == Intrinsic_kind::COMPACT || kind == Intrinsic_kind::BLOCK) && !fitted.curve.closed;
       use_curve(fitted);
     }
   }
@@ -210,9 +222,9 @@ private:
     report().phases.fit += watch_.lap();
   }
 
-  void use_axis(const Revolution_axis& axis)
+  void use_axis(const Curve& axis)
   {
-    result_.geometry = axis.curve(mesh_.points, options_.curve_points);
+    result_.geometry = axis;
     report().method = Method::REVOLUTION_AXIS;
     report().blob = !report().tube;
     report().phases.fit += watch_.lap();

@@ -59,13 +59,26 @@ inline Oriented_box oriented_box(const Points& points)
   return half_surface(principal) < 0.9 * half_surface(straight) ? principal : straight;
 }
 
-inline Curve medial_curve(const Oriented_box& box, int control_points)
+/// The line through the middle of a box along one of its axes.
+inline Curve medial_curve(const Oriented_box& box, int control_points, Eigen::Index axis = 0)
 {
   Curve result;
   result.points.resize(3, control_points);
   for (int i = 0; i < control_points; ++i) {
     const double t = i / (control_points - 1.) - 0.5;
-    result.points.col(i) = box.centre + t * box.extents[0] * box.axes.col(0);
+    result.points.col(i) = box.centre + t * box.extents[axis] * box.axes.col(axis);
+  }
+  return result;
+}
+
+/// The axis along which a block is least like along the two others, as that of a square prism; of a cube the upright
+/// one.
+inline Eigen::Index distinct_axis(const Oriented_box& box)
+{
+  const double alike = 0.9;
+  Eigen::Index result = box.extents[0] * box.extents[2] > box.extents[1] * box.extents[1] ? 0 : 2;
+  if (box.extents[2] > alike * box.extents[0]) {
+    box.axes.row(1).cwiseAbs().maxCoeff(&result);
   }
   return result;
 }

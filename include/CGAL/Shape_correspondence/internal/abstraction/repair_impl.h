@@ -120,8 +120,10 @@ inline std::vector<Halfedge_mesh> components_by_area(const Halfedge_mesh& mesh)
 
 /// Closes all holes by flat or minimal patches.
 /// \return whether that gave a solid to rely on; `mesh` is unchanged if not
-inline bool fill_holes(Halfedge_mesh& mesh)
+/// \throw Out_of_time
+inline bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
 {
+  const double area = PMP::area(mesh);
   // A longer border is not a hole but the rim of a surface; triangulating it takes cubic time.
   const std::size_t longest_border = 400;
   const double smallest_fullness = 1e-3;
@@ -129,6 +131,7 @@ inline bool fill_holes(Halfedge_mesh& mesh)
   std::vector<Halfedge_mesh::Halfedge_index> borders;
   PMP::extract_boundary_cycles(filled, std::back_inserter(borders));
   for (auto h : borders) {
+    deadline.check();
     if (halfedges_around_face(h, filled).size() > longest_border) {
       return false;
     }
@@ -140,7 +143,8 @@ inline bool fill_holes(Halfedge_mesh& mesh)
     return false;
   }
   turn_outwards(filled);
-  if (fullness(filled) < smallest_fullness) {
+  // Of a tyre that is open inside, the "holes" are larger than the surface.
+  if (fullness(filled) < smallest_fullness || PMP::area(filled) > 2.1 * area) {
     return false;
   }
   mesh = std::move(filled);
@@ -185,10 +189,11 @@ inline Halfedge_mesh wrap(const Part_mesh& part, const Deadline& deadline)
   return result;
 }
 
-/// Whether a component stands for its whole part: it spans the part and has most of its area.
+/// Whether a component stands for its whole part: it spans the part and has about half of its area, as the tyre of a
+/// wheel with thin spokes.
 inline bool dominates(const Halfedge_mesh& component, const Part_mesh& part, double area)
 {
-  return diagonal(component) > 0.9 * diagonal(part.points) && PMP::area(component) > 0.5 * area;
+  return diagonal(component) > 0.9 * diagonal(part.points) && PMP::area(component) > 0.45 * area;
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE
@@ -208,7 +213,7 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
   for (Halfedge_mesh& component : components) {
     deadline.check();
     const bool closed = CGAL::is_closed(component);
-    solid.push_back(closed ? is_solid(component) : fill_holes(component));
+    solid.push_back(closed ? is_solid(component) : fill_holes(component, deadline));
     if (!closed && solid.back()) {
       result.repair = Repair::HOLES;
     }
@@ -218,12 +223,14 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
       break; // everything is going to be wrapped
     }
   }
-  if (!components.empty() && solid[0] && dominates(components[0], part, area)) {
+  const bool stands_alone = !components.empty() && dominates(components[0], part, area);
+  if (stands_alone && solid[0]) {
     result.mesh = to_part_mesh(components[0]);
     return result;
   }
   deadline.check();
-  const Halfedge_mesh wrapped = wrap(part, deadline);
+  // Spokes would close the ring that they are in.
+  const Halfedge_mesh wrapped = wrap(stands_alone ? to_part_mesh(components[0]) : part, deadline);
   if (!all_solid) {
     result.volume = PMP::volume(wrapped);
   }
