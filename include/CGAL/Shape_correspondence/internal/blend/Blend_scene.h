@@ -33,12 +33,23 @@ public:
   /// A tree of what there is of an actor.
   Tree tree(std::size_t actor) const;
 
-  /// By how much a contact that is to be kept is wider than it may be.
-  double gap() const;
+  /// By how much a contact that is to be kept is wider than it may be, at most, and between which actors.
+  struct Open_contact
+  {
+    double gap = 0;
+    std::array<std::size_t, 2> actors{};
+  };
+  Open_contact widest_contact() const;
   /// How far sets of parts had come apart that were joined again.
   double apart() const { return apart_; }
-  /// How far a part that stands is off the place on the ground, or above it, that it has at the ends, at most.
-  double off_ground() const;
+  /// How far a part that stands is above the place on the ground, or above it, that it has at the ends, or below it
+  /// (negative), where that is most.
+  struct Lifted_foot
+  {
+    double height = 0;
+    std::size_t actor = 0;
+  };
+  Lifted_foot worst_foot() const;
 
 private:
   static constexpr double closed = 1e-4;  ///< a gap that is none
@@ -55,6 +66,7 @@ private:
   void relink();
   void join();
   void stand();
+  void put_foot(std::size_t actor);
   void move(std::size_t actor, const Point& step);
 
   const Blend_cast& cast_;
@@ -93,7 +105,7 @@ inline void Blend_scene::morph(const Times& times)
     if (actor.morph) {
       surface_[a] = actor.morph->carrier(own);
       for (int surface : {0, 1})
-        points_[a][std::size_t(surface)] = actor.morph->points(surface, own);
+        points_[a][std::size_t(surface)] = actor.points(surface, own);
     } else {
       left_[a] = actor.side() == 0 ? 1 - own : own;
     }
@@ -108,12 +120,12 @@ inline void Blend_scene::fade()
     const Blend_actor& actor = cast_.actors[a];
     if (actor.morph) continue;
     if (left_[a] > 0) surface_[a] = 0;
-    Points& points = points_[a][0] = actor.fading->points(left_[a]);
+    Points& points = points_[a][0] = actor.points_left(left_[a]);
     const double size = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
     std::vector<Handle> handles;
     for (const Blend_attachment& on : cast_.attachments[a]) {
       const Point there = on.place.of(this->points(on.actor, on.surface), cast_.triangles(on.actor, on.surface));
-      handles.push_back({actor.fading->place(on.at, left_[a]), there - on.at});
+      handles.push_back({actor.place(on.at, left_[a]), there - on.at});
     }
     for (int round = 0; round < rounds; ++round) {
       const Affine_move move = following(handles, size);
@@ -179,7 +191,7 @@ inline Point Blend_scene::foot(std::size_t actor) const
 /// nearest to that, mirror images alike.
 inline void Blend_scene::relink()
 {
-  constexpr int most_rounds = 10;
+  constexpr int most_rounds = 20;
   constexpr double inertia = 0.01; // of a part as large as the shape is high, against a pull of 1
   const std::size_t count = points_.size();
   std::vector<std::optional<Tree>> trees(count);
@@ -222,8 +234,23 @@ inline void Blend_scene::relink()
       const Affine_move move = twin == Mirror_twins::none ? solved[a] : solved[a].symmetrised(solved[twin]);
       for (Points& surface : points_[a])
         move.apply(surface);
+      if (is_there(a)) put_foot(a);
     }
   }
+}
+
+/// Stretches a part that stands down to its place on the ground, and one that is in the ground up out of it; what is
+/// highest stays.
+inline void Blend_scene::put_foot(std::size_t actor)
+{
+  constexpr double flat = 1e-6;
+  const double rise = cast_.actors[actor].stands ? rise_to_stand(actor) : std::max(0., ground() - lowest(actor));
+  const contacts::Box box(points(actor, surface_[actor]).rowwise().minCoeff(),
+                          points(actor, surface_[actor]).rowwise().maxCoeff());
+  Affine_move stretch{Point(0, box.max().y(), 0), Point::Zero(), Eigen::Matrix3d::Zero()};
+  stretch.gradient(1, 1) = -rise / std::max(box.sizes().y(), flat);
+  for (Points& surface : points_[actor])
+    stretch.apply(surface);
 }
 
 inline void Blend_scene::move(std::size_t actor, const Point& step)
@@ -260,6 +287,8 @@ inline void Blend_scene::join()
       if (set[a] != set[b] && trees[a].box().squaredExteriorDistance(trees[b].box()) <= allowed * allowed &&
           trees[a].nearly_closest(trees[b], allowed * allowed).squared <= allowed * allowed)
         unite(a, b);
+  constexpr int most_tries = 5;
+  std::map<std::size_t, int> tries; // by set, to join it without moving it across the mirror plane
   for (;;) {
     std::map<std::size_t, double> sizes;
     for (std::size_t a = 0; a < present.size(); ++a)
@@ -289,14 +318,19 @@ inline void Blend_scene::join()
         if (image(a) != Mirror_twins::none) image_moves[image(a)] = 1;
       }
       if (image_moves[to]) step /= 2; // they move towards each other
+      const bool may_be_symmetric = std::abs(step.x()) < step.norm() / 2 && tries[least]++ < most_tries;
+      bool is_joined = true;
       for (std::size_t a = 0; a < present.size(); ++a) {
         if (!moves[a] && !image_moves[a]) continue;
-        const bool is_symmetric = moves[a] && image_moves[a] && std::abs(step.x()) < step.norm() / 2;
         Point own = moves[a] ? step : mirrored(step);
-        if (is_symmetric) own.x() = 0;
+        if (moves[a] && image_moves[a] && may_be_symmetric) {
+          is_joined = is_joined && std::abs(own.x()) <= closed;
+          own.x() = 0;
+        }
         move(present[a], own);
         trees[a] = tree(present[a]);
       }
+      if (!is_joined) continue;
     }
     unite(from, to);
   }
@@ -317,27 +351,29 @@ inline void Blend_scene::stand()
     move(a, Point(0, lift, 0));
 }
 
-inline double Blend_scene::gap() const
+inline Blend_scene::Open_contact Blend_scene::widest_contact() const
 {
-  double widest = 0;
+  Open_contact widest;
   std::vector<std::optional<Tree>> trees(points_.size());
   for (const Blend_link& link : cast_.links) {
     const auto [a, b] = link.actors;
     for (std::size_t actor : link.actors)
       if (!trees[actor]) trees[actor] = tree(actor);
     const double allowed = link.allowed(t_);
-    const double gap = std::sqrt(trees[a]->nearly_closest(*trees[b], allowed * allowed).squared);
-    widest = std::max(widest, gap - allowed);
+    const double gap = std::sqrt(trees[a]->nearly_closest(*trees[b], allowed * allowed).squared) - allowed;
+    if (gap > widest.gap) widest = {gap, link.actors};
   }
   return widest;
 }
 
-inline double Blend_scene::off_ground() const
+inline Blend_scene::Lifted_foot Blend_scene::worst_foot() const
 {
-  double result = 0;
-  for (std::size_t a = 0; a < points_.size(); ++a)
-    if (is_there(a) && cast_.actors[a].stands) result = std::max(result, std::abs(rise_to_stand(a)));
-  return result;
+  Lifted_foot worst;
+  for (std::size_t a = 0; a < points_.size(); ++a) {
+    const double height = is_there(a) && cast_.actors[a].stands ? -rise_to_stand(a) : 0;
+    if (std::abs(height) > std::abs(worst.height)) worst = {height, a};
+  }
+  return worst;
 }
 
 } // namespace internal
