@@ -55,6 +55,8 @@ private:
   static constexpr double closed = 1e-4;  ///< a gap that is none
   static constexpr double joined = 0.005; ///< over what the ends have, the widest gap between sets of parts
 
+  /// How far parts are symmetric: wholly from the end of the first quarter to the begin of the last one.
+  double mirror_share() const { return std::min({1., 4 * t_, 4 * (1 - t_)}); }
   double ground() const { return (1 - t_) * cast_.ground[0] + t_ * cast_.ground[1]; }
   double lowest(std::size_t actor) const { return points_[actor][std::size_t(surface_[actor])].row(1).minCoeff(); }
   double foot_level(std::size_t actor) const;
@@ -63,6 +65,7 @@ private:
   void morph(const Times& times);
   void fade();
   void mirror();
+  void meet_image(std::size_t actor);
   void relink();
   void join();
   void stand();
@@ -138,15 +141,16 @@ inline void Blend_scene::fade()
     }
     points.row(1) = points.row(1).cwiseMax(ground());
   }
+  for (std::size_t a = 0; a < points_.size(); ++a)
+    if (cast_.actors[a].fading) meet_image(a);
 }
 
-/// Gives mirror images boxes that are mirror images: each one goes half of the way to the other. At the ends, which
-/// need not be quite symmetric, nothing moves.
+/// Makes mirror images mirror images of each other, first their boxes and then their surfaces: each one goes half of
+/// the way to the other. At the ends, which need not be quite symmetric, nothing moves.
 inline void Blend_scene::mirror()
 {
   constexpr double flat = 1e-6;
-  const double share =
-      std::min({1., 4 * t_, 4 * (1 - t_)}); // from the end of the first quarter to the last one's begin
+  const double share = mirror_share();
   std::vector<contacts::Box> boxes(points_.size());
   for (std::size_t a = 0; a < points_.size(); ++a)
     if (is_there(a))
@@ -160,6 +164,28 @@ inline void Blend_scene::mirror()
     for (Points& surface : points_[a])
       Affine_move{middle, shift, growth.asDiagonal()}.apply(surface);
   }
+  for (std::size_t a = 0; a < points_.size(); ++a)
+    meet_image(a);
+}
+
+/// Moves every point of a part and of its mirror image half of the way to where the other is, seen in the mirror.
+inline void Blend_scene::meet_image(std::size_t actor)
+{
+  constexpr double alike = 5e-4; // so near that nothing needs to be done
+  const std::size_t twin = cast_.actors[actor].twin;
+  if (twin == Mirror_twins::none || twin < actor || !is_there(actor) || !is_there(twin)) return;
+  const std::array<std::size_t, 2> both = {actor, twin};
+  const std::array<Tree, 2> trees = {tree(actor), tree(twin)};
+  const auto own = [&](std::size_t i) -> Points& { return points_[both[i]][std::size_t(surface_[both[i]])]; };
+  if (std::max(mirror_distance(own(0), trees[1]), mirror_distance(own(1), trees[0])) <= alike) return;
+  for (std::size_t i = 0; i < (actor == twin ? 1 : 2); ++i)
+    for (Eigen::Index k = 0; k < own(i).cols(); ++k) {
+      Point nearest;
+      double squared = std::numeric_limits<double>::infinity();
+      std::size_t triangle;
+      trees[1 - i].improve_nearest(mirrored(Point(own(i).col(k))), nearest, squared, triangle);
+      own(i).col(k) += mirror_share() / 2 * (mirrored(nearest) - own(i).col(k));
+    }
 }
 
 /// How high the foot of a part that stands is above the ground at the ends, in between.
