@@ -153,9 +153,7 @@ inline Blend_cast::Blend_cast(const Blend_side& source, const Blend_side& target
   mirror = mirrored(source) && mirrored(target);
   if (mirror) twins_ = {Mirror_twins(meshes[0]), Mirror_twins(meshes[1])};
   for (std::size_t s = 0; s < 2; ++s)
-    for (std::size_t part = 0; part < meshes[s].size(); ++part)
-      if (twins_[s][part] == part)
-        charted[s].charts[part] = mirrored_chart(charted[s].charts[part], meshes[s][part].points);
+    mirror_charts(meshes[s], twins_[s], charted[s].charts);
   add_morphs(charted, correspondence);
   attachments.resize(actors.size());
   add_fading(source, 0, charted[0]);

@@ -140,17 +140,41 @@ inline Eigen::Matrix3d mirrored_axes(const Eigen::Matrix3d& axes, int kept)
   return result;
 }
 
+/// The points of a part and of its mirror image in the mirror.
+inline Points with_image(const Points& part, const Points& twin)
+{
+  Points result(3, part.cols() + twin.cols());
+  result << part, mirrored(twin);
+  return result;
+}
+
 /// A chart of a part that is its own mirror image with coordinates that are their own mirror image, too: the mean of
 /// the given one and its image if they are alike, or else a straight one.
 inline Part_chart mirrored_chart(const Part_chart& chart, const Points& surface)
 {
-  Points both(3, 2 * surface.cols());
-  both << surface, mirrored(surface);
+  const Points both = with_image(surface, surface);
   const Eigen::Matrix3d turn = mirror_turn(chart, chart);
   const int kept = chart.is_sheet() ? 2 : 0;
   if (is_mirrored(chart) && turn(kept, kept) != 0) return chart.symmetrised(turn).fitted(both);
   const Eigen::Matrix3d axes = mirrored_axes(chart.axes(), kept);
   return chart.is_sheet() ? Part_chart::plate(both, axes) : Part_chart::box(both, axes);
+}
+
+/// Gives parts that are mirror images of each other charts that are, too, so that what they are divided among, and what
+/// is divided among them, is divided alike.
+inline void mirror_charts(const std::vector<Part_mesh>& parts, const Mirror_twins& twins,
+                          std::vector<Part_chart>& charts)
+{
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const std::size_t twin = twins[part];
+    if (twin == Mirror_twins::none || twin < part) continue;
+    if (twin == part) {
+      charts[part] = mirrored_chart(charts[part], parts[part].points);
+    } else {
+      charts[part] = charts[part].fitted(with_image(parts[part].points, parts[twin].points));
+      charts[twin] = charts[part].image();
+    }
+  }
 }
 
 /// The turn by which a pair that is its own mirror image keeps the mirror plane where it is, on the way, too; none if

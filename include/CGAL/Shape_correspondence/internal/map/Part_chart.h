@@ -63,6 +63,8 @@ public:
   Part_chart centred(const Points& surface) const;
   /// The mean with the chart's own mirror image in x = 0. \param turn from coordinates of a point to those of its image
   Part_chart symmetrised(const Eigen::Matrix3d& turn) const;
+  /// The chart's mirror image in x = 0, but for the signs of coordinates.
+  Part_chart image() const;
   /// The chart of the box from `low` to `high`, in coordinates.
   Part_chart restricted(const Point& low, const Point& high) const;
   /// The chart with other coordinates: those of the result times `turn` are those of this chart.
@@ -380,6 +382,13 @@ inline Part_chart Part_chart::symmetrised(const Eigen::Matrix3d& turn) const
   if (turn(0, 0) > 0)
     across = std::abs(across.x()) > std::sqrt(0.5) ? Point(across.x(), 0, 0) : Point(0, across.y(), across.z());
   return along(spine, across, half_);
+}
+
+inline Part_chart Part_chart::image() const
+{
+  const Eigen::DiagonalMatrix<double, 3> mirror(-1, 1, 1);
+  const Points spine = mirror * spine_;
+  return is_sheet_ ? over(spine, half_) : along(spine, mirror * frames_[0].col(1), half_);
 }
 
 inline Part_chart Part_chart::turned(const Eigen::Matrix3d& turn) const
