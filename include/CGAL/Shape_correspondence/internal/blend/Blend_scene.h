@@ -168,24 +168,28 @@ inline void Blend_scene::mirror()
     meet_image(a);
 }
 
-/// Moves every point of a part and of its mirror image half of the way to where the other is, seen in the mirror.
+/// Moves every point of a part and of its mirror image half of the way to where the other is, seen in the mirror, some
+/// times over.
 inline void Blend_scene::meet_image(std::size_t actor)
 {
   constexpr double alike = 5e-4; // so near that nothing needs to be done
+  constexpr int most_rounds = 4;
   const std::size_t twin = cast_.actors[actor].twin;
   if (twin == Mirror_twins::none || twin < actor || !is_there(actor) || !is_there(twin)) return;
   const std::array<std::size_t, 2> both = {actor, twin};
-  const std::array<Tree, 2> trees = {tree(actor), tree(twin)};
   const auto own = [&](std::size_t i) -> Points& { return points_[both[i]][std::size_t(surface_[both[i]])]; };
-  if (std::max(mirror_distance(own(0), trees[1]), mirror_distance(own(1), trees[0])) <= alike) return;
-  for (std::size_t i = 0; i < (actor == twin ? 1 : 2); ++i)
-    for (Eigen::Index k = 0; k < own(i).cols(); ++k) {
-      Point nearest;
-      double squared = std::numeric_limits<double>::infinity();
-      std::size_t triangle;
-      trees[1 - i].improve_nearest(mirrored(Point(own(i).col(k))), nearest, squared, triangle);
-      own(i).col(k) += mirror_share() / 2 * (mirrored(nearest) - own(i).col(k));
-    }
+  for (int round = 0; round < most_rounds; ++round) {
+    const std::array<Tree, 2> trees = {tree(actor), tree(twin)};
+    if (std::max(mirror_distance(own(0), trees[1]), mirror_distance(own(1), trees[0])) <= alike) return;
+    for (std::size_t i = 0; i < (actor == twin ? 1 : 2); ++i)
+      for (Eigen::Index k = 0; k < own(i).cols(); ++k) {
+        Point nearest;
+        double squared = std::numeric_limits<double>::infinity();
+        std::size_t triangle;
+        trees[1 - i].improve_nearest(mirrored(Point(own(i).col(k))), nearest, squared, triangle);
+        own(i).col(k) += mirror_share() / 2 * (mirrored(nearest) - own(i).col(k));
+      }
+  }
 }
 
 /// How high the foot of a part that stands is above the ground at the ends, in between.
@@ -300,13 +304,9 @@ inline void Blend_scene::join()
   const double allowed = (1 - t_) * cast_.apart[0] + t_ * cast_.apart[1] + joined;
   std::vector<std::size_t> set(present.size());
   std::iota(set.begin(), set.end(), std::size_t(0));
-  const auto unite_sets = [&](std::size_t a, std::size_t b) {
+  const auto unite = [&](std::size_t a, std::size_t b) {
     const std::size_t kept = std::min(set[a], set[b]), given_up = std::max(set[a], set[b]);
     std::replace(set.begin(), set.end(), given_up, kept);
-  };
-  const auto unite = [&](std::size_t a, std::size_t b) {
-    unite_sets(a, b);
-    if (image(a) != Mirror_twins::none && image(b) != Mirror_twins::none) unite_sets(image(a), image(b));
   };
   for (std::size_t a = 0; a < present.size(); ++a)
     for (std::size_t b = a + 1; b < present.size(); ++b)
