@@ -270,17 +270,17 @@ inline void Blend_scene::relink()
 }
 
 /// Stretches a part that stands down to its place on the ground, and one that is in the ground up out of it; what is
-/// highest stays.
+/// highest stays. What is beyond half of its height, the whole part moves.
 inline void Blend_scene::put_foot(std::size_t actor)
 {
   constexpr double flat = 1e-6;
   const double rise = cast_.actors[actor].stands ? rise_to_stand(actor) : std::max(0., ground() - lowest(actor));
-  const contacts::Box box(points(actor, surface_[actor]).rowwise().minCoeff(),
-                          points(actor, surface_[actor]).rowwise().maxCoeff());
-  Affine_move stretch{Point(0, box.max().y(), 0), Point::Zero(), Eigen::Matrix3d::Zero()};
-  stretch.gradient(1, 1) = -rise / std::max(box.sizes().y(), flat);
+  const double high = points(actor, surface_[actor]).row(1).maxCoeff(), height = std::max(high - lowest(actor), flat);
+  const double stretch = std::clamp(rise, -height / 2, height / 2);
+  Affine_move move{Point(0, high, 0), Point(0, rise - stretch, 0), Eigen::Matrix3d::Zero()};
+  move.gradient(1, 1) = -stretch / height;
   for (Points& surface : points_[actor])
-    stretch.apply(surface);
+    move.apply(surface);
 }
 
 inline void Blend_scene::move(std::size_t actor, const Point& step)
