@@ -81,6 +81,7 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
                                                Blend_side{target, target_shape, correspondence.target_quarter_turns},
                                                correspondence, options.contact_tolerance);
   schedules_ = plausible_schedules(*stage_);
+  const double ends = std::max(stage_->end_quality(0).asymmetry, stage_->end_quality(1).asymmetry);
   std::vector<long> costs(schedules_.size(), std::numeric_limits<long>::max());
   for (std::size_t s = 0; s < schedules_.size(); ++s) {
     if (options.progress && !options.progress(double(s) / double(schedules_.size()))) break;
@@ -92,7 +93,7 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
     });
     Blend_quality& quality = schedules_[s].quality;
     quality = std::accumulate(qualities.begin(), qualities.end(), quality, worst);
-    costs[s] = quantized(quality.gap + quality.apart + quality.asymmetry + quality.ground);
+    costs[s] = quantized(quality.gap + quality.apart + std::max(0., quality.asymmetry - ends) + quality.ground);
   }
   std::vector<std::size_t> order(schedules_.size());
   std::iota(order.begin(), order.end(), std::size_t(0));

@@ -119,12 +119,14 @@ inline void Blend_scene::morph(const Times& times)
 inline void Blend_scene::fade()
 {
   constexpr int rounds = 4;
+  constexpr double least_stiff = 0.1; // of its full size: what is smaller is moved, not stretched
   for (std::size_t a = 0; a < points_.size(); ++a) {
     const Blend_actor& actor = cast_.actors[a];
     if (actor.morph) continue;
     if (left_[a] > 0) surface_[a] = 0;
     Points& points = points_[a][0] = actor.points_left(left_[a]);
-    const double size = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+    const double size = std::max((points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm(),
+                                 least_stiff * cast_.trees[a][0]->box().diagonal().norm());
     std::vector<Handle> handles;
     for (const Blend_attachment& on : cast_.attachments[a]) {
       const Point there = on.place.of(this->points(on.actor, on.surface), cast_.triangles(on.actor, on.surface));
