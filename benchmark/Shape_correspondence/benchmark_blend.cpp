@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Blends pairs of models and checks every in-between shape:
-//   benchmark_blend [--frames N] [--cache FOLDER] SOURCE TARGET [SOURCE TARGET]...
+//   benchmark_blend [--frames N] [--cache FOLDER] [--search parts|beam|exact] SOURCE TARGET [SOURCE TARGET]...
 // A line a pair. All lengths are over the shape's height, of the in-between shapes the worst:
 //   open       parts that are not closed though the parts that they are made of are
 //   gap        by how much a contact that is to be kept is wider than at the ends
@@ -12,6 +12,7 @@
 //   asymmetry  root mean square distance from the mirror image, and the same at the ends
 //   ground     how far a foot is off the ground
 //   start, end how far the shape is from the source just after 0, and from the target just before 1
+// and a line for everything that does not hold within the tolerances of `Shape_blend`.
 // Ends with exit status 1 if a part is open that must not be, or an end is not the input.
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
@@ -116,20 +117,24 @@ std::map<std::string, bool> must_be_closed(const Shape_blend& blend, const Model
   return result;
 }
 
-bool check(const std::string& source_path, const std::string& target_path, int frames, const std::string& cache)
+bool check(const std::string& source_path, const std::string& target_path, int frames, const std::string& cache,
+           const Search_options& search)
 {
   const Model source = load(source_path, cache), target = load(target_path, cache);
-  const Correspondence correspondence = find_correspondence(source.graph, target.graph);
+  const Correspondence correspondence = find_correspondence(source.graph, target.graph, search);
   const auto begin = std::chrono::steady_clock::now();
   const Shape_blend blend(source.graph, source.shape, target.graph, target.shape, correspondence);
   const std::map<std::string, bool> closed = must_be_closed(blend, source, target);
   const double heights[] = {structure(source.graph).frame.height, structure(target.graph).frame.height};
   int open = 0, parts = 0;
   double gap = 0, apart = 0, asymmetry = 0, ground = 0;
+  std::vector<std::string> faults;
   for (int frame = 1; frame + 1 < frames; ++frame) {
     const double t = double(frame) / (frames - 1);
     const Segmented_shape shape = blend(t);
     const Blend_quality quality = blend.quality(t);
+    for (const std::string& fault : blend.faults(t))
+      faults.push_back("  t = " + std::to_string(t).substr(0, 5) + ": " + fault);
     for (const Shape_part& part : shape.parts())
       open += closed.at(part.name) && !is_closed(part.mesh);
     parts += int(shape.parts().size());
@@ -151,6 +156,8 @@ bool check(const std::string& source_path, const std::string& target_path, int f
               stem(source_path).c_str(), stem(target_path).c_str(), parts, open, gap, apart, end_apart, asymmetry,
               end_asymmetry, ground, start, end, exact ? "exact" : "NOT EXACT", seconds,
               blend.schedules()[0].name.c_str());
+  for (const std::string& fault : faults)
+    std::puts(fault.c_str());
   std::fflush(stdout);
   return open == 0 && exact;
 }
@@ -161,6 +168,9 @@ int main(int argc, char** argv)
 {
   int frames = 9;
   std::string cache;
+  Search_options search;
+  const std::map<std::string, Search_method> methods = {
+      {"parts", Search_method::PARTS}, {"beam", Search_method::BEAM}, {"exact", Search_method::EXACT}};
   std::vector<std::string> paths;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
@@ -168,11 +178,14 @@ int main(int argc, char** argv)
       frames = std::stoi(argv[++i]);
     else if (word == "--cache" && i + 1 < argc)
       cache = argv[++i];
+    else if (word == "--search" && i + 1 < argc && methods.count(argv[i + 1]))
+      search.method = methods.at(argv[++i]);
     else
       paths.push_back(word);
   }
   if (paths.empty() || paths.size() % 2 != 0) {
-    std::cerr << "benchmark_blend [--frames N] [--cache FOLDER] SOURCE TARGET [SOURCE TARGET]...\n";
+    std::cerr << "benchmark_blend [--frames N] [--cache FOLDER] [--search parts|beam|exact] SOURCE TARGET [SOURCE "
+                 "TARGET]...\n";
     return 2;
   }
   std::printf("%-30s %-30s %5s %4s %7s %16s %16s %7s %8s %8s %5s %5s\n", "source", "target", "parts", "open", "gap",
@@ -180,7 +193,7 @@ int main(int argc, char** argv)
   bool good = true;
   try {
     for (std::size_t i = 0; i < paths.size(); i += 2)
-      good = check(paths[i], paths[i + 1], frames, cache) && good;
+      good = check(paths[i], paths[i + 1], frames, cache, search) && good;
   } catch (const Invalid_input& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <ostream>
 
 namespace CGAL {
@@ -54,7 +55,7 @@ i { display: inline-block; width: .8em; height: .8em; border-radius: 2px; }
 </head>
 <body>
 <div id="all"><h1></h1><div id="notes"></div><div id="grid"></div><h2>Spanning tree</h2>
-<p>The shortest way to join all shapes, the medoid as its root; numbers are distances.</p><div id="tree"></div></div>
+<p>The shortest way to join the shapes, the medoid as its root; numbers are distances.</p><div id="tree"></div></div>
 <div id="pair"><h1>Match</h1><p id="told">Click two shapes.</p><div id="views"></div><table></table></div>
 <script type="application/json" id="data">)page";
 
@@ -136,7 +137,7 @@ function partAt(things, x, y, width) {
 }
 
 // The grid
-$('h1').textContent = `Collection of ${n} shapes`;
+$('h1').textContent = `Collection of ${data.total} shapes`;
 for (const note of data.notes) element('p', note, $('#notes'));
 const pictures = data.shapes.map((shape, i) => {
   const button = element('button', '', $('#grid')), canvas = element('canvas', '', button);
@@ -338,14 +339,74 @@ Json maps_json(const Collection& collection, const std::vector<Shape_pair_map>& 
   return result;
 }
 
-} // namespace
+/// The shapes that the page shows: all, or the ones at even steps of a walk along the spanning tree from the medoid on.
+std::vector<std::size_t> pictured(const Collection& collection)
+{
+  const std::size_t n = collection.shapes.size();
+  std::vector<std::size_t> result(n);
+  std::iota(result.begin(), result.end(), std::size_t(0));
+  if (n <= largest_pictured) return result;
+  std::vector<std::vector<std::size_t>> near(n);
+  for (const auto& [a, b] : collection.tree) {
+    near[a].push_back(b);
+    near[b].push_back(a);
+  }
+  std::vector<std::size_t> walk, stack{collection.medoid};
+  std::vector<char> is_seen(n, 0);
+  is_seen[collection.medoid] = 1;
+  while (!stack.empty()) {
+    walk.push_back(stack.back());
+    stack.pop_back();
+    for (std::size_t next : near[walk.back()])
+      if (!is_seen[next]) is_seen[next] = 1, stack.push_back(next);
+  }
+  result.clear();
+  for (std::size_t k = 0; k < largest_pictured; ++k)
+    result.push_back(walk[k * walk.size() / largest_pictured]);
+  std::sort(result.begin(), result.end());
+  return result;
+}
 
-void write_collection_html(std::ostream& out, const Collection& collection,
-                           const std::function<Structural_graph(std::size_t)>& graph,
-                           const std::vector<Shape_pair_map>& maps)
+/// A collection of some of the shapes of another one, with the spanning tree of its own.
+Collection part_of(const Collection& whole, const std::vector<std::size_t>& shapes)
+{
+  Collection result;
+  const auto n = Eigen::Index(shapes.size());
+  result.energies.resize(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t shape = shapes[std::size_t(i)];
+    result.shapes.push_back(whole.shapes[shape]);
+    result.co_analysis.labels.push_back(whole.co_analysis.labels[shape]);
+    if (shape == whole.medoid) result.medoid = std::size_t(i);
+    for (Eigen::Index j = 0; j < n; ++j)
+      result.energies(i, j) = whole.energies(Eigen::Index(shape), Eigen::Index(shapes[std::size_t(j)]));
+  }
+  result.tree = minimum_spanning_tree(symmetric_distances(result.energies));
+  result.co_analysis.number_of_labels = whole.co_analysis.number_of_labels;
+  result.warnings = whole.warnings;
+  return result;
+}
+
+/// The maps between some of the shapes, by their places among these.
+std::vector<Shape_pair_map> maps_between(const std::vector<Shape_pair_map>& maps,
+                                         const std::vector<std::size_t>& shapes)
+{
+  const auto place = [&](std::size_t shape) { return std::lower_bound(shapes.begin(), shapes.end(), shape); };
+  const auto is_there = [&](std::size_t shape) { return place(shape) != shapes.end() && *place(shape) == shape; };
+  std::vector<Shape_pair_map> result;
+  for (const Shape_pair_map& map : maps)
+    if (is_there(map.source) && is_there(map.target))
+      result.push_back(
+          {std::size_t(place(map.source) - shapes.begin()), std::size_t(place(map.target) - shapes.begin()), map.map});
+  return result;
+}
+
+Json page_data(const Collection& collection, const std::function<Structural_graph(std::size_t)>& graph,
+               const std::vector<Shape_pair_map>& maps)
 {
   Json data;
   data["notes"] = notes_of(collection);
+  data["total"] = collection.shapes.size();
   data["medoid"] = collection.medoid;
   std::size_t most_parts = std::size_t(collection.co_analysis.number_of_labels);
   data["shapes"] = Json::array();
@@ -358,6 +419,27 @@ void write_collection_html(std::ostream& out, const Collection& collection,
     data["colours"].push_back(css_colour(colour));
   data["tree"] = tree_json(collection);
   data["maps"] = maps_json(collection, maps);
+  return data;
+}
+
+} // namespace
+
+void write_collection_html(std::ostream& out, const Collection& collection,
+                           const std::function<Structural_graph(std::size_t)>& graph,
+                           const std::vector<Shape_pair_map>& maps)
+{
+  const std::vector<std::size_t> shown = pictured(collection);
+  Json data;
+  if (shown.size() == collection.shapes.size()) {
+    data = page_data(collection, graph, maps);
+  } else {
+    data = page_data(
+        part_of(collection, shown), [&](std::size_t i) { return graph(shown[i]); }, maps_between(maps, shown));
+    data["total"] = collection.shapes.size();
+    data["notes"].push_back("Shown are " + std::to_string(shown.size()) +
+                            " of the shapes, the medoid and others evenly from all branches of the spanning tree of "
+                            "all; the tree below is that of the shapes shown.");
+  }
   out << page_begin << script_text(data) << page_end;
 }
 

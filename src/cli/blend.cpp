@@ -14,6 +14,7 @@
 #include "../IO/atomic_file.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
+#include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
@@ -40,8 +41,9 @@ The first frame is the source, the last one the target.
 With -o FILE.glb, one file with an animation; else a new folder with a file a frame, frame_000 and so on, in which
 a part is named s~t where source part s becomes t, s~ where s vanishes and ~t where t grows.
 
-SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA: one node is one part) or
-folders of part meshes (one file is one part, its stem the part's name).
+SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA: one node is one part),
+folders of part meshes (one file is one part, its stem the part's name), or structural graphs (.json) whose parts
+name their meshes (key "mesh", a file's path relative to the graph).
 
 With --match R.json the parts correspond as in a result of `match` for the same two shapes; options of the search are
 then refused.
@@ -106,11 +108,13 @@ void check_needs_no_search(const po::options_description& search, const po::vari
       throw Usage_error("--match says what corresponds; leave --" + option->long_name() + " out");
 }
 
-void check_has_surfaces(const std::string& path, const Loaded_shape& shape)
+/// Reads the meshes that a graph names.
+void complete_surfaces(const std::string& path, Loaded_shape& shape)
 {
+  if (!shape.model && is_json_file(path)) shape.model = IO::read_part_meshes(path, shape.graph);
   if (!shape.model)
     throw Invalid_input(path + ": it is a structural graph without surfaces, which a blend is made of; give the model "
-                               "that it was built from");
+                               "that it was built from, or name the parts' meshes in it (key \"mesh\")");
 }
 
 std::string frame_name(const Blend_output& output, int frame)
@@ -172,9 +176,9 @@ void run_blend(const std::vector<std::string>& arguments)
   check(output);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
-  const std::vector<Loaded_shape> shapes = load_shapes(paths, common);
+  std::vector<Loaded_shape> shapes = load_shapes(paths, common);
   for (std::size_t i : {0u, 1u})
-    check_has_surfaces(paths[i], shapes[i]);
+    complete_surfaces(paths[i], shapes[i]);
   const Loaded_shape &source = shapes[0], &target = shapes[1];
   search.source_parts = chosen_parts(match.source_parts, source.graph, paths[0]);
   search.target_parts = chosen_parts(match.target_parts, target.graph, paths[1]);

@@ -94,7 +94,7 @@ po::options_description collection_options(Common_options& common, Collection_op
   add("csv", po::value(&options.csv)->value_name("FILE"), "write the energies as a table with the shapes' names");
   add("html", po::value(&common.html)->value_name("FILE"),
       "write a web page that needs no network: pictures of all shapes, the medoid, the spanning tree, and the match of "
-      "two shapes that are clicked (of more than 100 shapes, of near ones)");
+      "two shapes that are clicked (of more than 100 shapes, of near ones; of more than 1000 it shows 1000)");
   add("store", po::value(&options.store)->value_name("FOLDER"),
       "keep graphs and finished pairs in this folder, and take them from there; a must for very large collections, "
       "which then need memory for the energies alone");
@@ -425,7 +425,11 @@ void write_outputs(const Analysis& analysis, const Collection_shapes& shapes, co
     IO::write_atomically(options.npy, [&](std::ostream& out) { IO::write_npy(out, collection.energies); });
   if (!options.csv.empty())
     IO::write_atomically(options.csv, [&](std::ostream& out) { IO::write_csv(out, collection.energies, names); });
-  if (common.prints_table()) print_collection(collection);
+  if (!common.prints_table()) return;
+  print_collection(collection);
+  if (!common.html.empty() && collection.shapes.size() > IO::largest_pictured)
+    std::cout << common.html << ": shows " << IO::largest_pictured << " of the " << collection.shapes.size()
+              << " shapes; the file of --json has all\n";
 }
 
 /// The shapes nearest to a query instead of all pairs.

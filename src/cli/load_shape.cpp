@@ -43,7 +43,7 @@ bool has_extension(const std::string& path, const char* wanted)
 
 bool says_up(const std::string& model_path) { return has_extension(model_path, ".dae"); }
 
-bool is_graph_file(const std::string& path) { return has_extension(path, ".json") || has_extension(path, ".xml"); }
+bool is_graph_file(const std::string& path) { return is_json_file(path) || has_extension(path, ".xml"); }
 
 void load_graph(const std::string& path, const Common_options& common, const Structure_options& options,
                 Loaded_shape& shape)
@@ -131,6 +131,8 @@ void load_model(const std::string& path, const Common_options& common, const Str
 }
 
 } // namespace
+
+bool is_json_file(const std::string& path) { return has_extension(path, ".json"); }
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 

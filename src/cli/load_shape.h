@@ -38,6 +38,9 @@ Loaded_shape load_shape(const std::string& path, const Common_options& options);
 /// The same for several inputs at once, on as many threads as there are.
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options);
 
+/// Whether a path is that of a file that ends in `.json`.
+bool is_json_file(const std::string& path);
+
 /// Seconds on the wall since some moment.
 double now();
 

@@ -2,6 +2,7 @@
 //
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "box_shapes.h"
 #include "model_files.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
@@ -163,6 +164,47 @@ TEST_CASE("What one part becomes, its mirror image becomes the mirror image of; 
   CHECK(std::any_of(tasks.begin(), tasks.end(),
                     [&](const Blend_task& task) { return task.source == image && task.target == image; }));
   CHECK(blend.quality(0.5).asymmetry <= blend.quality(0).asymmetry + Shape_blend::symmetry_tolerance);
+}
+
+TEST_CASE("What does not hold is told with the parts where it does not")
+{
+  // A peg on one side goes from the upper plate to the lower one: it lies flat on plates at the ends only
+  const auto stand = [](double height_of_peg) {
+    Model result{Segmented_shape("stand"), {}};
+    result.shape.add_part("base", box_shapes::box({0, 0.05, 0}, {1, 0.1, 0.6}));
+    result.shape.add_part("column", box_shapes::box({0, 0.5, 0}, {0.1, 0.8, 0.1}));
+    result.shape.add_part("top", box_shapes::box({0, 0.95, 0}, {1, 0.1, 0.6}));
+    result.shape.add_part("peg", box_shapes::box({0.4, height_of_peg, 0}, {0.02, 0.02, 0.02}));
+    Structure_options options;
+    options.abstraction.abstractor = Bounding_box_abstraction();
+    result.graph = build_structural_graph(result.shape, options);
+    structure(result.graph).frame.mirror_x = true;
+    return result;
+  };
+  const Model high = stand(0.89), low = stand(0.11);
+  Correspondence same;
+  same.pairs = {{0, 0}, {1, 1}, {2, 2}, {3, 3}};
+  const Shape_blend blend = blend_of(high, low, same);
+  CHECK(blend.quality(0).asymmetry < 0.02);
+  CHECK(blend.faults(0).empty());
+  CHECK(blend.faults(1).empty());
+  const std::vector<std::string> faults = blend.faults(0.5);
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].find("farther from its mirror image") != std::string::npos);
+  CHECK(faults[0].find("'peg~peg'") != std::string::npos);
+  CHECK(faults[0].find("no mirror image") != std::string::npos);
+  CHECK(faults[0].find("column") == std::string::npos);
+}
+
+TEST_CASE("Mirror images of round parts and of what hangs in the middle stay mirror images")
+{
+  const Shape_blend blend = blend_of("table_four_legged", "table_pedestal");
+  const double ends = std::max(blend.quality(0).asymmetry, blend.quality(1).asymmetry);
+  for (double t : {0.3, 0.6}) {
+    INFO("t = " << t);
+    CHECK(blend.quality(t).asymmetry <= ends + 0.001);
+    CHECK(blend.faults(t).empty());
+  }
 }
 
 TEST_CASE("A shape blended with itself stays as it is")

@@ -357,11 +357,41 @@ TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
   const json report = json::parse(frames.out);
   CHECK(report["format"] == "shape_correspondence/blend");
   CHECK(report["frames"].size() == 3);
-  CHECK(report["schedules"].size() == 4);
+  CHECK(report["schedules"].size() == 5);
   CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 3").status == 1); // it is there already
   CHECK(run(models + " -o " + quoted(folder.path("a.glb")) + " --frames 3 --quiet").status == 0);
   CHECK(text_of(folder.path("a.glb")).substr(0, 4) == "glTF");
   CHECK(run("blend " + quoted(graph) + " " + quoted(graph) + " -o " + quoted(folder.path("frames.obj"))).status == 2);
+}
+
+TEST_CASE("blend takes graphs whose parts name their meshes")
+{
+  const Temporary_folder folder;
+  const std::string model = std::string(SHAPE_CORRESPONDENCE_DATA_DIR) + "/stool", graph = folder.path("stool.json");
+  REQUIRE(run("graph " + quoted(model) + " -o " + quoted(graph) + " --abstraction boxes").status == 0);
+  json document = json::parse(text_of(graph));
+  std::filesystem::copy(model + "/parts", folder.path("meshes"));
+  for (json& part : document["parts"])
+    part["mesh"] = "meshes/" + part["name"].get<std::string>() + ".obj";
+  folder.write("stool.json", document.dump());
+  const auto blended = [&](const std::string& source, const std::string& out) {
+    return run("blend " + quoted(source) + " " + quoted(model) + " --abstraction boxes --frames 2 -o " +
+               quoted(folder.path(out)));
+  };
+  REQUIRE(blended(graph, "of_graph").status == 0);
+  REQUIRE(blended(model, "of_model").status == 0);
+  CHECK(text_of(folder.path("of_graph/frame_000.obj")) == text_of(folder.path("of_model/frame_000.obj")));
+
+  document["parts"][0].erase("mesh");
+  folder.write("stool.json", document.dump());
+  const Run some = blended(graph, "of_some");
+  CHECK(some.status == 1);
+  CHECK_THAT(some.error, Contains("stool.json") && Contains("\"mesh\""));
+  document["parts"][0]["mesh"] = "meshes/none.obj";
+  folder.write("stool.json", document.dump());
+  const Run missing = blended(graph, "of_none");
+  CHECK(missing.status == 1);
+  CHECK_THAT(missing.error, Contains("none.obj"));
 }
 
 TEST_CASE("blend takes a correspondence that was found before")

@@ -113,7 +113,7 @@ public:
   /// How well the shape at `t` holds together.
   Blend_quality quality(double t) const;
 
-  /// What does not hold of the shape at `t` within the tolerances, in whole sentences with likely causes.
+  /// What does not hold of the shape at `t` within the tolerances, and at which parts, in whole sentences.
   std::vector<std::string> faults(double t) const;
 
   /// All surfaces of the blend, for animations.

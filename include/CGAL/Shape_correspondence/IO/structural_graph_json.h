@@ -6,9 +6,11 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_IO_STRUCTURAL_GRAPH_JSON_H
 #define CGAL_SHAPE_CORRESPONDENCE_IO_STRUCTURAL_GRAPH_JSON_H
 
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 namespace CGAL {
@@ -28,6 +30,11 @@ void write_structural_graph_json(std::ostream& out, const Structural_graph& grap
 /// \throw Invalid_input if the text is not JSON, not a structural graph, or not a valid one; says where and what
 Structural_graph read_structural_graph_json(std::istream& in, const std::string& file_name,
                                             const Structure_options& options = {});
+
+/// The model that a graph file was built from, where its parts name their meshes: a model file each, under the key
+/// `mesh`, its path relative to the graph file's folder. None if no part names one. Reads the graph file once more.
+/// \throw Invalid_input if only some parts name one, or one cannot be used
+std::optional<Segmented_shape> read_part_meshes(const std::string& graph_file, const Structural_graph& graph);
 
 } // namespace IO
 } // namespace Shape_correspondence

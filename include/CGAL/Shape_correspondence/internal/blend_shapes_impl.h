@@ -43,6 +43,7 @@ inline std::vector<Blend_schedule> plausible_schedules(const Blend_stage& stage)
   static constexpr Schedule_plan plans[] = {{"all at once", {0, 1}, {0, 1}, {0, 1}, 0},
                                             {"shrink, then grow", {0, 1}, {0, 0.5}, {0.5, 1}, 0},
                                             {"one after the other", {0.25, 0.75}, {0, 0.5}, {0.5, 1}, 0},
+                                            {"shrink, morph, grow", {1. / 3, 2. / 3}, {0, 1. / 3}, {2. / 3, 1}, 0},
                                             {"from the ground up", {0, 0.6}, {0, 0.5}, {0.5, 1}, 0.4}};
   std::vector<Blend_schedule> result;
   for (const Schedule_plan& plan : plans) {
@@ -80,6 +81,7 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
                                                Blend_side{target, target_shape, correspondence.target_quarter_turns},
                                                correspondence, options.contact_tolerance);
   schedules_ = plausible_schedules(*stage_);
+  const double ends = std::max(stage_->end_quality(0).asymmetry, stage_->end_quality(1).asymmetry);
   std::vector<long> costs(schedules_.size(), std::numeric_limits<long>::max());
   for (std::size_t s = 0; s < schedules_.size(); ++s) {
     if (options.progress && !options.progress(double(s) / double(schedules_.size()))) break;
@@ -91,7 +93,7 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
     });
     Blend_quality& quality = schedules_[s].quality;
     quality = std::accumulate(qualities.begin(), qualities.end(), quality, worst);
-    costs[s] = quantized(quality.gap + quality.apart + quality.asymmetry + quality.ground);
+    costs[s] = quantized(quality.gap + quality.apart + std::max(0., quality.asymmetry - ends) + quality.ground);
   }
   std::vector<std::size_t> order(schedules_.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -127,24 +129,39 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<std::string> Shape_blend::faults(do
 {
   std::vector<std::string> result;
   if (t <= 0 || t >= 1) return result;
-  const Blend_quality now = quality(t);
-  const double ends = std::max(quality(0).asymmetry, quality(1).asymmetry);
-  const auto add = [&](const std::string& what, double value, const std::string& why) {
-    std::ostringstream sentence;
-    sentence << what << ' ' << std::setprecision(2) << value << " of the height" << why << '.';
-    result.push_back(sentence.str());
+  const internal::Blend_scene scene = stage_->scene(internal::times_of(schedules_[0]), t);
+  const auto name = [&](std::size_t actor) { return '\'' + stage_->actors()[actor].name + '\''; };
+  const auto number = [](double value) {
+    std::ostringstream text;
+    text << std::setprecision(2) << value;
+    return text.str();
   };
-  if (now.gap > contact_tolerance)
-    add("A contact is open by", now.gap, ": the parts that meet there have other contacts that pull them apart");
-  if (now.ground > ground_tolerance)
-    add("A foot is off its place above the ground by", now.ground, ": its contacts hold it there");
-  if (now.asymmetry <= ends + symmetry_tolerance) return result;
-  std::string lone;
-  for (const internal::Blend_actor& actor : stage_->actors())
-    if (actor.twin == internal::Mirror_twins::none) lone += (lone.empty() ? "" : ", ") + actor.name;
-  add("It is farther from its mirror image than the ends by", now.asymmetry - ends,
-      lone.empty() ? std::string(": mirror images have surfaces of different kinds")
-                   : ", with parts without a mirror image: " + lone);
+  const auto contact = scene.widest_contact();
+  if (contact.gap > contact_tolerance)
+    result.push_back("The contact of " + name(contact.actors[0]) + " and " + name(contact.actors[1]) + " is open by " +
+                     number(contact.gap) + " of the height.");
+  const auto foot = scene.worst_foot();
+  if (std::abs(foot.height) > ground_tolerance)
+    result.push_back("The foot of " + name(foot.actor) + " is " + number(std::abs(foot.height)) + " of the height " +
+                     (foot.height > 0 ? "above" : "below") + " its place on the ground.");
+  const double ends = std::max(quality(0).asymmetry, quality(1).asymmetry);
+  const double excess = stage_->quality(scene).asymmetry - ends;
+  if (excess <= symmetry_tolerance) return result;
+  const std::vector<double> asymmetries = stage_->asymmetries(scene);
+  std::vector<std::size_t> order(asymmetries.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return internal::quantized(asymmetries[a]) > internal::quantized(asymmetries[b]);
+  });
+  constexpr std::size_t most = 3;
+  std::string where;
+  for (std::size_t i = 0; i < std::min(most, order.size()); ++i) {
+    if (asymmetries[order[i]] <= ends + symmetry_tolerance) break;
+    where += (i > 0 ? ", " : "") + name(order[i]) + " by " + number(asymmetries[order[i]]);
+    if (stage_->actors()[order[i]].twin == internal::Mirror_twins::none) where += " (it has no mirror image)";
+  }
+  result.push_back("It is farther from its mirror image than the ends by " + number(excess) +
+                   " of the height, most of all " + where + '.');
   return result;
 }
 

@@ -47,23 +47,19 @@ inline double sum_of(const Column& column)
   return sum;
 }
 
-inline void append_column(Eigen::Index j, const Column& column, std::vector<Eigen::Triplet<double>>& entries)
+/// Appends the next column to a flow, with the sum 1.
+inline void append_column(Column column, Flow& flow, Eigen::Index j)
 {
   const double sum = sum_of(column);
+  std::sort(column.begin(), column.end());
+  flow.startVec(j);
   for (const auto& [i, value] : column)
-    entries.emplace_back(int(i), int(j), value / sum);
-}
-
-inline Flow flow_of(Eigen::Index n, const std::vector<Eigen::Triplet<double>>& entries)
-{
-  Flow flow(n, n);
-  flow.setFromTriplets(entries.begin(), entries.end());
-  return flow;
+    flow.insertBack(i, j) = value / sum;
 }
 
 inline Flow first_flow(const Eigen::SparseMatrix<double>& weights)
 {
-  std::vector<Eigen::Triplet<double>> entries;
+  Flow flow(weights.cols(), weights.cols());
   for (Eigen::Index j = 0; j < weights.outerSize(); ++j) {
     Column column;
     double most = 0;
@@ -73,9 +69,10 @@ inline Flow first_flow(const Eigen::SparseMatrix<double>& weights)
       most = std::max(most, entry.value());
     }
     column.emplace_back(j, most > 0 ? most : 1);
-    append_column(j, column, entries);
+    append_column(std::move(column), flow, j);
   }
-  return flow_of(weights.cols(), entries);
+  flow.finalize();
+  return flow;
 }
 
 // Drops the small entries of a column, those after the largest ones, ties by index.
@@ -93,29 +90,34 @@ inline void prune(const Markov_clustering_options& options, Column& column)
   std::sort(column.begin(), column.end());
 }
 
-// Squares, prunes and inflates. \return how far columns are from being all alike where they are not 0
+/// Squares, prunes and inflates, some columns at a time: before they are pruned, columns may have very many entries.
+/// \return how far columns are from being all alike where they are not 0
 inline double step(const Markov_clustering_options& options, Flow& flow)
 {
-  const Flow squared = flow * flow;
-  std::vector<Eigen::Triplet<double>> entries;
+  constexpr Eigen::Index columns_at_a_time = 256;
+  Flow result(flow.rows(), flow.cols());
   double chaos = 0;
-  for (Eigen::Index j = 0; j < squared.outerSize(); ++j) {
-    Column column;
-    for (Flow::InnerIterator entry(squared, j); entry; ++entry)
-      column.emplace_back(entry.row(), entry.value());
-    prune(options, column);
-    const double sum = sum_of(column);
-    double most = 0, squares = 0;
-    for (auto& entry : column) {
-      const double share = entry.second / sum;
-      most = std::max(most, share);
-      squares += share * share;
-      entry.second = std::pow(share, options.inflation);
+  for (Eigen::Index first = 0; first < flow.cols(); first += columns_at_a_time) {
+    const Flow squared = flow * flow.middleCols(first, std::min(columns_at_a_time, flow.cols() - first));
+    for (Eigen::Index j = 0; j < squared.cols(); ++j) {
+      Column column;
+      for (Flow::InnerIterator entry(squared, j); entry; ++entry)
+        column.emplace_back(entry.row(), entry.value());
+      prune(options, column);
+      const double sum = sum_of(column);
+      double most = 0, squares = 0;
+      for (auto& entry : column) {
+        const double share = entry.second / sum;
+        most = std::max(most, share);
+        squares += share * share;
+        entry.second = std::pow(share, options.inflation);
+      }
+      chaos = std::max(chaos, most - squares);
+      append_column(std::move(column), result, first + j);
     }
-    chaos = std::max(chaos, most - squares);
-    append_column(j, column, entries);
   }
-  flow = flow_of(flow.cols(), entries);
+  result.finalize();
+  flow.swap(result);
   return chaos;
 }
 

@@ -41,10 +41,20 @@ struct Blend_actor
   std::optional<Fading_part> fading;
   double height = 0;                     ///< of its middle, at the ends' mean
   std::size_t twin = Mirror_twins::none; ///< its mirror image, where the blend is to be symmetric
+  bool is_image = false;                 ///< made in the twin's coordinates, seen in the mirror
   bool stands = false;                   ///< on the ground, at both ends
   std::array<double, 2> foot = {0, 0};   ///< of one that stands, how high it is above the ground, by end
 
   int side() const { return task.source == Blend_task::no_part ? 1 : 0; } ///< of one that fades
+  Points points(int surface, double t) const { return as_made(morph->points(surface, t)); }
+  Points points_left(double left) const { return as_made(fading->points(left)); }
+  Point place(const Point& p, double left) const
+  {
+    return is_image ? mirrored(fading->place(mirrored(p), left)) : fading->place(p, left);
+  }
+
+private:
+  Points as_made(Points points) const { return is_image ? mirrored(std::move(points)) : std::move(points); }
 };
 
 /// Where a fading part hangs on another actor.
@@ -142,25 +152,13 @@ inline Blend_cast::Blend_cast(const Blend_side& source, const Blend_side& target
   };
   mirror = mirrored(source) && mirrored(target);
   if (mirror) twins_ = {Mirror_twins(meshes[0]), Mirror_twins(meshes[1])};
+  for (std::size_t s = 0; s < 2; ++s)
+    mirror_charts(meshes[s], twins_[s], charted[s].charts);
   add_morphs(charted, correspondence);
   attachments.resize(actors.size());
   add_fading(source, 0, charted[0]);
   add_fading(target, 1, charted[1]);
-  for (Blend_actor& actor : actors) {
-    if (actor.morph) continue;
-    const std::size_t s = std::size_t(actor.side()), part = s == 0 ? actor.task.source : actor.task.target;
-    const std::vector<std::size_t> image = actors_of(int(s), twins_[s][part]);
-    if (twins_[s][part] != Mirror_twins::none && !image.empty() && !actors[image[0]].morph) actor.twin = image[0];
-  }
   add_links(sides, contact_tolerance);
-}
-
-/// How far what a morph goes through is from its mirror image, half way.
-inline double asymmetry(const Part_morph& morph)
-{
-  const int carrier = morph.carrier(0.5);
-  const Points points = morph.points(carrier, 0.5);
-  return mirror_distance(points, tree_of(points, morph.triangles(carrier)));
 }
 
 /// A pair for every two parts that become each other and, if the blend is to be symmetric, for their mirror images.
@@ -178,9 +176,13 @@ inline void Blend_cast::add_morphs(const std::array<Charted_shape, 2>& charted, 
     const bool known = twin != paired.end() && *twin == std::make_pair(twins_[0][s], twins_[1][t]);
     twins.push_back(known ? std::size_t(twin - paired.begin()) : Mirror_twins::none);
   }
-  mirror_turns(charted[0], charted[1], twins, pairs);
-  const auto piece = [&](std::size_t s, std::size_t part, const Chart_box& box) {
-    return piece_of(meshes[s][part].points, meshes[s][part].triangles, charted[s].charts[part], box);
+  std::vector<char> is_upright(pairs.size(), 0);
+  // Images need pieces that are images, too: all pairs of a part in the mirror or none
+  const auto has_images = [&](const Part_pair& pair) {
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if ((pairs[i].source == pair.source || pairs[i].target == pair.target) && twins[i] == Mirror_twins::none)
+        return false;
+    return true;
   };
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Part_pair& pair = pairs[i];
@@ -188,21 +190,32 @@ inline void Blend_cast::add_morphs(const std::array<Charted_shape, 2>& charted, 
     const auto shares_target = [&](const Part_pair& other) { return other.target == pair.target; };
     const bool splits = std::count_if(pairs.begin(), pairs.end(), shares_source) > 1;
     const bool merges = std::count_if(pairs.begin(), pairs.end(), shares_target) > 1;
-    const Part_mesh from = piece(0, pair.source, pair.source_piece), to = piece(1, pair.target, pair.target_piece);
     Blend_actor actor;
     actor.name = charted[0].parts[pair.source]->name + '~' + charted[1].parts[pair.target]->name;
     actor.task.type = merges ? Blend_task_type::MERGE : splits ? Blend_task_type::SPLIT : Blend_task_type::MORPH;
     actor.task.source = pair.source;
     actor.task.target = pair.target;
     actor.twin = twins[i];
+    actor.is_image = actor.twin < i && has_images(pair) && has_images(pairs[actor.twin]);
+    const Part_pair& made_as = actor.is_image ? pairs[actor.twin] : pair;
+    const auto piece = [&](std::size_t s, std::size_t part, std::size_t chart, const Chart_box& box) {
+      const Part_mesh& mesh = meshes[s][part];
+      return piece_of(actor.is_image ? mirrored(mesh.points) : mesh.points, mesh.triangles, charted[s].charts[chart],
+                      box);
+    };
+    const Part_mesh from = piece(0, pair.source, made_as.source, made_as.source_piece);
+    const Part_mesh to = piece(1, pair.target, made_as.target, made_as.target_piece);
     std::optional<bool> forward;
     if (actor.twin < i) forward = actors[actor.twin].morph->is_forward();
-    const Pair_charts charts = pair_charts(pair, charted[0], charted[1], from.points, to.points);
-    actor.morph.emplace(charts, from, to, forward);
-    if (actor.twin == i && !(is_mirrored(charts.source) && is_mirrored(charts.target))) {
-      Part_morph upright(upright_charts(from.points, to.points), from, to);
-      if (quantized(asymmetry(upright)) < quantized(asymmetry(*actor.morph))) actor.morph = std::move(upright);
+    if (actor.twin == i) {
+      const std::optional<Eigen::Matrix3d> turn = mirrored_turn(pair, charted[0], charted[1]);
+      is_upright[i] = !turn;
+      if (turn) pairs[i].turn = *turn;
     }
+    const bool upright = is_upright[i];
+    const Pair_charts charts = upright ? upright_charts(from.points, to.points)
+                                       : pair_charts(made_as, charted[0], charted[1], from.points, to.points);
+    actor.morph.emplace(charts, from, to, forward);
     actor.height = (from.points.row(1).mean() + to.points.row(1).mean()) / 2;
     actor.foot = {from.points.row(1).minCoeff() - ground[0], to.points.row(1).minCoeff() - ground[1]};
     actor.stands = std::max(actor.foot[0], actor.foot[1]) <= on_ground;
@@ -220,7 +233,7 @@ inline std::vector<std::size_t> Blend_cast::actors_of(int side, std::size_t part
 
 inline Points Blend_cast::end_points(std::size_t actor, int side) const
 {
-  return actors[actor].morph ? actors[actor].morph->points(side, side) : actors[actor].fading->points(1);
+  return actors[actor].morph ? actors[actor].points(side, side) : actors[actor].points_left(1);
 }
 
 inline Blend_attachment Blend_cast::attachment(const std::vector<std::size_t>& candidates, int side,
@@ -247,13 +260,11 @@ inline void Blend_cast::add_fading(const Blend_side& given, int side, const Char
   std::vector<char> placed(shape.parts.size(), 0);
   for (std::size_t part = 0; part < placed.size(); ++part)
     placed[part] = !actors_of(side, part).empty();
-  const auto add = [&](std::size_t part) {
-    std::vector<Blend_attachment> held_by;
-    std::vector<Point> anchors;
+  const auto holds_of = [&](std::size_t part) {
+    std::vector<Blend_attachment> result;
     const auto attach = [&](std::size_t other, const Eigen::Vector2d& parameter) {
       const Point place = to_common_frame(shape.frame, given.quarter_turns, evaluate(shape.parts[part], parameter));
-      held_by.push_back(attachment(actors_of(side, other), side, place));
-      anchors.push_back(held_by.back().at);
+      result.push_back(attachment(actors_of(side, other), side, place));
     };
     for (const Contact& contact : shape.contacts)
       for (std::size_t i : {0u, 1u}) {
@@ -262,14 +273,43 @@ inline void Blend_cast::add_fading(const Blend_side& given, int side, const Char
         for (const Contact::Parameters& further : contact.further)
           attach(contact.parts[1 - i], further[i]);
       }
+    return result;
+  };
+  const auto images_of = [&](const std::vector<Blend_attachment>& holds) {
+    std::vector<Blend_attachment> result;
+    for (const Blend_attachment& hold : holds)
+      if (actors[hold.actor].twin != Mirror_twins::none)
+        result.push_back(attachment({actors[hold.actor].twin}, side, mirrored(hold.at)));
+    return result;
+  };
+  const auto add = [&](std::size_t part) {
+    const std::size_t twin = twins_[std::size_t(side)][part];
+    const std::vector<std::size_t> image = twin == part ? std::vector<std::size_t>() : actors_of(side, twin);
     Blend_actor actor;
     actor.name = side == 0 ? shape.parts[part].name + '~' : '~' + shape.parts[part].name;
     actor.task.type = side == 0 ? Blend_task_type::SHRINK : Blend_task_type::GROW;
     (side == 0 ? actor.task.source : actor.task.target) = part;
-    actor.fading.emplace(charted.charts[part], meshes[std::size_t(side)][part], anchors);
-    actor.height = meshes[std::size_t(side)][part].points.row(1).mean();
+    std::vector<Blend_attachment> holds = holds_of(part);
+    if (twin == part) {
+      const std::vector<Blend_attachment> images = images_of(holds);
+      holds.insert(holds.end(), images.begin(), images.end());
+    } else if (!image.empty() && !actors[image[0]].morph) {
+      actor.twin = image[0];
+      actors[image[0]].twin = actors.size();
+      const std::vector<Blend_attachment> images = images_of(attachments[image[0]]);
+      actor.is_image = images.size() == attachments[image[0]].size();
+      if (actor.is_image) holds = images;
+    }
+    Part_mesh mesh = meshes[std::size_t(side)][part];
+    std::vector<Point> anchors;
+    for (const Blend_attachment& hold : holds)
+      anchors.push_back(actor.is_image ? mirrored(hold.at) : hold.at);
+    if (actor.is_image) mesh.points = mirrored(std::move(mesh.points));
+    actor.height = mesh.points.row(1).mean();
+    actor.fading.emplace(charted.charts[actor.is_image ? twin : part], mesh, anchors);
+    if (twin == part) actor.twin = actors.size();
     actors.push_back(std::move(actor));
-    attachments.push_back(std::move(held_by));
+    attachments.push_back(std::move(holds));
   };
   constexpr char now = 2;
   for (bool any = true; any;) {

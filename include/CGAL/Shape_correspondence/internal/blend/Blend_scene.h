@@ -33,17 +33,30 @@ public:
   /// A tree of what there is of an actor.
   Tree tree(std::size_t actor) const;
 
-  /// By how much a contact that is to be kept is wider than it may be.
-  double gap() const;
+  /// By how much a contact that is to be kept is wider than it may be, at most, and between which actors.
+  struct Open_contact
+  {
+    double gap = 0;
+    std::array<std::size_t, 2> actors{};
+  };
+  Open_contact widest_contact() const;
   /// How far sets of parts had come apart that were joined again.
   double apart() const { return apart_; }
-  /// How far a part that stands is off the place on the ground, or above it, that it has at the ends, at most.
-  double off_ground() const;
+  /// How far a part that stands is above the place on the ground, or above it, that it has at the ends, or below it
+  /// (negative), where that is most.
+  struct Lifted_foot
+  {
+    double height = 0;
+    std::size_t actor = 0;
+  };
+  Lifted_foot worst_foot() const;
 
 private:
   static constexpr double closed = 1e-4;  ///< a gap that is none
   static constexpr double joined = 0.005; ///< over what the ends have, the widest gap between sets of parts
 
+  /// How far parts are symmetric: wholly from the end of the first quarter to the begin of the last one.
+  double mirror_share() const { return std::min({1., 4 * t_, 4 * (1 - t_)}); }
   double ground() const { return (1 - t_) * cast_.ground[0] + t_ * cast_.ground[1]; }
   double lowest(std::size_t actor) const { return points_[actor][std::size_t(surface_[actor])].row(1).minCoeff(); }
   double foot_level(std::size_t actor) const;
@@ -52,9 +65,11 @@ private:
   void morph(const Times& times);
   void fade();
   void mirror();
+  void meet_image(std::size_t actor);
   void relink();
   void join();
   void stand();
+  void put_foot(std::size_t actor);
   void move(std::size_t actor, const Point& step);
 
   const Blend_cast& cast_;
@@ -93,7 +108,7 @@ inline void Blend_scene::morph(const Times& times)
     if (actor.morph) {
       surface_[a] = actor.morph->carrier(own);
       for (int surface : {0, 1})
-        points_[a][std::size_t(surface)] = actor.morph->points(surface, own);
+        points_[a][std::size_t(surface)] = actor.points(surface, own);
     } else {
       left_[a] = actor.side() == 0 ? 1 - own : own;
     }
@@ -104,16 +119,18 @@ inline void Blend_scene::morph(const Times& times)
 inline void Blend_scene::fade()
 {
   constexpr int rounds = 4;
+  constexpr double least_stiff = 0.1; // of its full size: what is smaller is moved, not stretched
   for (std::size_t a = 0; a < points_.size(); ++a) {
     const Blend_actor& actor = cast_.actors[a];
     if (actor.morph) continue;
     if (left_[a] > 0) surface_[a] = 0;
-    Points& points = points_[a][0] = actor.fading->points(left_[a]);
-    const double size = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+    Points& points = points_[a][0] = actor.points_left(left_[a]);
+    const double size = std::max((points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm(),
+                                 least_stiff * cast_.trees[a][0]->box().diagonal().norm());
     std::vector<Handle> handles;
     for (const Blend_attachment& on : cast_.attachments[a]) {
       const Point there = on.place.of(this->points(on.actor, on.surface), cast_.triangles(on.actor, on.surface));
-      handles.push_back({actor.fading->place(on.at, left_[a]), there - on.at});
+      handles.push_back({actor.place(on.at, left_[a]), there - on.at});
     }
     for (int round = 0; round < rounds; ++round) {
       const Affine_move move = following(handles, size);
@@ -126,15 +143,16 @@ inline void Blend_scene::fade()
     }
     points.row(1) = points.row(1).cwiseMax(ground());
   }
+  for (std::size_t a = 0; a < points_.size(); ++a)
+    if (cast_.actors[a].fading) meet_image(a);
 }
 
-/// Gives mirror images boxes that are mirror images: each one goes half of the way to the other. At the ends, which
-/// need not be quite symmetric, nothing moves.
+/// Makes mirror images mirror images of each other, first their boxes and then their surfaces: each one goes half of
+/// the way to the other. At the ends, which need not be quite symmetric, nothing moves.
 inline void Blend_scene::mirror()
 {
   constexpr double flat = 1e-6;
-  const double share =
-      std::min({1., 4 * t_, 4 * (1 - t_)}); // from the end of the first quarter to the last one's begin
+  const double share = mirror_share();
   std::vector<contacts::Box> boxes(points_.size());
   for (std::size_t a = 0; a < points_.size(); ++a)
     if (is_there(a))
@@ -147,6 +165,32 @@ inline void Blend_scene::mirror()
     const Point growth = share / 2 * (boxes[twin].sizes() - size).cwiseQuotient(size.cwiseMax(flat));
     for (Points& surface : points_[a])
       Affine_move{middle, shift, growth.asDiagonal()}.apply(surface);
+  }
+  for (std::size_t a = 0; a < points_.size(); ++a)
+    meet_image(a);
+}
+
+/// Moves every point of a part and of its mirror image half of the way to where the other is, seen in the mirror, some
+/// times over.
+inline void Blend_scene::meet_image(std::size_t actor)
+{
+  constexpr double alike = 5e-4; // so near that nothing needs to be done
+  constexpr int most_rounds = 4;
+  const std::size_t twin = cast_.actors[actor].twin;
+  if (twin == Mirror_twins::none || twin < actor || !is_there(actor) || !is_there(twin)) return;
+  const std::array<std::size_t, 2> both = {actor, twin};
+  const auto own = [&](std::size_t i) -> Points& { return points_[both[i]][std::size_t(surface_[both[i]])]; };
+  for (int round = 0; round < most_rounds; ++round) {
+    const std::array<Tree, 2> trees = {tree(actor), tree(twin)};
+    if (std::max(mirror_distance(own(0), trees[1]), mirror_distance(own(1), trees[0])) <= alike) return;
+    for (std::size_t i = 0; i < (actor == twin ? 1 : 2); ++i)
+      for (Eigen::Index k = 0; k < own(i).cols(); ++k) {
+        Point nearest;
+        double squared = std::numeric_limits<double>::infinity();
+        std::size_t triangle;
+        trees[1 - i].improve_nearest(mirrored(Point(own(i).col(k))), nearest, squared, triangle);
+        own(i).col(k) += mirror_share() / 2 * (mirrored(nearest) - own(i).col(k));
+      }
   }
 }
 
@@ -179,7 +223,7 @@ inline Point Blend_scene::foot(std::size_t actor) const
 /// nearest to that, mirror images alike.
 inline void Blend_scene::relink()
 {
-  constexpr int most_rounds = 10;
+  constexpr int most_rounds = 20;
   constexpr double inertia = 0.01; // of a part as large as the shape is high, against a pull of 1
   const std::size_t count = points_.size();
   std::vector<std::optional<Tree>> trees(count);
@@ -222,8 +266,23 @@ inline void Blend_scene::relink()
       const Affine_move move = twin == Mirror_twins::none ? solved[a] : solved[a].symmetrised(solved[twin]);
       for (Points& surface : points_[a])
         move.apply(surface);
+      if (is_there(a)) put_foot(a);
     }
   }
+}
+
+/// Stretches a part that stands down to its place on the ground, and one that is in the ground up out of it; what is
+/// highest stays. What is beyond half of its height, the whole part moves.
+inline void Blend_scene::put_foot(std::size_t actor)
+{
+  constexpr double flat = 1e-6;
+  const double rise = cast_.actors[actor].stands ? rise_to_stand(actor) : std::max(0., ground() - lowest(actor));
+  const double high = points(actor, surface_[actor]).row(1).maxCoeff(), height = std::max(high - lowest(actor), flat);
+  const double stretch = std::clamp(rise, -height / 2, height / 2);
+  Affine_move move{Point(0, high, 0), Point(0, rise - stretch, 0), Eigen::Matrix3d::Zero()};
+  move.gradient(1, 1) = -stretch / height;
+  for (Points& surface : points_[actor])
+    move.apply(surface);
 }
 
 inline void Blend_scene::move(std::size_t actor, const Point& step)
@@ -247,19 +306,17 @@ inline void Blend_scene::join()
   const double allowed = (1 - t_) * cast_.apart[0] + t_ * cast_.apart[1] + joined;
   std::vector<std::size_t> set(present.size());
   std::iota(set.begin(), set.end(), std::size_t(0));
-  const auto unite_sets = [&](std::size_t a, std::size_t b) {
+  const auto unite = [&](std::size_t a, std::size_t b) {
     const std::size_t kept = std::min(set[a], set[b]), given_up = std::max(set[a], set[b]);
     std::replace(set.begin(), set.end(), given_up, kept);
-  };
-  const auto unite = [&](std::size_t a, std::size_t b) {
-    unite_sets(a, b);
-    if (image(a) != Mirror_twins::none && image(b) != Mirror_twins::none) unite_sets(image(a), image(b));
   };
   for (std::size_t a = 0; a < present.size(); ++a)
     for (std::size_t b = a + 1; b < present.size(); ++b)
       if (set[a] != set[b] && trees[a].box().squaredExteriorDistance(trees[b].box()) <= allowed * allowed &&
           trees[a].nearly_closest(trees[b], allowed * allowed).squared <= allowed * allowed)
         unite(a, b);
+  constexpr int most_tries = 5;
+  std::map<std::size_t, int> tries; // by set, to join it without moving it across the mirror plane
   for (;;) {
     std::map<std::size_t, double> sizes;
     for (std::size_t a = 0; a < present.size(); ++a)
@@ -289,14 +346,19 @@ inline void Blend_scene::join()
         if (image(a) != Mirror_twins::none) image_moves[image(a)] = 1;
       }
       if (image_moves[to]) step /= 2; // they move towards each other
+      const bool may_be_symmetric = std::abs(step.x()) < step.norm() / 2 && tries[least]++ < most_tries;
+      bool is_joined = true;
       for (std::size_t a = 0; a < present.size(); ++a) {
         if (!moves[a] && !image_moves[a]) continue;
-        const bool is_symmetric = moves[a] && image_moves[a] && std::abs(step.x()) < step.norm() / 2;
         Point own = moves[a] ? step : mirrored(step);
-        if (is_symmetric) own.x() = 0;
+        if (moves[a] && image_moves[a] && may_be_symmetric) {
+          is_joined = is_joined && std::abs(own.x()) <= closed;
+          own.x() = 0;
+        }
         move(present[a], own);
         trees[a] = tree(present[a]);
       }
+      if (!is_joined) continue;
     }
     unite(from, to);
   }
@@ -317,27 +379,29 @@ inline void Blend_scene::stand()
     move(a, Point(0, lift, 0));
 }
 
-inline double Blend_scene::gap() const
+inline Blend_scene::Open_contact Blend_scene::widest_contact() const
 {
-  double widest = 0;
+  Open_contact widest;
   std::vector<std::optional<Tree>> trees(points_.size());
   for (const Blend_link& link : cast_.links) {
     const auto [a, b] = link.actors;
     for (std::size_t actor : link.actors)
       if (!trees[actor]) trees[actor] = tree(actor);
     const double allowed = link.allowed(t_);
-    const double gap = std::sqrt(trees[a]->nearly_closest(*trees[b], allowed * allowed).squared);
-    widest = std::max(widest, gap - allowed);
+    const double gap = std::sqrt(trees[a]->nearly_closest(*trees[b], allowed * allowed).squared) - allowed;
+    if (gap > widest.gap) widest = {gap, link.actors};
   }
   return widest;
 }
 
-inline double Blend_scene::off_ground() const
+inline Blend_scene::Lifted_foot Blend_scene::worst_foot() const
 {
-  double result = 0;
-  for (std::size_t a = 0; a < points_.size(); ++a)
-    if (is_there(a) && cast_.actors[a].stands) result = std::max(result, std::abs(rise_to_stand(a)));
-  return result;
+  Lifted_foot worst;
+  for (std::size_t a = 0; a < points_.size(); ++a) {
+    const double height = is_there(a) && cast_.actors[a].stands ? -rise_to_stand(a) : 0;
+    if (std::abs(height) > std::abs(worst.height)) worst = {height, a};
+  }
+  return worst;
 }
 
 } // namespace internal

@@ -34,6 +34,8 @@ public:
   Blend_scene scene(const Times& times, double t) const { return Blend_scene(cast_, times, t); }
   Blend_quality quality(const Blend_scene& scene) const;
   Blend_quality end_quality(int side) const;
+  /// By actor, how far it is from the mirror image of the shape; not there: 0.
+  std::vector<double> asymmetries(const Blend_scene& scene) const;
   /// From the common frame to the place that the shape has at `t`.
   Points to_world(const Points& points, double t) const;
   Point up(double t) const;
@@ -67,9 +69,9 @@ inline double mirror_residual(const std::vector<const Points*>& surfaces,
 inline Blend_quality Blend_stage::quality(const Blend_scene& scene) const
 {
   Blend_quality result;
-  result.gap = scene.gap();
+  result.gap = scene.widest_contact().gap;
   result.apart = scene.apart();
-  result.ground = scene.off_ground();
+  result.ground = std::abs(scene.worst_foot().height);
   if (!cast_.mirror) return result;
   std::vector<const Points*> surfaces;
   std::vector<contacts::Triangle_tree> trees;
@@ -79,6 +81,17 @@ inline Blend_quality Blend_stage::quality(const Blend_scene& scene) const
     trees.push_back(scene.tree(a));
   }
   result.asymmetry = mirror_residual(surfaces, trees);
+  return result;
+}
+
+inline std::vector<double> Blend_stage::asymmetries(const Blend_scene& scene) const
+{
+  std::vector<contacts::Triangle_tree> trees;
+  for (std::size_t a = 0; a < actors().size(); ++a)
+    if (scene.is_there(a)) trees.push_back(scene.tree(a));
+  std::vector<double> result(actors().size(), 0);
+  for (std::size_t a = 0; a < actors().size(); ++a)
+    if (scene.is_there(a)) result[a] = mirror_residual({&scene.points(a, scene.surface(a))}, trees);
   return result;
 }
 

@@ -117,28 +117,78 @@ inline Pair_charts upright_charts(const Points& source, const Points& target)
   return {Part_chart::box(source, upright), Part_chart::box(target, upright)};
 }
 
-/// Turns the coordinates of pairs that are each other's mirror images alike, and those of a pair that is its own image
-/// so that the mirror plane stays where it is.
-/// \param twins of the pairs, by index
-inline void mirror_turns(const Charted_shape& source, const Charted_shape& target,
-                         const std::vector<std::size_t>& twins, std::vector<Part_pair>& pairs)
+/// A rotation near to `axes` with one column along x, so that mirroring in x = 0 keeps all of their directions.
+/// \param kept the column that is turned least
+inline Eigen::Matrix3d mirrored_axes(const Eigen::Matrix3d& axes, int kept)
 {
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const std::size_t twin = twins[i];
-    if (twin == Mirror_twins::none || twin > i) continue;
-    const auto [from, to] = piece_charts(pairs[i], source, target);
-    const auto [twin_from, twin_to] = piece_charts(pairs[twin], source, target);
-    const Pair_kind kind = pair_kind(pairs[i], source, target);
-    if (kind != pair_kind(pairs[twin], source, target)) continue;
-    const Eigen::Matrix3d before = mirror_turn(from, twin_from), after = mirror_turn(to, twin_to);
-    const auto is_image = [&, from = from, to = to](const Eigen::Matrix3d& turn) {
-      if (twin != i) return (after * turn).isApprox(pairs[twin].turn * before);
-      // On the way, too: it turns about the normal of the mirror plane only
-      const Eigen::Matrix3d rotation = to.axes() * turn * from.axes().transpose();
-      return (after * turn).isApprox(turn * before) && rotation(0, 0) > 0;
-    };
-    if (const auto turn = best_turn(from, to, kind, is_image)) pairs[i].turn = *turn;
+  const auto along_x = [&](int column) { return Point(axes(0, column) < 0 ? -1 : 1, 0, 0); };
+  const auto in_plane = [&](int column) {
+    return unit_or(Point(0, axes(1, column), axes(2, column)), Point(Point::UnitY()));
+  };
+  const int next = (kept + 1) % 3, last = (kept + 2) % 3;
+  const bool kept_is_x = std::abs(axes(0, kept)) > std::sqrt(0.5);
+  const bool next_is_x = quantized(std::abs(axes(0, next))) >= quantized(std::abs(axes(0, last)));
+  Eigen::Matrix3d result;
+  result.col(kept) = kept_is_x ? along_x(kept) : in_plane(kept);
+  if (kept_is_x || !next_is_x) {
+    result.col(last) = kept_is_x ? in_plane(last) : along_x(last);
+    result.col(next) = result.col(last).cross(result.col(kept));
+  } else {
+    result.col(next) = along_x(next);
+    result.col(last) = result.col(kept).cross(result.col(next));
   }
+  return result;
+}
+
+/// The points of a part and of its mirror image in the mirror.
+inline Points with_image(const Points& part, const Points& twin)
+{
+  Points result(3, part.cols() + twin.cols());
+  result << part, mirrored(twin);
+  return result;
+}
+
+/// A chart of a part that is its own mirror image with coordinates that are their own mirror image, too: the mean of
+/// the given one and its image if they are alike, or else a straight one.
+inline Part_chart mirrored_chart(const Part_chart& chart, const Points& surface)
+{
+  const Points both = with_image(surface, surface);
+  const Eigen::Matrix3d turn = mirror_turn(chart, chart);
+  const int kept = chart.is_sheet() ? 2 : 0;
+  if (is_mirrored(chart) && turn(kept, kept) != 0) return chart.symmetrised(turn).fitted(both);
+  const Eigen::Matrix3d axes = mirrored_axes(chart.axes(), kept);
+  return chart.is_sheet() ? Part_chart::plate(both, axes) : Part_chart::box(both, axes);
+}
+
+/// Gives parts that are mirror images of each other charts that are, too, so that what they are divided among, and what
+/// is divided among them, is divided alike.
+inline void mirror_charts(const std::vector<Part_mesh>& parts, const Mirror_twins& twins,
+                          std::vector<Part_chart>& charts)
+{
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const std::size_t twin = twins[part];
+    if (twin == Mirror_twins::none || twin < part) continue;
+    if (twin == part) {
+      charts[part] = mirrored_chart(charts[part], parts[part].points);
+    } else {
+      charts[part] = charts[part].fitted(with_image(parts[part].points, parts[twin].points));
+      charts[twin] = charts[part].image();
+    }
+  }
+}
+
+/// The turn by which a pair that is its own mirror image keeps the mirror plane where it is, on the way, too; none if
+/// its charts do not allow one.
+inline std::optional<Eigen::Matrix3d> mirrored_turn(const Part_pair& pair, const Charted_shape& source,
+                                                    const Charted_shape& target)
+{
+  const auto [from, to] = piece_charts(pair, source, target);
+  if (!is_mirrored(from) || !is_mirrored(to)) return {};
+  const Eigen::Matrix3d before = mirror_turn(from, from), after = mirror_turn(to, to);
+  return best_turn(from, to, pair_kind(pair, source, target), [&, from = from, to = to](const Eigen::Matrix3d& turn) {
+    const Eigen::Matrix3d rotation = to.axes() * turn * from.axes().transpose();
+    return (after * turn).isApprox(turn * before) && rotation(0, 0) > 0; // it turns about x only
+  });
 }
 
 } // namespace internal

@@ -39,6 +39,8 @@ public:
 
   /// A straight chart with the columns of `axes`, a rotation, as directions.
   static Part_chart box(const Points& surface, const Eigen::Matrix3d& axes);
+  /// A flat one of a sheet, the last column its normal.
+  static Part_chart plate(const Points& surface, const Eigen::Matrix3d& axes);
 
   bool is_sheet() const { return is_sheet_; }
 
@@ -59,6 +61,10 @@ public:
   /// are told apart; the same chart if that makes no narrower one. \param surface has points all over, as near to each
   /// other as the stations
   Part_chart centred(const Points& surface) const;
+  /// The mean with the chart's own mirror image in x = 0. \param turn from coordinates of a point to those of its image
+  Part_chart symmetrised(const Eigen::Matrix3d& turn) const;
+  /// The chart's mirror image in x = 0, but for the signs of coordinates.
+  Part_chart image() const;
   /// The chart of the box from `low` to `high`, in coordinates.
   Part_chart restricted(const Point& low, const Point& high) const;
   /// The chart with other coordinates: those of the result times `turn` are those of this chart.
@@ -346,6 +352,43 @@ inline Part_chart Part_chart::box(const Points& surface, const Eigen::Matrix3d& 
   for (int i = 0; i < curve_stations; ++i)
     spine.col(i) = axes * (middle + Point((2. * i / (curve_stations - 1) - 1) * half[0], 0, 0));
   return along(spine, axes.col(1), half);
+}
+
+inline Part_chart Part_chart::plate(const Points& surface, const Eigen::Matrix3d& axes)
+{
+  const Points local = axes.transpose() * surface;
+  const Point low = local.rowwise().minCoeff(), high = local.rowwise().maxCoeff();
+  const Point half = ((high - low) / 2).cwiseMax(least_half_extent), middle = (low + high) / 2;
+  Points spine(3, sheet_stations * sheet_stations);
+  const double step = 2. / (sheet_stations - 1);
+  for (int i = 0; i < sheet_stations; ++i)
+    for (int j = 0; j < sheet_stations; ++j)
+      spine.col(i * sheet_stations + j) = axes * (middle + half.cwiseProduct(Point(i * step - 1, j * step - 1, 0)));
+  return over(spine, half);
+}
+
+inline Part_chart Part_chart::symmetrised(const Eigen::Matrix3d& turn) const
+{
+  const Eigen::DiagonalMatrix<double, 3> mirror(-1, 1, 1);
+  const int n = stations(is_sheet_);
+  Points spine(3, spine_.cols());
+  for (Eigen::Index s = 0; s < spine.cols(); ++s) {
+    const Point k(2. * double(is_sheet_ ? s / n : s) / (n - 1) - 1, is_sheet_ ? 2. * double(s % n) / (n - 1) - 1 : 0,
+                  0);
+    spine.col(s) = (spine_.col(s) + mirror * (*this)(turn * k)) / 2;
+  }
+  if (is_sheet_) return over(spine, half_);
+  Point across = frames_[0].col(1);
+  if (turn(0, 0) > 0)
+    across = std::abs(across.x()) > std::sqrt(0.5) ? Point(across.x(), 0, 0) : Point(0, across.y(), across.z());
+  return along(spine, across, half_);
+}
+
+inline Part_chart Part_chart::image() const
+{
+  const Eigen::DiagonalMatrix<double, 3> mirror(-1, 1, 1);
+  const Points spine = mirror * spine_;
+  return is_sheet_ ? over(spine, half_) : along(spine, mirror * frames_[0].col(1), half_);
 }
 
 inline Part_chart Part_chart::turned(const Eigen::Matrix3d& turn) const
