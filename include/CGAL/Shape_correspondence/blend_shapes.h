@@ -28,7 +28,7 @@ class Blend_stage;
 struct Blend_options
 {
   double contact_tolerance = 0.02; ///< parts nearer than this at an end of the blend touch there; of the shape's height
-  int samples = 5;                 ///< in-between shapes that a schedule is judged by
+  int samples = 7;                 ///< in-between shapes that a schedule is judged by
   /// Called before every schedule is judged, with the share that is done; `false` ends it: those not judged come last.
   std::function<bool(double)> progress;
 };
