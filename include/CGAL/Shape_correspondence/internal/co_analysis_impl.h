@@ -40,25 +40,36 @@ inline std::size_t part_number(const std::vector<std::size_t>& first, std::size_
   return first[shape] + part;
 }
 
+inline void sort_and_add_up(std::vector<Counterpart>& parts)
+{
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Counterpart& a, const Counterpart& b) { return a.part < b.part; });
+  std::size_t n = 0;
+  for (const Counterpart& next : parts)
+    if (n > 0 && parts[n - 1].part == next.part)
+      parts[n - 1].confidence += next.confidence;
+    else
+      parts[n++] = next;
+  parts.resize(n);
+}
+
 inline Counterparts counterparts_of(const std::vector<std::size_t>& first, const std::vector<Shape_pair_map>& maps)
 {
   Directions directions;
   for (const Shape_pair_map& map : maps)
     ++directions[std::minmax(map.source, map.target)];
-  std::vector<std::map<std::pair<std::size_t, std::size_t>, double>> table(first.back());
+  Counterparts result(first.back());
   for (const Shape_pair_map& map : maps) {
     const double share = 1. / directions[std::minmax(map.source, map.target)];
     for (std::size_t k = 0; k < map.map.pairs.size(); ++k) {
       const std::size_t s = part_number(first, map.source, map.map.pairs[k].first);
       const std::size_t t = part_number(first, map.target, map.map.pairs[k].second);
-      table[s][{map.target, t}] += share * map.map.confidences[k];
-      table[t][{map.source, s}] += share * map.map.confidences[k];
+      result[s].push_back({map.target, t, share * map.map.confidences[k]});
+      result[t].push_back({map.source, s, share * map.map.confidences[k]});
     }
   }
-  Counterparts result(table.size());
-  for (std::size_t part = 0; part < table.size(); ++part)
-    for (const auto& [where, confidence] : table[part])
-      result[part].push_back({where.first, where.second, confidence});
+  for (std::vector<Counterpart>& parts : result)
+    sort_and_add_up(parts);
   return result;
 }
 
