@@ -385,7 +385,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Part_matching match_parts(const Aligned_shape& 
   const Assembled_shape a(source, options), b(target, options);
   Eigen::MatrixXd costs = costs_of(a, b, options);
   const bool one_hangs = hangs(a) != hangs(b);
-  if (a.assemblies.has_deck || b.assemblies.has_deck || (hangs(a) && hangs(b)))
+  if (!one_hangs && (a.assemblies.has_deck || b.assemblies.has_deck || hangs(a)))
     return matching_of(std::move(costs), a, b, options);
 
   const Aligned_shape source_over = turned_over(source), target_over = turned_over(target);
