@@ -461,18 +461,26 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE double mean_least_cost(const Eigen::MatrixXd& c
 
 namespace internal {
 
-inline Eigen::MatrixXd part_costs(const Compared_shape& a, const Aligned_shape& source, const Compared_shape& b,
-                                  const Aligned_shape& target, const Part_cost_weights& weights)
+struct Cost_matrices
+{
+  Eigen::MatrixXd of_parts, all; // without the cost of contacts, and with it
+};
+
+inline Cost_matrices part_costs(const Compared_shape& a, const Aligned_shape& source, const Compared_shape& b,
+                                const Aligned_shape& target, const Part_cost_weights& weights)
 {
   Point_distances a_from_b, b_from_a;
   point_distances(a, b, a_from_b, b_from_a);
 
   const Eigen::MatrixXd of_kind = costs_of_kind(a, b, a_from_b, b_from_a, weights);
-  const Eigen::MatrixXd of_parts = costs_after_warping(a.boxes, b.boxes, of_kind, weights);
-  const Eigen::MatrixXd costs = shared_in_groups(of_parts, source, target)
-                                    .cwiseMin(costs_of_wholes(a, b, a_from_b, b_from_a, weights))
-                                    .cwiseMin(costs_of_wholes(b, a, b_from_a, a_from_b, weights).transpose());
-  return costs + weights.contacts * (1 - support_of_contacts(mutual_softmax(costs), source, target)).matrix();
+  const Eigen::MatrixXd alone = costs_after_warping(a.boxes, b.boxes, of_kind, weights);
+  Cost_matrices result;
+  result.of_parts = shared_in_groups(alone, source, target)
+                        .cwiseMin(costs_of_wholes(a, b, a_from_b, b_from_a, weights))
+                        .cwiseMin(costs_of_wholes(b, a, b_from_a, a_from_b, weights).transpose());
+  const Eigen::ArrayXXd support = support_of_contacts(mutual_softmax(result.of_parts), source, target);
+  result.all = result.of_parts + weights.contacts * (1 - support).matrix();
+  return result;
 }
 
 } // namespace internal
@@ -483,7 +491,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd part_costs(const Aligned_shape&
   using namespace internal;
   const Compared_shape a = compared_shape(source, part_assemblies(source)),
                        b = compared_shape(target, part_assemblies(target));
-  return internal::part_costs(a, source, b, target, weights);
+  return internal::part_costs(a, source, b, target, weights).all;
 }
 
 namespace internal {

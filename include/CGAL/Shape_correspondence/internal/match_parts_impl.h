@@ -309,13 +309,13 @@ inline void part_support(const Assembled_shape& source, const Assembled_shape& t
       if (!a[i]) pairs(Eigen::Index(i), Eigen::Index(j)) = false;
 }
 
-inline Match_matrix matched(const Eigen::MatrixXd& costs, const Assembled_shape& source, const Assembled_shape& target,
+inline Match_matrix matched(const Cost_matrices& costs, const Assembled_shape& source, const Assembled_shape& target,
                             const Part_matching_options& options)
 {
-  Match_matrix sure = pairs_within(costs, options.sure_excess), pairs = pairs_within(costs, options.excess);
+  Match_matrix sure = pairs_within(costs.all, options.sure_excess), pairs = pairs_within(costs.all, options.excess);
   const bool whole_support = carry_as_wholes(sure, source, target);
   if (whole_support) part_support(source, target, sure);
-  fill_blocks(joined_blocks(sure, source, target, options), sure, costs, source, target, pairs);
+  fill_blocks(joined_blocks(sure, source, target, options), sure, costs.of_parts, source, target, pairs);
   if (whole_support) {
     part_support(source, target, pairs);
     match_all(source.assemblies.legs, target.assemblies.legs, pairs);
@@ -351,8 +351,7 @@ inline double margin(const Eigen::MatrixXd& costs, const Match_matrix& pairs, Ei
 
 inline double confidence(double margin) { return 1 / (1 + std::exp(-(confidence_offset + confidence_slope * margin))); }
 
-inline Eigen::MatrixXd costs_of(const Assembled_shape& a, const Assembled_shape& b,
-                                const Part_matching_options& options)
+inline Cost_matrices costs_of(const Assembled_shape& a, const Assembled_shape& b, const Part_matching_options& options)
 {
   return part_costs(a.compared, a.shape, b.compared, b.shape, options.weights);
 }
@@ -363,15 +362,16 @@ inline long rough_cost(const Assembled_shape& a, const Assembled_shape& b, const
   return quantized(mean_least_cost(rough_costs(a.compared, b.compared, options.weights)));
 }
 
-inline Part_matching matching_of(Eigen::MatrixXd costs, const Assembled_shape& source, const Assembled_shape& target,
+inline Part_matching matching_of(Cost_matrices costs, const Assembled_shape& source, const Assembled_shape& target,
                                  const Part_matching_options& options)
 {
   const Match_matrix pairs = matched(costs, source, target, options);
   Part_matching result;
-  for (Eigen::Index i = 0; i < costs.rows(); ++i)
-    for (Eigen::Index j = 0; j < costs.cols(); ++j)
-      if (pairs(i, j)) result.pairs.push_back({std::size_t(i), std::size_t(j), confidence(margin(costs, pairs, i, j))});
-  result.costs = std::move(costs);
+  for (Eigen::Index i = 0; i < pairs.rows(); ++i)
+    for (Eigen::Index j = 0; j < pairs.cols(); ++j)
+      if (pairs(i, j))
+        result.pairs.push_back({std::size_t(i), std::size_t(j), confidence(margin(costs.all, pairs, i, j))});
+  result.costs = std::move(costs.all);
   return result;
 }
 
@@ -383,7 +383,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Part_matching match_parts(const Aligned_shape& 
   using namespace internal;
   check(options);
   const Assembled_shape a(source, options), b(target, options);
-  Eigen::MatrixXd costs = costs_of(a, b, options);
+  Cost_matrices costs = costs_of(a, b, options);
   const bool one_hangs = hangs(a) != hangs(b);
   if (!one_hangs && (a.assemblies.has_deck || b.assemblies.has_deck || hangs(a)))
     return matching_of(std::move(costs), a, b, options);
@@ -391,13 +391,14 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Part_matching match_parts(const Aligned_shape& 
   const Aligned_shape source_over = turned_over(source), target_over = turned_over(target);
   const Assembled_shape a_over(source_over, options), b_over(target_over, options);
   const long rough = rough_cost(a, b, options);
-  long least = one_hangs ? std::numeric_limits<long>::max() : quantized(mean_least_cost(costs) - options.upside_down);
+  long least =
+      one_hangs ? std::numeric_limits<long>::max() : quantized(mean_least_cost(costs.all) - options.upside_down);
   std::pair<const Assembled_shape*, const Assembled_shape*> best{&a, &b};
   for (const auto& turned : {std::make_pair(&a, &b_over), std::make_pair(&a_over, &b)}) {
     if (!one_hangs && rough_cost(*turned.first, *turned.second, options) >= rough) continue;
-    Eigen::MatrixXd costs_over = costs_of(*turned.first, *turned.second, options);
-    if (quantized(mean_least_cost(costs_over)) >= least) continue;
-    least = quantized(mean_least_cost(costs_over));
+    Cost_matrices costs_over = costs_of(*turned.first, *turned.second, options);
+    if (quantized(mean_least_cost(costs_over.all)) >= least) continue;
+    least = quantized(mean_least_cost(costs_over.all));
     costs = std::move(costs_over);
     best = turned;
   }

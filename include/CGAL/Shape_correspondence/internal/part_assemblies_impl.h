@@ -70,6 +70,7 @@ public:
       neighbours_[contact.parts[1]].push_back(contact.parts[0]);
     }
     deck_ = deck();
+    find_chains();
   }
 
   Part_assemblies run() const
@@ -79,10 +80,13 @@ public:
     if (result.has_deck) result.support = support();
     result.legs = legs(result.support);
     result.is_on_ground = is_on_ground_;
-    result.is_link = links();
+    result.is_link = is_link_;
     for (const Aligned_shape::Group& group : shape_.groups)
-      if (group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= whole_group_size)
+      if (group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= whole_group_size &&
+          !is_link_[group.parts[0]])
         add_panel(framed(group.parts), result.panels);
+    for (const std::vector<std::size_t>& chain : chains_)
+      add_panel(chain, result.panels);
     if (result.has_deck) add_side_panels(result.support, result.panels);
     return result;
   }
@@ -170,7 +174,7 @@ private:
   // May a part frame a row, by its role?
   bool may_frame(std::size_t part, bool row_is_on_ground, bool row_is_above_deck) const
   {
-    if (is_on_ground_[part] && !row_is_on_ground) return false;
+    if (is_link_[part] || (is_on_ground_[part] && !row_is_on_ground)) return false;
     return !row_is_above_deck || is_less(boxes_[deck_].middle(), boxes_[part].middle());
   }
 
@@ -290,18 +294,18 @@ private:
     return is_less(std::max(a, b), link_ratio * std::min(a, b)) && is_less(link_offset * std::max(a, b), apart);
   }
 
-  std::vector<char> links() const
+  void find_chains()
   {
-    std::vector<char> result(boxes_.size(), 0);
+    is_link_.assign(boxes_.size(), 0);
     for (std::size_t part = 0; part < boxes_.size(); ++part) {
-      if (result[part] || shape_.parts[part].kind != Sampled_part::Kind::CLOSED_CURVE) continue;
-      const std::vector<std::size_t> chain =
+      if (is_link_[part] || shape_.parts[part].kind != Sampled_part::Kind::CLOSED_CURVE) continue;
+      std::vector<std::size_t> chain =
           connected(part, [&](std::size_t link, std::size_t next) { return are_linked(link, next); });
       if (chain.size() < whole_group_size) continue;
       for (std::size_t link : chain)
-        result[link] = 1;
+        is_link_[link] = 1;
+      chains_.push_back(std::move(chain));
     }
-    return result;
   }
 
   const Aligned_shape& shape_;
@@ -310,6 +314,8 @@ private:
   std::vector<char> is_on_ground_;
   std::vector<std::vector<std::size_t>> neighbours_;
   std::size_t deck_;
+  std::vector<std::vector<std::size_t>> chains_;
+  std::vector<char> is_link_; // by part, whether it is in a chain
 };
 
 } // namespace internal
