@@ -260,6 +260,23 @@ TEST_CASE("Without a correspondence all that is there shrinks and all that comes
   CHECK(blend(0.25).parts().size() > 0);
 }
 
+TEST_CASE("A part without mirror image grows by itself, though others vanish")
+{
+  const Model& stool = model("stool");
+  Model lopsided{stool.shape, {}};
+  Part_mesh knob = stool.shape.parts()[0].mesh;
+  const Point middle = knob.points.rowwise().mean(), corner = knob.points.rowwise().maxCoeff();
+  knob.points = (0.05 * (knob.points.colwise() - middle)).colwise() + corner;
+  lopsided.shape.add_part("knob", std::move(knob));
+  Structure_options options;
+  options.abstraction.abstractor = Bounding_box_abstraction();
+  lopsided.graph = build_structural_graph(lopsided.shape, options);
+  REQUIRE(structure(lopsided.graph).frame.mirror_x);
+  const Shape_blend blend = blend_of(stool, lopsided, Correspondence());
+  CHECK(is_same(blend(1), lopsided.shape));
+  CHECK(is_closed(blend(0.75).parts().back().mesh));
+}
+
 TEST_CASE("A model that is not the graph's is refused")
 {
   const Model &stool = model("stool"), &chair = model("chair_spindle");

@@ -284,7 +284,8 @@ inline void Blend_cast::add_fading(const Blend_side& given, int side, const Char
   };
   const auto add = [&](std::size_t part) {
     const std::size_t twin = twins_[std::size_t(side)][part];
-    const std::vector<std::size_t> image = twin == part ? std::vector<std::size_t>() : actors_of(side, twin);
+    const bool has_image = twin != Mirror_twins::none && twin != part;
+    const std::vector<std::size_t> image = has_image ? actors_of(side, twin) : std::vector<std::size_t>();
     Blend_actor actor;
     actor.name = side == 0 ? shape.parts[part].name + '~' : '~' + shape.parts[part].name;
     actor.task.type = side == 0 ? Blend_task_type::SHRINK : Blend_task_type::GROW;
