@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "model_files.h"
+#include "part_meshes.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -17,21 +18,9 @@
 
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;
+using part_meshes::box;
 
 namespace {
-
-Part_mesh box(const Point& low, const Point& high)
-{
-  Part_mesh result;
-  result.points.resize(3, 8);
-  for (int v = 0; v < 8; ++v)
-    result.points.col(v) << (v & 1 ? high : low).x(), (v & 2 ? high : low).y(), (v & 4 ? high : low).z();
-  result.triangles.resize(3, 12);
-  result.triangles << 0, 3, 4, 7, 0, 5, 2, 7, 0, 6, 1, 7, //
-      2, 1, 5, 6, 1, 4, 6, 3, 4, 2, 3, 5,                 //
-      3, 0, 7, 4, 5, 0, 7, 2, 6, 0, 7, 1;
-  return result;
-}
 
 Segmented_shape post_and_top(double height)
 {

@@ -176,7 +176,6 @@ inline void Blend_cast::add_morphs(const std::array<Charted_shape, 2>& charted, 
     const bool known = twin != paired.end() && *twin == std::make_pair(twins_[0][s], twins_[1][t]);
     twins.push_back(known ? std::size_t(twin - paired.begin()) : Mirror_twins::none);
   }
-  std::vector<char> is_upright(pairs.size(), 0);
   // Images need pieces that are images, too: all pairs of a part in the mirror or none
   const auto has_images = [&](const Part_pair& pair) {
     for (std::size_t i = 0; i < pairs.size(); ++i)
@@ -207,12 +206,12 @@ inline void Blend_cast::add_morphs(const std::array<Charted_shape, 2>& charted, 
     const Part_mesh to = piece(1, pair.target, made_as.target, made_as.target_piece);
     std::optional<bool> forward;
     if (actor.twin < i) forward = actors[actor.twin].morph->is_forward();
+    bool upright = false;
     if (actor.twin == i) {
       const std::optional<Eigen::Matrix3d> turn = mirrored_turn(pair, charted[0], charted[1]);
-      is_upright[i] = !turn;
+      upright = !turn;
       if (turn) pairs[i].turn = *turn;
     }
-    const bool upright = is_upright[i];
     const Pair_charts charts = upright ? upright_charts(from.points, to.points)
                                        : pair_charts(made_as, charted[0], charted[1], from.points, to.points);
     actor.morph.emplace(charts, from, to, forward);
