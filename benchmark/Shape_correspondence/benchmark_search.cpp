@@ -49,18 +49,19 @@ double kernel_speed(const SC::internal::Rod_kernels& kernel)
 {
   std::srand(1);
   const SC::internal::Sample_lanes first(SC::Points::Random(3, 36)), second(SC::Points::Random(3, 36));
-  std::vector<SC::internal::Rod_row> rows(36);
-  for (SC::internal::Rod_row& row : rows)
-    for (int j = 0; j < SC::internal::lane_count; ++j)
-      row.direction[0][j] = row.direction[1][j] = row.direction[2][j] = row.squared_length[j] = 1;
+  constexpr int blocks = 2;
+  std::vector<SC::internal::Rod_block> rods(36 * blocks);
+  for (SC::internal::Rod_block& block : rods)
+    for (auto& axis : block.direction)
+      std::fill(std::begin(axis), std::end(axis), 1.0f);
   constexpr int repeats = 200, runs = 50;
   double best = 1e9, sum = 0;
   for (int run = 0; run < runs; ++run)
     best = std::min(best, milliseconds([&] {
                       for (int i = 0; i < repeats; ++i)
-                        sum += kernel.squared_cosines(rows.data(), 36, first, second);
+                        sum += kernel.squared_cosines(rods.data(), 36, blocks, first, 0, second);
                     }));
-  return sum > 0 ? 36 * 36 * repeats / (best * 1e6) : 0;
+  return sum > 0 ? 36 * blocks * SC::internal::block_lanes * repeats / (best * 1e6) : 0;
 }
 
 // 22 groups in a graph of width 5 and 20 labels: rods between random points, as between parts far smaller than the

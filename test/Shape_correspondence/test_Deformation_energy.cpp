@@ -85,19 +85,19 @@ TEST_CASE("Whatever vector instructions the machine has, the bits are the same")
   std::srand(3);
   for (const int rows : {1, 5, 6, 36}) {
     const Points a = Points::Random(3, rows), b = Points::Random(3, 36);
-    std::vector<internal::Rod_row> before(static_cast<std::size_t>(rows));
-    for (internal::Rod_row& row : before)
-      for (int j = 0; j < internal::lane_count; ++j) {
-        const Point r = Point::Random();
+    std::vector<internal::Rod_block> before(std::size_t(rows * internal::maximum_blocks));
+    for (internal::Rod_block& block : before)
+      for (int j = 0; j < internal::block_lanes; ++j) {
+        const Point r = Point::Random().normalized();
         for (int axis = 0; axis < 3; ++axis)
-          row.direction[axis][j] = float(r[axis]);
-        row.squared_length[j] = float(r.squaredNorm());
+          block.direction[axis][j] = float(r[axis]);
       }
     const internal::Sample_lanes first(a), second(b);
     const auto kernels = internal::available_rod_kernels();
     for (const internal::Rod_kernels& kernel : kernels) {
-      CHECK(kernel.squared_cosines(before.data(), rows, first, second) ==
-            kernels[0].squared_cosines(before.data(), rows, first, second));
+      for (const int blocks : {1, 2, 3})
+        CHECK(kernel.squared_cosines(before.data(), rows, blocks, first, 0, second) ==
+              kernels[0].squared_cosines(before.data(), rows, blocks, first, 0, second));
       CHECK(kernel.least_squared_distance(first, rows, second) ==
             kernels[0].least_squared_distance(first, rows, second));
     }
@@ -107,8 +107,8 @@ TEST_CASE("Whatever vector instructions the machine has, the bits are the same")
 TEST_CASE("Rods of every layout agree with Eq. 2 and 3 in double precision")
 {
   std::srand(5);
-  for (const int n : {1, 6, 36})
-    for (const int m : {1, 6, 36}) {
+  for (const int n : {1, 6, 16, 17, 36})
+    for (const int m : {1, 6, 16, 17, 36}) {
       const Points a = Points::Random(3, n), b = Points::Random(3, m), c = Points::Random(3, n),
                    d = Points::Random(3, m);
       double kept = 0, nearest = 1e9, shortest = 1e9, longest = 0;

@@ -59,9 +59,13 @@ public:
   Rod_energy energy(const Points& first, const Points& second) const;
 
 private:
-  std::vector<internal::Rod_row> rows_; // a row for every sample of the side with fewer
+  double squared_cosines(const internal::Sample_lanes& first, const internal::Sample_lanes& second) const;
+
+  // In rows from the first part to as many samples of the second as fill whole blocks, and back from its others
+  std::vector<internal::Rod_block> rods_;
   int first_count_ = 0, second_count_ = 0;
   double directionless_ = 0; // number of rods of length zero
+  double unmoved_ = 0;       // the sum over the other rods, one each up to rounding
   double shortest_ = 0;      // d
   double longest_ = 0;       // f
 };

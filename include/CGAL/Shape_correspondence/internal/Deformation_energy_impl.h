@@ -19,23 +19,27 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-// The side with fewer samples gives the rows; where all rods fit into one row, they are its lanes.
-inline bool rods_fit_one_row(int first_count, int second_count) { return first_count * second_count <= lane_count; }
+// Samples of the second part that fill whole blocks; the rods to the others are laid out from them.
+inline int samples_in_blocks(int count) { return count / block_lanes * block_lanes; }
 
-// The vectors from every sample of the first to every sample of the second, as lanes.
-inline Sample_lanes rods_as_lanes(const Sample_lanes& first, int first_count, const Sample_lanes& second,
-                                  int second_count)
+inline int blocks_of(int count) { return (count + block_lanes - 1) / block_lanes; }
+
+// Appends the rods from a sample to the first `count` samples of `to`. Returns how many have no direction.
+inline int append_row(const Point& from, const Points& to, int count, std::vector<Rod_block>& rods)
 {
-  Sample_lanes result;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float *from = first.coordinates[axis], *to = second.coordinates[axis];
-    float* rod = result.coordinates[axis];
-    for (int i = 0; i < first_count; ++i)
-      for (int j = 0; j < second_count; ++j)
-        rod[i * second_count + j] = to[j] - from[i];
-    std::fill(rod + first_count * second_count, rod + lane_count, 0.0f);
+  int directionless = 0;
+  for (int j = 0; j < count; ++j) {
+    if (j % block_lanes == 0) rods.push_back({});
+    const Point rod = to.col(j) - from;
+    if (rod.squaredNorm() < double(zero_rod)) {
+      ++directionless;
+      continue;
+    }
+    const Point direction = rod.normalized();
+    for (int axis = 0; axis < 3; ++axis)
+      rods.back().direction[axis][j % block_lanes] = float(direction[axis]);
   }
-  return result;
+  return directionless;
 }
 
 } // namespace internal
@@ -45,49 +49,42 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Structural_rods::Structural_rods(const Points& 
 {
   using namespace internal;
   CGAL_precondition(first_count_ <= maximum_samples && second_count_ <= maximum_samples);
-  const Sample_lanes a(first), b(second);
-  const bool one_row = rods_fit_one_row(first_count_, second_count_), turned = first_count_ > second_count_;
-  const Sample_lanes from = one_row ? Sample_lanes(Points::Zero(3, 1)) : turned ? b : a;
-  const Sample_lanes to = one_row ? rods_as_lanes(a, first_count_, b, second_count_) : turned ? a : b;
-  const int rows = one_row ? 1 : std::min(first_count_, second_count_);
-  const int lanes = first_count_ * second_count_ / rows;
+  const int in_blocks = samples_in_blocks(second_count_);
+  rods_.reserve(
+      std::size_t(first_count_ * blocks_of(in_blocks) + (second_count_ - in_blocks) * blocks_of(first_count_)));
+  for (int i = 0; i < first_count_; ++i)
+    directionless_ += append_row(first.col(i), second, in_blocks, rods_);
+  for (int j = in_blocks; j < second_count_; ++j)
+    directionless_ += append_row(second.col(j), first, first_count_, rods_);
+  unmoved_ = squared_cosines(Sample_lanes(first), Sample_lanes(second));
 
-  double longest = 0;
-  rows_.resize(std::size_t(rows));
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < lane_count; ++j) {
-      Rod_row& row = rows_[std::size_t(i)];
-      for (int axis = 0; axis < 3; ++axis)
-        row.direction[axis][j] = j < lanes ? to.coordinates[axis][j] - from.coordinates[axis][i] : 0.0f;
-      float& length = row.squared_length[j];
-      length = squared_rod_length(row.direction[0][j], row.direction[1][j], row.direction[2][j]);
-      if (j < lanes) {
-        longest = std::max(longest, double(length));
-        directionless_ += length < zero_rod;
-      }
-      if (j < lanes && length >= zero_rod) continue;
-      length = 1;
-      row.direction[0][j] = row.direction[1][j] = row.direction[2][j] = 0;
-    }
-  longest_ = std::sqrt(longest);
   shortest_ = least_distance(first, second);
+  for (int j = 0; j < second_count_; ++j)
+    longest_ = std::max(longest_, (first.colwise() - second.col(j)).colwise().norm().maxCoeff());
+}
+
+// Sum over the rods that have a direction.
+CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::squared_cosines(const internal::Sample_lanes& first,
+                                                                         const internal::Sample_lanes& second) const
+{
+  using namespace internal;
+  const auto kernel = rod_kernels().squared_cosines;
+  const int in_blocks = samples_in_blocks(second_count_), blocks = blocks_of(in_blocks);
+  double sum = 0;
+  if (blocks > 0) sum += kernel(rods_.data(), first_count_, blocks, first, 0, second);
+  if (second_count_ > in_blocks)
+    sum += kernel(rods_.data() + first_count_ * blocks, second_count_ - in_blocks, blocks_of(first_count_), second,
+                  in_blocks, first);
+  return sum;
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::distortion(const internal::Sample_lanes& first,
                                                                     const internal::Sample_lanes& second) const
 {
-  using namespace internal;
-  const auto kernel = rod_kernels().squared_cosines;
-  static const Sample_lanes origin(Points::Zero(3, 1));
-  const int row_count = int(rows_.size());
+  const double count = double(first_count_) * second_count_;
   double kept = directionless_;
-  if (rods_fit_one_row(first_count_, second_count_))
-    kept += kernel(rows_.data(), row_count, origin, rods_as_lanes(first, first_count_, second, second_count_));
-  else if (first_count_ > second_count_)
-    kept += kernel(rows_.data(), row_count, second, first);
-  else
-    kept += kernel(rows_.data(), row_count, first, second);
-  return 1 - std::min(1.0, std::sqrt(kept / (double(first_count_) * second_count_)));
+  if (unmoved_ > 0) kept += (count - directionless_) * squared_cosines(first, second) / unmoved_;
+  return 1 - std::sqrt(std::min(1.0, kept / count));
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::connectedness(double distance) const

@@ -8,12 +8,13 @@
 
 #include <CGAL/Shape_correspondence/Points.h>
 
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
 // Almost all of the search's time goes here. Rods are in single precision, whose error of 1e-7 is far below what any
-// comparison sees, and in rows of lanes, each with a sum of its own: the widest vector instructions of the machine give
-// the same bits as the narrowest. Contraction to fused operations would not, and an unmoved rod must cost exactly 0.
+// comparison sees, and in lanes, each with a sum of its own: the widest vector instructions of the machine give the
+// same bits as the narrowest. Contraction to fused operations would not.
 #if defined(__GNUC__) && !defined(__clang__)
 #define CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION __attribute__((optimize("fp-contract=off")))
 #else
@@ -30,7 +31,9 @@ namespace Shape_correspondence {
 namespace internal {
 
 constexpr int maximum_samples = 36; // of a part: e × e
-constexpr int lane_count = 48;      // the same, in a whole number of the widest vectors
+constexpr int block_lanes = 16;     // of the widest vectors
+constexpr int maximum_blocks = 3;
+constexpr int lane_count = block_lanes * maximum_blocks;
 
 // Padding behind the points: finite, so that a rod to it can be taken out, and nearest to nothing
 constexpr float far_away = 1e6f;
@@ -49,15 +52,14 @@ struct alignas(64) Sample_lanes
   }
 };
 
-// Rods from one sample to a row of samples. A lane without a rod has direction 0 and length 1.
-struct alignas(64) Rod_row
+// The directions of rods from one sample to a block of samples; 0 where there is no rod.
+struct alignas(64) Rod_block
 {
-  float direction[3][lane_count];
-  float squared_length[lane_count];
+  float direction[3][block_lanes];
 };
 
-// Squared length, in units of the shape's height, under which a rod has no direction; products of four such lengths are
-// still normal numbers in single precision
+// Squared length, in units of the shape's height, under which a rod has no direction. Added to squared lengths, it
+// keeps them from being 0.
 constexpr float zero_rod = 1e-9f;
 
 template <int Width>
@@ -65,9 +67,9 @@ struct Lane_vector
 {
 #ifdef __GNUC__
   typedef float type __attribute__((vector_size(Width * sizeof(float)), may_alias));
+  typedef std::int32_t bits __attribute__((vector_size(Width * sizeof(float))));
 #else
   static_assert(Width == 1, "vector types need GCC or Clang");
-  using type = float;
 #endif
 };
 
@@ -77,6 +79,20 @@ struct Lane_vector<1>
   using type = float;
 };
 
+// max(x, 0) by the sign bit: a comparison is several times slower in the widest vectors.
+template <int Width>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE typename Lane_vector<Width>::type
+positive_part(const typename Lane_vector<Width>::type& x)
+{
+  if constexpr (Width == 1) {
+    return x > 0 ? x : 0;
+  } else {
+    using Bits = typename Lane_vector<Width>::bits;
+    const Bits bits = reinterpret_cast<Bits>(x);
+    return reinterpret_cast<typename Lane_vector<Width>::type>(bits & ~(bits >> 31));
+  }
+}
+
 // A block of lanes in memory. A copy by memcpy() would go through the stack in narrower pieces.
 template <int Width>
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE const typename Lane_vector<Width>::type& lanes_at(const float* lanes, int block)
@@ -84,70 +100,101 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE const typename Lane_vector<Width>::type&
   return *reinterpret_cast<const typename Lane_vector<Width>::type*>(lanes + block * Width);
 }
 
-// For a block of lanes of a row: squared cosine between before and after, 0 beyond a right angle, as a fraction, which
-// is exactly 1 for an unmoved rod.
+// For a vector of lanes of a block: the squared cosine between before and after, 0 beyond a right angle, as a fraction.
 template <int Width, typename Lanes>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void squared_cosine(const Rod_row& row, const Lanes (&from)[3],
-                                                            const Sample_lanes& second, int block, Lanes& numerator,
-                                                            Lanes& denominator)
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void squared_cosine(const Rod_block& block, int in_block,
+                                                            const float (&from)[3], const Sample_lanes& to, int lanes,
+                                                            Lanes& numerator, Lanes& denominator)
 {
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF
 #endif
-  const Lanes zero = {}, shortest = zero + zero_rod;
-  const Lanes x = lanes_at<Width>(second.coordinates[0], block) - from[0],
-              y = lanes_at<Width>(second.coordinates[1], block) - from[1],
-              z = lanes_at<Width>(second.coordinates[2], block) - from[2];
-  Lanes moved = x * x + y * y + z * z;
-  Lanes product = lanes_at<Width>(row.direction[0], block) * x + lanes_at<Width>(row.direction[1], block) * y +
-                  lanes_at<Width>(row.direction[2], block) * z;
-  moved = moved > shortest ? moved : shortest;
-  product = product > zero ? product : zero;
-  numerator = product * product;
-  denominator = lanes_at<Width>(row.squared_length, block) * moved;
+  const Lanes x = lanes_at<Width>(to.coordinates[0], lanes) - from[0],
+              y = lanes_at<Width>(to.coordinates[1], lanes) - from[1],
+              z = lanes_at<Width>(to.coordinates[2], lanes) - from[2];
+  const Lanes product = lanes_at<Width>(block.direction[0], in_block) * x +
+                        lanes_at<Width>(block.direction[1], in_block) * y +
+                        lanes_at<Width>(block.direction[2], in_block) * z;
+  const Lanes ahead = positive_part<Width>(product);
+  numerator = ahead * ahead;
+  denominator = x * x + y * y + z * z + zero_rod;
 }
 
-// Sum over all rods of the squared cosine. The rods of row i go from point i of `first`. Rows are taken in pairs, whose
-// fractions share a division, the slowest of the operations.
+// Halves are added up, in the same order for every width.
 template <int Width>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE double squared_cosines(const Rod_row* rows, int row_count,
-                                                               const Sample_lanes& first, const Sample_lanes& second)
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE float sum_of_block(const float* lanes)
+{
+  static_assert(block_lanes == 16, "halved four times");
+  constexpr int eight = Width == 1 ? 1 : 8, four = Width == 1 ? 1 : 4;
+  alignas(64) float halves[8], quarters[4];
+  for (int i = 0; i < 8 / eight; ++i) {
+    const auto sum = lanes_at<eight>(lanes, i) + lanes_at<eight>(lanes + 8, i);
+    std::memcpy(halves + i * eight, &sum, sizeof sum);
+  }
+  for (int i = 0; i < 4 / four; ++i) {
+    const auto sum = lanes_at<four>(halves, i) + lanes_at<four>(halves + 4, i);
+    std::memcpy(quarters + i * four, &sum, sizeof sum);
+  }
+  return (quarters[0] + quarters[2]) + (quarters[1] + quarters[3]);
+}
+
+// Sum of the squared cosines of rods: those of row i, of `Blocks` blocks, go from sample `first_row` + i of `from` to
+// the first samples of `to`. Rows are taken in pairs, whose fractions share a division, the slowest of the operations.
+template <int Width, int Blocks>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE double
+squared_cosines(const Rod_block* rods, int row_count, const Sample_lanes& from, int first_row, const Sample_lanes& to)
 {
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF
 #endif
   using Lanes = typename Lane_vector<Width>::type;
-  constexpr int blocks = lane_count / Width;
+  constexpr int in_block = block_lanes / Width, count = Blocks * in_block;
   const Lanes zero = {};
-  Lanes sums[blocks] = {}, numerator, denominator, other_numerator, other_denominator;
-  const auto& at = first.coordinates;
+  Lanes sums[count] = {}, numerator, denominator, other_numerator, other_denominator;
+  const auto& at = from.coordinates;
   int i = 0;
-  for (; i + 1 < row_count; i += 2) {
-    const Lanes from[3] = {zero + at[0][i], zero + at[1][i], zero + at[2][i]};
-    const Lanes other_from[3] = {zero + at[0][i + 1], zero + at[1][i + 1], zero + at[2][i + 1]};
-    for (int b = 0; b < blocks; ++b) {
-      squared_cosine<Width>(rows[i], from, second, b, numerator, denominator);
-      squared_cosine<Width>(rows[i + 1], other_from, second, b, other_numerator, other_denominator);
-      sums[b] += (numerator * other_denominator + other_numerator * denominator) / (denominator * other_denominator);
+  for (; i + 1 < row_count; i += 2, rods += 2 * Blocks) {
+    const int row = first_row + i;
+    const float start[3] = {at[0][row], at[1][row], at[2][row]};
+    const float other_start[3] = {at[0][row + 1], at[1][row + 1], at[2][row + 1]};
+#pragma GCC unroll 12
+    for (int l = 0; l < count; ++l) {
+      const Rod_block& block = rods[l / in_block];
+      squared_cosine<Width>(block, l % in_block, start, to, l, numerator, denominator);
+      squared_cosine<Width>((&block)[Blocks], l % in_block, other_start, to, l, other_numerator, other_denominator);
+      sums[l] += (numerator * other_denominator + other_numerator * denominator) / (denominator * other_denominator);
     }
   }
   if (i < row_count) {
-    const Lanes from[3] = {zero + at[0][i], zero + at[1][i], zero + at[2][i]};
-    for (int b = 0; b < blocks; ++b) {
-      squared_cosine<Width>(rows[i], from, second, b, numerator, denominator);
-      sums[b] += numerator / denominator;
+    const int row = first_row + i;
+    const float start[3] = {at[0][row], at[1][row], at[2][row]};
+#pragma GCC unroll 12
+    for (int l = 0; l < count; ++l) {
+      squared_cosine<Width>(rods[l / in_block], l % in_block, start, to, l, numerator, denominator);
+      sums[l] += numerator / denominator;
     }
   }
-  // In the same order for every width
-  alignas(64) float lanes[lane_count];
+  alignas(64) float lanes[Blocks * block_lanes];
   std::memcpy(lanes, sums, sizeof lanes);
-  constexpr int third = lane_count / 3;
-  for (int i = 0; i < third; ++i)
-    lanes[i] += lanes[i + third] + lanes[i + 2 * third];
-  for (int half = third / 2; half > 0; half /= 2)
-    for (int i = 0; i < half; ++i)
-      lanes[i] += lanes[i + half];
-  return double(lanes[0]);
+  for (int block = 1; block < Blocks; ++block)
+    for (int l = 0; l < block_lanes; ++l)
+      lanes[l] += lanes[block * block_lanes + l];
+  return double(sum_of_block<Width>(lanes));
+}
+
+template <int Width>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE double squared_cosines(const Rod_block* rods, int row_count, int blocks,
+                                                               const Sample_lanes& from, int first_row,
+                                                               const Sample_lanes& to)
+{
+  switch (blocks) {
+  case 1:
+    return squared_cosines<Width, 1>(rods, row_count, from, first_row, to);
+  case 2:
+    return squared_cosines<Width, 2>(rods, row_count, from, first_row, to);
+  default:
+    return squared_cosines<Width, maximum_blocks>(rods, row_count, from, first_row, to);
+  }
 }
 
 // Least squared distance of the first `count` points of `first` to points of `second`.
@@ -180,7 +227,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE float least_squared_distance(const Sampl
 
 struct Rod_kernels
 {
-  double (*squared_cosines)(const Rod_row*, int, const Sample_lanes&, const Sample_lanes&);
+  double (*squared_cosines)(const Rod_block*, int, int, const Sample_lanes&, int, const Sample_lanes&);
   float (*least_squared_distance)(const Sample_lanes&, int, const Sample_lanes&);
 };
 
@@ -192,10 +239,10 @@ struct Rod_kernels
 #endif
 #define CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(name, instructions, width)                                               \
   CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
-  inline double squared_cosines_##name(const Rod_row* rows, int row_count, const Sample_lanes& first,                  \
-                                       const Sample_lanes& second)                                                     \
+  inline double squared_cosines_##name(const Rod_block* rods, int row_count, int blocks, const Sample_lanes& from,     \
+                                       int first_row, const Sample_lanes& to)                                          \
   {                                                                                                                    \
-    return squared_cosines<width>(rows, row_count, first, second);                                                     \
+    return squared_cosines<width>(rods, row_count, blocks, from, first_row, to);                                       \
   }                                                                                                                    \
   CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
   inline float least_squared_distance_##name(const Sample_lanes& first, int count, const Sample_lanes& second)         \
@@ -229,15 +276,6 @@ inline const Rod_kernels& rod_kernels()
 {
   static const Rod_kernels fastest = available_rod_kernels().back();
   return fastest;
-}
-
-// Length² in the kernel's own order of operations
-CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION inline float squared_rod_length(float x, float y, float z)
-{
-#ifdef __clang__
-#pragma STDC FP_CONTRACT OFF
-#endif
-  return x * x + y * y + z * z;
 }
 
 } // namespace internal
