@@ -49,8 +49,7 @@ double kernel_speed(const SC::internal::Rod_kernels& kernel)
 {
   std::srand(1);
   const SC::internal::Sample_lanes first(SC::Points::Random(3, 36)), second(SC::Points::Random(3, 36));
-  constexpr int blocks = 2;
-  std::vector<SC::internal::Rod_block> rods(36 * blocks);
+  std::vector<SC::internal::Rod_block> rods(36 * SC::internal::maximum_blocks);
   for (SC::internal::Rod_block& block : rods)
     for (auto& axis : block.direction)
       std::fill(std::begin(axis), std::end(axis), 1.0f);
@@ -59,9 +58,9 @@ double kernel_speed(const SC::internal::Rod_kernels& kernel)
   for (int run = 0; run < runs; ++run)
     best = std::min(best, milliseconds([&] {
                       for (int i = 0; i < repeats; ++i)
-                        sum += kernel.squared_cosines(rods.data(), 36, blocks, first, 0, second);
+                        sum += kernel.squared_cosines(rods.data(), first, 36, second, 36);
                     }));
-  return sum > 0 ? 36 * blocks * SC::internal::block_lanes * repeats / (best * 1e6) : 0;
+  return sum > 0 ? 36 * 36 * repeats / (best * 1e6) : 0;
 }
 
 // 22 groups in a graph of width 5 and 20 labels: rods between random points, as between parts far smaller than the

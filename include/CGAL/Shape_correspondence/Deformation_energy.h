@@ -61,7 +61,6 @@ public:
 private:
   double squared_cosines(const internal::Sample_lanes& first, const internal::Sample_lanes& second) const;
 
-  // In rows from the first part to as many samples of the second as fill whole blocks, and back from its others
   std::vector<internal::Rod_block> rods_;
   int first_count_ = 0, second_count_ = 0;
   double directionless_ = 0; // number of rods of length zero

@@ -125,7 +125,7 @@ private:
   std::size_t fit(const Image& image);
   void fit_parts();
   Images images(std::size_t part, std::size_t label) const;
-  double target_distance(std::size_t first_piece, std::size_t second_piece) const;
+  void measure_target_pieces();
   Rod_energy fitted_energy(const Structural_rods& rods, const Fitted& first, const Fitted& second) const;
   void fill_contact_energies(std::size_t contact, Contact_table& table);
   void fill_cut_energies();
@@ -136,6 +136,7 @@ private:
   bool has_shortlists_ = false;
   std::vector<std::vector<Group_label>> labels_;
   internal::Piece_list source_pieces_, target_pieces_;
+  Eigen::MatrixXd target_distances_;      // least distances of pieces
   std::vector<Fitted> fitted_;            // those of a part together
   std::vector<std::size_t> fitted_begin_; // by part
   std::vector<internal::Sample_lanes> lanes_;

@@ -19,11 +19,6 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-// Samples of the second part that fill whole blocks; the rods to the others are laid out from them.
-inline int samples_in_blocks(int count) { return count / block_lanes * block_lanes; }
-
-inline int blocks_of(int count) { return (count + block_lanes - 1) / block_lanes; }
-
 // Appends the rods from a sample to the first `count` samples of `to`. Returns how many have no direction.
 inline int append_row(const Point& from, const Points& to, int count, std::vector<Rod_block>& rods)
 {
@@ -67,15 +62,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Structural_rods::Structural_rods(const Points& 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::squared_cosines(const internal::Sample_lanes& first,
                                                                          const internal::Sample_lanes& second) const
 {
-  using namespace internal;
-  const auto kernel = rod_kernels().squared_cosines;
-  const int in_blocks = samples_in_blocks(second_count_), blocks = blocks_of(in_blocks);
-  double sum = 0;
-  if (blocks > 0) sum += kernel(rods_.data(), first_count_, blocks, first, 0, second);
-  if (second_count_ > in_blocks)
-    sum += kernel(rods_.data() + first_count_ * blocks, second_count_ - in_blocks, blocks_of(first_count_), second,
-                  in_blocks, first);
-  return sum;
+  return internal::rod_kernels().squared_cosines(rods_.data(), first, first_count_, second, second_count_);
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::distortion(const internal::Sample_lanes& first,

@@ -85,9 +85,9 @@ private:
 
   std::size_t nearest(std::size_t fitted, const Images& others) const
   {
-    const std::size_t from = problem_.fitted_[fitted].target_index;
+    const Eigen::Index from = Eigen::Index(problem_.fitted_[fitted].target_index);
     const auto distance = [&](std::size_t other) {
-      return problem_.target_distance(from, problem_.fitted_[other].target_index);
+      return problem_.target_distances_(Eigen::Index(problem_.fitted_[other].target_index), from);
     };
     std::size_t best = *others.first;
     double least = distance(best);
@@ -173,6 +173,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Matching_problem(Shared_shape
 CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::make_tables()
 {
   fit_parts();
+  measure_target_pieces();
   Contact_table table(*this);
   contact_energies_.resize(source().contacts.size());
   for (std::size_t contact = 0; contact < source().contacts.size(); ++contact)
@@ -277,13 +278,21 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Images Matching_problem::touc
   return clones;
 }
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE double Matching_problem::target_distance(std::size_t first_piece,
-                                                                          std::size_t second_piece) const
+// Those of whole parts are known.
+CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::measure_target_pieces()
 {
-  const std::size_t n = target_pieces_.number_of_parts();
-  if (first_piece < n && second_piece < n)
-    return target().distance(Eigen::Index(first_piece), Eigen::Index(second_piece));
-  return least_distance(target_pieces_[first_piece].samples, target_pieces_[second_piece].samples);
+  const Eigen::Index parts = Eigen::Index(target_pieces_.number_of_parts()), n = Eigen::Index(target_pieces_.size());
+  target_distances_ = target().distance;
+  if (n == parts) return;
+  target_distances_.conservativeResize(n, n);
+  std::vector<internal::Sample_lanes> lanes;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Points& samples = target_pieces_[std::size_t(i)].samples;
+    lanes.emplace_back(samples);
+    for (Eigen::Index j = 0; i >= parts && j <= i; ++j)
+      target_distances_(i, j) = target_distances_(j, i) =
+          least_distance(lanes.back(), int(samples.cols()), lanes[std::size_t(j)]);
+  }
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Rod_energy Matching_problem::fitted_energy(const Structural_rods& rods,
@@ -293,7 +302,8 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Rod_energy Matching_problem::fitted_energy(cons
   const bool collapsed = first.target_index == second.target_index;
   return {rods.distortion(samples(first), samples(second)),
           collapsed ? collapsed_connectedness
-                    : rods.connectedness(target_distance(first.target_index, second.target_index))};
+                    : rods.connectedness(
+                          target_distances_(Eigen::Index(first.target_index), Eigen::Index(second.target_index)))};
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fill_contact_energies(std::size_t contact, Contact_table& table)

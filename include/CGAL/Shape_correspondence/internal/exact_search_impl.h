@@ -65,12 +65,15 @@ public:
         pairs.push_back({b, a, cost.transpose()});
     }
 
-    buckets_ = std::make_unique<Mini_bucket_bound>(labels, table_limit);
-    fill(unary, pairs);
-    if (buckets_->exact()) return;
-    // Where the tables do not fit; fewer sweeps from the messages of the tangent before
+    // Whether the tables fit depends on their sizes alone: there are messages where those of a tangent before did not
+    const bool is_first = messages.to_first.empty();
+    if (is_first) {
+      buckets_ = std::make_unique<Mini_bucket_bound>(labels, table_limit);
+      fill(unary, pairs);
+      if (buckets_->exact()) return;
+    }
     constexpr int first_sweeps = 30, next_sweeps = 6;
-    reparametrize(unary, pairs, messages.to_first.empty() ? first_sweeps : next_sweeps, messages);
+    reparametrize(unary, pairs, is_first ? first_sweeps : next_sweeps, messages);
     buckets_ = std::make_unique<Mini_bucket_bound>(labels, table_limit);
     fill(unary, pairs);
   }

@@ -48,7 +48,7 @@ inline void reparametrize(std::vector<Eigen::VectorXd>& unary, std::vector<Pair_
       to_second.push_back(Eigen::VectorXd::Zero(pair.cost.cols()));
     }
 
-  Eigen::VectorXd sum;
+  Eigen::VectorXd sum, moved;
   const auto pass = [&, &to_first = to_first, &to_second = to_second](std::size_t v, bool is_forward) {
     sum = unary[v];
     for (std::size_t e : forward[v])
@@ -58,11 +58,16 @@ inline void reparametrize(std::vector<Eigen::VectorXd>& unary, std::vector<Pair_
     sum /= double(std::max<std::size_t>(1, std::max(forward[v].size(), backward[v].size())));
     for (std::size_t e : is_forward ? forward[v] : backward[v]) {
       const Eigen::MatrixXd& cost = pairs[e].cost;
-      if (is_forward)
-        to_second[e] = (cost.colwise() + (sum - to_first[e])).colwise().minCoeff().transpose();
-      else
-        to_first[e] = (cost.rowwise() + (sum - to_second[e]).transpose()).rowwise().minCoeff();
       Eigen::VectorXd& message = is_forward ? to_second[e] : to_first[e];
+      moved = sum - (is_forward ? to_first[e] : to_second[e]);
+      if (is_forward)
+        for (Eigen::Index b = 0; b < cost.cols(); ++b)
+          message[b] = (cost.col(b) + moved).minCoeff();
+      else {
+        message = cost.col(0).array() + moved[0];
+        for (Eigen::Index b = 1; b < cost.cols(); ++b)
+          message = message.array().min(cost.col(b).array() + moved[b]);
+      }
       message.array() -= message.minCoeff();
     }
   };

@@ -6,6 +6,8 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MINI_BUCKET_BOUND_H
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MINI_BUCKET_BOUND_H
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -109,9 +111,8 @@ private:
 
   static void add_row(const Cost_table& table, const std::vector<int>& labels, std::size_t n, double* sums)
   {
-    const double* row = table.row(labels);
-    for (std::size_t l = 0; l < n; ++l)
-      sums[l] += row[l];
+    const Eigen::Index count = Eigen::Index(n);
+    Eigen::Map<Eigen::VectorXd>(sums, count) += Eigen::Map<const Eigen::VectorXd>(table.row(labels), count);
   }
 
   // Tables of a bucket, packed first-fit into sets whose joint table is small enough.
@@ -164,12 +165,12 @@ private:
     message.values.reserve(count);
 
     std::vector<int> labels(v + 1, 0);
-    std::vector<double> sums(labels_[v]);
+    Eigen::VectorXd sums(Eigen::Index(labels_[v]));
     for (std::size_t entry = 0; entry < count; ++entry) {
-      std::fill(sums.begin(), sums.end(), 0.0);
+      sums.setZero();
       for (std::size_t i : mini)
-        add_row(buckets_[v][i], labels, sums.size(), sums.data());
-      message.values.push_back(*std::min_element(sums.begin(), sums.end()));
+        add_row(buckets_[v][i], labels, labels_[v], sums.data());
+      message.values.push_back(sums.minCoeff());
       for (std::size_t i = scope.size(); i-- > 0;) {
         if (++labels[scope[i]] < int(labels_[scope[i]])) break;
         labels[scope[i]] = 0;

@@ -79,17 +79,16 @@ struct Lane_vector<1>
   using type = float;
 };
 
-// max(x, 0) by the sign bit: a comparison is several times slower in the widest vectors.
+// x becomes max(x, 0), by its sign bit: a comparison is several times slower in the widest vectors.
 template <int Width>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE typename Lane_vector<Width>::type
-positive_part(const typename Lane_vector<Width>::type& x)
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void keep_positive(typename Lane_vector<Width>::type& x)
 {
   if constexpr (Width == 1) {
-    return x > 0 ? x : 0;
+    x = x > 0 ? x : 0;
   } else {
     using Bits = typename Lane_vector<Width>::bits;
     const Bits bits = reinterpret_cast<Bits>(x);
-    return reinterpret_cast<typename Lane_vector<Width>::type>(bits & ~(bits >> 31));
+    x = reinterpret_cast<typename Lane_vector<Width>::type>(bits & ~(bits >> 31));
   }
 }
 
@@ -112,11 +111,10 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void squared_cosine(const Rod_block& blo
   const Lanes x = lanes_at<Width>(to.coordinates[0], lanes) - from[0],
               y = lanes_at<Width>(to.coordinates[1], lanes) - from[1],
               z = lanes_at<Width>(to.coordinates[2], lanes) - from[2];
-  const Lanes product = lanes_at<Width>(block.direction[0], in_block) * x +
-                        lanes_at<Width>(block.direction[1], in_block) * y +
-                        lanes_at<Width>(block.direction[2], in_block) * z;
-  const Lanes ahead = positive_part<Width>(product);
-  numerator = ahead * ahead;
+  Lanes product = lanes_at<Width>(block.direction[0], in_block) * x +
+                  lanes_at<Width>(block.direction[1], in_block) * y + lanes_at<Width>(block.direction[2], in_block) * z;
+  keep_positive<Width>(product);
+  numerator = product * product;
   denominator = x * x + y * y + z * z + zero_rod;
 }
 
@@ -138,63 +136,70 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE float sum_of_block(const float* lanes)
   return (quarters[0] + quarters[2]) + (quarters[1] + quarters[3]);
 }
 
-// Sum of the squared cosines of rods: those of row i, of `Blocks` blocks, go from sample `first_row` + i of `from` to
-// the first samples of `to`. Rows are taken in pairs, whose fractions share a division, the slowest of the operations.
-template <int Width, int Blocks>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE double
-squared_cosines(const Rod_block* rods, int row_count, const Sample_lanes& from, int first_row, const Sample_lanes& to)
+// Adds the squared cosines of rods, up to a block: those of row i, of `Blocks` blocks, go from sample `first_row` + i
+// of `from` to the first samples of `to`. Rows are taken in pairs, whose fractions share a division, the slowest of the
+// operations.
+template <int Width, int Blocks, typename Lanes>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void add_rows(const Rod_block* rods, int row_count, const Sample_lanes& from,
+                                                      int first_row, const Sample_lanes& to,
+                                                      Lanes (&block_sum)[block_lanes / Width])
 {
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF
 #endif
-  using Lanes = typename Lane_vector<Width>::type;
   constexpr int in_block = block_lanes / Width, count = Blocks * in_block;
-  const Lanes zero = {};
   Lanes sums[count] = {}, numerator, denominator, other_numerator, other_denominator;
   const auto& at = from.coordinates;
-  int i = 0;
-  for (; i + 1 < row_count; i += 2, rods += 2 * Blocks) {
-    const int row = first_row + i;
-    const float start[3] = {at[0][row], at[1][row], at[2][row]};
-    const float other_start[3] = {at[0][row + 1], at[1][row + 1], at[2][row + 1]};
+  int i = first_row;
+  const int end = first_row + row_count;
+  for (; i + 1 < end; i += 2, rods += 2 * Blocks) {
+    const float start[3] = {at[0][i], at[1][i], at[2][i]};
+    const float other_start[3] = {at[0][i + 1], at[1][i + 1], at[2][i + 1]};
 #pragma GCC unroll 12
     for (int l = 0; l < count; ++l) {
-      const Rod_block& block = rods[l / in_block];
-      squared_cosine<Width>(block, l % in_block, start, to, l, numerator, denominator);
-      squared_cosine<Width>((&block)[Blocks], l % in_block, other_start, to, l, other_numerator, other_denominator);
+      const Rod_block* block = rods + l / in_block;
+      squared_cosine<Width>(block[0], l % in_block, start, to, l, numerator, denominator);
+      squared_cosine<Width>(block[Blocks], l % in_block, other_start, to, l, other_numerator, other_denominator);
       sums[l] += (numerator * other_denominator + other_numerator * denominator) / (denominator * other_denominator);
     }
   }
-  if (i < row_count) {
-    const int row = first_row + i;
-    const float start[3] = {at[0][row], at[1][row], at[2][row]};
+  if (i < end) {
+    const float start[3] = {at[0][i], at[1][i], at[2][i]};
 #pragma GCC unroll 12
     for (int l = 0; l < count; ++l) {
       squared_cosine<Width>(rods[l / in_block], l % in_block, start, to, l, numerator, denominator);
       sums[l] += numerator / denominator;
     }
   }
-  alignas(64) float lanes[Blocks * block_lanes];
-  std::memcpy(lanes, sums, sizeof lanes);
-  for (int block = 1; block < Blocks; ++block)
-    for (int l = 0; l < block_lanes; ++l)
-      lanes[l] += lanes[block * block_lanes + l];
-  return double(sum_of_block<Width>(lanes));
+#pragma GCC unroll 12
+  for (int l = 0; l < count; ++l)
+    block_sum[l % in_block] += sums[l];
 }
 
+// The layout of rods: in rows from the first samples to as many of the second as fill whole blocks, then in rows from
+// the other second samples back to the first.
+constexpr int samples_in_blocks(int count) { return count / block_lanes * block_lanes; }
+constexpr int blocks_of(int count) { return (count + block_lanes - 1) / block_lanes; }
+
+// Sum of the squared cosines of the rods between `first_count` and `second_count` samples.
 template <int Width>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE double squared_cosines(const Rod_block* rods, int row_count, int blocks,
-                                                               const Sample_lanes& from, int first_row,
-                                                               const Sample_lanes& to)
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE double squared_cosines(const Rod_block* rods, const Sample_lanes& first,
+                                                               int first_count, const Sample_lanes& second,
+                                                               int second_count)
 {
-  switch (blocks) {
-  case 1:
-    return squared_cosines<Width, 1>(rods, row_count, from, first_row, to);
-  case 2:
-    return squared_cosines<Width, 2>(rods, row_count, from, first_row, to);
-  default:
-    return squared_cosines<Width, maximum_blocks>(rods, row_count, from, first_row, to);
-  }
+  static_assert(maximum_blocks == 3, "a case for every number of blocks");
+  const int in_blocks = samples_in_blocks(second_count), blocks = blocks_of(in_blocks);
+  const int back_rows = second_count - in_blocks, back_blocks = back_rows > 0 ? blocks_of(first_count) : 0;
+  typename Lane_vector<Width>::type sum[block_lanes / Width] = {};
+  if (blocks == 1) add_rows<Width, 1>(rods, first_count, first, 0, second, sum);
+  if (blocks == 2) add_rows<Width, 2>(rods, first_count, first, 0, second, sum);
+  rods += first_count * blocks;
+  if (back_blocks == 1) add_rows<Width, 1>(rods, back_rows, second, in_blocks, first, sum);
+  if (back_blocks == 2) add_rows<Width, 2>(rods, back_rows, second, in_blocks, first, sum);
+  if (back_blocks == 3) add_rows<Width, 3>(rods, back_rows, second, in_blocks, first, sum);
+  alignas(64) float lanes[block_lanes];
+  std::memcpy(lanes, sum, sizeof lanes);
+  return double(sum_of_block<Width>(lanes));
 }
 
 // Least squared distance of the first `count` points of `first` to points of `second`.
@@ -227,7 +232,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE float least_squared_distance(const Sampl
 
 struct Rod_kernels
 {
-  double (*squared_cosines)(const Rod_block*, int, int, const Sample_lanes&, int, const Sample_lanes&);
+  double (*squared_cosines)(const Rod_block*, const Sample_lanes&, int, const Sample_lanes&, int);
   float (*least_squared_distance)(const Sample_lanes&, int, const Sample_lanes&);
 };
 
@@ -239,10 +244,10 @@ struct Rod_kernels
 #endif
 #define CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(name, instructions, width)                                               \
   CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
-  inline double squared_cosines_##name(const Rod_block* rods, int row_count, int blocks, const Sample_lanes& from,     \
-                                       int first_row, const Sample_lanes& to)                                          \
+  inline double squared_cosines_##name(const Rod_block* rods, const Sample_lanes& first, int first_count,              \
+                                       const Sample_lanes& second, int second_count)                                   \
   {                                                                                                                    \
-    return squared_cosines<width>(rods, row_count, blocks, from, first_row, to);                                       \
+    return squared_cosines<width>(rods, first, first_count, second, second_count);                                     \
   }                                                                                                                    \
   CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
   inline float least_squared_distance_##name(const Sample_lanes& first, int count, const Sample_lanes& second)         \
