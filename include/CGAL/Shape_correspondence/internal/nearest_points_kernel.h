@@ -6,6 +6,8 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_NEAREST_POINTS_KERNEL_H
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_NEAREST_POINTS_KERNEL_H
 
+#include <CGAL/Shape_correspondence/internal/vector_functions.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -14,16 +16,6 @@
 
 // Nearest points of two sets in vectors as wide as the machine has. A squared distance is x² + y² + z² in that order,
 // without fused operations, and a least one is the same in any order: every width gives the same bits.
-#if defined(__GNUC__) && !defined(__clang__)
-#define CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION __attribute__((optimize("fp-contract=off")))
-#else
-#define CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION
-#endif
-#ifdef __GNUC__
-#define CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE inline __attribute__((always_inline))
-#else
-#define CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE inline
-#endif
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -97,31 +89,27 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void nearest_squared(const Point_lanes& 
   }
 }
 
-#if defined(__x86_64__) && defined(__GNUC__)
 #define CGAL_SHAPE_CORRESPONDENCE_NEAREST(name, instructions, width)                                                   \
-  __attribute__((target(instructions))) CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION inline void nearest_squared_##name(   \
-      const Point_lanes& p, const Point_lanes& q, double* p_from_q, double* q_from_p)                                  \
+  CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
+  void nearest_squared_##name(const Point_lanes& p, const Point_lanes& q, double* p_from_q, double* q_from_p)          \
   {                                                                                                                    \
     nearest_squared<width>(p, q, p_from_q, q_from_p);                                                                  \
   }
+#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
 CGAL_SHAPE_CORRESPONDENCE_NEAREST(sse2, "sse2", 2)
 CGAL_SHAPE_CORRESPONDENCE_NEAREST(avx2, "avx2", 4)
 CGAL_SHAPE_CORRESPONDENCE_NEAREST(avx512, "avx512f", 8)
-#undef CGAL_SHAPE_CORRESPONDENCE_NEAREST
 #else
-CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION inline void nearest_squared_plain(const Point_lanes& p, const Point_lanes& q,
-                                                                           double* p_from_q, double* q_from_p)
-{
-  nearest_squared<1>(p, q, p_from_q, q_from_p);
-}
+CGAL_SHAPE_CORRESPONDENCE_NEAREST(plain, "", 1)
 #endif
+#undef CGAL_SHAPE_CORRESPONDENCE_NEAREST
 
 using Nearest_squared_kernel = void (*)(const Point_lanes&, const Point_lanes&, double*, double*);
 
 // The kernels that this machine can run, the fastest one last.
 inline std::vector<Nearest_squared_kernel> available_nearest_squared_kernels()
 {
-#if defined(__x86_64__) && defined(__GNUC__)
+#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
   std::vector<Nearest_squared_kernel> kernels{nearest_squared_sse2};
   if (__builtin_cpu_supports("avx2")) kernels.push_back(nearest_squared_avx2);
   if (__builtin_cpu_supports("avx512f")) kernels.push_back(nearest_squared_avx512);
@@ -140,8 +128,5 @@ inline Nearest_squared_kernel nearest_squared_kernel()
 } // namespace internal
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#undef CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION
-#undef CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_NEAREST_POINTS_KERNEL_H

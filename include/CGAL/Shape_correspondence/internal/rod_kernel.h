@@ -7,6 +7,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ROD_KERNEL_H
 
 #include <CGAL/Shape_correspondence/Points.h>
+#include <CGAL/Shape_correspondence/internal/vector_functions.h>
 
 #include <cstdint>
 #include <cstring>
@@ -15,16 +16,6 @@
 // Almost all of the search's time goes here. Rods are in single precision, whose error of 1e-7 is far below what any
 // comparison sees, and in lanes, each with a sum of its own: the widest vector instructions of the machine give the
 // same bits as the narrowest. Contraction to fused operations would not.
-#if defined(__GNUC__) && !defined(__clang__)
-#define CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION __attribute__((optimize("fp-contract=off")))
-#else
-#define CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION
-#endif
-#ifdef __GNUC__
-#define CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE inline __attribute__((always_inline))
-#else
-#define CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE inline
-#endif
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -237,25 +228,19 @@ struct Rod_kernels
   float (*least_squared_distance)(const Sample_lanes&, int, const Sample_lanes&);
 };
 
-#if defined(__x86_64__) && defined(__GNUC__)
-#define CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                 \
-  __attribute__((target(instructions))) CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION
-#else
-#define CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions) CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION
-#endif
 #define CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(name, instructions, width)                                               \
   CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
-  inline double squared_cosines_##name(const Rod_block* rods, const Sample_lanes& first, int first_count,              \
-                                       const Sample_lanes& second, int second_count)                                   \
+  double squared_cosines_##name(const Rod_block* rods, const Sample_lanes& first, int first_count,                     \
+                                const Sample_lanes& second, int second_count)                                          \
   {                                                                                                                    \
     return squared_cosines<width>(rods, first, first_count, second, second_count);                                     \
   }                                                                                                                    \
   CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
-  inline float least_squared_distance_##name(const Sample_lanes& first, int count, const Sample_lanes& second)         \
+  float least_squared_distance_##name(const Sample_lanes& first, int count, const Sample_lanes& second)                \
   {                                                                                                                    \
     return least_squared_distance<width>(first, count, second);                                                        \
   }
-#if defined(__x86_64__) && defined(__GNUC__)
+#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
 CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(sse2, "sse2", 4)
 CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(avx2, "avx2", 8)
 CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(avx512, "avx512f", 16)
@@ -263,12 +248,11 @@ CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(avx512, "avx512f", 16)
 CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(plain, "", 1)
 #endif
 #undef CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS
-#undef CGAL_SHAPE_CORRESPONDENCE_TARGET
 
 // The kernels that this machine can run, the fastest one last.
 inline std::vector<Rod_kernels> available_rod_kernels()
 {
-#if defined(__x86_64__) && defined(__GNUC__)
+#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
   std::vector<Rod_kernels> kernels{{squared_cosines_sse2, least_squared_distance_sse2}};
   if (__builtin_cpu_supports("avx2")) kernels.push_back({squared_cosines_avx2, least_squared_distance_avx2});
   if (__builtin_cpu_supports("avx512f")) kernels.push_back({squared_cosines_avx512, least_squared_distance_avx512});
@@ -287,8 +271,5 @@ inline const Rod_kernels& rod_kernels()
 } // namespace internal
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#undef CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION
-#undef CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ROD_KERNEL_H
