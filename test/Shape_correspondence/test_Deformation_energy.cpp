@@ -96,9 +96,12 @@ TEST_CASE("Whatever vector instructions the machine has, the bits are the same")
       const internal::Sample_lanes first(a), second(b);
       const auto kernels = internal::available_rod_kernels();
       for (const internal::Rod_kernels& kernel : kernels) {
-        CHECK(kernel.squared_cosines(before.data(), first, n, second, m) ==
-              kernels[0].squared_cosines(before.data(), first, n, second, m));
-        CHECK(kernel.least_squared_distance(first, n, second) == kernels[0].least_squared_distance(first, n, second));
+        const auto both = kernel.both(before.data(), first, n, second, m),
+                   expected = kernels[0].both(before.data(), first, n, second, m);
+        CHECK(both.squared_cosines == expected.squared_cosines);
+        CHECK(both.least_squared_length == expected.least_squared_length);
+        CHECK(kernel.squared_cosines(before.data(), first, n, second, m).squared_cosines == both.squared_cosines);
+        CHECK(kernel.least_length(nullptr, first, n, second, m).least_squared_length == both.least_squared_length);
       }
     }
 }

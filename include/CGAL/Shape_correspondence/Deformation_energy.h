@@ -56,10 +56,11 @@ public:
   double connectedness(double distance) const;
 
   /// E_d and E_c after the samples moved to `first` and `second`.
+  Rod_energy energy(const internal::Sample_lanes& first, const internal::Sample_lanes& second) const;
   Rod_energy energy(const Points& first, const Points& second) const;
 
 private:
-  double squared_cosines(const internal::Sample_lanes& first, const internal::Sample_lanes& second) const;
+  double distortion(float squared_cosines) const;
 
   std::vector<internal::Rod_block> rods_;
   int first_count_ = 0, second_count_ = 0;
@@ -71,7 +72,8 @@ private:
 
 /// The least distance between a sample of one part and a sample of another, in single precision. O(number of pairs).
 double least_distance(const Points& first, const Points& second);
-double least_distance(const internal::Sample_lanes& first, int first_count, const internal::Sample_lanes& second);
+double least_distance(const internal::Sample_lanes& first, int first_count, const internal::Sample_lanes& second,
+                      int second_count);
 
 /// E_s (Eq. 5) of the vector S.
 double split_energy(const std::vector<double>& solidity_ratios);

@@ -51,27 +51,27 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Structural_rods::Structural_rods(const Points& 
     directionless_ += append_row(first.col(i), second, in_blocks, rods_);
   for (int j = in_blocks; j < second_count_; ++j)
     directionless_ += append_row(second.col(j), first, first_count_, rods_);
-  unmoved_ = squared_cosines(Sample_lanes(first), Sample_lanes(second));
-
-  shortest_ = least_distance(first, second);
+  const Rod_answer unmoved =
+      rod_kernels().both(rods_.data(), Sample_lanes(first), first_count_, Sample_lanes(second), second_count_);
+  unmoved_ = double(unmoved.squared_cosines);
+  shortest_ = std::sqrt(double(unmoved.least_squared_length));
   for (int j = 0; j < second_count_; ++j)
     longest_ = std::max(longest_, (first.colwise() - second.col(j)).colwise().norm().maxCoeff());
 }
 
-// Sum over the rods that have a direction.
-CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::squared_cosines(const internal::Sample_lanes& first,
-                                                                         const internal::Sample_lanes& second) const
+CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::distortion(float squared_cosines) const
 {
-  return internal::rod_kernels().squared_cosines(rods_.data(), first, first_count_, second, second_count_);
+  const double count = double(first_count_) * second_count_;
+  double kept = directionless_;
+  if (unmoved_ > 0) kept += (count - directionless_) * double(squared_cosines) / unmoved_;
+  return 1 - std::sqrt(std::min(1.0, kept / count));
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::distortion(const internal::Sample_lanes& first,
                                                                     const internal::Sample_lanes& second) const
 {
-  const double count = double(first_count_) * second_count_;
-  double kept = directionless_;
-  if (unmoved_ > 0) kept += (count - directionless_) * squared_cosines(first, second) / unmoved_;
-  return 1 - std::sqrt(std::min(1.0, kept / count));
+  const auto kernel = internal::rod_kernels().squared_cosines;
+  return distortion(kernel(rods_.data(), first, first_count_, second, second_count_).squared_cosines);
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::connectedness(double distance) const
@@ -80,23 +80,32 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::connectedness(double di
   return longest_ > 0 ? std::min(1.0, distance / longest_) : 1.0;
 }
 
+CGAL_SHAPE_CORRESPONDENCE_INLINE Rod_energy Structural_rods::energy(const internal::Sample_lanes& first,
+                                                                    const internal::Sample_lanes& second) const
+{
+  const internal::Rod_answer moved =
+      internal::rod_kernels().both(rods_.data(), first, first_count_, second, second_count_);
+  return {distortion(moved.squared_cosines), connectedness(std::sqrt(double(moved.least_squared_length)))};
+}
+
 CGAL_SHAPE_CORRESPONDENCE_INLINE Rod_energy Structural_rods::energy(const Points& first, const Points& second) const
 {
   CGAL_precondition(first.cols() == first_count_ && second.cols() == second_count_);
-  return {distortion(internal::Sample_lanes(first), internal::Sample_lanes(second)),
-          connectedness(least_distance(first, second))};
+  return energy(internal::Sample_lanes(first), internal::Sample_lanes(second));
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double least_distance(const Points& first, const Points& second)
 {
   CGAL_precondition(first.cols() <= internal::maximum_samples && second.cols() <= internal::maximum_samples);
-  return least_distance(internal::Sample_lanes(first), int(first.cols()), internal::Sample_lanes(second));
+  return least_distance(internal::Sample_lanes(first), int(first.cols()), internal::Sample_lanes(second),
+                        int(second.cols()));
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double least_distance(const internal::Sample_lanes& first, int first_count,
-                                                       const internal::Sample_lanes& second)
+                                                       const internal::Sample_lanes& second, int second_count)
 {
-  return std::sqrt(double(internal::rod_kernels().least_squared_distance(first, first_count, second)));
+  const auto kernel = internal::rod_kernels().least_length;
+  return std::sqrt(double(kernel(nullptr, first, first_count, second, second_count).least_squared_length));
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double split_energy(const std::vector<double>& solidity_ratios)

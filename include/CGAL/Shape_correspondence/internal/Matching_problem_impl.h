@@ -185,8 +185,8 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::measure_target_pieces()
     const Points& samples = target_pieces_[std::size_t(i)].samples;
     lanes.emplace_back(samples);
     for (Eigen::Index j = 0; i >= parts && j <= i; ++j)
-      target_distances_(i, j) = target_distances_(j, i) =
-          least_distance(lanes.back(), int(samples.cols()), lanes[std::size_t(j)]);
+      target_distances_(i, j) = target_distances_(j, i) = least_distance(
+          lanes.back(), int(samples.cols()), lanes[std::size_t(j)], int(target_pieces_[std::size_t(j)].samples.cols()));
   }
 }
 

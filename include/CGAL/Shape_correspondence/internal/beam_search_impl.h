@@ -161,8 +161,7 @@ private:
       // Parts that move alike keep their rods
       const Point difference = displacement_.col(Eigen::Index(parts[0])) - displacement_.col(Eigen::Index(parts[1]));
       if (difference.squaredNorm() < zero_rod) return {};
-      return rod_energy(contact, false, moved(parts[0]), int(shape_.parts[parts[0]].samples.cols()), false,
-                        moved(parts[1]));
+      return problem_.rods(contact, false, false).energy(moved(parts[0]), moved(parts[1]));
     }
 
     // One side is assigned: the propagated part keeps to the nearest of its clones
@@ -176,21 +175,12 @@ private:
     for (std::size_t clone : problem_.touching(contact, side, std::size_t(assignment[shape_.group_of[matched_part]]))) {
       const Matching_problem::Fitted& fitted = problem_.fitted(clone);
       const bool lift = Eigen::Index(fitted.order->size()) != own && fitted.source.count == 1;
-      const Rod_energy energy =
-          side == 0 ? rod_energy(contact, lift, problem_.samples(fitted), int(fitted.order->size()), false, other)
-                    : rod_energy(contact, false, other, int(shape_.parts[moved_part].samples.cols()), lift,
-                                 problem_.samples(fitted));
+      const Rod_energy energy = side == 0 ? problem_.rods(contact, lift, false).energy(problem_.samples(fitted), other)
+                                          : problem_.rods(contact, false, lift).energy(other, problem_.samples(fitted));
       const double cost = weights.distortion * energy.distortion + weights.connectedness * energy.connectedness;
       if (cost < best_cost) best = energy, best_cost = cost;
     }
     return best;
-  }
-
-  Rod_energy rod_energy(std::size_t contact, bool lift_first, const Sample_lanes& first, int first_count,
-                        bool lift_second, const Sample_lanes& second) const
-  {
-    const Structural_rods& rods = problem_.rods(contact, lift_first, lift_second);
-    return {rods.distortion(first, second), rods.connectedness(least_distance(first, first_count, second))};
   }
 
   const Matching_problem& problem_;

@@ -9,6 +9,7 @@
 #include <CGAL/Shape_correspondence/Points.h>
 #include <CGAL/Shape_correspondence/internal/vector_functions.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -84,6 +85,20 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void keep_positive(typename Lane_vector<
   }
 }
 
+// x becomes min(x, y), where neither is negative.
+template <int Width>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void keep_least(typename Lane_vector<Width>::type& x,
+                                                        const typename Lane_vector<Width>::type& y)
+{
+  if constexpr (Width == 1) {
+    x = y < x ? y : x;
+  } else {
+    using Bits = typename Lane_vector<Width>::bits;
+    const Bits a = reinterpret_cast<Bits>(x), b = reinterpret_cast<Bits>(y);
+    x = reinterpret_cast<typename Lane_vector<Width>::type>(b < a ? b : a);
+  }
+}
+
 // A block of lanes in memory. A copy by memcpy() would go through the stack in narrower pieces.
 template <int Width>
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE const typename Lane_vector<Width>::type& lanes_at(const float* lanes, int block)
@@ -91,11 +106,36 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE const typename Lane_vector<Width>::type&
   return *reinterpret_cast<const typename Lane_vector<Width>::type*>(lanes + block * Width);
 }
 
-// For a vector of lanes of a block: the squared cosine between before and after, 0 beyond a right angle, as a fraction.
-template <int Width, typename Lanes>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void squared_cosine(const Rod_block& block, int in_block,
-                                                            const float (&from)[3], const Sample_lanes& to, int lanes,
-                                                            Lanes& numerator, Lanes& denominator)
+// What is asked about rods: how far they keep their directions, how short the shortest is, or both.
+enum class Rod_query { SQUARED_COSINES, LEAST_LENGTH, BOTH };
+
+struct Rod_answer
+{
+  float squared_cosines;      // sum over all rods that have a direction, 0 beyond a right angle
+  float least_squared_length; // of any two samples
+};
+
+// An answer up to a block of lanes. What was not asked stays as it is.
+template <int Width>
+struct Rod_totals
+{
+  using Lanes = typename Lane_vector<Width>::type;
+  static constexpr int count = block_lanes / Width;
+
+  Lanes cosines[count] = {}, least[count];
+
+  Rod_totals()
+  {
+    for (Lanes& lanes : least)
+      lanes = Lanes{} + far_away * far_away;
+  }
+};
+
+// For a vector of lanes of a block: the squared cosine between before and after as a fraction, and the squared length.
+template <int Width, Rod_query Query, typename Lanes>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void compare_rods(const Rod_block* before, int in_block, const float (&from)[3],
+                                                          const Sample_lanes& to, int lanes, Lanes& numerator,
+                                                          Lanes& denominator, Lanes& squared_length)
 {
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF
@@ -103,11 +143,63 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void squared_cosine(const Rod_block& blo
   const Lanes x = lanes_at<Width>(to.coordinates[0], lanes) - from[0],
               y = lanes_at<Width>(to.coordinates[1], lanes) - from[1],
               z = lanes_at<Width>(to.coordinates[2], lanes) - from[2];
-  Lanes product = lanes_at<Width>(block.direction[0], in_block) * x +
-                  lanes_at<Width>(block.direction[1], in_block) * y + lanes_at<Width>(block.direction[2], in_block) * z;
-  keep_positive<Width>(product);
-  numerator = product * product;
-  denominator = x * x + y * y + z * z + zero_rod;
+  squared_length = x * x + y * y + z * z;
+  if constexpr (Query != Rod_query::LEAST_LENGTH) {
+    Lanes product = lanes_at<Width>(before->direction[0], in_block) * x +
+                    lanes_at<Width>(before->direction[1], in_block) * y +
+                    lanes_at<Width>(before->direction[2], in_block) * z;
+    keep_positive<Width>(product);
+    numerator = product * product;
+    denominator = squared_length + zero_rod;
+  }
+}
+
+// Rods in rows of `Blocks` blocks: those of row i go from sample i of `from`, between `begin` and `end`, to the first
+// samples of `to`. Rows are taken in pairs, whose fractions share a division, the slowest of the operations.
+template <int Width, int Blocks, Rod_query Query>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void add_rows(const Rod_block* rods, const Sample_lanes& from, int begin,
+                                                      int end, const Sample_lanes& to, Rod_totals<Width>& totals)
+{
+#ifdef __clang__
+#pragma STDC FP_CONTRACT OFF
+#endif
+  using Lanes = typename Lane_vector<Width>::type;
+  constexpr int in_block = block_lanes / Width, count = Blocks * in_block;
+  constexpr bool cosines = Query != Rod_query::LEAST_LENGTH, least = Query != Rod_query::SQUARED_COSINES;
+  Lanes sums[count] = {}, numerator, denominator, length, other_numerator, other_denominator, other_length;
+  const auto& at = from.coordinates;
+  int i = begin;
+  for (; i + 1 < end; i += 2) {
+    const float start[3] = {at[0][i], at[1][i], at[2][i]};
+    const float other_start[3] = {at[0][i + 1], at[1][i + 1], at[2][i + 1]};
+#pragma GCC unroll 12
+    for (int l = 0; l < count; ++l) {
+      const int k = l % in_block;
+      const Rod_block* block = cosines ? rods + (i - begin) * Blocks + l / in_block : nullptr;
+      const Rod_block* other = cosines ? block + Blocks : nullptr;
+      compare_rods<Width, Query>(block, k, start, to, l, numerator, denominator, length);
+      compare_rods<Width, Query>(other, k, other_start, to, l, other_numerator, other_denominator, other_length);
+      if constexpr (cosines)
+        sums[l] += (numerator * other_denominator + other_numerator * denominator) / (denominator * other_denominator);
+      if constexpr (least) {
+        keep_least<Width>(length, other_length);
+        keep_least<Width>(totals.least[k], length);
+      }
+    }
+  }
+  if (i < end) {
+    const float start[3] = {at[0][i], at[1][i], at[2][i]};
+#pragma GCC unroll 12
+    for (int l = 0; l < count; ++l) {
+      const Rod_block* block = cosines ? rods + (i - begin) * Blocks + l / in_block : nullptr;
+      compare_rods<Width, Query>(block, l % in_block, start, to, l, numerator, denominator, length);
+      if constexpr (cosines) sums[l] += numerator / denominator;
+      if constexpr (least) keep_least<Width>(totals.least[l % in_block], length);
+    }
+  }
+#pragma GCC unroll 12
+  for (int l = 0; l < count; ++l)
+    totals.cosines[l % in_block] += sums[l];
 }
 
 // Halves are added up, in the same order for every width.
@@ -128,118 +220,56 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE float sum_of_block(const float* lanes)
   return (quarters[0] + quarters[2]) + (quarters[1] + quarters[3]);
 }
 
-// Adds the squared cosines of rods, up to a block: those of row i, of `Blocks` blocks, go from sample `first_row` + i
-// of `from` to the first samples of `to`. Rows are taken in pairs, whose fractions share a division, the slowest of the
-// operations.
-template <int Width, int Blocks, typename Lanes>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void add_rows(const Rod_block* rods, int row_count, const Sample_lanes& from,
-                                                      int first_row, const Sample_lanes& to,
-                                                      Lanes (&block_sum)[block_lanes / Width])
-{
-#ifdef __clang__
-#pragma STDC FP_CONTRACT OFF
-#endif
-  constexpr int in_block = block_lanes / Width, count = Blocks * in_block;
-  Lanes sums[count] = {}, numerator, denominator, other_numerator, other_denominator;
-  const auto& at = from.coordinates;
-  int i = first_row;
-  const int end = first_row + row_count;
-  for (; i + 1 < end; i += 2, rods += 2 * Blocks) {
-    const float start[3] = {at[0][i], at[1][i], at[2][i]};
-    const float other_start[3] = {at[0][i + 1], at[1][i + 1], at[2][i + 1]};
-#pragma GCC unroll 12
-    for (int l = 0; l < count; ++l) {
-      const Rod_block* block = rods + l / in_block;
-      squared_cosine<Width>(block[0], l % in_block, start, to, l, numerator, denominator);
-      squared_cosine<Width>(block[Blocks], l % in_block, other_start, to, l, other_numerator, other_denominator);
-      sums[l] += (numerator * other_denominator + other_numerator * denominator) / (denominator * other_denominator);
-    }
-  }
-  if (i < end) {
-    const float start[3] = {at[0][i], at[1][i], at[2][i]};
-#pragma GCC unroll 12
-    for (int l = 0; l < count; ++l) {
-      squared_cosine<Width>(rods[l / in_block], l % in_block, start, to, l, numerator, denominator);
-      sums[l] += numerator / denominator;
-    }
-  }
-#pragma GCC unroll 12
-  for (int l = 0; l < count; ++l)
-    block_sum[l % in_block] += sums[l];
-}
-
 // The layout of rods: in rows from the first samples to as many of the second as fill whole blocks, then in rows from
 // the other second samples back to the first.
 constexpr int samples_in_blocks(int count) { return count / block_lanes * block_lanes; }
 constexpr int blocks_of(int count) { return (count + block_lanes - 1) / block_lanes; }
 
-// Sum of the squared cosines of the rods between `first_count` and `second_count` samples.
-template <int Width>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE double squared_cosines(const Rod_block* rods, const Sample_lanes& first,
-                                                               int first_count, const Sample_lanes& second,
-                                                               int second_count)
+// The answer for the rods between `n` samples and `m` others; no rods before are needed for lengths alone.
+template <int Width, Rod_query Query>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_answer answer(const Rod_block* rods, const Sample_lanes& first, int n,
+                                                          const Sample_lanes& second, int m)
 {
   static_assert(maximum_blocks == 3, "a case for every number of blocks");
-  const int in_blocks = samples_in_blocks(second_count), blocks = blocks_of(in_blocks);
-  const int back_rows = second_count - in_blocks, back_blocks = back_rows > 0 ? blocks_of(first_count) : 0;
-  typename Lane_vector<Width>::type sum[block_lanes / Width] = {};
-  if (blocks == 1) add_rows<Width, 1>(rods, first_count, first, 0, second, sum);
-  if (blocks == 2) add_rows<Width, 2>(rods, first_count, first, 0, second, sum);
-  rods += first_count * blocks;
-  if (back_blocks == 1) add_rows<Width, 1>(rods, back_rows, second, in_blocks, first, sum);
-  if (back_blocks == 2) add_rows<Width, 2>(rods, back_rows, second, in_blocks, first, sum);
-  if (back_blocks == 3) add_rows<Width, 3>(rods, back_rows, second, in_blocks, first, sum);
-  alignas(64) float lanes[block_lanes];
-  std::memcpy(lanes, sum, sizeof lanes);
-  return double(sum_of_block<Width>(lanes));
-}
-
-// Least squared distance of the first `count` points of `first` to points of `second`.
-template <int Width>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE float least_squared_distance(const Sample_lanes& first, int count,
-                                                                     const Sample_lanes& second)
-{
-#ifdef __clang__
-#pragma STDC FP_CONTRACT OFF
-#endif
-  using Lanes = typename Lane_vector<Width>::type;
-  constexpr int blocks = lane_count / Width;
-  const Lanes zero = {};
-  Lanes least = zero + far_away * far_away;
-  for (int i = 0; i < count; ++i)
-    for (int b = 0; b < blocks; ++b) {
-      Lanes squares = zero;
-      for (int axis = 0; axis < 3; ++axis) {
-        const Lanes difference = lanes_at<Width>(second.coordinates[axis], b) - (zero + first.coordinates[axis][i]);
-        squares += difference * difference;
-      }
-      least = squares < least ? squares : least;
-    }
-  float lanes[Width], result = far_away * far_away;
-  std::memcpy(lanes, &least, sizeof lanes);
-  for (float lane : lanes)
-    result = lane < result ? lane : result;
+  const int in_blocks = samples_in_blocks(m), blocks = blocks_of(in_blocks), back_blocks = blocks_of(n);
+  const Rod_block* back = Query == Rod_query::LEAST_LENGTH ? nullptr : rods + n * blocks;
+  Rod_totals<Width> totals;
+  if (blocks == 1) add_rows<Width, 1, Query>(rods, first, 0, n, second, totals);
+  if (blocks == 2) add_rows<Width, 2, Query>(rods, first, 0, n, second, totals);
+  if (in_blocks < m) {
+    if (back_blocks == 1) add_rows<Width, 1, Query>(back, second, in_blocks, m, first, totals);
+    if (back_blocks == 2) add_rows<Width, 2, Query>(back, second, in_blocks, m, first, totals);
+    if (back_blocks == 3) add_rows<Width, 3, Query>(back, second, in_blocks, m, first, totals);
+  }
+  alignas(64) float cosines[block_lanes], least[block_lanes];
+  std::memcpy(cosines, totals.cosines, sizeof cosines);
+  std::memcpy(least, totals.least, sizeof least);
+  Rod_answer result{0, far_away * far_away};
+  if (Query != Rod_query::LEAST_LENGTH) result.squared_cosines = sum_of_block<Width>(cosines);
+  if (Query != Rod_query::SQUARED_COSINES) result.least_squared_length = *std::min_element(least, least + block_lanes);
   return result;
 }
 
+using Rod_kernel = Rod_answer (*)(const Rod_block* rods, const Sample_lanes& first, int n, const Sample_lanes& second,
+                                  int m);
+
+// For each query
 struct Rod_kernels
 {
-  double (*squared_cosines)(const Rod_block*, const Sample_lanes&, int, const Sample_lanes&, int);
-  float (*least_squared_distance)(const Sample_lanes&, int, const Sample_lanes&);
+  Rod_kernel squared_cosines, least_length, both;
 };
 
-#define CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(name, instructions, width)                                               \
+#define CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(name, instructions, width, query)                                         \
   CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
-  double squared_cosines_##name(const Rod_block* rods, const Sample_lanes& first, int first_count,                     \
-                                const Sample_lanes& second, int second_count)                                          \
+  Rod_answer name(const Rod_block* rods, const Sample_lanes& first, int n, const Sample_lanes& second, int m)          \
   {                                                                                                                    \
-    return squared_cosines<width>(rods, first, first_count, second, second_count);                                     \
-  }                                                                                                                    \
-  CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
-  float least_squared_distance_##name(const Sample_lanes& first, int count, const Sample_lanes& second)                \
-  {                                                                                                                    \
-    return least_squared_distance<width>(first, count, second);                                                        \
+    return answer<width, Rod_query::query>(rods, first, n, second, m);                                                 \
   }
+#define CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(name, instructions, width)                                               \
+  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(squared_cosines_##name, instructions, width, SQUARED_COSINES)                   \
+  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(least_length_##name, instructions, width, LEAST_LENGTH)                         \
+  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(both_##name, instructions, width, BOTH)                                         \
+  constexpr Rod_kernels rod_kernels_##name{squared_cosines_##name, least_length_##name, both_##name};
 #ifdef CGAL_SHAPE_CORRESPONDENCE_X86
 CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(sse2, "sse2", 4)
 CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(avx2, "avx2", 8)
@@ -248,17 +278,18 @@ CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(avx512, "avx512f", 16)
 CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(plain, "", 1)
 #endif
 #undef CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS
+#undef CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL
 
 // The kernels that this machine can run, the fastest one last.
 inline std::vector<Rod_kernels> available_rod_kernels()
 {
 #ifdef CGAL_SHAPE_CORRESPONDENCE_X86
-  std::vector<Rod_kernels> kernels{{squared_cosines_sse2, least_squared_distance_sse2}};
-  if (__builtin_cpu_supports("avx2")) kernels.push_back({squared_cosines_avx2, least_squared_distance_avx2});
-  if (__builtin_cpu_supports("avx512f")) kernels.push_back({squared_cosines_avx512, least_squared_distance_avx512});
+  std::vector<Rod_kernels> kernels{rod_kernels_sse2};
+  if (__builtin_cpu_supports("avx2")) kernels.push_back(rod_kernels_avx2);
+  if (__builtin_cpu_supports("avx512f")) kernels.push_back(rod_kernels_avx512);
   return kernels;
 #else
-  return {{squared_cosines_plain, least_squared_distance_plain}};
+  return {rod_kernels_plain};
 #endif
 }
 
