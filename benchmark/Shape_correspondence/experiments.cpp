@@ -430,6 +430,7 @@ void ablation(const Dataset& dataset)
   const std::pair<const char*, bool Part_matching_options::*> wholes[] = {
       {"no panels", &Part_matching_options::panels},
       {"no support", &Part_matching_options::support},
+      {"no alike legs", &Part_matching_options::alike_legs},
       {"no chains", &Part_matching_options::chains}};
   for (const auto& [name, whole] : wholes) {
     Search_options options;
@@ -439,7 +440,7 @@ void ablation(const Dataset& dataset)
   Search_options plain;
   plain.parts.panels = plain.parts.support = plain.parts.chains = false;
   plain.parts.upside_down = never;
-  methods.emplace_back("none of the last four", ours(plain));
+  methods.emplace_back("nothing turned over, no panels, support or chains", ours(plain));
   plain.parts.excess = 2;
   plain.parts.sibling = 4;
   methods.emplace_back("nor their bounds: excess 2, sibling 4", ours(plain));

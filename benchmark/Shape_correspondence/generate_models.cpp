@@ -6,7 +6,7 @@
 // Writes the models of data/, or the shapes of the benchmark, each a folder of parts with labels.
 
 #include "generator/benchmark/degrade.h"
-#include "generator/benchmark/shapes.h"
+#include "generator/benchmark/random_designs.h"
 #include "generator/models.h"
 #include "generator/writer.h"
 
@@ -30,7 +30,7 @@ constexpr int bad_input = 1, bad_usage = 2;
 struct Options
 {
   bool help = false, list = false, single_file = false, benchmark = false;
-  bool degrades = false;
+  bool degrades = false, random_styles = false;
   gen::Degradation degradation;
   std::uint64_t seed = 1;
   std::string folder;
@@ -39,7 +39,7 @@ struct Options
 void print_help(std::ostream& out)
 {
   out << "Usage: generate_models [--single-file] OUTPUT_FOLDER\n"
-         "       generate_models --benchmark [--degrade WAYS] [--seed N] OUTPUT_FOLDER\n"
+         "       generate_models --benchmark [--random-styles] [--degrade WAYS] [--seed N] OUTPUT_FOLDER\n"
          "       generate_models [--benchmark] --list\n"
          "\n"
          "Writes labelled models of man-made shapes; the same bytes every time.\n"
@@ -51,12 +51,13 @@ void print_help(std::ostream& out)
          "  --benchmark    make the shapes that methods are compared on instead, fifteen of each of six categories, "
          "in\n"
          "                 OUTPUT_FOLDER/CATEGORY/NAME\n"
+         "  --random-styles  draw their styles, too: shapes that no method was set on\n"
          "  --degrade      make them worse; WAYS are any of segmentation, open, gaps, noise, scale, rotation, with "
          "commas\n"
          "                 in between: parts cut and joined, surfaces with holes, parts that do not meet, vertices "
          "off\n"
          "                 their places, other proportions, turned about the up axis\n"
-         "  --seed         of what is drawn to make them worse; 1 if not given\n"
+         "  --seed         of the styles, and of what is drawn to make them worse; 1 if not given\n"
          "  --list         print the names of the models\n"
          "  --help         print this\n";
 }
@@ -106,7 +107,9 @@ Options parsed(int argc, char** argv)
     else if (argument == "--degrade") {
       options.degrades = true;
       options.degradation = parsed_ways(value());
-    } else if (argument == "--seed")
+    } else if (argument == "--random-styles")
+      options.random_styles = true;
+    else if (argument == "--seed")
       options.seed = parsed_seed(value());
     else if (argument.empty() || argument[0] == '-')
       throw std::invalid_argument("unknown option '" + argument + "'");
@@ -116,6 +119,7 @@ Options parsed(int argc, char** argv)
       options.folder = argument;
   }
   if (options.degrades && !options.benchmark) throw std::invalid_argument("--degrade is of --benchmark");
+  if (options.random_styles && !options.benchmark) throw std::invalid_argument("--random-styles is of --benchmark");
   if (!options.help && !options.list && options.folder.empty()) throw std::invalid_argument("no output folder");
   return options;
 }
@@ -131,6 +135,7 @@ void write(const fs::path& path, const std::string& content)
 
 std::vector<gen::Assembly> shapes(const Options& options)
 {
+  if (options.random_styles) return gen::random_shapes(options.seed);
   if (options.benchmark) return gen::benchmark_shapes();
   std::vector<gen::Assembly> result;
   for (const gen::Model& model : gen::models())

@@ -137,6 +137,27 @@ TEST_CASE("A square table is seen along its sides")
   CHECK(frame.axes.isApprox(Eigen::AngleAxisd(0.2, Point::UnitY()).toRotationMatrix(), 1e-6));
 }
 
+TEST_CASE("A disc on four legs is seen with the legs in the corners")
+{
+  std::vector<Point> points;
+  constexpr int around = 64;
+  for (int i = 0; i < around; ++i)
+    for (int ring = 0; ring <= 8; ++ring) {
+      const double angle = 2 * EIGEN_PI * i / around, radius = ring / 16.;
+      points.emplace_back(radius * std::cos(angle), 1, radius * std::sin(angle));
+    }
+  for (const double x : {-.3, .3})
+    for (const double z : {-.3, .3})
+      add_box(points, {x - .02, 0, z - .02}, {x + .02, .95, z + .02});
+  for (const double angle : {0., .2, -.6}) {
+    INFO(angle);
+    const Shape_frame frame = compute_shape_frame(turned(to_matrix(points), angle), Point::UnitY());
+    CHECK(frame.mirror_x);
+    CHECK(frame.mirror_z);
+    CHECK(frame.axes.isApprox(Eigen::AngleAxisd(angle, Point::UnitY()).toRotationMatrix(), 1e-6));
+  }
+}
+
 TEST_CASE("Flat and tiny shapes have a frame")
 {
   Points line(3, 2);

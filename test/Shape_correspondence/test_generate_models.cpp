@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "generator/benchmark/degrade.h"
-#include "generator/benchmark/shapes.h"
+#include "generator/benchmark/random_designs.h"
 #include "generator/models.h"
 #include "generator/writer.h"
 
@@ -305,6 +305,31 @@ TEST_CASE("the benchmark has fifteen whole shapes of each category, the same bit
   CHECK(counts == std::map<std::string, int>{
                       {"airplane", 15}, {"bed", 15}, {"chair", 15}, {"lamp", 15}, {"table", 15}, {"velocipede", 15}});
   CHECK(hash_of(shapes) == 0x424c6a36db565a42);
+}
+
+TEST_CASE("drawn shapes are whole, of other styles with every seed, and the same bits for the same one",
+          "[benchmark_shapes]")
+{
+  const std::vector<gen::Assembly> shapes = gen::random_shapes(101);
+  std::map<std::string, int> counts;
+  std::set<std::string> names;
+  for (const gen::Assembly& shape : shapes) {
+    INFO(shape.name);
+    ++counts[shape.category];
+    CHECK(names.insert(shape.name).second);
+    CHECK(shape.parts.size() >= 4);
+    CHECK(number_of_pieces(shape) == 1);
+    for (const gen::Part& part : shape.parts) {
+      INFO(part.name);
+      CHECK(is_closed(part.solid.mesh));
+    }
+  }
+  CHECK(counts == std::map<std::string, int>{
+                      {"airplane", 15}, {"bed", 15}, {"chair", 15}, {"lamp", 15}, {"table", 15}, {"velocipede", 15}});
+  const std::uint64_t hash = hash_of(shapes);
+  CHECK(hash == hash_of(gen::random_shapes(101)));
+  CHECK(hash != hash_of(gen::random_shapes(102)));
+  CHECK(hash == 0xcfdbf286fe4b4cfd);
 }
 
 TEST_CASE("shapes are made worse as asked, and in no other way", "[benchmark_shapes]")

@@ -108,6 +108,24 @@ TEST_CASE("A row without a frame is the row; groups that are no rows are none")
   CHECK(assemblies(hand_made::chair()).panels.empty());
 }
 
+TEST_CASE("A row is no frame of another")
+{
+  using hand_made::curve;
+  // a chair with slats off its sides and a knob on each of them
+  const Structural_graph slats = hand_made::slatted_chair();
+  Shape_structure shape = structure(slats);
+  const std::vector<Part_group> groups = {slats[0], slats[1], slats[2], slats[3],
+                                          hand_made::group({8, 9, 10}, Symmetry_type::TRANSLATION, {.15, 0, 0}, .4)};
+  for (const std::size_t slat : {1, 2, 3}) {
+    const double x = .15 * (double(slat) - 2); // off the sides, too
+    shape.parts[slat] = curve("slat", {x, .5, -.1}, {x, 1, -.1});
+    shape.parts.push_back(curve("knob", {x, .7, -.1}, {x, .75, -.1}));
+    shape.contacts.push_back(hand_made::contact(shape, slat, slat + 7, {x, .7, -.1}));
+  }
+  CHECK(assemblies(make_structural_graph(std::move(shape), groups)).panels ==
+        std::vector<Indices>{{8, 9, 10}, {1, 2, 3}});
+}
+
 TEST_CASE("What lies flat in a side of a shape, above its deck, is a panel")
 {
   using hand_made::curve;

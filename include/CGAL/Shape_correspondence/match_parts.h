@@ -29,6 +29,7 @@ struct Part_matching_options
   double upside_down = 1;   ///< a shape is turned over where that makes `mean_least_cost()` so much less
   bool panels = true;       ///< match panels as wholes (`Part_assemblies::panels`)
   bool support = true;      ///< match what carries the shapes as a whole (`Part_assemblies::support`)
+  bool alike_legs = true;   ///< where only some legs are alike, match them one to one, not the support as a whole
   bool chains = true;       ///< what has a chain hangs, and its links stand for links (`Part_assemblies::is_link`)
 };
 
@@ -58,6 +59,8 @@ struct Part_matching
 ///
 /// What carries the shapes (`Part_assemblies::support`) is matched as a whole, and with nothing else, unless its parts
 /// pair one to one, but for some that stand on the ground apart from the others (a ladder beside the legs of a bed).
+/// Where some legs of either shape are alike and others have no counterpart (a table and a desk with a cabinet on one
+/// side), legs stand for those that pair with them only.
 ///
 /// Where neither shape has a deck, one is turned over if the parts cost less then (a hanging lamp and one that stands).
 ///

@@ -22,9 +22,9 @@ struct Part_assemblies
   /// Sets of parts that make up a panel. Rows of `whole_group_size` or more parts that a translation takes to one
   /// another, with their frames: the parts in the plane of an upright row that are connected to it and reach little
   /// further (the rails and posts of a back of slats). What stands on the ground or is level with the deck frames
-  /// nothing above it. And the parts that lie flat in one of the four sides of the shape, above its deck and off the
-  /// ground, connected by each other or the support (the boards and rails at the head of a bed). And chains. No part is
-  /// in two panels.
+  /// nothing above it, and a row frames no other. And the parts that lie flat in one of the four sides of the shape,
+  /// above its deck and off the ground, connected by each other or the support (the boards and rails at the head of a
+  /// bed). And chains. No part is in two panels.
   std::vector<std::vector<std::size_t>> panels;
   /// What carries the deck, which is the lowest flat part that covers enough of the shape as seen from above (a seat, a
   /// tabletop, a mattress): the parts on the ground, and those without which one of them would lose its connection to

@@ -174,14 +174,29 @@ private:
     return (high - low).prod();
   }
 
+  /// How far the points lie into the corners of a rectangle whose sides are along the plane and across it.
+  double cornering(const Mirror_plane& plane) const
+  {
+    const Mirror_plane crossing = score(quarter_turn(plane.normal));
+    double sum = 0;
+    for (const Eigen::Vector2d& p : footprint_) {
+      sum += std::abs((plane.normal.dot(p) - plane.offset) * (crossing.normal.dot(p) - crossing.offset));
+    }
+    return sum;
+  }
+
   /// What has two mirror planes along its sides and two along its diagonals, like a square table, is seen along its
-  /// sides.
+  /// sides; what is round from above but for that, like a disc on four legs, with the legs in the corners.
   Mirror_plane tightest_alternative(const Mirror_plane& plane) const
   {
-    const double as_good = 1.3, tighter = 0.99;
+    const double as_good = 1.3, tighter = 0.99, clearly = 0.8;
     const Mirror_plane diagonal = score(Eigen::Rotation2Dd(0.25 * EIGEN_PI) * plane.normal);
-    const bool better = is_mirror(plane) && diagonal.residual < as_good * plane.residual &&
-                        rectangle_area(diagonal.normal) < tighter * rectangle_area(plane.normal);
+    if (!is_mirror(plane) || !(diagonal.residual < as_good * plane.residual)) {
+      return plane;
+    }
+    const double area = rectangle_area(plane.normal), diagonal_area = rectangle_area(diagonal.normal);
+    const bool is_round = diagonal_area > tighter * area && area > tighter * diagonal_area;
+    const bool better = is_round ? cornering(plane) < clearly * cornering(diagonal) : diagonal_area < tighter * area;
     return better ? diagonal : plane;
   }
 

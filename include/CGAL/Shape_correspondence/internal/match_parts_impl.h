@@ -30,6 +30,11 @@ constexpr double confidence_offset = 0.37, confidence_slope = 0.52, least_margin
 // Parts that pair one to one at no more cost are twins; set on the development set and the generated shapes.
 constexpr double twin_cost = 0.5;
 
+// Legs that pair one to one at no more cost are alike, and so many of them show that legs stand for legs, not a whole
+// for a whole; set on the generated shapes of given and of drawn styles.
+constexpr double alike_leg_cost = 4;
+constexpr std::size_t least_alike_legs = 2;
+
 inline void check(const Part_matching_options& options)
 {
   const Part_cost_weights& w = options.weights;
@@ -61,6 +66,16 @@ struct Block
   bool is_lone() const { return source.empty() || target.empty(); }
 };
 
+inline void drop_chains(Part_assemblies& assemblies)
+{
+  const auto has_link = [&](const std::vector<std::size_t>& panel) {
+    return std::any_of(panel.begin(), panel.end(), [&](std::size_t part) { return bool(assemblies.is_link[part]); });
+  };
+  std::vector<std::vector<std::size_t>>& panels = assemblies.panels;
+  panels.erase(std::remove_if(panels.begin(), panels.end(), has_link), panels.end());
+  assemblies.is_link.assign(assemblies.is_link.size(), 0);
+}
+
 // A shape with all that is derived from it.
 struct Assembled_shape
 {
@@ -73,7 +88,7 @@ struct Assembled_shape
   {
     if (!options.panels) assemblies.panels.clear();
     if (!options.support) assemblies.support.clear();
-    if (!options.chains) assemblies.is_link.assign(shape.parts.size(), 0);
+    if (!options.chains) drop_chains(assemblies);
     compared = compared_shape(shape, assemblies);
   }
 
@@ -289,11 +304,41 @@ inline bool carry_one_by_one(const Match_matrix& sure, const Part_assemblies& fe
   return true;
 }
 
-inline bool carry_as_wholes(const Match_matrix& sure, const Assembled_shape& source, const Assembled_shape& target)
+// Legs of either shape that pair with one of the other's each, and are alike.
+inline std::size_t number_of_alike_legs(const Match_matrix& sure, const Eigen::MatrixXd& costs,
+                                        const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
 {
-  const Part_assemblies &a = source.assemblies, &b = target.assemblies;
-  if (a.support.empty() || b.support.empty()) return false;
-  return a.legs.size() <= b.legs.size() ? !carry_one_by_one(sure, a, b) : !carry_one_by_one(sure.transpose(), b, a);
+  const std::vector<std::size_t> of_a = number_of_pairs(sure, a, b), of_b = number_of_pairs(sure.transpose(), b, a);
+  std::size_t result = 0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    for (std::size_t l = 0; l < b.size(); ++l) {
+      const auto i = Eigen::Index(a[k]), j = Eigen::Index(b[l]);
+      result += sure(i, j) && of_a[k] == 1 && of_b[l] == 1 && quantized(costs(i, j)) <= quantized(alike_leg_cost);
+    }
+  return result;
+}
+
+// How what carries one shape stands for what carries the other.
+enum class Carrying {
+  BY_BLOCKS,  // as other parts do
+  ALIKE_LEGS, // legs only for those that pair with them: on either side are some that have no counterpart
+  AS_WHOLES   // all for all
+};
+
+inline Carrying carrying(const Match_matrix& sure, const Eigen::MatrixXd& costs, const Part_assemblies& a,
+                         const Part_assemblies& b, bool alike_legs)
+{
+  if (a.support.empty() || b.support.empty()) return Carrying::BY_BLOCKS;
+  if (a.legs.size() <= b.legs.size() ? carry_one_by_one(sure, a, b) : carry_one_by_one(sure.transpose(), b, a))
+    return Carrying::BY_BLOCKS;
+  return alike_legs && number_of_alike_legs(sure, costs, a.legs, b.legs) >= least_alike_legs ? Carrying::ALIKE_LEGS
+                                                                                             : Carrying::AS_WHOLES;
+}
+
+inline void leave_out(const std::vector<std::size_t>& left_out, std::vector<std::size_t>& parts)
+{
+  const auto is_left_out = [&](std::size_t part) { return std::binary_search(left_out.begin(), left_out.end(), part); };
+  parts.erase(std::remove_if(parts.begin(), parts.end(), is_left_out), parts.end());
 }
 
 // What carries a shape stands for nothing but what carries the other.
@@ -313,12 +358,19 @@ inline Match_matrix matched(const Cost_matrices& costs, const Assembled_shape& s
                             const Part_matching_options& options)
 {
   Match_matrix sure = pairs_within(costs.all, options.sure_excess), pairs = pairs_within(costs.all, options.excess);
-  const bool whole_support = carry_as_wholes(sure, source, target);
-  if (whole_support) part_support(source, target, sure);
-  fill_blocks(joined_blocks(sure, source, target, options), sure, costs.of_parts, source, target, pairs);
-  if (whole_support) {
+  const Part_assemblies &a = source.assemblies, &b = target.assemblies;
+  const Carrying carried = carrying(sure, costs.of_parts, a, b, options.alike_legs);
+  if (carried == Carrying::AS_WHOLES) part_support(source, target, sure);
+  std::vector<Block> blocks = joined_blocks(sure, source, target, options);
+  if (carried == Carrying::ALIKE_LEGS)
+    for (Block& block : blocks) {
+      leave_out(a.legs, block.source);
+      leave_out(b.legs, block.target);
+    }
+  fill_blocks(blocks, sure, costs.of_parts, source, target, pairs);
+  if (carried == Carrying::AS_WHOLES) {
     part_support(source, target, pairs);
-    match_all(source.assemblies.legs, target.assemblies.legs, pairs);
+    match_all(a.legs, b.legs, pairs);
   }
   return pairs;
 }

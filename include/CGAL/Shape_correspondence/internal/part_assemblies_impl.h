@@ -82,9 +82,7 @@ public:
     result.is_on_ground = is_on_ground_;
     result.is_link = is_link_;
     for (const Aligned_shape::Group& group : shape_.groups)
-      if (group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= whole_group_size &&
-          !is_link_[group.parts[0]])
-        add_panel(framed(group.parts), result.panels);
+      if (is_row(group) && !is_link_[group.parts[0]]) add_panel(framed(group.parts), result.panels);
     for (const std::vector<std::size_t>& chain : chains_)
       add_panel(chain, result.panels);
     if (result.has_deck) add_side_panels(result.support, result.panels);
@@ -171,10 +169,16 @@ private:
     return has_legs ? result : support;
   }
 
-  // May a part frame a row, by its role?
+  static bool is_row(const Aligned_shape::Group& group)
+  {
+    return group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= whole_group_size;
+  }
+
+  // May a part frame a row, by its role? Knobs in a row do not frame the drawers that they are on.
   bool may_frame(std::size_t part, bool row_is_on_ground, bool row_is_above_deck) const
   {
-    if (is_link_[part] || (is_on_ground_[part] && !row_is_on_ground)) return false;
+    if (is_link_[part] || is_row(shape_.groups[shape_.group_of[part]])) return false;
+    if (is_on_ground_[part] && !row_is_on_ground) return false;
     return !row_is_above_deck || is_less(boxes_[deck_].middle(), boxes_[part].middle());
   }
 
