@@ -11,16 +11,16 @@
 //   apart      the widest gap that it takes to join all parts, and the same at the ends
 //   asymmetry  root mean square distance from the mirror image, and the same at the ends
 //   ground     how far a foot is off the ground
-//   start, end how far the shape is from the source just after 0, and from the target just before 1
+//   start, end the Hausdorff distance from the source just after 0, and from the target just before 1
 // and a line for everything that does not hold within the tolerances of `Shape_blend`.
 // Ends with exit status 1 if a part is open that must not be, or an end is not the input.
+#include "blend_checks.h"
+
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
-#include <CGAL/Shape_correspondence/internal/blend/widest_gap.h>
-#include <CGAL/Shape_correspondence/internal/map/Charted_mesh.h>
 
 #include <chrono>
 #include <cstdio>
@@ -31,7 +31,7 @@
 namespace {
 
 using namespace CGAL::Shape_correspondence;
-using internal::contacts::Triangle_tree;
+using namespace blend_checks;
 
 struct Model
 {
@@ -53,55 +53,6 @@ Model load(const std::string& path, const std::string& cache_folder)
   structure(model.graph).content = content;
   if (cache) cache->insert(model.graph);
   return model;
-}
-
-/// Whether every edge is run through as often in the one direction as in the other.
-bool is_closed(const Part_mesh& mesh)
-{
-  std::map<std::pair<int, int>, int> balance;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
-    for (int i = 0; i < 3; ++i) {
-      const int a = mesh.triangles(i, t), b = mesh.triangles((i + 1) % 3, t);
-      if (a != b) balance[std::minmax(a, b)] += a < b ? 1 : -1;
-    }
-  for (const auto& [edge, count] : balance)
-    if (count != 0) return false;
-  return true;
-}
-
-std::vector<Triangle_tree> trees_of(const Segmented_shape& shape)
-{
-  std::vector<Triangle_tree> result;
-  for (const Shape_part& part : shape.parts())
-    result.push_back(internal::tree_of(part.mesh.points, part.mesh.triangles));
-  return result;
-}
-
-/// How far the vertices of one shape are from the surface of another.
-double distance(const Segmented_shape& from, const Segmented_shape& to)
-{
-  const std::vector<Triangle_tree> trees = trees_of(to);
-  double farthest = 0;
-  for (const Shape_part& part : from.parts())
-    for (Eigen::Index i = 0; i < part.mesh.points.cols(); ++i) {
-      double squared = std::numeric_limits<double>::infinity();
-      Point nearest;
-      std::size_t triangle;
-      for (const Triangle_tree& tree : trees)
-        if (tree.box().squaredExteriorDistance(part.mesh.points.col(i)) < squared)
-          tree.improve_nearest(part.mesh.points.col(i), nearest, squared, triangle);
-      farthest = std::max(farthest, squared);
-    }
-  return std::sqrt(farthest);
-}
-
-bool is_same(const Segmented_shape& a, const Segmented_shape& b)
-{
-  bool same = a.parts().size() == b.parts().size();
-  for (std::size_t i = 0; same && i < a.parts().size(); ++i)
-    same = a.parts()[i].mesh.points == b.parts()[i].mesh.points &&
-           a.parts()[i].mesh.triangles == b.parts()[i].mesh.triangles;
-  return same;
 }
 
 /// Whether the parts that a part of a blend is made of are closed.
@@ -132,8 +83,8 @@ bool check(const std::string& source_path, const std::string& target_path, int f
   for (int frame = 1; frame + 1 < frames; ++frame) {
     const double t = double(frame) / (frames - 1);
     const Segmented_shape shape = blend(t);
-    const Blend_quality quality = blend.quality(t);
-    for (const std::string& fault : blend.faults(t))
+    const auto [quality, found] = blend.check(t);
+    for (const std::string& fault : found)
       faults.push_back("  t = " + std::to_string(t).substr(0, 5) + ": " + fault);
     for (const Shape_part& part : shape.parts())
       open += closed.at(part.name) && !is_closed(part.mesh);
@@ -141,14 +92,13 @@ bool check(const std::string& source_path, const std::string& target_path, int f
     gap = std::max(gap, quality.gap);
     asymmetry = std::max(asymmetry, quality.asymmetry);
     ground = std::max(ground, quality.ground);
-    apart = std::max(apart, internal::widest_gap(trees_of(shape)) / ((1 - t) * heights[0] + t * heights[1]));
+    apart = std::max(apart, widest_gap(shape, (1 - t) * heights[0] + t * heights[1]));
   }
-  const double end_apart = std::max(internal::widest_gap(trees_of(source.shape)) / heights[0],
-                                    internal::widest_gap(trees_of(target.shape)) / heights[1]);
-  const double end_asymmetry = std::max(blend.quality(0).asymmetry, blend.quality(1).asymmetry);
+  const double end_apart = std::max(widest_gap(source.shape, heights[0]), widest_gap(target.shape, heights[1]));
+  const double end_asymmetry = std::max(blend.check(0).quality.asymmetry, blend.check(1).quality.asymmetry);
   constexpr double just = 1e-6;
-  const double start = distance(source.shape, blend(just)) / heights[0];
-  const double end = distance(target.shape, blend(1 - just)) / heights[1];
+  const double start = hausdorff_distance(source.shape, blend(just)) / heights[0];
+  const double end = hausdorff_distance(target.shape, blend(1 - just)) / heights[1];
   const bool exact = is_same(blend(0), source.shape) && is_same(blend(1), target.shape);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const auto stem = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };

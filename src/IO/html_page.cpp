@@ -15,56 +15,34 @@ namespace Shape_correspondence {
 namespace IO {
 namespace {
 
-// The page is the first text, the scene as JSON, and the second one.
-constexpr const char* page_begin = R"page(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title></title>
-<style>
-body { margin: 0; height: 100vh; display: flex; font: 14px/1.4 system-ui, sans-serif; color: #222; background: #fff; }
-#view { flex: 1 1 60%; position: relative; min-width: 0; }
+constexpr const char* page_style = R"page(#view { flex: 1 1 60%; position: relative; min-width: 0; }
 canvas { position: absolute; width: 100%; height: 100%; touch-action: none; cursor: grab; }
 #side { flex: 0 1 38%; max-width: 44em; overflow: auto; border-left: 1px solid #ccc; padding: 0 1em; box-sizing: border-box; }
-h1 { font-size: 1.2em; margin: .6em 0 .3em; overflow-wrap: anywhere; }
-p { margin: .2em 0; }
 label { margin-right: 1em; white-space: nowrap; }
-table { border-collapse: collapse; margin: .6em 0; }
-th, td { text-align: left; padding: .15em .6em .15em 0; vertical-align: top; border-bottom: 1px solid #eee; }
-tr.lit { background: #ffeeb0; }
-i { display: inline-block; width: .8em; height: .8em; border-radius: 2px; }
 #tip { position: absolute; display: none; pointer-events: none; max-width: 26em; background: #fffffff0; border: 1px solid #999;
   border-radius: 4px; padding: .3em .6em; }
 #tip b { display: block; }
 @media (max-width: 700px) { body { flex-direction: column; } #side { max-width: none; border: 0; flex: 1 1 45%; } }
-</style>
-</head>
-<body>
-<div id="view"><canvas></canvas><div id="tip"></div></div>
+)page";
+
+constexpr const char* page_body = R"page(<div id="view"><canvas></canvas><div id="tip"></div></div>
 <div id="side"><h1></h1><div id="notes"></div><p id="roles"></p><table></table></div>
-<script type="application/json" id="scene">)page";
+)page";
 
-constexpr const char* page_end = R"page(</script>
-<script>
-'use strict';
-const scene = JSON.parse(document.getElementById('scene').textContent);
-const $ = s => document.querySelector(s);
-const element = (tag, text, parent) => { const e = document.createElement(tag); if (text) e.textContent = text; parent.append(e); return e; };
-const bytes = s => Uint8Array.from(atob(s), c => c.charCodeAt(0)).buffer;
+constexpr const char* page_script = R"page(const bytes = s => Uint8Array.from(atob(s), c => c.charCodeAt(0)).buffer;
 
-document.title = scene.title;
-$('h1').textContent = scene.title;
-for (const note of scene.notes) element('p', note, $('#notes'));
+document.title = data.title;
+$('h1').textContent = data.title;
+for (const note of data.notes) element('p', note, $('#notes'));
 
 // The table
 const rows = [];
-if (scene.heading.length) {
+if (data.heading.length) {
   const head = element('tr', '', element('thead', '', $('table')));
   element('th', '', head);
-  for (const cell of scene.heading) element('th', cell, head);
+  for (const cell of data.heading) element('th', cell, head);
   const body = element('tbody', '', $('table'));
-  for (const row of scene.rows) {
+  for (const row of data.rows) {
     const tr = element('tr', '', body);
     element('i', '', element('td', '', tr)).style.background = row.colour;
     for (const cell of row.cells) element('td', cell, tr);
@@ -78,7 +56,7 @@ if (scene.heading.length) {
 const canvas = $('canvas');
 const gl = canvas.getContext('webgl', {antialias: true, preserveDrawingBuffer: true});
 if (!gl || !gl.getExtension('OES_element_index_uint')) element('p', 'The picture needs WebGL, which this browser does not offer.', $('#notes'));
-const roles = [...new Set(scene.layers.map(l => l.role))];
+const roles = [...new Set(data.layers.map(l => l.role))];
 const shown = new Set(roles);
 let lit = new Set(), frame = 0;
 function light(things) {
@@ -118,7 +96,7 @@ const buffer = (target, data) => { const b = gl.createBuffer(); gl.bindBuffer(ta
 const low = [1e30, 1e30, 1e30], high = [-1e30, -1e30, -1e30];
 const prog = program();
 const uniform = Object.fromEntries(['view', 'projection', 'colour', 'flat_'].map(u => [u, gl.getUniformLocation(prog, u)]));
-const layers = scene.layers.map(l => {
+const layers = data.layers.map(l => {
   const points = new Float32Array(bytes(l.points)), indices = new Uint32Array(bytes(l.triangles));
   for (let i = 0; i < points.length; ++i) {
     low[i % 3] = Math.min(low[i % 3], points[i]);
@@ -193,7 +171,7 @@ function thingAt(event) {
   return pixel[0] + 256 * pixel[1] - 1;
 }
 function point(event) {
-  const thing = scene.things[thingAt(event)], tip = $('#tip');
+  const thing = data.things[thingAt(event)], tip = $('#tip');
   tip.style.display = thing ? 'block' : 'none';
   if ((thing ? thing.index : -1) !== ([...lit][0] ?? -1)) light(thing ? [thing.index] : []);
   if (!thing) return;
@@ -204,7 +182,7 @@ function point(event) {
   tip.style.left = Math.min(event.clientX - box.left + 14, box.width - tip.offsetWidth - 4) + 'px';
   tip.style.top = Math.min(event.clientY - box.top + 14, box.height - tip.offsetHeight - 4) + 'px';
 }
-scene.things.forEach((t, i) => t.index = i);
+data.things.forEach((t, i) => t.index = i);
 canvas.onpointerdown = e => canvas.setPointerCapture(e.pointerId);
 canvas.onpointermove = e => {
   if (!e.buttons) return point(e);
@@ -228,9 +206,6 @@ new ResizeObserver(() => {
   canvas.height = canvas.clientHeight * devicePixelRatio;
   draw(false);
 }).observe(canvas);
-</script>
-</body>
-</html>
 )page";
 
 std::string base64(const std::string& bytes)
@@ -261,20 +236,20 @@ std::string base64_of(const Matrix& matrix)
 
 Html_page::Html_page(const std::string& title)
 {
-  scene_["title"] = title;
+  data_["title"] = title;
   for (const char* list : {"notes", "things", "layers", "heading", "rows"})
-    scene_[list] = Json::array();
+    data_[list] = Json::array();
 }
 
-void Html_page::add_note(const std::string& note) { scene_["notes"].push_back(note); }
+void Html_page::add_note(const std::string& note) { data_["notes"].push_back(note); }
 
 int Html_page::add_thing(const std::string& name, const std::vector<std::pair<std::string, std::string>>& details)
 {
   Json list = Json::array();
   for (const auto& [key, value] : details)
     list.push_back(Json::array({key, value}));
-  scene_["things"].push_back({{"name", name}, {"details", list}});
-  return static_cast<int>(scene_["things"].size()) - 1;
+  data_["things"].push_back({{"name", name}, {"details", list}});
+  return static_cast<int>(data_["things"].size()) - 1;
 }
 
 void Html_page::add_layer(int thing, const std::string& role, const Drawn_mesh& mesh, const Colour& colour,
@@ -282,22 +257,22 @@ void Html_page::add_layer(int thing, const std::string& role, const Drawn_mesh& 
 {
   if (mesh.triangles.cols() == 0) return;
   const std::array<double, 3> c = screen_colour(colour);
-  scene_["layers"].push_back({{"thing", thing},
-                              {"role", role},
-                              {"colour", {c[0], c[1], c[2], alpha}},
-                              {"points", base64_of<float>((mesh.points.colwise() + translation).eval())},
-                              {"normals", base64_of<float>(mesh.normals)},
-                              {"triangles", base64_of<std::uint32_t>(mesh.triangles)}});
+  data_["layers"].push_back({{"thing", thing},
+                             {"role", role},
+                             {"colour", {c[0], c[1], c[2], alpha}},
+                             {"points", base64_of<float>((mesh.points.colwise() + translation).eval())},
+                             {"normals", base64_of<float>(mesh.normals)},
+                             {"triangles", base64_of<std::uint32_t>(mesh.triangles)}});
 }
 
-void Html_page::set_table_heading(const std::vector<std::string>& cells) { scene_["heading"] = cells; }
+void Html_page::set_table_heading(const std::vector<std::string>& cells) { data_["heading"] = cells; }
 
 void Html_page::add_row(const std::vector<int>& things, const Colour& colour, const std::vector<std::string>& cells)
 {
-  scene_["rows"].push_back({{"things", things}, {"colour", css_colour(colour)}, {"cells", cells}});
+  data_["rows"].push_back({{"things", things}, {"colour", css_colour(colour)}, {"cells", cells}});
 }
 
-void Html_page::write(std::ostream& out) const { out << page_begin << script_text(scene_) << page_end; }
+void Html_page::write(std::ostream& out) const { write_page(out, "", page_style, page_body, data_, page_script); }
 
 } // namespace IO
 } // namespace Shape_correspondence

@@ -43,7 +43,7 @@ public:
   void write(std::ostream& out) const;
 
 private:
-  Json scene_;
+  Json data_;
 };
 
 } // namespace IO

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <ostream>
 #include <string>
 
 namespace CGAL {
@@ -47,6 +48,40 @@ inline std::string script_text(const Json& json)
   for (char c : json_line(json))
     result += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return result;
+}
+
+/// Writes a page that needs no network. Its script finds what it shows in `data`, elements by `$(selector)`, and adds
+/// some by `element(tag, text, parent)`.
+/// \param style what the page adds to the style that all pages have
+/// \param body of the page
+inline void write_page(std::ostream& out, const char* title, const char* style, const char* body, const Json& data,
+                       const char* script)
+{
+  out << R"page(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>)page"
+      << title << R"page(</title>
+<style>
+body { margin: 0; height: 100vh; display: flex; font: 14px/1.4 system-ui, sans-serif; color: #222; background: #fff; }
+h1 { font-size: 1.2em; margin: .6em 0 .3em; overflow-wrap: anywhere; }
+p { margin: .2em 0; }
+table { border-collapse: collapse; margin: .6em 0; }
+th, td { text-align: left; padding: .15em .6em .15em 0; vertical-align: top; border-bottom: 1px solid #eee; }
+tr.lit { background: #ffeeb0; }
+i { display: inline-block; width: .8em; height: .8em; border-radius: 2px; }
+)page" << style
+      << "</style>\n</head>\n<body>\n"
+      << body << "<script type=\"application/json\" id=\"data\">" << script_text(data) << R"page(</script>
+<script>
+'use strict';
+const data = JSON.parse(document.getElementById('data').textContent);
+const $ = s => document.querySelector(s);
+const element = (tag, text, parent) => { const e = document.createElement(tag); if (text) e.textContent = text; parent.append(e); return e; };
+)page" << script
+      << "</script>\n</body>\n</html>\n";
 }
 
 } // namespace IO

@@ -10,6 +10,8 @@
 #include "json_text.h"
 #include "picture_geometry.h"
 
+#include <CGAL/Shape_correspondence/internal/for_each_index.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -130,14 +132,16 @@ void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Correspo
   const std::vector<Blend_surface> surfaces = blend.surfaces();
   std::vector<std::vector<Points>> shapes(surfaces.size());
   std::vector<std::vector<double>> times(surfaces.size());
+  std::vector<std::vector<Points>> points(static_cast<std::size_t>(frames)); // by frame and surface
+  internal::for_each_index<CGAL::Parallel_if_available_tag>(
+      points.size(), [&](std::size_t frame) { points[frame] = blend.points(double(frame) / (frames - 1)); });
   for (int frame = 0; frame < frames; ++frame) {
-    const std::vector<Points> points = blend.points(double(frame) / (frames - 1));
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
       // One more before and after the frames in which it is there
       const double first = std::floor(surfaces[s].begin * (frames - 1));
       const double last = std::ceil(surfaces[s].end * (frames - 1));
       if (surfaces[s].begin >= surfaces[s].end || frame < first || frame > last) continue;
-      shapes[s].push_back(points[s]);
+      shapes[s].push_back(std::move(points[static_cast<std::size_t>(frame)][s]));
       times[s].push_back(time(double(frame) / (frames - 1)));
     }
   }
@@ -174,10 +178,14 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
   result["schedules"] = Json::array();
   for (const Blend_schedule& schedule : blend.schedules())
     result["schedules"].push_back({{"name", schedule.name}, {"quality", quality_json(schedule.quality)}});
+  std::vector<Blend_check> checks(static_cast<std::size_t>(frames));
+  internal::for_each_index<CGAL::Parallel_if_available_tag>(
+      checks.size(), [&](std::size_t frame) { checks[frame] = blend.check(double(frame) / (frames - 1)); });
   result["frames"] = Json::array();
   for (int frame = 0; frame < frames; ++frame) {
-    const double t = double(frame) / (frames - 1);
-    result["frames"].push_back({{"t", t}, {"quality", quality_json(blend.quality(t))}, {"faults", blend.faults(t)}});
+    const Blend_check& check = checks[static_cast<std::size_t>(frame)];
+    result["frames"].push_back(
+        {{"t", double(frame) / (frames - 1)}, {"quality", quality_json(check.quality)}, {"faults", check.faults}});
   }
   result["warnings"] = warnings;
   write_json(out, result);

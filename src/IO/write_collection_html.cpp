@@ -19,20 +19,9 @@ namespace Shape_correspondence {
 namespace IO {
 namespace {
 
-// The page is the first text, the data as JSON, and the second one.
-constexpr const char* page_begin = R"page(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>Collection of shapes</title>
-<style>
-body { margin: 0; height: 100vh; display: flex; font: 14px/1.4 system-ui, sans-serif; color: #222; background: #fff; }
-#all { flex: 1 1 55%; overflow: auto; padding: 0 1em 1em; min-width: 0; }
+constexpr const char* page_style = R"page(#all { flex: 1 1 55%; overflow: auto; padding: 0 1em 1em; min-width: 0; }
 #pair { flex: 1 1 45%; overflow: auto; border-left: 1px solid #ccc; padding: 0 1em; box-sizing: border-box; }
-h1 { font-size: 1.2em; margin: .6em 0 .3em; }
 h2 { font-size: 1.05em; margin: 1em 0 .3em; }
-p { margin: .2em 0; }
 #grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(128px, 1fr)); gap: 8px; }
 .shape { border: 2px solid #ddd; border-radius: 6px; padding: 2px; cursor: pointer; text-align: center; font-size: 12px; background: #fff;
   overflow-wrap: anywhere; line-height: 1.2; font-family: inherit; color: inherit; }
@@ -46,26 +35,16 @@ svg text { font-size: 11px; fill: #555; }
 #views { display: flex; }
 #views figure { flex: 1; margin: 0; min-width: 0; text-align: center; overflow-wrap: anywhere; }
 #views canvas { width: 100%; aspect-ratio: 1; touch-action: none; cursor: grab; }
-table { border-collapse: collapse; margin: .6em 0; }
-th, td { text-align: left; padding: .15em .8em .15em 0; vertical-align: top; border-bottom: 1px solid #eee; }
-tr.lit { background: #ffeeb0; }
-i { display: inline-block; width: .8em; height: .8em; border-radius: 2px; }
 @media (max-width: 800px) { body { flex-direction: column; } #pair { border: 0; } }
-</style>
-</head>
-<body>
-<div id="all"><h1></h1><div id="notes"></div><div id="grid"></div><h2>Spanning tree</h2>
+)page";
+
+constexpr const char* page_body =
+    R"page(<div id="all"><h1></h1><div id="notes"></div><div id="grid"></div><h2>Spanning tree</h2>
 <p>The shortest way to join the shapes, the medoid as its root; numbers are distances.</p><div id="tree"></div></div>
 <div id="pair"><h1>Match</h1><p id="told">Click two shapes.</p><div id="views"></div><table></table></div>
-<script type="application/json" id="data">)page";
+)page";
 
-constexpr const char* page_end = R"page(</script>
-<script>
-'use strict';
-const data = JSON.parse(document.getElementById('data').textContent);
-const $ = s => document.querySelector(s);
-const element = (tag, text, parent) => { const e = document.createElement(tag); if (text) e.textContent = text; parent.append(e); return e; };
-const svgNS = 'http://www.w3.org/2000/svg';
+constexpr const char* page_script = R"page(const svgNS = 'http://www.w3.org/2000/svg';
 const svg = (tag, attributes, parent) => {
   const e = document.createElementNS(svgNS, tag);
   for (const [key, value] of Object.entries(attributes)) e.setAttribute(key, value);
@@ -259,9 +238,6 @@ function match(a, b) {
   const rest = (shape, first) => shape.parts.filter((p, i) => !roots.includes(root(first + i))).map(p => p.name).join(', ');
   if (rest(A, 0) || rest(B, A.parts.length)) row(grey, [rest(A, 0), rest(B, A.parts.length), '-']);
 }
-</script>
-</body>
-</html>
 )page";
 
 constexpr int curve_points = 9, sheet_points = 4; // of a picture
@@ -440,7 +416,7 @@ void write_collection_html(std::ostream& out, const Collection& collection,
                             " of the shapes, the medoid and others evenly from all branches of the spanning tree of "
                             "all; the tree below is that of the shapes shown.");
   }
-  out << page_begin << script_text(data) << page_end;
+  write_page(out, "Collection of shapes", page_style, page_body, data, page_script);
 }
 
 } // namespace IO

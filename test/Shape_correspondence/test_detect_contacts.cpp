@@ -7,6 +7,8 @@
 #include "generated_shapes.h"
 
 #include <CGAL/Shape_correspondence/detect_contacts.h>
+#include <CGAL/Shape_correspondence/internal/contacts/triangle_distance.h>
+
 #include <catch2/catch.hpp>
 
 using namespace box_shapes;
@@ -195,6 +197,23 @@ TEST_CASE("An arm that touches the back twice has a contact of two regions")
   CHECK(std::max(one, other) == Approx(1.25).margin(0.02));
   for (const Contact& contact : contacts_of(chair()).contacts)
     CHECK(contact.further.empty());
+}
+
+TEST_CASE("Triangles of one plane do not cross, whatever rounding makes of it")
+{
+  using internal::contacts::Triangle;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(0, 1);
+  for (int i = 0; i < 1000; ++i) {
+    const Point axis = Point(place(random), place(random), place(random)).normalized();
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(place(random), axis).toRotationMatrix();
+    const auto corner = [&](double x) { return Point(turn * Point(x + place(random), place(random), 0)); };
+    const Triangle one = {corner(0), corner(0), corner(0)}, other = {corner(2), corner(2), corner(2)};
+    internal::contacts::Closest_pair found;
+    internal::contacts::improve_by_triangles(one, other, found);
+    REQUIRE(found.squared >= 0.999);
+    REQUIRE(!internal::contacts::are_within(one, other, 0.9));
+  }
 }
 
 TEST_CASE("Contacts without meshes")

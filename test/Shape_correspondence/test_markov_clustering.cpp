@@ -145,6 +145,18 @@ TEST_CASE("The same clusters as van Dongen's program mcl")
     }
 }
 
+TEST_CASE("Dense groups are found with a limit on all entries together, too")
+{
+  const Weights weights = planted(20, 8, 1, .01, 5);
+  Markov_clustering_options options;
+  options.entry_limit = 160 * 10; // ten a column
+  const Markov_clustering result = markov_clustering(weights, options);
+  CHECK(result.number_of_clusters == 20);
+  CHECK(result.labels == markov_clustering(weights).labels);
+  options.entry_limit = 0;
+  CHECK_THROWS_AS(markov_clustering(weights, options), Invalid_input);
+}
+
 TEST_CASE("Weights and options that cannot be used are refused")
 {
   CHECK_THROWS_AS(markov_clustering(weights_of(2, {{0, 1, -1}})), Invalid_input);

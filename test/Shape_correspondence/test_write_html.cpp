@@ -23,7 +23,7 @@ namespace {
 /// The scene that a page shows.
 json scene_of(const std::string& page)
 {
-  const std::string begin = "id=\"scene\">", end = "</script>";
+  const std::string begin = "id=\"data\">", end = "</script>";
   const std::size_t from = page.find(begin) + begin.size();
   return json::parse(page.substr(from, page.find(end, from) - from));
 }

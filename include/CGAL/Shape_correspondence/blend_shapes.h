@@ -60,6 +60,13 @@ struct Blend_quality
   double ground = 0;    ///< how far a part that stands on the ground at both ends is off its height there, at most
 };
 
+/// An in-between shape held against the tolerances of `Shape_blend`.
+struct Blend_check
+{
+  Blend_quality quality;
+  std::vector<std::string> faults; ///< what does not hold, and at which parts, in whole sentences
+};
+
 /// A plausible order of the tasks of a blend.
 struct Blend_schedule
 {
@@ -87,7 +94,7 @@ struct Blend_surface
 /// mirror image of, also where the correspondence has only one of the two, and both move alike. Contacts of parts that
 /// stay are kept, and feet on the ground: all parts are moved and stretched at once, as little as that takes. Sets of
 /// parts that have come apart all the same are moved together. Of several schedules the one is taken in which contacts,
-/// mirror symmetry and ground contact hold best; `faults()` tells what does not hold. Deterministic.
+/// mirror symmetry and ground contact hold best; `check()` tells what does not hold. Deterministic.
 class Shape_blend
 {
 public:
@@ -110,11 +117,8 @@ public:
   /// The schedules, the best first, which is the one of the blend.
   const std::vector<Blend_schedule>& schedules() const { return schedules_; }
 
-  /// How well the shape at `t` holds together.
-  Blend_quality quality(double t) const;
-
-  /// What does not hold of the shape at `t` within the tolerances, and at which parts, in whole sentences.
-  std::vector<std::string> faults(double t) const;
+  /// How well the shape at `t` holds together; the ends are without fault.
+  Blend_check check(double t) const;
 
   /// All surfaces of the blend, for animations.
   std::vector<Blend_surface> surfaces() const;

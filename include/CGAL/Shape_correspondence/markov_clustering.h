@@ -22,7 +22,9 @@ struct Markov_clustering_options
   double inflation = 2;            ///< the power that columns are raised to: more of it makes more and smaller clusters
   double expansion_limit = 1e-4;   ///< entries of columns (which sum up to 1) that are less are dropped
   std::size_t column_limit = 1000; ///< as are all but so many of the largest
-  double tolerance = 1e-3;         ///< of the largest entry of a column from its sum of squares, at convergence
+  /// The most entries of all columns; where it is less than `column_limit` a column, every column gets an even share.
+  std::size_t entry_limit = 30'000'000;
+  double tolerance = 1e-3; ///< of the largest entry of a column from its sum of squares, at convergence
   int maximum_iterations = 200;
 };
 
@@ -39,6 +41,8 @@ struct Markov_clustering
 /// spreads flow, and its entries are raised to a power, which strengthens strong flow, until nothing changes; a node
 /// belongs to the attractors that its flow ends in. A node gets a loop of the weight of its strongest edge, as in van
 /// Dongen's program `mcl`. Deterministic. Time: that of sparse products of columns of at most `column_limit` entries.
+/// Memory: 24 bytes for each of `entry_limit` entries, and as much for some columns before they are pruned: less than
+/// 1 GB by default, whatever the number of nodes.
 /// \param weights symmetric; the diagonal is ignored
 /// \throw Invalid_input if a weight is negative or not finite, or an option is out of its range
 Markov_clustering markov_clustering(const Eigen::SparseMatrix<double>& weights,

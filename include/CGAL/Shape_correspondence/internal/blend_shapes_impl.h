@@ -67,6 +67,57 @@ inline Blend_quality worst(const Blend_quality& a, const Blend_quality& b)
           std::max(a.ground, b.ground)};
 }
 
+inline std::string quoted(const Blend_stage& stage, std::size_t actor)
+{
+  return '\'' + stage.actors()[actor].name + '\'';
+}
+
+inline std::string two_digits(double value)
+{
+  std::ostringstream text;
+  text << std::setprecision(2) << value;
+  return text.str();
+}
+
+inline void add_contact_fault(const Blend_stage& stage, const Blend_scene& scene, const Blend_scene::Trees& trees,
+                              std::vector<std::string>& faults)
+{
+  const Blend_scene::Open_contact contact = scene.widest_contact(trees);
+  if (contact.gap <= Shape_blend::contact_tolerance) return;
+  faults.push_back("The contact of " + quoted(stage, contact.actors[0]) + " and " + quoted(stage, contact.actors[1]) +
+                   " is open by " + two_digits(contact.gap) + " of the height.");
+}
+
+inline void add_foot_fault(const Blend_stage& stage, const Blend_scene& scene, std::vector<std::string>& faults)
+{
+  const Blend_scene::Lifted_foot foot = scene.worst_foot();
+  if (std::abs(foot.height) <= Shape_blend::ground_tolerance) return;
+  faults.push_back("The foot of " + quoted(stage, foot.actor) + " is " + two_digits(std::abs(foot.height)) +
+                   " of the height " + (foot.height > 0 ? "above" : "below") + " its place on the ground.");
+}
+
+/// \param asymmetry of the whole scene
+inline void add_symmetry_fault(const Blend_stage& stage, const Blend_scene& scene, const Blend_scene::Trees& trees,
+                               double asymmetry, std::vector<std::string>& faults)
+{
+  constexpr std::size_t most_named = 3;
+  const double ends = std::max(stage.end_quality(0).asymmetry, stage.end_quality(1).asymmetry);
+  if (asymmetry - ends <= Shape_blend::symmetry_tolerance) return;
+  const std::vector<double> asymmetries = stage.asymmetries(scene, trees);
+  std::vector<std::size_t> order(asymmetries.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return quantized(asymmetries[a]) > quantized(asymmetries[b]); });
+  std::string where;
+  for (std::size_t i = 0; i < std::min(most_named, order.size()); ++i) {
+    if (asymmetries[order[i]] <= ends + Shape_blend::symmetry_tolerance) break;
+    where += (i > 0 ? ", " : "") + quoted(stage, order[i]) + " by " + two_digits(asymmetries[order[i]]);
+    if (stage.actors()[order[i]].twin == Mirror_twins::none) where += " (it has no mirror image)";
+  }
+  faults.push_back("It is farther from its mirror image than the ends by " + two_digits(asymmetry - ends) +
+                   " of the height, most of all " + where + '.');
+}
+
 } // namespace internal
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE
@@ -89,7 +140,8 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
     std::vector<Blend_quality> qualities(std::size_t(options.samples));
     for_each_index<CGAL::Parallel_if_available_tag>(qualities.size(), [&](std::size_t i) {
       const double t = double(i + 1) / double(qualities.size() + 1);
-      qualities[i] = stage_->quality(stage_->scene(times, t));
+      const Blend_scene scene = stage_->scene(times, t);
+      qualities[i] = stage_->quality(scene, scene.trees());
     });
     Blend_quality& quality = schedules_[s].quality;
     quality = std::accumulate(qualities.begin(), qualities.end(), quality, worst);
@@ -119,49 +171,15 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Segmented_shape Shape_blend::operator()(double 
   return result;
 }
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE Blend_quality Shape_blend::quality(double t) const
+CGAL_SHAPE_CORRESPONDENCE_INLINE Blend_check Shape_blend::check(double t) const
 {
-  if (t <= 0 || t >= 1) return stage_->end_quality(t <= 0 ? 0 : 1);
-  return stage_->quality(stage_->scene(internal::times_of(schedules_[0]), t));
-}
-
-CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<std::string> Shape_blend::faults(double t) const
-{
-  std::vector<std::string> result;
-  if (t <= 0 || t >= 1) return result;
+  if (t <= 0 || t >= 1) return {stage_->end_quality(t <= 0 ? 0 : 1), {}};
   const internal::Blend_scene scene = stage_->scene(internal::times_of(schedules_[0]), t);
-  const auto name = [&](std::size_t actor) { return '\'' + stage_->actors()[actor].name + '\''; };
-  const auto number = [](double value) {
-    std::ostringstream text;
-    text << std::setprecision(2) << value;
-    return text.str();
-  };
-  const auto contact = scene.widest_contact();
-  if (contact.gap > contact_tolerance)
-    result.push_back("The contact of " + name(contact.actors[0]) + " and " + name(contact.actors[1]) + " is open by " +
-                     number(contact.gap) + " of the height.");
-  const auto foot = scene.worst_foot();
-  if (std::abs(foot.height) > ground_tolerance)
-    result.push_back("The foot of " + name(foot.actor) + " is " + number(std::abs(foot.height)) + " of the height " +
-                     (foot.height > 0 ? "above" : "below") + " its place on the ground.");
-  const double ends = std::max(quality(0).asymmetry, quality(1).asymmetry);
-  const double excess = stage_->quality(scene).asymmetry - ends;
-  if (excess <= symmetry_tolerance) return result;
-  const std::vector<double> asymmetries = stage_->asymmetries(scene);
-  std::vector<std::size_t> order(asymmetries.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return internal::quantized(asymmetries[a]) > internal::quantized(asymmetries[b]);
-  });
-  constexpr std::size_t most = 3;
-  std::string where;
-  for (std::size_t i = 0; i < std::min(most, order.size()); ++i) {
-    if (asymmetries[order[i]] <= ends + symmetry_tolerance) break;
-    where += (i > 0 ? ", " : "") + name(order[i]) + " by " + number(asymmetries[order[i]]);
-    if (stage_->actors()[order[i]].twin == internal::Mirror_twins::none) where += " (it has no mirror image)";
-  }
-  result.push_back("It is farther from its mirror image than the ends by " + number(excess) +
-                   " of the height, most of all " + where + '.');
+  const internal::Blend_scene::Trees trees = scene.trees();
+  Blend_check result{stage_->quality(scene, trees), {}};
+  internal::add_contact_fault(*stage_, scene, trees, result.faults);
+  internal::add_foot_fault(*stage_, scene, result.faults);
+  internal::add_symmetry_fault(*stage_, scene, trees, result.quality.asymmetry, result.faults);
   return result;
 }
 

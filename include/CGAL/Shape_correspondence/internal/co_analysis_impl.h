@@ -11,7 +11,10 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -24,74 +27,104 @@ namespace internal {
 // A counterpart of a part.
 struct Counterpart
 {
-  std::size_t shape, part; // part: its number in the set
+  std::uint32_t shape, part; // part: its number in the set
   double confidence;
 };
 
-using Counterparts = std::vector<std::vector<Counterpart>>; // by part, sorted by shape and part
-
-// Which directions of pairs of shapes are given: 1 or 2, by (smaller, larger).
-using Directions = std::map<std::pair<std::size_t, std::size_t>, int>;
-
-inline std::size_t part_number(const std::vector<std::size_t>& first, std::size_t shape, std::size_t part)
+// A part's counterparts, sorted by shape and part.
+struct Counterpart_range
 {
-  if (shape + 1 >= first.size() || first[shape] + part >= first[shape + 1])
-    throw Invalid_input("co_analysis: there is no part " + std::to_string(part) + " of shape " + std::to_string(shape));
-  return first[shape] + part;
-}
+  const Counterpart *first, *last;
 
-inline void sort_and_add_up(std::vector<Counterpart>& parts)
-{
-  std::stable_sort(parts.begin(), parts.end(),
-                   [](const Counterpart& a, const Counterpart& b) { return a.part < b.part; });
-  std::size_t n = 0;
-  for (const Counterpart& next : parts)
-    if (n > 0 && parts[n - 1].part == next.part)
-      parts[n - 1].confidence += next.confidence;
-    else
-      parts[n++] = next;
-  parts.resize(n);
-}
+  const Counterpart* begin() const { return first; }
+  const Counterpart* end() const { return last; }
+};
 
-inline Counterparts counterparts_of(const std::vector<std::size_t>& first, const std::vector<Shape_pair_map>& maps)
+// The counterparts of all parts, in one list: 32 bytes for every pair of parts of a map.
+class Counterparts
 {
-  Directions directions;
-  for (const Shape_pair_map& map : maps)
-    ++directions[std::minmax(map.source, map.target)];
-  Counterparts result(first.back());
-  for (const Shape_pair_map& map : maps) {
-    const double share = 1. / directions[std::minmax(map.source, map.target)];
-    for (std::size_t k = 0; k < map.map.pairs.size(); ++k) {
-      const std::size_t s = part_number(first, map.source, map.map.pairs[k].first);
-      const std::size_t t = part_number(first, map.target, map.map.pairs[k].second);
-      result[s].push_back({map.target, t, share * map.map.confidences[k]});
-      result[t].push_back({map.source, s, share * map.map.confidences[k]});
+public:
+  // \param first by shape, the number of its first part
+  Counterparts(const std::vector<std::size_t>& first, const std::vector<Shape_pair_map>& maps)
+      : first_(first), begins_(first.back() + 1, 0), ends_(first.back())
+  {
+    std::map<std::pair<std::size_t, std::size_t>, int> directions; // that are given of a pair of shapes: 1 or 2
+    for (const Shape_pair_map& map : maps) {
+      ++directions[std::minmax(map.source, map.target)];
+      for (const auto& [s, t] : map.map.pairs)
+        for (std::size_t part : {number(map.source, s), number(map.target, t)})
+          ++begins_[part + 1];
     }
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    std::copy(begins_.begin(), begins_.end() - 1, ends_.begin());
+    list_.resize(begins_.back());
+    for (const Shape_pair_map& map : maps) {
+      const double share = 1. / directions[std::minmax(map.source, map.target)];
+      for (std::size_t k = 0; k < map.map.pairs.size(); ++k) {
+        const auto [s, t] = map.map.pairs[k];
+        add(number(map.source, s), map.target, number(map.target, t), share * map.map.confidences[k]);
+        add(number(map.target, t), map.source, number(map.source, s), share * map.map.confidences[k]);
+      }
+    }
+    for (std::size_t part = 0; part < size(); ++part)
+      sort_and_add_up(part);
   }
-  for (std::vector<Counterpart>& parts : result)
-    sort_and_add_up(parts);
-  return result;
-}
+
+  std::size_t size() const { return ends_.size(); } // parts
+  Counterpart_range operator[](std::size_t part) const { return {&list_[begins_[part]], &list_[ends_[part]]}; }
+
+private:
+  std::size_t number(std::size_t shape, std::size_t part) const
+  {
+    if (shape + 1 >= first_.size() || first_[shape] + part >= first_[shape + 1])
+      throw Invalid_input("co_analysis: there is no part " + std::to_string(part) + " of shape " +
+                          std::to_string(shape));
+    return first_[shape] + part;
+  }
+
+  void add(std::size_t to, std::size_t shape, std::size_t part, double confidence)
+  {
+    list_[ends_[to]++] = {std::uint32_t(shape), std::uint32_t(part), confidence};
+  }
+
+  void sort_and_add_up(std::size_t part)
+  {
+    const auto begin = list_.begin() + std::ptrdiff_t(begins_[part]), end = list_.begin() + std::ptrdiff_t(ends_[part]);
+    std::stable_sort(begin, end, [](const Counterpart& a, const Counterpart& b) { return a.part < b.part; });
+    auto last = begin;
+    for (auto next = begin; next != end; ++next)
+      if (last != begin && std::prev(last)->part == next->part)
+        std::prev(last)->confidence += next->confidence;
+      else
+        *last++ = *next;
+    ends_[part] = std::size_t(last - list_.begin());
+  }
+
+  const std::vector<std::size_t>& first_;
+  std::vector<std::size_t> begins_, ends_; // by part, in the list
+  std::vector<Counterpart> list_;
+};
 
 // The share of third shapes with counterparts of both parts in which they have a common one; 1 if there are none.
-inline double cycle_support(const std::vector<Counterpart>& a, const std::vector<Counterpart>& b)
+inline double cycle_support(const Counterpart_range& of_a, const Counterpart_range& of_b)
 {
   std::size_t able = 0, confirming = 0;
-  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-    if (a[i].shape != b[j].shape) {
-      a[i].shape < b[j].shape ? ++i : ++j;
+  const Counterpart *a = of_a.begin(), *b = of_b.begin();
+  while (a != of_a.end() && b != of_b.end()) {
+    if (a->shape != b->shape) {
+      a->shape < b->shape ? ++a : ++b;
       continue;
     }
-    const std::size_t shape = a[i].shape;
+    const std::uint32_t shape = a->shape;
     bool has_common = false;
-    while (i < a.size() && j < b.size() && a[i].shape == shape && b[j].shape == shape) {
-      has_common = has_common || a[i].part == b[j].part;
-      a[i].part < b[j].part ? ++i : ++j;
+    while (a != of_a.end() && b != of_b.end() && a->shape == shape && b->shape == shape) {
+      has_common = has_common || a->part == b->part;
+      a->part < b->part ? ++a : ++b;
     }
-    while (i < a.size() && a[i].shape == shape)
-      ++i;
-    while (j < b.size() && b[j].shape == shape)
-      ++j;
+    while (a != of_a.end() && a->shape == shape)
+      ++a;
+    while (b != of_b.end() && b->shape == shape)
+      ++b;
     ++able;
     confirming += has_common;
   }
@@ -110,7 +143,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Part_matrix part_matrix(const std::vector<std::
   result.first = {0};
   for (std::size_t count : part_counts)
     result.first.push_back(result.first.back() + count);
-  const internal::Counterparts counterparts = internal::counterparts_of(result.first, maps);
+  const internal::Counterparts counterparts(result.first, maps);
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t part = 0; part < counterparts.size(); ++part)
     for (const internal::Counterpart& other : counterparts[part]) {

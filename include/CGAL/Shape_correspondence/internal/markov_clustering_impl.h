@@ -28,7 +28,7 @@ using Flow = Eigen::SparseMatrix<double>; // column-stochastic
 inline void check(const Eigen::SparseMatrix<double>& weights, const Markov_clustering_options& options)
 {
   if (!(options.inflation > 1) || !(options.expansion_limit >= 0 && options.expansion_limit < 1) ||
-      options.column_limit == 0 || !(options.tolerance > 0))
+      options.column_limit == 0 || options.entry_limit == 0 || !(options.tolerance > 0))
     throw Invalid_input("markov_clustering: the inflation must be more than 1, the limits within their ranges");
   for (Eigen::Index j = 0; j < weights.outerSize(); ++j)
     for (Flow::InnerIterator entry(weights, j); entry; ++entry)
@@ -75,8 +75,14 @@ inline Flow first_flow(const Eigen::SparseMatrix<double>& weights)
   return flow;
 }
 
+inline std::size_t column_limit(const Markov_clustering_options& options, Eigen::Index columns)
+{
+  const auto all = std::max<std::size_t>(1, std::size_t(columns));
+  return std::min({std::max<std::size_t>(1, options.entry_limit / all), options.column_limit, all});
+}
+
 // Drops the small entries of a column, those after the largest ones, ties by index.
-inline void prune(const Markov_clustering_options& options, Column& column)
+inline void prune(const Markov_clustering_options& options, std::size_t column_limit, Column& column)
 {
   double most = 0;
   for (const auto& entry : column)
@@ -84,9 +90,9 @@ inline void prune(const Markov_clustering_options& options, Column& column)
   const double limit = std::min(options.expansion_limit, most);
   column.erase(std::remove_if(column.begin(), column.end(), [&](const auto& entry) { return entry.second < limit; }),
                column.end());
-  if (column.size() <= options.column_limit) return;
+  if (column.size() <= column_limit) return;
   std::stable_sort(column.begin(), column.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-  column.resize(options.column_limit);
+  column.resize(column_limit);
   std::sort(column.begin(), column.end());
 }
 
@@ -95,7 +101,9 @@ inline void prune(const Markov_clustering_options& options, Column& column)
 inline double step(const Markov_clustering_options& options, Flow& flow)
 {
   constexpr Eigen::Index columns_at_a_time = 256;
+  const std::size_t limit = column_limit(options, flow.cols());
   Flow result(flow.rows(), flow.cols());
+  result.reserve(Eigen::Index(limit) * flow.cols()); // or else it is copied to twice its size whenever it is full
   double chaos = 0;
   for (Eigen::Index first = 0; first < flow.cols(); first += columns_at_a_time) {
     const Flow squared = flow * flow.middleCols(first, std::min(columns_at_a_time, flow.cols() - first));
@@ -103,7 +111,7 @@ inline double step(const Markov_clustering_options& options, Flow& flow)
       Column column;
       for (Flow::InnerIterator entry(squared, j); entry; ++entry)
         column.emplace_back(entry.row(), entry.value());
-      prune(options, column);
+      prune(options, limit, column);
       const double sum = sum_of(column);
       double most = 0, squares = 0;
       for (auto& entry : column) {

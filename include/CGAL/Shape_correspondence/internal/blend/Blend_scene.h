@@ -20,6 +20,7 @@ class Blend_scene
 {
 public:
   using Tree = contacts::Triangle_tree;
+  using Trees = std::vector<std::optional<Tree>>;   ///< by actor, of what there is of it
   using Times = std::vector<std::array<double, 2>>; ///< begin and end, by actor
 
   Blend_scene(const Blend_cast& cast, const Times& times, double t);
@@ -30,8 +31,7 @@ public:
   /// The one of an actor's surfaces that there is, or -1.
   int surface(std::size_t actor) const { return surface_[actor]; }
   bool is_there(std::size_t actor) const { return surface_[actor] >= 0; }
-  /// A tree of what there is of an actor.
-  Tree tree(std::size_t actor) const;
+  Trees trees() const;
 
   /// By how much a contact that is to be kept is wider than it may be, at most, and between which actors.
   struct Open_contact
@@ -39,7 +39,7 @@ public:
     double gap = 0;
     std::array<std::size_t, 2> actors{};
   };
-  Open_contact widest_contact() const;
+  Open_contact widest_contact(const Trees& trees) const;
   /// How far sets of parts had come apart that were joined again.
   double apart() const { return apart_; }
   /// How far a part that stands is above the place on the ground, or above it, that it has at the ends, or below it
@@ -57,7 +57,9 @@ private:
 
   /// How far parts are symmetric: wholly from the end of the first quarter to the begin of the last one.
   double mirror_share() const { return std::min({1., 4 * t_, 4 * (1 - t_)}); }
-  double ground() const { return (1 - t_) * cast_.ground[0] + t_ * cast_.ground[1]; }
+  Tree tree(std::size_t actor) const;
+  void refit(Tree& tree, std::size_t actor) const;
+  double ground() const { return (1 - t_) * cast_.ends.ground[0] + t_ * cast_.ends.ground[1]; }
   double lowest(std::size_t actor) const { return points_[actor][std::size_t(surface_[actor])].row(1).minCoeff(); }
   double foot_level(std::size_t actor) const;
   double rise_to_stand(std::size_t actor) const;
@@ -93,9 +95,23 @@ inline Blend_scene::Blend_scene(const Blend_cast& cast, const Times& times, doub
 
 inline Blend_scene::Tree Blend_scene::tree(std::size_t actor) const
 {
+  Tree result = *cast_.trees[actor][std::size_t(surface_[actor])];
+  refit(result, actor);
+  return result;
+}
+
+/// Moves a tree of an actor's surface to where that is now.
+inline void Blend_scene::refit(Tree& tree, std::size_t actor) const
+{
   const int surface = surface_[actor];
-  Tree result = *cast_.trees[actor][std::size_t(surface)];
-  result.move([&](std::size_t t) { return triangle_of(points(actor, surface), cast_.triangles(actor, surface), t); });
+  tree.move([&](std::size_t t) { return triangle_of(points(actor, surface), cast_.triangles(actor, surface), t); });
+}
+
+inline Blend_scene::Trees Blend_scene::trees() const
+{
+  Trees result(points_.size());
+  for (std::size_t a = 0; a < points_.size(); ++a)
+    if (is_there(a)) result[a] = tree(a);
   return result;
 }
 
@@ -180,17 +196,19 @@ inline void Blend_scene::meet_image(std::size_t actor)
   if (twin == Mirror_twins::none || twin < actor || !is_there(actor) || !is_there(twin)) return;
   const std::array<std::size_t, 2> both = {actor, twin};
   const auto own = [&](std::size_t i) -> Points& { return points_[both[i]][std::size_t(surface_[both[i]])]; };
+  std::array<std::vector<std::size_t>, 2> nearest_triangles; // by own point, to begin with in the next round
   for (int round = 0; round < most_rounds; ++round) {
     const std::array<Tree, 2> trees = {tree(actor), tree(twin)};
     if (std::max(mirror_distance(own(0), trees[1]), mirror_distance(own(1), trees[0])) <= alike) return;
-    for (std::size_t i = 0; i < (actor == twin ? 1 : 2); ++i)
-      for (Eigen::Index k = 0; k < own(i).cols(); ++k) {
-        Point nearest;
-        double squared = std::numeric_limits<double>::infinity();
-        std::size_t triangle;
-        trees[1 - i].improve_nearest(mirrored(Point(own(i).col(k))), nearest, squared, triangle);
-        own(i).col(k) += mirror_share() / 2 * (mirrored(nearest) - own(i).col(k));
+    for (std::size_t i = 0; i < (actor == twin ? 1 : 2); ++i) {
+      std::vector<std::size_t>& triangles = nearest_triangles[i];
+      triangles.resize(std::size_t(own(i).cols()), 0);
+      for (std::size_t k = 0; k < triangles.size(); ++k) {
+        if (round == 0 && k > 0) triangles[k] = triangles[k - 1];
+        auto p = own(i).col(Eigen::Index(k));
+        p += mirror_share() / 2 * (mirrored(trees[1 - i].nearest(mirrored(Point(p)), triangles[k])) - p);
       }
+    }
   }
 }
 
@@ -226,23 +244,23 @@ inline void Blend_scene::relink()
   constexpr int most_rounds = 20;
   constexpr double inertia = 0.01; // of a part as large as the shape is high, against a pull of 1
   const std::size_t count = points_.size();
-  std::vector<std::optional<Tree>> trees(count);
+  Trees trees = this->trees();
+  std::vector<contacts::Triangle_pair> near(cast_.links.size());
   std::vector<contacts::Box> boxes(count, contacts::Box(Point::Zero()));
   std::vector<double> inertias(count, 1);
   for (int round = 0; round < most_rounds; ++round) {
     for (std::size_t a = 0; a < count; ++a) {
       if (!is_there(a)) continue;
-      trees[a] = tree(a);
+      if (round > 0) refit(*trees[a], a);
       boxes[a] = trees[a]->box();
       inertias[a] = inertia * boxes[a].diagonal().norm();
     }
     Affine_moves moves(boxes, inertias);
     bool is_good = true;
-    for (const Blend_link& link : cast_.links) {
-      const auto [a, b] = link.actors;
-      const double allowed = link.allowed(t_);
-      const contacts::Closest_pair closest =
-          trees[a]->nearly_closest(*trees[b], (allowed + closed) * (allowed + closed));
+    for (std::size_t l = 0; l < near.size(); ++l) {
+      const auto [a, b] = cast_.links[l].actors;
+      const double allowed = cast_.links[l].allowed(t_), enough = allowed + closed;
+      const contacts::Closest_pair closest = trees[a]->nearly_closest(*trees[b], enough * enough, near[l]);
       const double gap = std::sqrt(closest.squared);
       if (gap + joined < allowed) continue; // it holds nothing
       Point step = Point::Zero();
@@ -312,9 +330,7 @@ inline void Blend_scene::join()
   };
   for (std::size_t a = 0; a < present.size(); ++a)
     for (std::size_t b = a + 1; b < present.size(); ++b)
-      if (set[a] != set[b] && trees[a].box().squaredExteriorDistance(trees[b].box()) <= allowed * allowed &&
-          trees[a].nearly_closest(trees[b], allowed * allowed).squared <= allowed * allowed)
-        unite(a, b);
+      if (set[a] != set[b] && trees[a].is_within(trees[b], allowed * allowed)) unite(a, b);
   constexpr int most_tries = 5;
   std::map<std::size_t, int> tries; // by set, to join it without moving it across the mirror plane
   for (;;) {
@@ -379,14 +395,11 @@ inline void Blend_scene::stand()
     move(a, Point(0, lift, 0));
 }
 
-inline Blend_scene::Open_contact Blend_scene::widest_contact() const
+inline Blend_scene::Open_contact Blend_scene::widest_contact(const Trees& trees) const
 {
   Open_contact widest;
-  std::vector<std::optional<Tree>> trees(points_.size());
   for (const Blend_link& link : cast_.links) {
     const auto [a, b] = link.actors;
-    for (std::size_t actor : link.actors)
-      if (!trees[actor]) trees[actor] = tree(actor);
     const double allowed = link.allowed(t_);
     const double gap = std::sqrt(trees[a]->nearly_closest(*trees[b], allowed * allowed).squared) - allowed;
     if (gap > widest.gap) widest = {gap, link.actors};

@@ -30,12 +30,10 @@ inline double mirror_distance(const Points& points, const contacts::Triangle_tre
   constexpr Eigen::Index samples = 24;
   const Eigen::Index n = std::min(points.cols(), samples);
   double sum = 0;
+  std::size_t triangle = 0;
   for (Eigen::Index i = 0; i < n; ++i) {
-    Point nearest;
-    double squared = std::numeric_limits<double>::infinity();
-    std::size_t triangle;
-    surface.improve_nearest(mirrored(Point(points.col(i * points.cols() / n))), nearest, squared, triangle);
-    sum += squared;
+    const Point image = mirrored(Point(points.col(i * points.cols() / n)));
+    sum += (surface.nearest(image, triangle) - image).squaredNorm();
   }
   return std::sqrt(sum / double(n));
 }

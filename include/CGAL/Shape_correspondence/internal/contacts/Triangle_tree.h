@@ -26,6 +26,12 @@ inline Box box_of(const Triangle& t)
   return Box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));
 }
 
+/// Triangles of two trees, by their numbers there.
+struct Triangle_pair
+{
+  std::size_t first = 0, second = 0;
+};
+
 /// A tree of boxes around triangles, for distances between whole surfaces, which CGAL's AABB tree does not have.
 class Triangle_tree
 {
@@ -74,21 +80,46 @@ public:
     return improve_nearest(0, p, nearest, squared, triangle);
   }
 
+  /// The point nearest to `p`.
+  /// \param triangle one of the tree that is likely to be near, which saves time and changes nothing; then the one that
+  /// the point is on
+  Point nearest(const Point& p, std::size_t& triangle) const
+  {
+    constexpr double rounding = 1 + 1e-9, some = 1e-30;
+    double squared = (nearest_on_triangle(p, triangles_[triangle]) - p).squaredNorm() * rounding + some;
+    Point result = p;
+    improve_nearest(p, result, squared, triangle);
+    return result;
+  }
+
   /// The closest points of two surfaces, where they are closer than `best`.
   void improve_closest(const Triangle_tree& other, Closest_pair& best) const
   {
-    improve_closest(0, other, 0, {1, 0}, best);
+    improve_closest(0, other, 0, {1, 0, nullptr}, best);
   }
 
   /// Points of two surfaces that are closest but for a tenth of their distance, or any within the root of `squared`:
   /// much faster between faces that lie flat on each other.
   Closest_pair nearly_closest(const Triangle_tree& other, double squared = 0) const
   {
-    constexpr double nearly = 0.81;
     Closest_pair best;
-    improve_closest(0, other, 0, {nearly, squared}, best);
+    improve_closest(0, other, 0, {nearly, squared, nullptr}, best);
     return best;
   }
+
+  /// The same.
+  /// \param near triangles of either tree that are likely to be near each other, which saves time; then those of the
+  /// points
+  Closest_pair nearly_closest(const Triangle_tree& other, double squared, Triangle_pair& near) const
+  {
+    Closest_pair best;
+    improve_by_triangles(triangles_[near.first], other.triangles_[near.second], best);
+    if (best.squared > squared) improve_closest(0, other, 0, {nearly, squared, &near}, best);
+    return best;
+  }
+
+  /// Whether two surfaces are within the root of `squared` of each other.
+  bool is_within(const Triangle_tree& other, double squared) const { return is_within(0, other, 0, squared); }
 
   /// Whether `p` is nearer than the root of `squared`.
   bool is_near(const Point& p, double squared) const
@@ -111,6 +142,7 @@ public:
 
 private:
   static constexpr std::size_t LEAF = 2;
+  static constexpr double nearly = 0.81; // the square of what is left but for a tenth
 
   struct Node
   {
@@ -190,6 +222,7 @@ private:
   struct Enough
   {
     double multiple, squared;
+    Triangle_pair* triangles; ///< set to those of the best, unless null
   };
 
   void improve_closest(std::size_t node, const Triangle_tree& other, std::size_t other_node, const Enough& enough,
@@ -198,9 +231,7 @@ private:
     if (is_leaf(node) && other.is_leaf(other_node)) {
       for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t)
         for (std::size_t u = other.nodes_[other_node].begin; u < other.nodes_[other_node].end; ++u)
-          if (best.squared > enough.squared &&
-              box_of(triangles_[t]).squaredExteriorDistance(box_of(other.triangles_[u])) < best.squared)
-            improve_by_triangles(triangles_[t], other.triangles_[u], best);
+          improve_closest_by_triangles(t, other, u, enough, best);
       return;
     }
     auto pairs = split(node, other, other_node);
@@ -214,6 +245,36 @@ private:
     for (int i = 0; i < 2; ++i)
       if (bounds[i] < enough.multiple * best.squared && best.squared > enough.squared)
         improve_closest(pairs[i].first, other, pairs[i].second, enough, best);
+  }
+
+  bool is_within(std::size_t node, const Triangle_tree& other, std::size_t other_node, double squared) const
+  {
+    if (squared_distance(node, other, other_node) > squared) return false;
+    if (is_leaf(node) && other.is_leaf(other_node)) {
+      for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t)
+        for (std::size_t u = other.nodes_[other_node].begin; u < other.nodes_[other_node].end; ++u)
+          if (box_of(triangles_[t]).squaredExteriorDistance(box_of(other.triangles_[u])) <= squared &&
+              are_within(triangles_[t], other.triangles_[u], squared))
+            return true;
+      return false;
+    }
+    const auto pairs = split(node, other, other_node);
+    const bool second_is_nearer = squared_distance(pairs[1].first, other, pairs[1].second) <
+                                  squared_distance(pairs[0].first, other, pairs[0].second);
+    const auto& near = pairs[second_is_nearer ? 1 : 0];
+    const auto& far = pairs[second_is_nearer ? 0 : 1];
+    return is_within(near.first, other, near.second, squared) || is_within(far.first, other, far.second, squared);
+  }
+
+  void improve_closest_by_triangles(std::size_t t, const Triangle_tree& other, std::size_t u, const Enough& enough,
+                                    Closest_pair& best) const
+  {
+    const double before = best.squared;
+    if (before <= enough.squared ||
+        box_of(triangles_[t]).squaredExteriorDistance(box_of(other.triangles_[u])) >= enough.multiple * before)
+      return;
+    improve_by_triangles(triangles_[t], other.triangles_[u], best, enough.multiple);
+    if (best.squared < before && enough.triangles) *enough.triangles = {t, u};
   }
 
   // Whether a triangle passes a test; nodes farther than the root of `squared` have none. The nearer node first.

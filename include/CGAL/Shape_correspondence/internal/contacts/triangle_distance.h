@@ -44,10 +44,11 @@ inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b)
   return length > 0 ? Point(a + clamped((p - a).dot(b - a) / length) * (b - a)) : a;
 }
 
+constexpr double flat = 1e-24; // squared sine of an angle that rounding alone can make of none
+
 /// The point of the triangle nearest to `p`.
 inline Point nearest_on_triangle(const Point& p, const Triangle& t)
 {
-  constexpr double flat = 1e-24; // squared sine of the angle under which a triangle is a needle
   const Point u = t[1] - t[0], v = t[2] - t[0], normal = u.cross(v);
   bool inside = normal.squaredNorm() > flat * u.squaredNorm() * v.squaredNorm();
   for (int i = 0; i < 3 && inside; ++i)
@@ -72,12 +73,14 @@ inline void improve_by_segments(const Point& a, const Point& b, const Point& c, 
   best.improve(nearest_on_segment(q, a, b), q);
 }
 
-/// Where the line from `from` along `direction` goes through the triangle, as a multiple of `direction`.
+/// Where the line from `from` along `direction` goes through the triangle, as a multiple of `direction`; nowhere if it
+/// runs in the triangle's plane, or if the triangle is a needle.
 inline std::optional<double> crossing(const Point& from, const Point& direction, const Triangle& t)
 {
   const Point u = t[1] - t[0], v = t[2] - t[0], across = direction.cross(v);
   const double determinant = u.dot(across);
-  if (determinant == 0) return std::nullopt;
+  if (determinant * determinant <= flat * u.squaredNorm() * v.squaredNorm() * direction.squaredNorm())
+    return std::nullopt;
   const Point to = from - t[0], turned = to.cross(u);
   const double x = to.dot(across) / determinant, y = direction.dot(turned) / determinant;
   if (x < 0 || y < 0 || x + y > 1) return std::nullopt;
@@ -110,9 +113,11 @@ inline bool is_off_plane(const Triangle& plane, const Triangle& t, double square
 }
 
 /// The closest points of two triangles, where they are closer than `best`.
-inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_pair& best)
+/// \param multiple of the squared distance of `best`, over which it need not be improved
+inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_pair& best, double multiple = 1)
 {
-  if (is_off_plane(a, b, best.squared) || is_off_plane(b, a, best.squared)) return;
+  const double limit = multiple * best.squared;
+  if (is_off_plane(a, b, limit) || is_off_plane(b, a, limit)) return;
   if (improve_by_crossing(a, b, best) || improve_by_crossing(b, a, best)) return;
   for (int i = 0; i < 3; ++i) {
     best.improve(a[i], nearest_on_triangle(a[i], b));

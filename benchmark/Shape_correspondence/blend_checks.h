@@ -1,0 +1,90 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What is checked of blends by tests and benchmarks alike.
+#ifndef SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
+#define SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/internal/blend/joining_ways.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace blend_checks {
+
+using CGAL::Shape_correspondence::Part_mesh;
+using CGAL::Shape_correspondence::Point;
+using CGAL::Shape_correspondence::Segmented_shape;
+using CGAL::Shape_correspondence::Shape_part;
+using CGAL::Shape_correspondence::internal::contacts::Triangle_tree;
+
+/// Whether every edge is run through as often in the one direction as in the other.
+inline bool is_closed(const Part_mesh& mesh)
+{
+  std::map<std::pair<int, int>, int> balance;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const int a = mesh.triangles(i, t), b = mesh.triangles((i + 1) % 3, t);
+      if (a != b) balance[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  return std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
+}
+
+/// \param scale of the surfaces
+inline std::vector<Triangle_tree> trees_of(const Segmented_shape& shape, double scale = 1)
+{
+  std::vector<Triangle_tree> result;
+  for (const Shape_part& part : shape.parts())
+    result.push_back(CGAL::Shape_correspondence::internal::tree_of(scale * part.mesh.points, part.mesh.triangles));
+  return result;
+}
+
+/// The widest gap that it takes to join all parts, over the shape's height.
+inline double widest_gap(const Segmented_shape& shape, double height)
+{
+  return CGAL::Shape_correspondence::internal::widest_gap(trees_of(shape, 1 / height));
+}
+
+/// How far the vertices of one shape are from the surface of another.
+inline double distance(const Segmented_shape& from, const Segmented_shape& to)
+{
+  const std::vector<Triangle_tree> trees = trees_of(to);
+  double farthest = 0;
+  for (const Shape_part& part : from.parts())
+    for (Eigen::Index i = 0; i < part.mesh.points.cols(); ++i) {
+      const Point p = part.mesh.points.col(i);
+      double squared = std::numeric_limits<double>::infinity();
+      Point nearest;
+      std::size_t triangle;
+      for (const Triangle_tree& tree : trees)
+        if (tree.box().squaredExteriorDistance(p) < squared) tree.improve_nearest(p, nearest, squared, triangle);
+      farthest = std::max(farthest, squared);
+    }
+  return std::sqrt(farthest);
+}
+
+/// The Hausdorff distance, as vertices tell.
+inline double hausdorff_distance(const Segmented_shape& a, const Segmented_shape& b)
+{
+  return std::max(distance(a, b), distance(b, a));
+}
+
+/// To the bit.
+inline bool is_same(const Segmented_shape& a, const Segmented_shape& b)
+{
+  return std::equal(a.parts().begin(), a.parts().end(), b.parts().begin(), b.parts().end(),
+                    [](const Shape_part& p, const Shape_part& q) {
+                      return p.name == q.name && p.mesh.points == q.mesh.points && p.mesh.triangles == q.mesh.triangles;
+                    });
+}
+
+} // namespace blend_checks
+
+#endif // SHAPE_CORRESPONDENCE_BLEND_CHECKS_H

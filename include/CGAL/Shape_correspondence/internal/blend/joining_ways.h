@@ -1,0 +1,89 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_JOINING_WAYS_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_JOINING_WAYS_H
+
+#include <CGAL/Shape_correspondence/internal/map/Charted_mesh.h>
+#include <CGAL/Shape_correspondence/internal/quantized.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// A way from one surface to another.
+struct Joining_way
+{
+  std::array<std::size_t, 2> surfaces;
+  double length;
+};
+
+/// The shortest ways that join sets of surfaces, the shortest first; lengths up to a tenth. Distances are measured in
+/// the order of those of the boxes, which bound them from below, until all are joined: seldom more than there are
+/// surfaces.
+/// \param set by surface, the smallest one of its set
+inline std::vector<Joining_way> joining_ways(const std::vector<const contacts::Triangle_tree*>& surfaces,
+                                             std::vector<std::size_t> set)
+{
+  constexpr bool measured = false, bounded = true; // what is measured comes first
+  using Candidate = std::tuple<long, bool, std::size_t, std::size_t, double>;
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue;
+  for (std::size_t a = 0; a < surfaces.size(); ++a)
+    for (std::size_t b = a + 1; b < surfaces.size(); ++b) {
+      if (set[a] == set[b]) continue;
+      const double bound = surfaces[a]->box().exteriorDistance(surfaces[b]->box());
+      queue.emplace(quantized(bound), bounded, a, b, bound);
+    }
+  std::vector<Joining_way> result;
+  while (!queue.empty()) {
+    const auto [key, kind, a, b, length] = queue.top();
+    queue.pop();
+    if (set[a] == set[b]) continue;
+    if (kind == bounded) {
+      const double exact = std::sqrt(surfaces[a]->nearly_closest(*surfaces[b]).squared);
+      queue.emplace(quantized(exact), measured, a, b, exact);
+      continue;
+    }
+    const std::size_t kept = std::min(set[a], set[b]), given_up = std::max(set[a], set[b]);
+    std::replace(set.begin(), set.end(), given_up, kept);
+    result.push_back({{a, b}, length});
+  }
+  return result;
+}
+
+/// The widest gap that it takes to join all surfaces.
+inline double widest_gap(const std::vector<contacts::Triangle_tree>& surfaces)
+{
+  std::vector<const contacts::Triangle_tree*> pointers;
+  for (const contacts::Triangle_tree& surface : surfaces)
+    pointers.push_back(&surface);
+  std::vector<std::size_t> set(surfaces.size());
+  std::iota(set.begin(), set.end(), std::size_t(0));
+  const std::vector<Joining_way> ways = joining_ways(pointers, set);
+  return ways.empty() ? 0 : ways.back().length;
+}
+
+inline std::vector<contacts::Triangle_tree> trees_of(const std::vector<Part_mesh>& parts)
+{
+  std::vector<contacts::Triangle_tree> result;
+  for (const Part_mesh& part : parts)
+    result.push_back(tree_of(part.points, part.triangles));
+  return result;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_JOINING_WAYS_H

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "collection_analysis.h"
+
+#include <CGAL/Shape_correspondence/topological_medoid.h>
+#include <CGAL/Shape_correspondence/transitive_correspondence.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+namespace {
+
+constexpr std::size_t largest_clustered_whole = 100; // shapes whose maps are all clustered, unless told otherwise
+constexpr std::size_t usual_neighbours = 32;         // else
+constexpr std::size_t largest_bridged = 1000;        // shapes; bridges take cubic time
+constexpr std::size_t listed_bridges = 100;
+
+/// Ordered pairs of shapes.
+using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
+
+/// The pairs of shapes whose maps are clustered, either way.
+Pairs clustered_pairs(const Eigen::MatrixXd& distances, std::size_t neighbours)
+{
+  const auto n = std::size_t(distances.rows());
+  if (neighbours == 0) neighbours = n > largest_clustered_whole ? usual_neighbours : n;
+  Pairs pairs;
+  for (std::size_t i = 0; i < n; ++i) {
+    std::vector<std::pair<double, std::size_t>> others;
+    for (std::size_t j = 0; j < n; ++j)
+      if (j != i) others.emplace_back(distances(Eigen::Index(i), Eigen::Index(j)), j);
+    const std::size_t k = std::min(neighbours, others.size());
+    std::partial_sort(others.begin(), others.begin() + std::ptrdiff_t(k), others.end());
+    for (std::size_t m = 0; m < k; ++m) {
+      pairs.emplace(i, others[m].second);
+      pairs.emplace(others[m].second, i);
+    }
+  }
+  return pairs;
+}
+
+/// The ordered pairs for which a chain costs less, the largest gain first.
+std::vector<IO::Collection::Bridge> bridges_of(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree)
+{
+  std::vector<IO::Collection::Bridge> result;
+  for (std::size_t source = 0; source < std::size_t(energies.rows()); ++source) {
+    std::vector<Shape_chain> chains = best_chains(energies, tree, source);
+    for (std::size_t target = 0; target < chains.size(); ++target) {
+      if (chains[target].is_direct()) continue;
+      const double direct = energies(Eigen::Index(source), Eigen::Index(target));
+      result.push_back({source, target, {std::move(chains[target]), direct, {}}});
+    }
+  }
+  const auto gain = [](const IO::Collection::Bridge& bridge) {
+    return bridge.correspondence.direct_energy - bridge.correspondence.chain.energy;
+  };
+  std::stable_sort(result.begin(), result.end(), [&](const auto& a, const auto& b) { return gain(a) > gain(b); });
+  return result;
+}
+
+void add_chain(const Shape_chain& chain, Pairs& pairs)
+{
+  for (std::size_t k = 1; k < chain.shapes.size(); ++k)
+    pairs.emplace(chain.shapes[k - 1], chain.shapes[k]);
+}
+
+Part_map composed_map(const Shape_chain& chain, const std::map<std::pair<std::size_t, std::size_t>, Part_map>& maps)
+{
+  Part_map map = maps.at({chain.shapes[0], chain.shapes[1]});
+  for (std::size_t k = 2; k < chain.shapes.size(); ++k)
+    map = composed(map, maps.at({chain.shapes[k - 1], chain.shapes[k]}));
+  return map;
+}
+
+/// Fills in the medoid, the spanning tree and the bridges, which energies alone tell, and returns the pairs of shapes
+/// whose maps are to be clustered.
+Pairs analyse_energies(std::size_t neighbours, IO::Collection& result)
+{
+  const Eigen::MatrixXd distances = symmetric_distances(result.energies);
+  result.medoid = topological_medoid(distances);
+  result.tree = minimum_spanning_tree(distances);
+  if (result.shapes.size() <= largest_bridged)
+    result.bridges = bridges_of(result.energies, result.tree);
+  else
+    result.warnings.push_back("Bridges are looked for in collections of up to " + std::to_string(largest_bridged) +
+                              " shapes only.");
+  result.bridge_count = result.bridges.size();
+  if (result.bridges.size() > listed_bridges) result.bridges.resize(listed_bridges);
+  return clustered_pairs(distances, neighbours);
+}
+
+} // namespace
+
+Analysis analysed(const Collection_shapes& shapes, const Collection_options& options, Collection_work& work)
+{
+  Analysis analysis;
+  IO::Collection& result = analysis.collection;
+  result.warnings = shapes.skipped();
+  std::vector<std::size_t> part_counts;
+  for (const Collection_shape& shape : shapes.shapes()) {
+    result.shapes.push_back({shape.name, shape.path, shape.parts});
+    part_counts.push_back(shape.parts.size());
+    for (const std::string& warning : shape.warnings)
+      result.warnings.push_back(shape.path + ": " + warning);
+  }
+  const auto n = Eigen::Index(shapes.size());
+  result.energies = Eigen::MatrixXd::Zero(n, n);
+  work.for_each_pair([&](std::size_t i, std::size_t j, const Rated_map& rated) {
+    result.energies(Eigen::Index(i), Eigen::Index(j)) = rated.energy;
+  });
+  const Pairs clustered = analyse_energies(options.neighbours, result);
+  Pairs wanted = clustered;
+  for (const IO::Collection::Bridge& bridge : result.bridges)
+    add_chain(bridge.correspondence.chain, wanted);
+
+  std::map<std::pair<std::size_t, std::size_t>, Part_map> maps;
+  work.for_each_pair([&](std::size_t i, std::size_t j, const Rated_map& rated) {
+    if (wanted.count({i, j})) maps[{i, j}] = rated.map;
+  });
+  for (IO::Collection::Bridge& bridge : result.bridges)
+    bridge.correspondence.map = composed_map(bridge.correspondence.chain, maps);
+  for (const auto& [i, j] : clustered)
+    analysis.maps.push_back({i, j, std::move(maps.at({i, j}))});
+  result.co_analysis = co_analysis(part_counts, analysis.maps, options.co_analysis);
+  result.co_analysis_shape_pairs = clustered.size() / 2;
+  return analysis;
+}
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,144 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "collection_options.h"
+
+#include "../IO/atomic_file.h"
+
+#include <set>
+#include <sstream>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+namespace po = boost::program_options;
+
+namespace {
+
+/// To be raised with every change that makes other energies or pairs of the same graphs and options.
+constexpr int matching_version = 5;
+
+/// Options of match that say nothing on a collection.
+void refuse_options_of_pairs(const po::variables_map& values)
+{
+  for (const char* option : {"solutions", "min-marginals", "source-parts", "target-parts", "search-time-limit"}) {
+    const auto& value = values[option];
+    const bool is_given = !value.empty() && !value.defaulted();
+    if (is_given) throw Usage_error("--" + std::string(option) + " is for a pair of shapes, not for a collection");
+  }
+}
+
+void parse_tile(Collection_options& options)
+{
+  std::istringstream text(options.tile);
+  char slash = 0;
+  if (!(text >> options.tile_number >> slash >> options.tile_count) || slash != '/' || !text.eof() ||
+      options.tile_number < 1 || options.tile_number > options.tile_count)
+    throw Usage_error("--tile takes I/N with I from 1 to N, not '" + options.tile + "'");
+}
+
+/// The values of all options of matching, as a text.
+std::string text_of(const po::options_description& options, const po::variables_map& values)
+{
+  std::ostringstream text;
+  text << std::hexfloat;
+  for (const auto& option : options.options()) {
+    const po::variable_value& value = values[option->long_name()];
+    text << option->long_name() << '=';
+    if (const auto* word = boost::any_cast<std::string>(&value.value())) text << *word;
+    if (const auto* number = boost::any_cast<int>(&value.value())) text << *number;
+    if (const auto* number = boost::any_cast<std::size_t>(&value.value())) text << *number;
+    if (const auto* number = boost::any_cast<double>(&value.value())) text << *number;
+    if (const auto* is_set = boost::any_cast<bool>(&value.value())) text << *is_set;
+    text << '\n';
+  }
+  return text.str();
+}
+
+} // namespace
+
+po::options_description collection_options(Common_options& common, Collection_options& options)
+{
+  po::options_description result("Options of collection", 100, 68);
+  auto add = result.add_options();
+  add("json", po::value(&common.json)->value_name("FILE"), "write the result as JSON; - is standard output");
+  add("npy", po::value(&options.npy)->value_name("FILE"),
+      "write the energies, source by target, as a NumPy array of doubles");
+  add("csv", po::value(&options.csv)->value_name("FILE"), "write the energies as a table with the shapes' names");
+  add("html", po::value(&common.html)->value_name("FILE"),
+      "write a web page that needs no network: pictures of all shapes, the medoid, the spanning tree, and the match of "
+      "two shapes that are clicked (of more than 100 shapes, of near ones; of more than 1000 it shows 1000)");
+  add("store", po::value(&options.store)->value_name("FOLDER"),
+      "keep graphs and finished pairs in this folder, and take them from there; a must for very large collections, "
+      "which then need memory for the energies alone");
+  add("nearest", po::value(&options.nearest)->value_name("QUERY"),
+      "find the shapes of the collection that are nearest to this one instead, without matching all; the result is "
+      "written by --json");
+  add("count,k", po::value(&options.nearest_count)->value_name("K")->default_value(options.nearest_count),
+      "how many of them");
+  add("tile", po::value(&options.tile)->value_name("I/N"),
+      "do the I-th of N shares of the pairs and write no result: a job of an array; needs --store");
+  add("merge", po::bool_switch(&options.merge), "match nothing, all pairs must be in the store");
+  add("tile-size", po::value(&options.block_size)->value_name("N"),
+      "shapes on a side of a tile, the least work that is kept; default: by the number of shapes, 64 at most");
+  add("skip-bad", po::bool_switch(&options.skip_bad), "leave out inputs that cannot be used, with a warning");
+  add("unmatched-energy",
+      po::value(&options.unmatched_energy)->value_name("E")->default_value(options.unmatched_energy, "0.5"),
+      "what a pair of connected parts counts of which one has no counterpart");
+  add("inflation",
+      po::value(&options.co_analysis.clustering.inflation)
+          ->value_name("R")
+          ->default_value(options.co_analysis.clustering.inflation, "2"),
+      "of Markov clustering: more of it makes smaller clusters of parts");
+  add("cycle-support",
+      po::value(&options.co_analysis.least_cycle_support)
+          ->value_name("S")
+          ->default_value(options.co_analysis.least_cycle_support, "0.5"),
+      "a pair of parts is clustered if this share of the third shapes that could confirm it do; 0: every pair");
+  add("neighbours", po::value(&options.neighbours)->value_name("K"),
+      "cluster the part maps of every shape with its K nearest ones only; default: with all of up to 100 shapes, with "
+      "32 "
+      "of more");
+  return result;
+}
+
+void check(Collection_options& options, const Common_options& common, const po::variables_map& values)
+{
+  refuse_options_of_pairs(values);
+  const bool in_parts = !options.tile.empty();
+  if (in_parts) parse_tile(options);
+  if ((in_parts || options.merge) && options.store.empty()) throw Usage_error("--tile and --merge need --store");
+  if (in_parts && options.merge) throw Usage_error("--tile and --merge do not go together");
+  if (in_parts && !(common.json + common.html + options.npy + options.csv).empty())
+    throw Usage_error("--tile writes no result; --merge does when all shares are done");
+  if (!options.nearest.empty() && (in_parts || options.merge || !(common.html + options.npy + options.csv).empty()))
+    throw Usage_error("--nearest goes with --json and --store, not with shares of the work or files of all pairs");
+  if (options.nearest_count < 1) throw Usage_error("-k must be at least 1");
+  if (values.count("tile-size") && options.block_size < 1) throw Usage_error("--tile-size must be at least 1");
+  if (values.count("neighbours") && options.neighbours < 1) throw Usage_error("--neighbours must be at least 1");
+  if (!(options.unmatched_energy >= 0)) throw Usage_error("--unmatched-energy must not be negative");
+  if (!(options.co_analysis.clustering.inflation > 1)) throw Usage_error("--inflation must be more than 1");
+  if (!(options.co_analysis.least_cycle_support >= 0 && options.co_analysis.least_cycle_support <= 1))
+    throw Usage_error("--cycle-support must be between 0 and 1");
+  std::set<std::string> outputs{common.json, common.html};
+  for (const std::string& file : {options.npy, options.csv}) {
+    if (file.empty()) continue;
+    if (!outputs.insert(file).second) throw Usage_error("two outputs are the same file, " + file);
+    IO::check_writable(file);
+  }
+}
+
+std::string key_of(const Match_options& match, const Collection_options& options, const po::variables_map& values)
+{
+  Match_options names = match; // for their names alone
+  std::ostringstream key;
+  key << CGAL_SHAPE_CORRESPONDENCE_VERSION << '/' << matching_version << '\n'
+      << text_of(match_options(names), values) << std::hexfloat << "unmatched-energy=" << options.unmatched_energy;
+  return key.str();
+}
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL

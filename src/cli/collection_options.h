@@ -1,0 +1,48 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_OPTIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_OPTIONS_H
+
+#include "common_options.h"
+#include "match_options.h"
+
+#include <CGAL/Shape_correspondence/co_analysis.h>
+
+#include <boost/program_options.hpp>
+
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+
+/// The options that only this command has.
+struct Collection_options
+{
+  std::string npy, csv, store, tile, nearest;
+  bool merge = false, skip_bad = false;
+  std::size_t block_size = 0, neighbours = 0, nearest_count = 5;
+  double unmatched_energy = 0.5;
+  Co_analysis_options co_analysis;
+  std::size_t tile_number = 0, tile_count = 1;
+};
+
+boost::program_options::options_description collection_options(Common_options& common, Collection_options& options);
+
+/// Reads the tile, and checks options one by one and together.
+/// \throw Usage_error
+void check(Collection_options& options, const Common_options& common,
+           const boost::program_options::variables_map& values);
+
+/// All that energies and pairs depend on besides the shapes.
+std::string key_of(const Match_options& match, const Collection_options& options,
+                   const boost::program_options::variables_map& values);
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_OPTIONS_H

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "collection_work.h"
+
+#include "progress_bar.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+void Collection_work::run(Team& team)
+{
+  std::vector<std::size_t> todo;
+  for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
+    if (is_mine(tile) && !store_.has(tiles_.name(tile))) todo.push_back(tile);
+  todo = team.from_first(std::move(todo)); // others may have begun
+  std::vector<std::size_t> before;         // pairs, by place in the list
+  std::size_t total = 0;
+  for (std::size_t tile : todo) {
+    before.push_back(total);
+    total += tiles_.number_of_pairs(tile);
+  }
+  if (options_.merge && !todo.empty())
+    throw Invalid_input(
+        options_.store + ": " + std::to_string(total) +
+        " pairs of shapes are missing; run the shares (--tile) that are not done, or leave --merge out");
+  Common_options shown = common_;
+  shown.quiet = common_.quiet || !team.is_first();
+  Progress_bar bar(shown, "matching", "pair");
+  team.for_each(todo.size(), [&](std::size_t k) {
+    Energy_matrix_options matching = matching_;
+    matching.progress = [&](std::size_t done, std::size_t) {
+      bar.show(before[k] + done, total);
+      return true;
+    };
+    store_.insert(tiles_.name(todo[k]), tiles_.computed(todo[k], matching));
+  });
+}
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL
