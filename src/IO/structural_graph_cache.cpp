@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// To be raised with every change that makes another graph of the same shape and options.
-constexpr int algorithms_version = 4;
+constexpr int algorithms_version = 5;
 
 constexpr const char* first_words = "shape_correspondence cache entry";
 
