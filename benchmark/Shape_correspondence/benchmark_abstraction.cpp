@@ -27,9 +27,10 @@ using Values = std::vector<double>;
 struct Totals
 {
   std::size_t shapes = 0, parts = 0, copies = 0, curves = 0, closed_curves = 0, sheets = 0, fallbacks = 0, flagged = 0;
-  Values seconds;                     ///< of shapes, on the wall
-  Values medialness, sheet_residuals; ///< of curve points; of parts
-  Values deviations;                  ///< from what was stated, over the part's diagonal
+  Values seconds;                      ///< of shapes, on the wall
+  Values medialness, plain_medialness; ///< of curve points; of those of parts in one piece without flags
+  Values sheet_residuals;              ///< of parts
+  Values deviations;                   ///< from what was stated, over the part's diagonal
   std::size_t stated = 0, kinds_right = 0;
   SC::Phase_milliseconds phases;
 };
@@ -90,6 +91,8 @@ void measure_part(const SC::Part_abstraction& part, const SC::Part_mesh& mesh, c
   else
     medialness = SC::benchmark::medialness(std::get<SC::Curve>(part.geometry), mesh);
   totals.medialness.insert(totals.medialness.end(), medialness.begin(), medialness.end());
+  if (flags_of(report).empty())
+    totals.plain_medialness.insert(totals.plain_medialness.end(), medialness.begin(), medialness.end());
   if (stated) {
     ++totals.stated;
     totals.kinds_right += SC::benchmark::same_kind(part, *stated);
@@ -130,10 +133,11 @@ void print(const std::string& category, const Totals& t)
       "bounding boxes, %zu with tube, blob or branching flags\n",
       category.c_str(), t.shapes, quantile(t.seconds, 0.5), t.parts, t.copies, t.curves, t.closed_curves, t.sheets,
       t.fallbacks, t.flagged);
-  std::printf("            medialness of curve points: median %.3f, 90 %% %.3f; residual of sheets: median %.4f, 90 %% "
-              "%.4f\n",
-              quantile(t.medialness, 0.5), quantile(t.medialness, 0.9), quantile(t.sheet_residuals, 0.5),
-              quantile(t.sheet_residuals, 0.9));
+  std::printf(
+      "            medialness of curve points: median %.3f, 90 %% %.3f, of parts in one piece without flags %.3f, "
+      "%.3f; residual of sheets: median %.4f, 90 %% %.4f\n",
+      quantile(t.medialness, 0.5), quantile(t.medialness, 0.9), quantile(t.plain_medialness, 0.5),
+      quantile(t.plain_medialness, 0.9), quantile(t.sheet_residuals, 0.5), quantile(t.sheet_residuals, 0.9));
   std::printf("            ms in all: repair %.0f, remesh %.0f, flow %.0f, fit %.0f, measure %.0f\n", t.phases.repair,
               t.phases.remesh, t.phases.flow, t.phases.fit, t.phases.measure);
   if (t.stated > 0)

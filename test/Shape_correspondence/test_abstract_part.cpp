@@ -3,7 +3,8 @@
 #include "part_meshes.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
-#include <CGAL/Timer.h>
+#include <CGAL/Shape_correspondence/internal/abstraction/repair.h>
+#include <CGAL/Shape_correspondence/internal/abstraction/skeletonize.h>
 
 #include <cmath>
 #include <memory>
@@ -21,6 +22,28 @@ bool same_bits(const Part_abstraction& a, const Part_abstraction& b)
          a.surface == b.surface && a.hull == b.hull && a.volume == b.volume && a.hull_volume == b.hull_volume &&
          a.area == b.area && a.report.method == b.report.method && a.report.iterations == b.report.iterations &&
          a.report.residual == b.report.residual;
+}
+
+/// A clock that moves on by a second whenever somebody looks at it, however fast the machine is.
+struct Looked_at_clock
+{
+  std::shared_ptr<int> looks = std::make_shared<int>(0);
+
+  double operator()() const { return (*looks)++; }
+};
+
+/// Work that looks at the clock at least so many times in all stops at the first look after its time is up.
+template <typename Work>
+void check_that_it_stops(int least_looks, const Work& work)
+{
+  const Looked_at_clock whole;
+  work(internal::Deadline(1e9, whole));
+  REQUIRE(*whole.looks >= least_looks);
+  for (int limit : {0, *whole.looks / 2, *whole.looks - 1}) {
+    const Looked_at_clock clock;
+    CHECK_THROWS_AS(work(internal::Deadline(limit, clock)), internal::Out_of_time);
+    CHECK(*clock.looks == limit + 1);
+  }
 }
 
 } // namespace
@@ -41,56 +64,50 @@ TEST_CASE("Limits lead to the bounding box, and the report says so")
   CHECK(abstract_part({"leg", leg}, options).report.method == Method::BOUNDING_BOX);
 }
 
-TEST_CASE("A wrap stops at the time limit")
+TEST_CASE("Long steps look at the clock again and again, and stop when the time is up")
 {
-  Part_mesh open_boxes; // none stands for the part, so that all are wrapped
-  for (int k = 0; k < 6; ++k) {
-    open_boxes =
-        joined(open_boxes, without_triangles(moved(plate, Eigen::Matrix3d::Identity(), Point(0, 0.2 * k, 0)), 2));
-  }
-  CGAL::Timer timer; // of the processor, which a busy machine does not slow down
-  timer.start();
-  const Part_abstraction wrapped = abstract_part({"shelves", open_boxes});
-  timer.stop();
-  REQUIRE(wrapped.report.repair == Abstraction_report::Repair::WRAP);
-  const double share = wrapped.report.phases.repair / wrapped.report.milliseconds;
-  const double seconds = share * timer.time(); // of the wrap
-  Abstraction_options options;
-  options.time_limit = 0.2 * seconds;
-  timer.reset();
-  timer.start();
-  const Part_abstraction stopped = abstract_part({"shelves", open_boxes}, options);
-  CHECK(timer.time() < 0.6 * seconds);
-  CHECK(stopped.report.time_limit);
-  CHECK(stopped.report.is_fallback());
-  CHECK(stopped.report.fallback == "it needs more time than allowed");
-  CHECK(stopped.control_points().allFinite());
-}
-
-TEST_CASE("Filling many large holes stops at the time limit")
-{
-  // A rough torus of 16 windows, whose borders are long and jagged: five seconds to fill all of them.
-  const int n = 400, period = 100, window = 95;
-  const Part_mesh whole = torus_like(n, n, [](double u, double v) {
-    const double rough = 0.4 + 0.2 * std::sin(1e4 * u * (v + 1)), r = 1 + rough * std::cos(v);
-    return Point(r * std::cos(u), rough * std::sin(v), r * std::sin(u));
-  });
-  Part_mesh mesh{whole.points, whole.triangles};
-  Eigen::Index kept = 0;
-  for (Eigen::Index t = 0; t < whole.triangles.cols(); ++t) {
-    const Eigen::Index i = t / 2 / n, j = t / 2 % n;
-    if (i % period >= window || j % period >= window) {
-      mesh.triangles.col(kept++) = whole.triangles.col(t);
+  const Part_mesh solid = internal::remeshed(leg, 0.05, internal::Deadline(1e9));
+  SECTION("a wrap")
+  {
+    Part_mesh shelves; // none stands for the part, so that all are wrapped
+    for (int k = 0; k < 6; ++k) {
+      shelves = joined(shelves, without_triangles(moved(plate, Eigen::Matrix3d::Identity(), Point(0, 0.2 * k, 0)), 2));
     }
+    check_that_it_stops(100, [&](const internal::Deadline& deadline) {
+      const internal::Repaired_part repaired = internal::repair_part(shelves, deadline);
+      CHECK(repaired.repair == Abstraction_report::Repair::WRAP);
+    });
   }
-  mesh.triangles.conservativeResize(3, kept);
-  Abstraction_options options;
-  options.time_limit = 1;
-  CGAL::Timer timer;
-  timer.start();
-  const Part_abstraction part = abstract_part({"torus", mesh}, options);
-  CHECK(part.report.time_limit);
-  CHECK(timer.time() < 2.5);
+  SECTION("filling holes")
+  {
+    const int n = 40, period = 10, window = 4;
+    Part_mesh mesh = torus_like(n, n, [](double u, double v) {
+      const double r = 1 + 0.4 * std::cos(v);
+      return Point(r * std::cos(u), 0.4 * std::sin(v), r * std::sin(u));
+    });
+    Eigen::Index kept = 0;
+    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+      if (t / 2 / n % period >= window || t / 2 % n % period >= window) {
+        mesh.triangles.col(kept++) = mesh.triangles.col(t).eval();
+      }
+    }
+    mesh.triangles.conservativeResize(3, kept);
+    check_that_it_stops(16, [&](const internal::Deadline& deadline) {
+      const internal::Repaired_part repaired = internal::repair_part(mesh, deadline);
+      CHECK(repaired.repair == Abstraction_report::Repair::HOLES);
+    });
+  }
+  SECTION("remeshing")
+  {
+    check_that_it_stops(50, [&](const internal::Deadline& deadline) { internal::remeshed(solid, 0.1, deadline); });
+  }
+  SECTION("the flow")
+  {
+    check_that_it_stops(9, [&](const internal::Deadline& deadline) {
+      internal::Stepwise_flow flow(solid, 300, deadline);
+      flow.run_to_convergence();
+    });
+  }
 }
 
 TEST_CASE("The number of control points is an option")

@@ -57,9 +57,10 @@ TEST_CASE("A ring becomes a closed curve")
 {
   const Part_abstraction part = abstraction_of(torus(1, 0.1));
   REQUIRE(part.is_closed_curve());
-  const Points& points = part.control_points();
-  CHECK((points.colwise().norm().array() - 1).abs().maxCoeff() < 0.05);
-  CHECK(points.row(1).cwiseAbs().maxCoeff() < 0.05);
+  CHECK(part.control_points().cols() == 32); // a full turn more than a straight curve
+  const Points points = sample(part, 200);
+  CHECK((points.colwise().norm().array() - 1).abs().maxCoeff() < 0.015); // also in the middles of its segments
+  CHECK(points.row(1).cwiseAbs().maxCoeff() < 0.01);
 }
 
 TEST_CASE("A ball is called a blob")
@@ -90,6 +91,34 @@ TEST_CASE("A long part is a sheet if it is a blade, a curve if it is a slat")
   CHECK(abstraction_of(box({0, 0, 0}, {1, 0.014, 0.15})).is_sheet());
   CHECK_FALSE(abstraction_of(box({0, 0, 0}, {1, 0.04, 0.14})).is_sheet());
   CHECK_FALSE(abstraction_of(box({0, 0, 0}, {1, 0.003, 0.04})).is_sheet());
+}
+
+TEST_CASE("A disc is a sheet across its axle, however long that is")
+{
+  const double out = 0.055, in = 0.009;
+  const Part_abstraction part = abstraction_of(turned(
+      {{0, -0.05}, {in, -0.05}, {in, -0.01}, {out, -0.008}, {out, 0.008}, {in, 0.01}, {in, 0.05}, {0, 0.05}}, 20));
+  REQUIRE(part.is_sheet());
+  CHECK(part.control_points().row(1).cwiseAbs().maxCoeff() < 0.012);
+  CHECK(part.control_points().row(0).maxCoeff() > 0.05);
+}
+
+TEST_CASE("A carcass of thin walls that is flat as a whole is a sheet")
+{
+  // The stairs of a loft bed, open behind.
+  const double wall = 0.012;
+  Part_mesh stairs;
+  for (int k = 0; k < 4; ++k) {
+    const double left = 0.3 * k, right = 1.2, low = 0.3 * k, high = 0.3 * (k + 1), depth = 0.5;
+    stairs = joined(stairs, box({left, high - wall, 0}, {right, high, depth}));
+    stairs = joined(stairs, box({left, low - wall, 0}, {left + wall, high, depth}));
+    stairs = joined(stairs, box({left, low - wall, 0}, {right, high, wall}));
+  }
+  const Part_abstraction part = abstraction_of(stairs);
+  REQUIRE(part.is_sheet());
+  CHECK(part.control_points().row(0).maxCoeff() > 1.1);
+  CHECK(part.control_points().row(1).maxCoeff() > 1.1);
+  CHECK((part.control_points().row(2).array() - 0.25).abs().maxCoeff() < 0.01);
 }
 
 TEST_CASE("Arms that spread make no blade")

@@ -79,7 +79,7 @@ inline Path normals(const Path& path, bool closed, const Point& hint)
 /// Whether a piece of three lengths is a plate, rather than a bar: flat and not much longer than wide, or a blade.
 inline bool is_plate(double length, double width, double thickness)
 {
-  constexpr double least_width = 0.18, most_thickness = 0.45, least_blade_width = 0.075, blade_thickness = 0.165;
+  constexpr double least_width = 0.18, most_thickness = 0.45, least_blade_width = 0.075, blade_thickness = 0.13;
   return (width >= least_width * length && thickness < most_thickness * width) ||
          (width >= least_blade_width * length && thickness <= blade_thickness * width);
 }

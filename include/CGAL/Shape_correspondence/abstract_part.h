@@ -53,7 +53,7 @@ struct Abstraction_options
   double stop_volume = 0.02;    ///< whether a part is hollow shows when the flow has left this fraction of its volume
   int maximum_iterations = 300; ///< of the flow; the bounding box stands in for a part that needs more
   double time_limit = 20;       ///< seconds a part; the bounding box stands in for a part that needs more
-  int curve_points = 16;        ///< control points of a curve
+  int curve_points = 16;        ///< control points of a curve; as many again for every full turn that it makes
   int sheet_points = 8;         ///< control points of a sheet along each side
   /// Called after every part with the number of parts done and their total; from one thread at a time.
   std::function<void(std::size_t, std::size_t)> progress;

@@ -41,7 +41,7 @@ enum class Intrinsic_kind { ELONGATED, BLADE, FLAT, COMPACT, BLOCK };
 inline Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, const Eigen::Vector3d& box)
 {
   const double least_width = 0.21, least_depth = 0.5, least_thickness = 0.3;
-  const double least_blade_width = 0.075, blade_thickness = 0.26; // about six times as wide as thick
+  const double least_blade_width = 0.075, blade_thickness = 0.26; // 7.7 times as wide as thick
   const double least_height = 0.32, plate_height = 0.45;          // of the box, over its length and its width
   const Eigen::Vector3d& extents = layout.extents;
   if (extents[1] <= least_width * extents[0]) {
@@ -52,6 +52,21 @@ inline Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thic
     return Intrinsic_kind::BLOCK;
   }
   return extents[2] >= least_depth * extents[1] ? Intrinsic_kind::COMPACT : Intrinsic_kind::FLAT;
+}
+
+/// Whether a body of revolution is known by its axis rather than as a disc; with a hole through it, only a tube of a
+/// thin wall is, for others are rings.
+inline bool is_slender(const Revolution_axis& axis, double thickness, bool has_handle)
+{
+  const double least_slenderness = has_handle ? 0.15 : 1. / 3, thin_wall = 0.25;
+  return axis.slenderness >= least_slenderness && (!has_handle || 2 * thickness <= thin_wall * axis.height);
+}
+
+/// Whether a part that is compact along itself is so for its walls only, as a carcass of boards.
+inline bool is_carcass(const Intrinsic_layout& layout, double thickness)
+{
+  const double thin_wall = 0.2;
+  return thickness < thin_wall * layout.extents[2];
 }
 
 /// 2 of a closed connected surface without handles, less by two for each handle.
@@ -115,16 +130,26 @@ private:
     const double thickness = (axis.points - solid.points).colwise().norm().mean();
     const Intrinsic_layout layout = layout_of(axis);
     const Oriented_box box = oriented_box(mesh_.points);
-    const Intrinsic_kind kind = intrinsic_kind(layout, thickness, box.extents);
     const bool has_handle = euler_characteristic(solid) < 2;
-    const std::optional<Revolution_axis> revolution = axis_of_revolution(solid, kind, thickness, has_handle);
+    const Intrinsic_kind measured = intrinsic_kind(layout, thickness, box.extents);
+    const std::optional<Revolution_axis> revolution = axis_of_revolution(solid, measured);
     report().phases.fit = watch_.lap();
-    if (revolution) {
+    if (revolution && is_slender(*revolution, thickness, has_handle)) {
       report().tube = has_handle;
       use_axis(revolution->curve(mesh_.points, options_.curve_points));
       return;
     }
-    const auto sheet = [&] { return fitted_sheet(axis.points, layout, thickness); };
+    // Flat as a whole, though not along itself: a disc on a long axle, a flat carcass
+    const bool is_disc = revolution && !has_handle && measured != Intrinsic_kind::FLAT;
+    const bool is_flat_carcass =
+        measured == Intrinsic_kind::COMPACT && is_carcass(layout, thickness) && is_flat(box.extents);
+    const Intrinsic_kind kind = is_disc || is_flat_carcass ? Intrinsic_kind::FLAT : measured;
+    const auto sheet = [&] {
+      return is_disc ? fit_sheet(axis.points, mesh_.points, options_.sheet_points)
+             : is_flat_carcass
+                 ? fit_flat_sheet({box.centre, box.axes}, axis.points, mesh_.points, options_.sheet_points)
+                 : fitted_sheet(axis.points, layout, thickness);
+    };
     if (kind_ == Abstraction_kind::SHEET) {
       use_sheet(sheet());
       return;
@@ -142,8 +167,8 @@ private:
         return;
       }
     }
-    const Fitted_curve fitted = contracted_curve(solid);
-    const bool is_net = fitted.residual > most;
+    const Fitted_curve fitted = contracted_curve(solid, axis.points);
+    const bool is_net = fitted.residual > (fitted.curve.closed ? 0.5 : 1.) * most; // a ring is its whole skeleton
     if (kind_ == Abstraction_kind::AUTOMATIC &&
         (report().tube || (is_net && is_flat(box.extents)) || (kind == Intrinsic_kind::FLAT && !fitted.curve.closed))) {
       use_sheet(sheet()); // also of a propeller or a pedal
@@ -156,7 +181,7 @@ private:
   }
 
   /// The curve that the flow finds. Whether the part is a tube shows on the way.
-  Fitted_curve contracted_curve(const Part_mesh& solid)
+  Fitted_curve contracted_curve(const Part_mesh& solid, const Points& axis)
   {
     const double tube_area = 0.5;
     Stepwise_flow flow(solid, options_.maximum_iterations, deadline_);
@@ -165,7 +190,7 @@ private:
     flow.run_to_convergence();
     report().iterations = flow.iterations();
     report().phases.flow = watch_.lap();
-    const Fitted_curve result = fit_curve(flow.curve_skeleton(), solid, options_.curve_points);
+    const Fitted_curve result = fit_curve(flow.curve_skeleton(), axis, solid, options_.curve_points);
     report().tube = result.curve.closed && area_kept > tube_area;
     return result;
   }
@@ -177,21 +202,13 @@ private:
     return intrinsic_layout(layer);
   }
 
-  /// That of a part that is neither long nor flat, where it says more than a skeleton, which may run in any direction;
-  /// with a hole through it, only of a tube of a thin wall, for others are rings.
-  std::optional<Revolution_axis> axis_of_revolution(const Part_mesh& solid, Intrinsic_kind kind, double thickness,
-                                                    bool has_handle) const
+  /// That of a part that is not long, where it says more than a skeleton, which may run in any direction.
+  std::optional<Revolution_axis> axis_of_revolution(const Part_mesh& solid, Intrinsic_kind kind) const
   {
-    const double least_slenderness = has_handle ? 0.15 : 1. / 3, thin_wall = 0.25;
     if (kind_ == Abstraction_kind::SHEET || kind == Intrinsic_kind::ELONGATED) {
       return std::nullopt;
     }
-    const std::optional<Revolution_axis> result = revolution_axis(solid.points, edge_length_);
-    if (!result || result->slenderness < least_slenderness ||
-        (has_handle && 2 * thickness > thin_wall * result->height)) {
-      return std::nullopt;
-    }
-    return result;
+    return revolution_axis(solid.points, edge_length_);
   }
 
   /// A sheet as it is seen from one side, or, of a part that is bent too much for that, along the part itself.

@@ -7,8 +7,10 @@
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ABSTRACTION_DEADLINE_H
 
 #include <chrono>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -53,18 +55,22 @@ private:
 class Deadline
 {
 public:
-  explicit Deadline(double seconds) : seconds_(seconds) {}
+  /// Seconds that have passed.
+  using Clock = std::function<double()>;
+
+  explicit Deadline(double seconds) : Deadline(seconds, [watch = Stop_watch()] { return watch.seconds(); }) {}
+  Deadline(double seconds, Clock clock) : seconds_(seconds), clock_(std::move(clock)) {}
 
   void check() const
   {
-    if (watch_.seconds() >= seconds_) {
+    if (clock_() >= seconds_) {
       throw Out_of_time("it needs more time than allowed");
     }
   }
 
 private:
-  Stop_watch watch_;
   double seconds_;
+  Clock clock_;
 };
 
 } // namespace internal

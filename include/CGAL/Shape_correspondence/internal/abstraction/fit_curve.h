@@ -12,7 +12,10 @@
 #include <CGAL/Shape_correspondence/internal/abstraction/spatial_graph.h>
 #include <CGAL/Shape_correspondence/internal/curve_and_sheet_geometry.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -24,9 +27,8 @@ namespace internal {
 struct Fitted_curve
 {
   Curve curve;
-  double coverage = 1;   ///< its length over the length of the pruned skeleton
-  double residual = 0;   ///< root mean square distance of the skeleton's vertices from it
-  bool free_ends = true; ///< of the pruned skeleton
+  double coverage = 1; ///< its length over the length of the pruned skeleton
+  double residual = 0; ///< root mean square distance of the skeleton from it, before it is centred
 };
 
 /// From a leaf to the first vertex that is no link of a chain.
@@ -181,49 +183,109 @@ inline Curve to_curve(const Spatial_graph_view& graph, const std::vector<int>& p
   return result;
 }
 
-/// Resamples a raw path finely, smoothes, extends and resamples it to its control points.
-inline Curve finish_curve(Curve curve, int control_points, const Nearest_points& surface, const Inside_test& is_inside)
+/// The angle by which a curve turns in all: a full turn of a ring.
+inline double turning(const Curve& curve)
 {
-  const int rounds = 3;
-  curve.points = sample(curve, 4 * control_points);
-  smooth(curve, rounds);
-  if (!curve.closed) {
-    extend_end(curve, false, surface, is_inside);
-    extend_end(curve, true, surface, is_inside);
+  const Eigen::Index n = curve.points.cols();
+  double result = 0;
+  for (Eigen::Index i = curve.closed ? 0 : 1; i < (curve.closed ? n : n - 1); ++i) {
+    const Point before = curve.points.col(i) - curve.points.col((i + n - 1) % n);
+    const Point after = curve.points.col((i + 1) % n) - curve.points.col(i);
+    result += std::atan2(before.cross(after).norm(), before.dot(after));
   }
-  curve.points = sample(curve, control_points);
-  return curve;
+  return result;
 }
 
-/// \param solid the closed mesh that the skeleton is of
-inline Fitted_curve fit_curve(const Spatial_graph& skeleton, const Part_mesh& solid, int control_points)
+/// A raw path, resampled and without its ripples.
+inline Curve smoothed(const Curve& raw, int samples)
 {
+  const int rounds = 3;
+  Curve result{sample(raw, samples), raw.closed};
+  smooth(result, rounds);
+  return result;
+}
+
+/// Draws a curve to the middle of the medial axis around it, across its direction. Of the axis counts what is about as
+/// near to the curve as to the surface.
+/// \param axis the medial poles of the surface's points
+inline void centre(Curve& curve, const Points& axis, const Points& surface)
+{
+  const int rounds = 3;
+  const double reach = 1.5;
+  const Eigen::Index n = curve.points.cols();
+  Curve offsets{Points::Zero(3, n), curve.closed};
+  Eigen::VectorXd counts = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index v = 0; v < axis.cols(); ++v) {
+    Eigen::Index nearest = 0;
+    const double squared = (curve.points.colwise() - axis.col(v)).colwise().squaredNorm().minCoeff(&nearest);
+    if (std::sqrt(squared) < reach * (axis.col(v) - surface.col(v)).norm()) {
+      offsets.points.col(nearest) += axis.col(v) - curve.points.col(nearest);
+      ++counts[nearest];
+    }
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index before = curve.closed ? (i + n - 1) % n : std::max<Eigen::Index>(i - 1, 0);
+    const Eigen::Index after = curve.closed ? (i + 1) % n : std::min(i + 1, n - 1);
+    const Point direction = (curve.points.col(after) - curve.points.col(before)).normalized();
+    const Point offset = offsets.points.col(i) / std::max(counts[i], 1.);
+    offsets.points.col(i) = offset - direction.dot(offset) * direction;
+  }
+  smooth(offsets, rounds);
+  curve.points += offsets.points;
+}
+
+/// Root mean square distance of a skeleton from a curve.
+inline double skeleton_residual(const Spatial_graph_view& graph, const Curve& curve)
+{
+  double sum = 0;
+  for (const auto& [a, b] : graph.edges()) {
+    const Point middle = 0.5 * (graph.point(a) + graph.point(b));
+    const Point nearest = curve(nearest_parameter_on_curve(curve, middle)[0]);
+    sum += graph.length(a, b) * (nearest - middle).squaredNorm();
+  }
+  return std::sqrt(sum / graph.total_length());
+}
+
+/// The path of a pruned skeleton that stands for it: the outer cycle, or the longest path where there is none.
+inline Curve main_path(const Spatial_graph_view& graph)
+{
+  const std::vector<int> cycle = has_free_end(graph) ? std::vector<int>() : outer_cycle(graph);
+  return cycle.empty() ? to_curve(graph, longest_path(graph), false) : to_curve(graph, cycle, true);
+}
+
+/// \param axis the medial poles of the vertices of `solid`
+/// \param solid the closed mesh that the skeleton is of
+inline Fitted_curve fit_curve(const Spatial_graph& skeleton, const Points& axis, const Part_mesh& solid,
+                              int control_points)
+{
+  const int samples = 4;     // for a control point
+  const double nearly = 0.1; // of a full turn
   const Nearest_points surface(solid.points);
   Spatial_graph_view graph(skeleton);
   prune(graph, surface);
   Fitted_curve result;
-  result.free_ends = has_free_end(graph);
-  std::vector<int> path;
-  if (!result.free_ends) {
-    path = outer_cycle(graph);
-  }
-  const bool closed = !path.empty();
-  if (!closed) {
-    path = longest_path(graph);
-  }
-  if (path.size() < 2) {
+  const Curve path = main_path(graph);
+  if (path.points.cols() < 2) {
     return result;
   }
-  const Curve raw = to_curve(graph, path, closed);
-  result.coverage = std::min(1., arc_lengths(raw).back() / graph.total_length());
-  result.curve = finish_curve(raw, control_points, surface, Inside_test(solid));
-  double sum = 0;
-  for (const auto& [a, b] : graph.edges()) {
-    const Point middle = 0.5 * (graph.point(a) + graph.point(b));
-    const Point nearest = result.curve(nearest_parameter_on_curve(result.curve, middle)[0]);
-    sum += graph.length(a, b) * (nearest - middle).squaredNorm();
+  result.coverage = std::min(1., arc_lengths(path).back() / graph.total_length());
+  Curve curve = smoothed(path, samples * control_points);
+  const double angle = turning({sample(curve, control_points), path.closed});
+  const int turns = static_cast<int>(angle / (2 * EIGEN_PI) + nearly);
+  if (turns > 0) { // segments between few points would cut the bends
+    control_points *= 1 + turns;
+    curve = smoothed(path, samples * control_points);
   }
-  result.residual = std::sqrt(sum / graph.total_length());
+  result.residual = skeleton_residual(graph, curve);
+  if (turns > 0) { // the flow draws bends inwards
+    centre(curve, axis, solid.points);
+  }
+  if (!path.closed) {
+    const Inside_test is_inside(solid);
+    extend_end(curve, false, surface, is_inside);
+    extend_end(curve, true, surface, is_inside);
+  }
+  result.curve = {sample(curve, control_points), path.closed};
   return result;
 }
 

@@ -320,6 +320,16 @@ inline Fitted_sheet fit_sheet(const Points& axis, const Points& surface, int n)
   return result;
 }
 
+/// A flat sheet in a given plane, inside the outline of the part as it is seen across.
+inline Fitted_sheet fit_flat_sheet(const Sheet_plane& plane, const Points& axis, const Points& surface, int n)
+{
+  Fitted_sheet result;
+  result.sheet = flat_grid(planar_hull(project(plane.to_plane(surface))), n);
+  result.sheet.points = plane.to_space(result.sheet.points);
+  result.residual = sheet_residual(result.sheet, axis);
+  return result;
+}
+
 /// Fits a sheet to a medial axis that is bent too much to be seen from one side: its rim follows the outline of a
 /// layout of the axis, a little farther out, where the part's surface is.
 /// \param layout of the axis in the plane
