@@ -9,10 +9,7 @@
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#endif
+#include <CGAL/Shape_correspondence/internal/for_each_index.h>
 
 #include <algorithm>
 #include <atomic>
@@ -21,7 +18,6 @@
 #include <memory>
 #include <mutex>
 #include <set>
-#include <type_traits>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -56,20 +52,6 @@ inline void check(const Energy_matrix_options& options)
 {
   if (!(options.unmatched_energy >= 0) || !std::isfinite(options.unmatched_energy))
     throw Invalid_input("energy_matrix: the energy of unmatched parts must be finite and not negative");
-}
-
-// Calls `work` with 0 to n - 1, in parallel if asked for.
-template <typename ConcurrencyTag, typename Work>
-void for_each_index(std::size_t n, const Work& work)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr (std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value) {
-    tbb::parallel_for(std::size_t(0), n, work);
-    return;
-  }
-#endif
-  for (std::size_t i = 0; i < n; ++i)
-    work(i);
 }
 
 // Tells a callback of finished work, one thread at a time; remembers that it ended the work.
