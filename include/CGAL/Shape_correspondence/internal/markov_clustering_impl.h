@@ -23,7 +23,7 @@ namespace Shape_correspondence {
 
 namespace internal {
 
-using Flow = Eigen::SparseMatrix<double>; // column-stochastic
+using Flow_matrix = Eigen::SparseMatrix<double>; // column-stochastic
 
 inline void check(const Eigen::SparseMatrix<double>& weights, const Markov_clustering_options& options)
 {
@@ -31,7 +31,7 @@ inline void check(const Eigen::SparseMatrix<double>& weights, const Markov_clust
       options.column_limit == 0 || options.entry_limit == 0 || !(options.tolerance > 0))
     throw Invalid_input("markov_clustering: the inflation must be more than 1, the limits within their ranges");
   for (Eigen::Index j = 0; j < weights.outerSize(); ++j)
-    for (Flow::InnerIterator entry(weights, j); entry; ++entry)
+    for (Flow_matrix::InnerIterator entry(weights, j); entry; ++entry)
       if (!(entry.value() >= 0) || std::isinf(entry.value()))
         throw Invalid_input("markov_clustering: a weight is negative or not finite");
 }
@@ -48,7 +48,7 @@ inline double sum_of(const Column& column)
 }
 
 /// Appends the next column to a flow, with the sum 1.
-inline void append_column(Column column, Flow& flow, Eigen::Index j)
+inline void append_column(Column column, Flow_matrix& flow, Eigen::Index j)
 {
   const double sum = sum_of(column);
   std::sort(column.begin(), column.end());
@@ -57,13 +57,13 @@ inline void append_column(Column column, Flow& flow, Eigen::Index j)
     flow.insertBack(i, j) = value / sum;
 }
 
-inline Flow first_flow(const Eigen::SparseMatrix<double>& weights)
+inline Flow_matrix first_flow(const Eigen::SparseMatrix<double>& weights)
 {
-  Flow flow(weights.cols(), weights.cols());
+  Flow_matrix flow(weights.cols(), weights.cols());
   for (Eigen::Index j = 0; j < weights.outerSize(); ++j) {
     Column column;
     double most = 0;
-    for (Flow::InnerIterator entry(weights, j); entry; ++entry) {
+    for (Flow_matrix::InnerIterator entry(weights, j); entry; ++entry) {
       if (entry.row() == j || entry.value() == 0) continue;
       column.emplace_back(entry.row(), entry.value());
       most = std::max(most, entry.value());
@@ -98,18 +98,18 @@ inline void prune(const Markov_clustering_options& options, std::size_t column_l
 
 /// Squares, prunes and inflates, some columns at a time: before they are pruned, columns may have very many entries.
 /// \return how far columns are from being all alike where they are not 0
-inline double step(const Markov_clustering_options& options, Flow& flow)
+inline double step(const Markov_clustering_options& options, Flow_matrix& flow)
 {
   constexpr Eigen::Index columns_at_a_time = 256;
   const std::size_t limit = column_limit(options, flow.cols());
-  Flow result(flow.rows(), flow.cols());
+  Flow_matrix result(flow.rows(), flow.cols());
   result.reserve(Eigen::Index(limit) * flow.cols()); // or else it is copied to twice its size whenever it is full
   double chaos = 0;
   for (Eigen::Index first = 0; first < flow.cols(); first += columns_at_a_time) {
-    const Flow squared = flow * flow.middleCols(first, std::min(columns_at_a_time, flow.cols() - first));
+    const Flow_matrix squared = flow * flow.middleCols(first, std::min(columns_at_a_time, flow.cols() - first));
     for (Eigen::Index j = 0; j < squared.cols(); ++j) {
       Column column;
-      for (Flow::InnerIterator entry(squared, j); entry; ++entry)
+      for (Flow_matrix::InnerIterator entry(squared, j); entry; ++entry)
         column.emplace_back(entry.row(), entry.value());
       prune(options, limit, column);
       const double sum = sum_of(column);
@@ -130,7 +130,7 @@ inline double step(const Markov_clustering_options& options, Flow& flow)
 }
 
 // Attractors that share flow are one system; a node belongs to the one that gets most of its flow.
-inline std::vector<std::size_t> systems_of(const Flow& flow)
+inline std::vector<std::size_t> systems_of(const Flow_matrix& flow)
 {
   const auto n = std::size_t(flow.cols());
   std::vector<std::size_t> parent(n);
@@ -144,7 +144,7 @@ inline std::vector<std::size_t> systems_of(const Flow& flow)
   std::vector<std::size_t> attractor(n);
   for (std::size_t j = 0; j < n; ++j) {
     double most = 0;
-    for (Flow::InnerIterator entry(flow, Eigen::Index(j)); entry; ++entry)
+    for (Flow_matrix::InnerIterator entry(flow, Eigen::Index(j)); entry; ++entry)
       if (entry.value() > most) most = entry.value(), attractor[j] = std::size_t(entry.row());
   }
   std::vector<char> is_attractor(n, 0);
@@ -152,7 +152,7 @@ inline std::vector<std::size_t> systems_of(const Flow& flow)
     is_attractor[attractor[j]] = 1;
   for (std::size_t j = 0; j < n; ++j) {
     if (!is_attractor[j]) continue;
-    for (Flow::InnerIterator entry(flow, Eigen::Index(j)); entry; ++entry) {
+    for (Flow_matrix::InnerIterator entry(flow, Eigen::Index(j)); entry; ++entry) {
       if (entry.value() < least_share) continue;
       const std::size_t a = root(j), b = root(std::size_t(entry.row()));
       parent[std::max(a, b)] = std::min(a, b);
@@ -171,7 +171,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Markov_clustering markov_clustering(const Eigen
 {
   CGAL_precondition(weights.rows() == weights.cols());
   internal::check(weights, options);
-  internal::Flow flow = internal::first_flow(weights);
+  internal::Flow_matrix flow = internal::first_flow(weights);
   Markov_clustering result;
   while (!result.converged && result.iterations < options.maximum_iterations) {
     result.converged = internal::step(options, flow) < options.tolerance;
