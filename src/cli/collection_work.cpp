@@ -14,30 +14,30 @@ namespace Shape_correspondence {
 namespace cli {
 void Collection_work::run(Team& team)
 {
-  std::vector<std::size_t> todo;
+  std::vector<std::size_t> missing;
   for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-    if (is_mine(tile) && !store_.has(tiles_.name(tile))) todo.push_back(tile);
-  todo = team.from_first(std::move(todo)); // others may have begun
-  std::vector<std::size_t> before;         // pairs, by place in the list
+    if (is_mine(tile) && !store_.has(tiles_.name(tile))) missing.push_back(tile);
+  missing = team.from_first(std::move(missing)); // others may have begun
+  std::vector<std::size_t> before;               // pairs, by place in the list
   std::size_t total = 0;
-  for (std::size_t tile : todo) {
+  for (std::size_t tile : missing) {
     before.push_back(total);
     total += tiles_.number_of_pairs(tile);
   }
-  if (options_.merge && !todo.empty())
+  if (options_.merge && !missing.empty())
     throw Invalid_input(
         options_.store + ": " + std::to_string(total) +
         " pairs of shapes are missing; run the shares (--tile) that are not done, or leave --merge out");
   Common_options shown = common_;
   shown.quiet = common_.quiet || !team.is_first();
   Progress_bar bar(shown, "matching", "pair");
-  team.for_each(todo.size(), [&](std::size_t k) {
+  team.for_each(missing.size(), [&](std::size_t k) {
     Energy_matrix_options matching = matching_;
     matching.progress = [&](std::size_t done, std::size_t) {
       bar.show(before[k] + done, total);
       return true;
     };
-    store_.insert(tiles_.name(todo[k]), tiles_.computed(todo[k], matching));
+    store_.insert(tiles_.name(missing[k]), tiles_.computed(missing[k], matching));
   });
 }
 
