@@ -86,24 +86,53 @@ TEST_CASE("Whatever vector instructions the machine has, the bits are the same")
   for (const int n : {1, 5, 6, 17, 36})
     for (const int m : {1, 6, 16, 33, 36}) {
       const Points a = Points::Random(3, n), b = Points::Random(3, m);
-      std::vector<internal::Rod_block> before(std::size_t((n + m) * internal::maximum_blocks));
+      std::vector<internal::Rod_block> before(4 * std::size_t((n + m) * internal::maximum_blocks));
       for (internal::Rod_block& block : before)
         for (int j = 0; j < internal::block_lanes; ++j) {
           const Point r = Point::Random().normalized();
           for (int axis = 0; axis < 3; ++axis)
             block.direction[axis][j] = float(r[axis]);
         }
+      const internal::Rod_block* rods[4];
+      for (int s = 0; s < 4; ++s)
+        rods[s] = before.data() + s * (n + m) * internal::maximum_blocks;
       const internal::Sample_lanes first(a), second(b);
       const auto kernels = internal::available_rod_kernels();
+      const auto expected = kernels[0].four(rods, first, n, second, m);
+      const float least = kernels[0].least_length(nullptr, first, n, second, m).least_squared_length;
       for (const internal::Rod_kernels& kernel : kernels) {
-        const auto both = kernel.both(before.data(), first, n, second, m),
-                   expected = kernels[0].both(before.data(), first, n, second, m);
-        CHECK(both.squared_cosines == expected.squared_cosines);
-        CHECK(both.least_squared_length == expected.least_squared_length);
-        CHECK(kernel.squared_cosines(before.data(), first, n, second, m).squared_cosines == both.squared_cosines);
-        CHECK(kernel.least_length(nullptr, first, n, second, m).least_squared_length == both.least_squared_length);
+        CHECK(kernel.least_length(nullptr, first, n, second, m).least_squared_length == least);
+        const auto four = kernel.four(rods, first, n, second, m);
+        for (int s = 0; s < 4; ++s) {
+          CHECK(four.squared_cosines[s] == expected.squared_cosines[s]);
+          const auto both = kernel.both(rods + s, first, n, second, m);
+          CHECK(both.squared_cosines[0] == expected.squared_cosines[s]);
+          CHECK(both.least_squared_length == least);
+          CHECK(kernel.one(rods + s, first, n, second, m).squared_cosines[0] == expected.squared_cosines[s]);
+        }
+        const auto two = kernel.two(rods + 1, first, n, second, m);
+        CHECK(two.squared_cosines[0] == expected.squared_cosines[1]);
+        CHECK(two.squared_cosines[1] == expected.squared_cosines[2]);
       }
     }
+}
+
+TEST_CASE("Pairs that turn into the same one have the energies that they have alone")
+{
+  std::srand(11);
+  const Points c = Points::Random(3, 6), d = Points::Random(3, 36);
+  std::vector<Structural_rods> rods;
+  for (int i = 0; i < 7; ++i)
+    rods.emplace_back(Points::Random(3, 6), Points::Random(3, 36));
+  std::vector<const Structural_rods*> pairs;
+  std::vector<double> result;
+  for (const Structural_rods& pair : rods) {
+    pairs.push_back(&pair);
+    distortions(pairs, internal::Sample_lanes(c), internal::Sample_lanes(d), result);
+    REQUIRE(result.size() == pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      CHECK(result[i] == pairs[i]->energy(c, d).distortion);
+  }
 }
 
 TEST_CASE("Rods of every layout agree with Eq. 2 and 3 in double precision")

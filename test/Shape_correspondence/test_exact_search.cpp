@@ -171,8 +171,8 @@ TEST_CASE("Message passing moves costs, no assignment's energy changes, and the 
   };
   const Assignment a{0, 1, 2, 3, 0, 1, 2, 3}, b{3, 3, 1, 0, 2, 2, 1, 0};
   const double before_a = sum(a), before_b = sum(b), bound_before = bound();
-  internal::Messages messages;
-  internal::reparametrize(unary, pairs, 20, messages);
+  internal::Message_passing pass_messages;
+  pass_messages(unary, pairs, 20);
   CHECK(sum(a) == Approx(before_a));
   CHECK(sum(b) == Approx(before_b));
   CHECK(bound() > bound_before);
@@ -182,7 +182,7 @@ TEST_CASE("Message passing moves costs, no assignment's energy changes, and the 
   unary = energy.unary;
   for (std::size_t e = 0; e < pairs.size(); ++e)
     pairs[e].cost = energy.edges[e].cost;
-  internal::reparametrize(unary, pairs, 1, messages);
+  pass_messages(unary, pairs, 1);
   CHECK(sum(a) == Approx(before_a));
   CHECK(bound() > bound_after - 1e-3);
 }

@@ -46,10 +46,11 @@ public:
   /// \pre either has at most `samples_per_side`² points
   Structural_rods(const Points& first, const Points& second);
 
-  /// E_d (Eq. 2, 3) after the samples moved to `first` and `second`, as many as before, in single precision. A rod of
-  /// length zero keeps its direction whatever happens; one that becomes zero loses it. Exactly 0 when nothing moved.
-  /// O(number of rods).
-  double distortion(const internal::Sample_lanes& first, const internal::Sample_lanes& second) const;
+  /// E_d (Eq. 2, 3) of pairs of parts that all turn into `first` and `second`, of as many samples as each of them, in
+  /// single precision. A rod of length zero keeps its direction whatever happens; one that becomes zero loses it.
+  /// Exactly 0 when nothing moved. O(number of rods).
+  friend void distortions(const std::vector<const Structural_rods*>& pairs, const internal::Sample_lanes& first,
+                          const internal::Sample_lanes& second, std::vector<double>& result);
 
   /// E_c (Eq. 4) when the least distance of two samples is now `distance`: min(1, d'/f) when the parts have come apart
   /// (d' > d), else 0. The sign of the printed Eq. 4 is turned, it would fall as parts separate.

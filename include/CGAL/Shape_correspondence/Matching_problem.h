@@ -83,7 +83,7 @@ public:
   Rod_energy contact_energy(std::size_t contact, std::size_t first_label, std::size_t second_label) const
   {
     const std::size_t second = source_->group_of[source_->contacts[contact].parts[1]];
-    return contact_energies_[contact][first_label * number_of_labels(second) + second_label];
+    return contact_energies_[contact_begin_[contact] + first_label * number_of_labels(second) + second_label];
   }
   /// E_d and E_c, summed, between the segments of a group's cut parts.
   Rod_energy cut_energy(std::size_t group, std::size_t label) const { return cut_energies_[group][label]; }
@@ -126,8 +126,8 @@ private:
   void fit_parts();
   Images images(std::size_t part, std::size_t label) const;
   void measure_target_pieces();
-  Rod_energy fitted_energy(const Structural_rods& rods, const Fitted& first, const Fitted& second) const;
-  void fill_contact_energies(std::size_t contact, Contact_table& table);
+  double connectedness(const Structural_rods& rods, const Fitted& first, const Fitted& second) const;
+  void fill_contact_energies();
   void fill_cut_energies();
   void add_up_energy();
 
@@ -141,10 +141,12 @@ private:
   std::vector<std::size_t> fitted_begin_; // by part
   std::vector<internal::Sample_lanes> lanes_;
   std::vector<std::vector<std::pair<const std::vector<int>*, std::size_t>>> lanes_of_; // by target piece and order
-  std::vector<std::size_t> label_begin_; // by part, of its labels in `image_begin_`
-  std::vector<std::size_t> image_begin_; // by part and label, in `images_`
-  std::vector<std::uint32_t> images_;    // fitted pieces
-  std::vector<std::vector<Rod_energy>> contact_energies_, cut_energies_;
+  std::vector<std::size_t> label_begin_;     // by part, of its labels in `image_begin_`
+  std::vector<std::size_t> image_begin_;     // by part and label, in `images_`
+  std::vector<std::uint32_t> images_;        // fitted pieces
+  std::vector<std::size_t> contact_begin_;   // by contact, in `contact_energies_`
+  std::vector<Rod_energy> contact_energies_; // by labels of either side
+  std::vector<std::vector<Rod_energy>> cut_energies_;
   Pairwise_energy energy_;
 };
 

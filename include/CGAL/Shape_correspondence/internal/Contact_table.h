@@ -10,67 +10,110 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 
-// The energies of a contact by what its two parts are fitted to, each computed when it is first asked for.
+// Computes the energies of all contacts by the labels of their two parts. What is to be compared is listed first, so
+// that the rods of a pair of target pieces are found once, for all contacts that may turn into it.
 class Matching_problem::Contact_table
 {
 public:
-  explicit Contact_table(const Matching_problem& problem) : problem_(problem) {}
+  explicit Contact_table(const Matching_problem& problem)
+      : problem_(problem), number_of_lanes_(problem.lanes_.size()), pair_of_(number_of_lanes_ * number_of_lanes_, none)
+  {}
 
-  void start(std::size_t contact)
+  // Lists what the energies of the next contact are the means of.
+  void list(std::size_t contact)
   {
     contact_ = contact;
     const auto& parts = problem_.source().contacts[contact].parts;
-    for (std::size_t side : {0, 1}) {
-      begin_[side] = problem_.fitted_begin_[parts[side]];
-      count_[side] = problem_.fitted_begin_[parts[side] + 1] - begin_[side];
+    const bool same_group = problem_.source().group_of[parts[0]] == problem_.source().group_of[parts[1]];
+    for (int side : {0, 1}) {
+      const std::size_t part = parts[std::size_t(side)];
+      begin_[side] = problem_.fitted_begin_[part];
+      count_[side] = problem_.fitted_begin_[part + 1] - begin_[side];
+      touching_[side].clear();
+      for (std::size_t label = 0; label < problem_.number_of_labels(problem_.source().group_of[part]); ++label)
+        touching_[side].push_back(problem_.touching(contact, side, label));
     }
-    energies_.assign(count_[0] * count_[1], {unknown, 0});
-    rods_of_pieces_.clear();
+    known_.assign(count_[0] * count_[1], none);
+    first_segment_rods_ = segment_rods_.size();
+    for (std::size_t a = 0; a < touching_[0].size(); ++a)
+      for (std::size_t b = 0; b < touching_[1].size(); ++b) {
+        const std::size_t before = compared_.size();
+        if (!same_group || a == b) list(touching_[0][a], touching_[1][b]);
+        counts_.push_back(std::uint32_t(compared_.size() - before));
+      }
   }
 
-  // The mean over clones, each with its nearest counterpart.
-  Rod_energy mean_energy(const Images& first, const Images& second)
+  // Appends the energies of the contacts that were listed, in their order, first label by second label; the list is
+  // empty then.
+  void compute(std::vector<Rod_energy>& result)
   {
-    Rod_energy sum;
-    std::size_t pairs = 0;
-    const auto add = [&](std::size_t a, std::size_t b) {
-      const Rod_energy& energy = this->energy(a, b);
-      sum.distortion += energy.distortion;
-      sum.connectedness += energy.connectedness;
-      ++pairs;
-    };
-    if (first.size() == 1 || second.size() == 1) {
-      for (std::size_t a : first)
-        for (std::size_t b : second)
-          add(a, b);
-    } else {
-      for (std::size_t a : first)
-        if (!second.empty()) add(a, nearest(a, second));
-      for (std::size_t b : second) {
-        if (first.empty()) break;
-        const std::size_t a = nearest(b, first);
-        if (nearest(a, second) != b) add(a, b);
+    compare();
+    auto compared = compared_.begin();
+    for (const std::uint32_t count : counts_) {
+      Rod_energy sum;
+      for (std::uint32_t i = 0; i < count; ++i, ++compared) {
+        sum.distortion += comparisons_[*compared].energy.distortion;
+        sum.connectedness += comparisons_[*compared].energy.connectedness;
       }
+      if (count > 1) sum = {sum.distortion / double(count), sum.connectedness / double(count)};
+      result.push_back(sum);
     }
-    if (pairs > 1) sum = {sum.distortion / double(pairs), sum.connectedness / double(pairs)};
-    return sum;
+    comparisons_.clear();
+    counts_.clear();
+    compared_.clear();
+    segment_rods_.clear();
   }
 
 private:
-  static constexpr double unknown = -1;
+  static constexpr std::uint32_t none = std::uint32_t(-1);
 
-  std::size_t nearest(std::size_t fitted, const Images& others) const
+  // Rods of a source pair with those of a target pair; `next` is the next one with the same target pair.
+  struct Comparison
+  {
+    const Structural_rods* rods;
+    std::uint32_t next;
+    Rod_energy energy;
+  };
+
+  // Two target pieces, each in an order of its samples: those of two fitted pieces.
+  struct Target_pair
+  {
+    std::uint32_t first, second;
+    std::uint32_t comparison; // the first of the list
+  };
+
+  // Clones are compared each with its nearest counterpart.
+  void list(const Images& first, const Images& second)
+  {
+    if (first.size() == 1 || second.size() == 1) {
+      for (std::uint32_t a : first)
+        for (std::uint32_t b : second)
+          compared_.push_back(comparison(a, b));
+      return;
+    }
+    if (first.empty() || second.empty()) return;
+    for (std::uint32_t a : first)
+      compared_.push_back(comparison(a, nearest(a, second)));
+    for (std::uint32_t b : second) {
+      const std::uint32_t a = nearest(b, first);
+      if (nearest(a, second) != b) compared_.push_back(comparison(a, b));
+    }
+  }
+
+  std::uint32_t nearest(std::uint32_t fitted, const Images& others) const
   {
     const Eigen::Index from = Eigen::Index(problem_.fitted_[fitted].target_index);
     const auto distance = [&](std::size_t other) {
       return problem_.target_distances_(Eigen::Index(problem_.fitted_[other].target_index), from);
     };
-    std::size_t best = *others.first;
+    std::uint32_t best = *others.first;
     double least = distance(best);
     for (const std::uint32_t* other = others.first + 1; other != others.last; ++other) {
       const double d = distance(*other);
@@ -79,14 +122,37 @@ private:
     return best;
   }
 
-  const Rod_energy& energy(std::size_t a, std::size_t b)
+  std::uint32_t comparison(std::uint32_t a, std::uint32_t b)
   {
-    Rod_energy& energy = energies_[(a - begin_[0]) * count_[1] + b - begin_[1]];
-    if (energy.distortion == unknown) {
+    std::uint32_t& known = known_[(a - begin_[0]) * count_[1] + b - begin_[1]];
+    if (known == none) {
+      known = std::uint32_t(comparisons_.size());
       const Fitted &first = problem_.fitted_[a], &second = problem_.fitted_[b];
-      energy = problem_.fitted_energy(rods(first, second), first, second);
+      std::uint32_t& pair = pair_of_[first.lanes * number_of_lanes_ + second.lanes];
+      if (pair == none) {
+        pair = std::uint32_t(pairs_.size());
+        pairs_.push_back({a, b, none});
+      }
+      comparisons_.push_back({&rods(first, second), pairs_[pair].comparison, {}});
+      pairs_[pair].comparison = known;
     }
-    return energy;
+    return known;
+  }
+
+  void compare()
+  {
+    for (const Target_pair& pair : pairs_) {
+      const Fitted &first = problem_.fitted_[pair.first], &second = problem_.fitted_[pair.second];
+      rods_.clear();
+      for (std::uint32_t i = pair.comparison; i != none; i = comparisons_[i].next)
+        rods_.push_back(comparisons_[i].rods);
+      distortions(rods_, problem_.samples(first), problem_.samples(second), distortions_);
+      auto distortion = distortions_.begin();
+      for (std::uint32_t i = pair.comparison; i != none; i = comparisons_[i].next)
+        comparisons_[i].energy = {*distortion++, problem_.connectedness(*comparisons_[i].rods, first, second)};
+      pair_of_[first.lanes * number_of_lanes_ + second.lanes] = none;
+    }
+    pairs_.clear();
   }
 
   const Structural_rods& rods(const Fitted& first, const Fitted& second)
@@ -96,17 +162,19 @@ private:
     const Eigen::Index n = Eigen::Index(first.order->size()), m = Eigen::Index(second.order->size());
     if (first.source.count == 1 && second.source.count == 1)
       return problem_.rods(contact_, n != a.samples.cols(), m != b.samples.cols());
-    for (const Piece_rods& known : rods_of_pieces_)
+    for (std::size_t i = first_segment_rods_; i < segment_rods_.size(); ++i) {
+      const Segment_rods& known = segment_rods_[i];
       if (known.first == first.source_index && known.second == second.source_index && known.counts[0] == n &&
           known.counts[1] == m)
         return known.rods;
-    rods_of_pieces_.push_back(
+    }
+    segment_rods_.push_back(
         {first.source_index, second.source_index, {n, m}, Structural_rods(lifted_samples(a, n), lifted_samples(b, m))});
-    return rods_of_pieces_.back().rods;
+    return segment_rods_.back().rods;
   }
 
   // The rods between pieces of which one is a segment, with as many samples
-  struct Piece_rods
+  struct Segment_rods
   {
     std::size_t first, second;
     std::array<Eigen::Index, 2> counts;
@@ -114,10 +182,21 @@ private:
   };
 
   const Matching_problem& problem_;
-  std::size_t contact_ = 0;
-  std::array<std::size_t, 2> begin_, count_; // the fitted pieces of either side
-  std::vector<Rod_energy> energies_;
-  std::vector<Piece_rods> rods_of_pieces_;
+  std::size_t number_of_lanes_;
+  std::vector<std::uint32_t> pair_of_;  // by lanes and lanes, in `pairs_`
+  std::vector<Target_pair> pairs_;      // those that anything is compared with
+  std::vector<Comparison> comparisons_; // of contact after contact
+  std::vector<std::uint32_t> counts_;   // by contact and labels: how many comparisons
+  std::vector<std::uint32_t> compared_; // which ones, those of all labels in a row
+  std::deque<Segment_rods> segment_rods_;
+  std::vector<const Structural_rods*> rods_; // that are compared with those of a target pair
+  std::vector<double> distortions_;
+
+  // Of the contact that is being listed
+  std::size_t contact_ = 0, first_segment_rods_ = 0;
+  std::array<std::size_t, 2> begin_, count_;    // the fitted pieces of either side
+  std::array<std::vector<Images>, 2> touching_; // by label
+  std::vector<std::uint32_t> known_;            // comparisons by two fitted pieces
 };
 
 } // namespace Shape_correspondence

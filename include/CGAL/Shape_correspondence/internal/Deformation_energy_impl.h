@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -51,9 +52,10 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Structural_rods::Structural_rods(const Points& 
     directionless_ += append_row(first.col(i), second, in_blocks, rods_);
   for (int j = in_blocks; j < second_count_; ++j)
     directionless_ += append_row(second.col(j), first, first_count_, rods_);
-  const Rod_answer unmoved =
-      rod_kernels().both(rods_.data(), Sample_lanes(first), first_count_, Sample_lanes(second), second_count_);
-  unmoved_ = double(unmoved.squared_cosines);
+  const Rod_block* rods = rods_.data();
+  const Rod_answer<1> unmoved =
+      rod_kernels().both(&rods, Sample_lanes(first), first_count_, Sample_lanes(second), second_count_);
+  unmoved_ = double(unmoved.squared_cosines[0]);
   shortest_ = std::sqrt(double(unmoved.least_squared_length));
   for (int j = 0; j < second_count_; ++j)
     longest_ = std::max(longest_, (first.colwise() - second.col(j)).colwise().norm().maxCoeff());
@@ -67,11 +69,26 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::distortion(float square
   return 1 - std::sqrt(std::min(1.0, kept / count));
 }
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::distortion(const internal::Sample_lanes& first,
-                                                                    const internal::Sample_lanes& second) const
+CGAL_SHAPE_CORRESPONDENCE_INLINE void distortions(const std::vector<const Structural_rods*>& pairs,
+                                                  const internal::Sample_lanes& first,
+                                                  const internal::Sample_lanes& second, std::vector<double>& result)
 {
-  const auto kernel = internal::rod_kernels().squared_cosines;
-  return distortion(kernel(rods_.data(), first, first_count_, second, second_count_).squared_cosines);
+  using namespace internal;
+  result.clear();
+  const Rod_kernels& kernels = rod_kernels();
+  const auto compare = [&](const auto& kernel, auto count) {
+    const Structural_rods* const* next = pairs.data() + result.size();
+    const Rod_block* rods[decltype(count)::value];
+    for (int i = 0; i < count; ++i)
+      rods[i] = next[i]->rods_.data();
+    const auto moved = kernel(rods, first, next[0]->first_count_, second, next[0]->second_count_);
+    for (int i = 0; i < count; ++i)
+      result.push_back(next[i]->distortion(moved.squared_cosines[i]));
+  };
+  while (pairs.size() - result.size() >= 4)
+    compare(kernels.four, std::integral_constant<int, 4>());
+  if (pairs.size() - result.size() >= 2) compare(kernels.two, std::integral_constant<int, 2>());
+  if (pairs.size() > result.size()) compare(kernels.one, std::integral_constant<int, 1>());
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::connectedness(double distance) const
@@ -83,9 +100,9 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::connectedness(double di
 CGAL_SHAPE_CORRESPONDENCE_INLINE Rod_energy Structural_rods::energy(const internal::Sample_lanes& first,
                                                                     const internal::Sample_lanes& second) const
 {
-  const internal::Rod_answer moved =
-      internal::rod_kernels().both(rods_.data(), first, first_count_, second, second_count_);
-  return {distortion(moved.squared_cosines), connectedness(std::sqrt(double(moved.least_squared_length)))};
+  const internal::Rod_block* rods = rods_.data();
+  const internal::Rod_answer<1> moved = internal::rod_kernels().both(&rods, first, first_count_, second, second_count_);
+  return {distortion(moved.squared_cosines[0]), connectedness(std::sqrt(double(moved.least_squared_length)))};
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Rod_energy Structural_rods::energy(const Points& first, const Points& second) const
@@ -104,8 +121,8 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE double least_distance(const Points& first, cons
 CGAL_SHAPE_CORRESPONDENCE_INLINE double least_distance(const internal::Sample_lanes& first, int first_count,
                                                        const internal::Sample_lanes& second, int second_count)
 {
-  const auto kernel = internal::rod_kernels().least_length;
-  return std::sqrt(double(kernel(nullptr, first, first_count, second, second_count).least_squared_length));
+  return std::sqrt(double(
+      internal::rod_kernels().least_length(nullptr, first, first_count, second, second_count).least_squared_length));
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double split_energy(const std::vector<double>& solidity_ratios)

@@ -69,10 +69,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::make_tables()
 {
   fit_parts();
   measure_target_pieces();
-  Contact_table table(*this);
-  contact_energies_.resize(source().contacts.size());
-  for (std::size_t contact = 0; contact < source().contacts.size(); ++contact)
-    fill_contact_energies(contact, table);
+  fill_contact_energies();
   fill_cut_energies();
   add_up_energy();
 }
@@ -190,32 +187,29 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::measure_target_pieces()
   }
 }
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE Rod_energy Matching_problem::fitted_energy(const Structural_rods& rods,
-                                                                            const Fitted& first,
-                                                                            const Fitted& second) const
+CGAL_SHAPE_CORRESPONDENCE_INLINE double Matching_problem::connectedness(const Structural_rods& rods,
+                                                                        const Fitted& first, const Fitted& second) const
 {
-  const bool collapsed = first.target_index == second.target_index;
-  return {rods.distortion(samples(first), samples(second)),
-          collapsed ? collapsed_connectedness
-                    : rods.connectedness(
-                          target_distances_(Eigen::Index(first.target_index), Eigen::Index(second.target_index)))};
+  if (first.target_index == second.target_index) return collapsed_connectedness;
+  return rods.connectedness(target_distances_(Eigen::Index(first.target_index), Eigen::Index(second.target_index)));
 }
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fill_contact_energies(std::size_t contact, Contact_table& table)
+CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fill_contact_energies()
 {
-  const auto& parts = source().contacts[contact].parts;
-  const std::size_t g = source().group_of[parts[0]], h = source().group_of[parts[1]];
-  const std::size_t first_labels = labels_[g].size(), second_labels = labels_[h].size();
-  std::vector<Images> second;
-  for (std::size_t b = 0; b < second_labels; ++b)
-    second.push_back(touching(contact, 1, b));
-  table.start(contact);
-  contact_energies_[contact].resize(first_labels * second_labels);
-  for (std::size_t a = 0; a < first_labels; ++a) {
-    const Images first = touching(contact, 0, a);
-    for (std::size_t b = 0; b < second_labels; ++b)
-      if (g != h || a == b) contact_energies_[contact][a * second_labels + b] = table.mean_energy(first, second[b]);
+  std::size_t count = 0;
+  for (const Aligned_shape::Contact& contact : source().contacts) {
+    contact_begin_.push_back(count);
+    count +=
+        number_of_labels(source().group_of[contact.parts[0]]) * number_of_labels(source().group_of[contact.parts[1]]);
   }
+  contact_energies_.reserve(count);
+  constexpr std::size_t at_once = 64; // bounds what is listed
+  Contact_table table(*this);
+  for (std::size_t contact = 0; contact < source().contacts.size(); ++contact) {
+    table.list(contact);
+    if ((contact + 1) % at_once == 0) table.compute(contact_energies_);
+  }
+  table.compute(contact_energies_);
 }
 
 // Segments next to each other were connected.
@@ -233,9 +227,8 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fill_cut_energies()
             if (first.source.count < 2 || second.source.index != first.source.index + 1) continue;
             const Structural_rods rods(source_pieces_[first.source_index].samples,
                                        source_pieces_[second.source_index].samples);
-            const Rod_energy energy = fitted_energy(rods, first, second);
-            cut_energies_[g][l].distortion += energy.distortion;
-            cut_energies_[g][l].connectedness += energy.connectedness;
+            cut_energies_[g][l].distortion += rods.energy(samples(first), samples(second)).distortion;
+            cut_energies_[g][l].connectedness += connectedness(rods, first, second);
           }
     }
   }

@@ -25,81 +25,93 @@ namespace internal {
 // Energies closer than this are equal: the first solution found stays.
 constexpr double energy_tolerance = 1e-9;
 
-// The energy with its root terms replaced by their tangents at the sums `touched`: a sum of terms of one and of two
-// variables, nowhere above the energy, since -sqrt is convex.
-class Tangent_bound
+// The energy with its root terms replaced by tangents: a sum of terms of one and of two variables, nowhere above the
+// energy, since -sqrt is convex.
+struct Tangent_bound
+{
+  Mini_bucket_bound tables;
+  double offset = 0; // to be added to what the tables say
+
+  double bound() const { return offset + tables.bound(); }
+};
+
+// Makes the bounds. Variables are numbered by their position in the order; the energy is kept by reference.
+class Tangents
 {
 public:
-  Tangent_bound(const Pairwise_energy& energy, const std::vector<std::size_t>& order,
-                const std::vector<double>& touched, std::size_t table_limit, Messages& messages)
+  Tangents(const Pairwise_energy& energy, const std::vector<std::size_t>& order, std::size_t table_limit)
+      : energy_(energy), order_(order), unary_(order.size())
   {
-    std::vector<std::size_t> position(order.size()), labels(order.size());
+    std::vector<std::size_t> position(order.size()), labels;
+    std::vector<std::vector<std::size_t>> scopes;
     for (std::size_t i = 0; i < order.size(); ++i) {
       position[order[i]] = i;
-      labels[i] = energy.number_of_labels(order[i]);
+      labels.push_back(energy.number_of_labels(order[i]));
+      scopes.push_back({i});
     }
-    // w (1 - sqrt(Q / n)) >= w (1 - sqrt(q / n) / 2) - slope Q
-    std::vector<double> slopes;
-    for (std::size_t r = 0; r < touched.size(); ++r) {
-      const Pairwise_energy::Root_term& term = energy.root_terms[r];
-      offset_ += term.weight * (1 - std::sqrt(touched[r] / term.count) / 2);
-      slopes.push_back(term.weight / (2 * std::sqrt(term.count * touched[r])));
-    }
-
-    std::vector<Eigen::VectorXd> unary(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      unary[i] = energy.unary[order[i]];
-      for (std::size_t r = 0; r < slopes.size(); ++r)
-        unary[i] -= slopes[r] * energy.root_terms[r].unary[order[i]];
-    }
-    std::vector<Pair_cost> pairs;
-    for (std::size_t e = 0; e < energy.edges.size(); ++e) {
-      const Pairwise_energy::Edge& edge = energy.edges[e];
-      Eigen::MatrixXd cost = edge.cost;
-      for (std::size_t r = 0; r < slopes.size(); ++r)
-        if (!energy.root_terms[r].edge.empty()) cost -= slopes[r] * energy.root_terms[r].edge[e];
+    for (const Pairwise_energy::Edge& edge : energy.edges) {
       const std::size_t a = position[edge.first], b = position[edge.second];
-      if (a < b)
-        pairs.push_back({a, b, std::move(cost)});
-      else
-        pairs.push_back({b, a, cost.transpose()});
+      is_turned_.push_back(a > b);
+      pairs_.push_back({std::min(a, b), std::max(a, b), {}});
+      scopes.push_back({std::min(a, b), std::max(a, b)});
     }
-
-    // Whether the tables fit depends on their sizes alone: there are messages where those of a tangent before did not
-    const bool is_first = messages.to_first.empty();
-    if (is_first) {
-      buckets_ = std::make_unique<Mini_bucket_bound>(labels, table_limit);
-      fill(unary, pairs);
-      if (buckets_->exact()) return;
-    }
-    constexpr int first_sweeps = 30, next_sweeps = 6;
-    reparametrize(unary, pairs, is_first ? first_sweeps : next_sweeps, messages);
-    buckets_ = std::make_unique<Mini_bucket_bound>(labels, table_limit);
-    fill(unary, pairs);
+    buckets_ = std::make_unique<Mini_buckets>(std::move(labels), table_limit, std::move(scopes));
   }
 
-  double bound() const { return offset_ + buckets_->bound(); }
-  double offset() const { return offset_; }
-  const Mini_bucket_bound& buckets() const { return *buckets_; }
+  // Whether the bounds are exact for the tangents.
+  bool exact() const { return buckets_->exact(); }
+
+  Tangent_bound make() const { return {Mini_bucket_bound(*buckets_)}; }
+
+  // The bound whose tangents touch the root terms at the sums `touched`.
+  void touch(const std::vector<double>& touched, Tangent_bound& bound)
+  {
+    for (std::size_t i = 0; i < order_.size(); ++i)
+      unary_[i] = energy_.unary[order_[i]];
+    for (std::size_t e = 0; e < pairs_.size(); ++e)
+      set_cost(e, energy_.edges[e].cost);
+    // w (1 - sqrt(Q / n)) >= w (1 - sqrt(q / n) / 2) - slope Q
+    bound.offset = 0;
+    for (std::size_t r = 0; r < touched.size(); ++r) {
+      const Pairwise_energy::Root_term& term = energy_.root_terms[r];
+      bound.offset += term.weight * (1 - std::sqrt(touched[r] / term.count) / 2);
+      const double slope = term.weight / (2 * std::sqrt(term.count * touched[r]));
+      for (std::size_t i = 0; i < order_.size(); ++i)
+        unary_[i] -= slope * term.unary[order_[i]];
+      for (std::size_t e = 0; e < term.edge.size(); ++e)
+        if (is_turned_[e])
+          pairs_[e].cost -= slope * term.edge[e].transpose();
+        else
+          pairs_[e].cost -= slope * term.edge[e];
+    }
+    constexpr int first_sweeps = 8, next_sweeps = 4;
+    if (!exact()) pass_messages_(unary_, pairs_, pass_messages_.has_messages() ? next_sweeps : first_sweeps);
+
+    for (std::size_t i = 0; i < unary_.size(); ++i)
+      std::copy(unary_[i].begin(), unary_[i].end(), bound.tables.values(i));
+    for (std::size_t e = 0; e < pairs_.size(); ++e) {
+      const Eigen::MatrixXd& cost = pairs_[e].cost;
+      Eigen::Map<Eigen::MatrixXd>(bound.tables.values(unary_.size() + e), cost.cols(), cost.rows()) = cost.transpose();
+    }
+    bound.tables.run();
+  }
 
 private:
-  void fill(const std::vector<Eigen::VectorXd>& unary, const std::vector<Pair_cost>& pairs)
+  void set_cost(std::size_t pair, const Eigen::MatrixXd& cost)
   {
-    for (std::size_t i = 0; i < unary.size(); ++i)
-      buckets_->add({{i}, std::vector<double>(unary[i].begin(), unary[i].end())});
-    for (const Pair_cost& pair : pairs) {
-      Cost_table table{{pair.first, pair.second}, {}};
-      table.values.reserve(std::size_t(pair.cost.size()));
-      for (Eigen::Index a = 0; a < pair.cost.rows(); ++a)
-        for (Eigen::Index b = 0; b < pair.cost.cols(); ++b)
-          table.values.push_back(pair.cost(a, b));
-      buckets_->add(std::move(table));
-    }
-    buckets_->run();
+    if (is_turned_[pair])
+      pairs_[pair].cost = cost.transpose();
+    else
+      pairs_[pair].cost = cost;
   }
 
-  std::unique_ptr<Mini_bucket_bound> buckets_;
-  double offset_ = 0;
+  const Pairwise_energy& energy_;
+  const std::vector<std::size_t>& order_;
+  std::unique_ptr<const Mini_buckets> buckets_;
+  std::vector<char> is_turned_; // by edge: its second variable comes first
+  std::vector<Eigen::VectorXd> unary_;
+  std::vector<Pair_cost> pairs_;
+  Message_passing pass_messages_;
 };
 
 inline std::vector<std::size_t> elimination_order(const Pairwise_energy& energy)
@@ -116,7 +128,11 @@ class Exact_search::Impl
 {
 public:
   Impl(const Pairwise_energy& energy, const Exact_options& options)
-      : energy_(energy), options_(options), order_(internal::elimination_order(energy))
+      : energy_(energy),
+        options_(options),
+        order_(internal::elimination_order(energy)),
+        tangents_(energy, order_, options.table_limit),
+        tangent_(tangents_.make())
   {
     if (options.solutions < 1) throw Invalid_input("exact search: at least one solution must be asked for");
     for (std::size_t v = 0; v < energy.number_of_variables(); ++v)
@@ -134,7 +150,7 @@ public:
   {
     wanted_ = options_.solutions;
     start(options_.node_limit);
-    descend(0, tangent_->offset());
+    descend(0, tangent_.offset);
     Search_result result;
     result.summary.method = "exact";
     result.solutions = solutions_;
@@ -142,7 +158,7 @@ public:
     // Rounding in the bound must not put it above the energy it proves
     result.summary.lower_bound =
         result.optimal ? result.best().energy
-                       : std::min(result.best().energy, std::max(energy_.lower_bound(), tangent_->bound()));
+                       : std::min(result.best().energy, std::max(energy_.lower_bound(), tangent_.bound()));
     result.summary.states = result.summary.evaluations = nodes_;
     return result;
   }
@@ -158,7 +174,7 @@ public:
       forbidden_label_ = result.best().assignment[variable];
       solutions_.clear();
       start(options_.node_limit / order_.size());
-      descend(0, tangent_->offset());
+      descend(0, tangent_.offset);
       rises[variable] = std::max(0.0, solutions_.front().energy - result.best().energy);
     }
     forbidden_level_ = order_.size();
@@ -172,21 +188,19 @@ private:
   {
     constexpr int maximum_tangents = 5;
     wanted_ = options_.solutions;
-    internal::Messages messages;
     std::vector<double> touched;
     for (const Pairwise_energy::Root_term& term : energy_.root_terms)
       touched.push_back(term.count);
+    internal::Tangent_bound tangent = tangents_.make();
     for (int i = 0; i < maximum_tangents; ++i) {
-      auto tangent =
-          std::make_unique<internal::Tangent_bound>(energy_, order_, touched, options_.table_limit, messages);
-      const bool better = !tangent_ || tangent->bound() > tangent_->bound();
-      std::swap(tangent, better ? tangent_ : tangent);
+      tangents_.touch(touched, tangent);
       start(options_.node_limit);
+      current_ = &tangent.tables;
       first_leaf_only_ = true;
-      const internal::Tangent_bound& current = better ? *tangent_ : *tangent;
-      descend_with(current);
+      descend(0, tangent.offset);
       first_leaf_only_ = false;
-      if (!current.buckets().exact()) improve();
+      if (i == 0 || tangent.bound() > tangent_.bound()) std::swap(tangent, tangent_);
+      if (!tangents_.exact()) improve();
       keep();
       bool moved = false;
       for (std::size_t r = 0; r < touched.size(); ++r) {
@@ -198,15 +212,9 @@ private:
     }
   }
 
-  void descend_with(const internal::Tangent_bound& tangent)
-  {
-    current_ = &tangent;
-    descend(0, tangent.offset());
-  }
-
   void start(std::size_t node_limit)
   {
-    current_ = tangent_.get();
+    current_ = &tangent_.tables;
     nodes_ = 0;
     node_limit_ = node_limit;
     stopped_ = false;
@@ -224,7 +232,7 @@ private:
     double* costs = costs_.data() + level * maximum_labels_;
     double* bounds = bounds_.data() + level * maximum_labels_;
     int* children = children_.data() + level * maximum_labels_;
-    current_->buckets().extend(level, labels_, cost, costs, bounds);
+    current_->extend(level, labels_, cost, costs, bounds);
     int* end = children;
     for (int l = 0; l < int(count); ++l)
       if (bounds[l] < limit() && !(level == forbidden_level_ && l == forbidden_label_)) *end++ = l;
@@ -295,8 +303,9 @@ private:
   const Pairwise_energy& energy_;
   const Exact_options options_;
   const std::vector<std::size_t> order_;
-  std::unique_ptr<internal::Tangent_bound> tangent_; // the best one
-  const internal::Tangent_bound* current_ = nullptr;
+  internal::Tangents tangents_;
+  internal::Tangent_bound tangent_; // the best one
+  const internal::Mini_bucket_bound* current_ = nullptr;
 
   std::size_t maximum_labels_ = 0;
   std::vector<double> costs_, bounds_; // by level and label

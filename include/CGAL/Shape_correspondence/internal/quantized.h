@@ -16,7 +16,11 @@ namespace internal {
 // stay ties and are settled by index.
 constexpr double comparison_grid = 1e-6;
 
-inline long quantized(double value) { return std::lround(value / comparison_grid); }
+inline long quantized(double value)
+{
+  const double steps = value / comparison_grid;
+  return long(steps < 0 ? steps - 0.5 : steps + 0.5);
+}
 
 // Squared length, in units of the shape's height, under which a vector has no direction
 constexpr double zero_squared_length = 1e-18;

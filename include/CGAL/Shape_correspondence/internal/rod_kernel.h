@@ -106,23 +106,51 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE const typename Lane_vector<Width>::type&
   return *reinterpret_cast<const typename Lane_vector<Width>::type*>(lanes + block * Width);
 }
 
-// What is asked about rods: how far they keep their directions, how short the shortest is, or both.
-enum class Rod_query { SQUARED_COSINES, LEAST_LENGTH, BOTH };
+// For a vector of lanes, from `from` to a block of `to`: the rods and their squared lengths.
+template <int Width, typename Lanes>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void find_rods(const float (&from)[3], const Sample_lanes& to, int lanes,
+                                                       Lanes (&rod)[3], Lanes& squared_length)
+{
+#ifdef __clang__
+#pragma STDC FP_CONTRACT OFF
+#endif
+  for (int axis = 0; axis < 3; ++axis)
+    rod[axis] = lanes_at<Width>(to.coordinates[axis], lanes) - from[axis];
+  squared_length = rod[0] * rod[0] + rod[1] * rod[1] + rod[2] * rod[2];
+}
 
+// For a vector of lanes of a block: the squared lengths of rods along the directions before.
+template <int Width, typename Lanes>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void find_squared_along(const Rod_block& before, int in_block,
+                                                                const Lanes (&rod)[3], Lanes& squared)
+{
+#ifdef __clang__
+#pragma STDC FP_CONTRACT OFF
+#endif
+  Lanes product = lanes_at<Width>(before.direction[0], in_block) * rod[0] +
+                  lanes_at<Width>(before.direction[1], in_block) * rod[1] +
+                  lanes_at<Width>(before.direction[2], in_block) * rod[2];
+  keep_positive<Width>(product);
+  squared = product * product;
+}
+
+// What is asked about rods: how far they keep their directions, compared with those of `Sources` pairs of parts before.
+template <int Sources>
 struct Rod_answer
 {
-  float squared_cosines;      // sum over all rods that have a direction, 0 beyond a right angle
-  float least_squared_length; // of any two samples
+  float squared_cosines[Sources > 0 ? Sources : 1] =
+      {};                         // sum over all rods that have a direction, 0 beyond a right angle
+  float least_squared_length = 0; // of any two samples; where it is asked for
 };
 
-// An answer up to a block of lanes. What was not asked stays as it is.
-template <int Width>
+// An answer up to a block of lanes.
+template <int Width, int Sources>
 struct Rod_totals
 {
   using Lanes = typename Lane_vector<Width>::type;
-  static constexpr int count = block_lanes / Width;
+  static constexpr int in_block = block_lanes / Width;
 
-  Lanes cosines[count] = {}, least[count];
+  Lanes cosines[Sources > 0 ? Sources : 1][in_block] = {}, least[in_block];
 
   Rod_totals()
   {
@@ -131,75 +159,50 @@ struct Rod_totals
   }
 };
 
-// For a vector of lanes of a block: the squared cosine between before and after as a fraction, and the squared length.
-template <int Width, Rod_query Query, typename Lanes>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void compare_rods(const Rod_block* before, int in_block, const float (&from)[3],
-                                                          const Sample_lanes& to, int lanes, Lanes& numerator,
-                                                          Lanes& denominator, Lanes& squared_length)
-{
-#ifdef __clang__
-#pragma STDC FP_CONTRACT OFF
-#endif
-  const Lanes x = lanes_at<Width>(to.coordinates[0], lanes) - from[0],
-              y = lanes_at<Width>(to.coordinates[1], lanes) - from[1],
-              z = lanes_at<Width>(to.coordinates[2], lanes) - from[2];
-  squared_length = x * x + y * y + z * z;
-  if constexpr (Query != Rod_query::LEAST_LENGTH) {
-    Lanes product = lanes_at<Width>(before->direction[0], in_block) * x +
-                    lanes_at<Width>(before->direction[1], in_block) * y +
-                    lanes_at<Width>(before->direction[2], in_block) * z;
-    keep_positive<Width>(product);
-    numerator = product * product;
-    denominator = squared_length + zero_rod;
-  }
-}
-
 // Rods in rows of `Blocks` blocks: those of row i go from sample i of `from`, between `begin` and `end`, to the first
-// samples of `to`. Rows are taken in pairs, whose fractions share a division, the slowest of the operations.
-template <int Width, int Blocks, Rod_query Query>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void add_rows(const Rod_block* rods, const Sample_lanes& from, int begin,
-                                                      int end, const Sample_lanes& to, Rod_totals<Width>& totals)
+// samples of `to`; the rods before begin `at_block` blocks behind `rods`. Rows are taken in pairs, which share a
+// division, the slowest of the operations.
+template <int Width, int Blocks, int Sources, bool Least>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void add_rows(const Rod_block* const* rods, int at_block,
+                                                      const Sample_lanes& from, int begin, int end,
+                                                      const Sample_lanes& to, Rod_totals<Width, Sources>& totals)
 {
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF
 #endif
   using Lanes = typename Lane_vector<Width>::type;
-  constexpr int in_block = block_lanes / Width, count = Blocks * in_block;
-  constexpr bool cosines = Query != Rod_query::LEAST_LENGTH, least = Query != Rod_query::SQUARED_COSINES;
-  Lanes sums[count] = {}, numerator, denominator, length, other_numerator, other_denominator, other_length;
+  constexpr int in_block = block_lanes / Width;
   const auto& at = from.coordinates;
-  int i = begin;
-  for (; i + 1 < end; i += 2) {
-    const float start[3] = {at[0][i], at[1][i], at[2][i]};
-    const float other_start[3] = {at[0][i + 1], at[1][i + 1], at[2][i + 1]};
+  for (int i = begin; i < end; i += 2) {
+    const bool is_pair = i + 1 < end;
+    const int next = is_pair ? i + 1 : i;
+    const float start[3] = {at[0][i], at[1][i], at[2][i]}, next_start[3] = {at[0][next], at[1][next], at[2][next]};
+    const int row = at_block + (i - begin) * Blocks, next_row = at_block + (next - begin) * Blocks;
 #pragma GCC unroll 12
-    for (int l = 0; l < count; ++l) {
-      const int k = l % in_block;
-      const Rod_block* block = cosines ? rods + (i - begin) * Blocks + l / in_block : nullptr;
-      const Rod_block* other = cosines ? block + Blocks : nullptr;
-      compare_rods<Width, Query>(block, k, start, to, l, numerator, denominator, length);
-      compare_rods<Width, Query>(other, k, other_start, to, l, other_numerator, other_denominator, other_length);
-      if constexpr (cosines)
-        sums[l] += (numerator * other_denominator + other_numerator * denominator) / (denominator * other_denominator);
-      if constexpr (least) {
-        keep_least<Width>(length, other_length);
+    for (int l = 0; l < Blocks * in_block; ++l) {
+      const int block = l / in_block, k = l % in_block;
+      Lanes rod[3], next_rod[3], length, next_length;
+      find_rods<Width>(start, to, l, rod, length);
+      find_rods<Width>(next_start, to, l, next_rod, next_length);
+      if constexpr (Least) {
         keep_least<Width>(totals.least[k], length);
+        keep_least<Width>(totals.least[k], next_length);
+      }
+      if constexpr (Sources > 0) {
+        length += zero_rod;
+        next_length += zero_rod;
+        const Lanes both = 1.0f / (length * next_length), inverse = both * next_length,
+                    next_inverse = is_pair ? both * length : Lanes{};
+#pragma GCC unroll 4
+        for (int s = 0; s < Sources; ++s) {
+          Lanes squared, next_squared;
+          find_squared_along<Width>(rods[s][row + block], k, rod, squared);
+          find_squared_along<Width>(rods[s][next_row + block], k, next_rod, next_squared);
+          totals.cosines[s][k] += squared * inverse + next_squared * next_inverse;
+        }
       }
     }
   }
-  if (i < end) {
-    const float start[3] = {at[0][i], at[1][i], at[2][i]};
-#pragma GCC unroll 12
-    for (int l = 0; l < count; ++l) {
-      const Rod_block* block = cosines ? rods + (i - begin) * Blocks + l / in_block : nullptr;
-      compare_rods<Width, Query>(block, l % in_block, start, to, l, numerator, denominator, length);
-      if constexpr (cosines) sums[l] += numerator / denominator;
-      if constexpr (least) keep_least<Width>(totals.least[l % in_block], length);
-    }
-  }
-#pragma GCC unroll 12
-  for (int l = 0; l < count; ++l)
-    totals.cosines[l % in_block] += sums[l];
 }
 
 // Halves are added up, in the same order for every width.
@@ -225,51 +228,62 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE float sum_of_block(const float* lanes)
 constexpr int samples_in_blocks(int count) { return count / block_lanes * block_lanes; }
 constexpr int blocks_of(int count) { return (count + block_lanes - 1) / block_lanes; }
 
-// The answer for the rods between `n` samples and `m` others; no rods before are needed for lengths alone.
-template <int Width, Rod_query Query>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_answer answer(const Rod_block* rods, const Sample_lanes& first, int n,
-                                                          const Sample_lanes& second, int m)
+// The answer for the rods between `n` samples and `m` others.
+template <int Width, int Sources, bool Least>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_answer<Sources>
+answer(const Rod_block* const* rods, const Sample_lanes& first, int n, const Sample_lanes& second, int m)
 {
   static_assert(maximum_blocks == 3, "a case for every number of blocks");
   const int in_blocks = samples_in_blocks(m), blocks = blocks_of(in_blocks), back_blocks = blocks_of(n);
-  const Rod_block* back = Query == Rod_query::LEAST_LENGTH ? nullptr : rods + n * blocks;
-  Rod_totals<Width> totals;
-  if (blocks == 1) add_rows<Width, 1, Query>(rods, first, 0, n, second, totals);
-  if (blocks == 2) add_rows<Width, 2, Query>(rods, first, 0, n, second, totals);
+  const int back = n * blocks;
+  Rod_totals<Width, Sources> totals;
+  if (blocks == 1) add_rows<Width, 1, Sources, Least>(rods, 0, first, 0, n, second, totals);
+  if (blocks == 2) add_rows<Width, 2, Sources, Least>(rods, 0, first, 0, n, second, totals);
   if (in_blocks < m) {
-    if (back_blocks == 1) add_rows<Width, 1, Query>(back, second, in_blocks, m, first, totals);
-    if (back_blocks == 2) add_rows<Width, 2, Query>(back, second, in_blocks, m, first, totals);
-    if (back_blocks == 3) add_rows<Width, 3, Query>(back, second, in_blocks, m, first, totals);
+    if (back_blocks == 1) add_rows<Width, 1, Sources, Least>(rods, back, second, in_blocks, m, first, totals);
+    if (back_blocks == 2) add_rows<Width, 2, Sources, Least>(rods, back, second, in_blocks, m, first, totals);
+    if (back_blocks == 3) add_rows<Width, 3, Sources, Least>(rods, back, second, in_blocks, m, first, totals);
   }
-  alignas(64) float cosines[block_lanes], least[block_lanes];
-  std::memcpy(cosines, totals.cosines, sizeof cosines);
-  std::memcpy(least, totals.least, sizeof least);
-  Rod_answer result{0, far_away * far_away};
-  if (Query != Rod_query::LEAST_LENGTH) result.squared_cosines = sum_of_block<Width>(cosines);
-  if (Query != Rod_query::SQUARED_COSINES) result.least_squared_length = *std::min_element(least, least + block_lanes);
+  Rod_answer<Sources> result;
+  alignas(64) float lanes[block_lanes];
+  for (int s = 0; s < Sources; ++s) {
+    std::memcpy(lanes, totals.cosines[s], sizeof lanes);
+    result.squared_cosines[s] = sum_of_block<Width>(lanes);
+  }
+  if (Least) {
+    std::memcpy(lanes, totals.least, sizeof lanes);
+    result.least_squared_length = *std::min_element(lanes, lanes + block_lanes);
+  }
   return result;
 }
 
-using Rod_kernel = Rod_answer (*)(const Rod_block* rods, const Sample_lanes& first, int n, const Sample_lanes& second,
-                                  int m);
+template <int Sources>
+using Rod_kernel = Rod_answer<Sources> (*)(const Rod_block* const* rods, const Sample_lanes& first, int n,
+                                           const Sample_lanes& second, int m);
 
-// For each query
+// The least length alone, with it the rods of one pair before, or without it those of one, two or four.
 struct Rod_kernels
 {
-  Rod_kernel squared_cosines, least_length, both;
+  Rod_kernel<0> least_length;
+  Rod_kernel<1> both, one;
+  Rod_kernel<2> two;
+  Rod_kernel<4> four;
 };
 
-#define CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(name, instructions, width, query)                                         \
+#define CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(name, instructions, width, sources, least)                                \
   CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
-  Rod_answer name(const Rod_block* rods, const Sample_lanes& first, int n, const Sample_lanes& second, int m)          \
+  Rod_answer<sources> name(const Rod_block* const* rods, const Sample_lanes& first, int n, const Sample_lanes& second, \
+                           int m)                                                                                      \
   {                                                                                                                    \
-    return answer<width, Rod_query::query>(rods, first, n, second, m);                                                 \
+    return answer<width, sources, least>(rods, first, n, second, m);                                                   \
   }
 #define CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(name, instructions, width)                                               \
-  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(squared_cosines_##name, instructions, width, SQUARED_COSINES)                   \
-  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(least_length_##name, instructions, width, LEAST_LENGTH)                         \
-  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(both_##name, instructions, width, BOTH)                                         \
-  constexpr Rod_kernels rod_kernels_##name{squared_cosines_##name, least_length_##name, both_##name};
+  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(least_length_##name, instructions, width, 0, true)                              \
+  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(both_##name, instructions, width, 1, true)                                      \
+  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(one_##name, instructions, width, 1, false)                                      \
+  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(two_##name, instructions, width, 2, false)                                      \
+  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(four_##name, instructions, width, 4, false)                                     \
+  constexpr Rod_kernels rod_kernels_##name{least_length_##name, both_##name, one_##name, two_##name, four_##name};
 #ifdef CGAL_SHAPE_CORRESPONDENCE_X86
 CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(sse2, "sse2", 4)
 CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(avx2, "avx2", 8)
