@@ -94,6 +94,7 @@ public:
     Piece source, target;
     std::size_t source_index, target_index; ///< of the pieces
     const std::vector<int>* order;          ///< `fitting_order()`
+    bool lifted;                            ///< a source curve among sheets: it has a sheet's number of samples
     std::size_t lanes;                      ///< `samples()`
   };
   /// Indices of fitted pieces.

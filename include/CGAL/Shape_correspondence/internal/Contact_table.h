@@ -157,19 +157,20 @@ private:
 
   const Structural_rods& rods(const Fitted& first, const Fitted& second)
   {
-    const Sampled_part &a = problem_.source_pieces_[first.source_index],
-                       &b = problem_.source_pieces_[second.source_index];
-    const Eigen::Index n = Eigen::Index(first.order->size()), m = Eigen::Index(second.order->size());
     if (first.source.count == 1 && second.source.count == 1)
-      return problem_.rods(contact_, n != a.samples.cols(), m != b.samples.cols());
+      return problem_.rods(contact_, first.lifted, second.lifted);
+    const Eigen::Index n = Eigen::Index(first.order->size()), m = Eigen::Index(second.order->size());
     for (std::size_t i = first_segment_rods_; i < segment_rods_.size(); ++i) {
       const Segment_rods& known = segment_rods_[i];
       if (known.first == first.source_index && known.second == second.source_index && known.counts[0] == n &&
           known.counts[1] == m)
         return known.rods;
     }
-    segment_rods_.push_back(
-        {first.source_index, second.source_index, {n, m}, Structural_rods(lifted_samples(a, n), lifted_samples(b, m))});
+    segment_rods_.push_back({first.source_index,
+                             second.source_index,
+                             {n, m},
+                             Structural_rods(lifted_samples(problem_.source_pieces_[first.source_index], n),
+                                             lifted_samples(problem_.source_pieces_[second.source_index], m))});
     return segment_rods_.back().rods;
   }
 

@@ -74,21 +74,21 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void distortions(const std::vector<const Struct
                                                   const internal::Sample_lanes& second, std::vector<double>& result)
 {
   using namespace internal;
-  result.clear();
   const Rod_kernels& kernels = rod_kernels();
+  std::size_t done = 0;
+  result.resize(pairs.size());
   const auto compare = [&](const auto& kernel, auto count) {
-    const Structural_rods* const* next = pairs.data() + result.size();
     const Rod_block* rods[decltype(count)::value];
-    for (int i = 0; i < count; ++i)
-      rods[i] = next[i]->rods_.data();
-    const auto moved = kernel(rods, first, next[0]->first_count_, second, next[0]->second_count_);
-    for (int i = 0; i < count; ++i)
-      result.push_back(next[i]->distortion(moved.squared_cosines[i]));
+    for (std::size_t i = 0; i < count; ++i)
+      rods[i] = pairs[done + i]->rods_.data();
+    const auto moved = kernel(rods, first, pairs[0]->first_count_, second, pairs[0]->second_count_);
+    for (std::size_t i = 0; i < count; ++i, ++done)
+      result[done] = pairs[done]->distortion(moved.squared_cosines[i]);
   };
-  while (pairs.size() - result.size() >= 4)
-    compare(kernels.four, std::integral_constant<int, 4>());
-  if (pairs.size() - result.size() >= 2) compare(kernels.two, std::integral_constant<int, 2>());
-  if (pairs.size() > result.size()) compare(kernels.one, std::integral_constant<int, 1>());
+  while (pairs.size() - done >= 4)
+    compare(kernels.four, std::integral_constant<std::size_t, 4>());
+  if (pairs.size() - done >= 2) compare(kernels.two, std::integral_constant<std::size_t, 2>());
+  if (pairs.size() > done) compare(kernels.one, std::integral_constant<std::size_t, 1>());
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::connectedness(double distance) const

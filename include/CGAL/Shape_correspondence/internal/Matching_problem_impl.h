@@ -113,6 +113,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE std::size_t Matching_problem::fit(const Image& 
   for (std::size_t known = fitted_begin_.back(); known < fitted_.size(); ++known)
     if (fitted_[known].source_index == from && fitted_[known].target_index == to) return known;
 
+  const Points& samples = target_pieces_[to].samples;
   const std::vector<int>& order = fitting_order(source_pieces_[from], target_pieces_[to]);
   if (lanes_of_.size() <= to) lanes_of_.resize(target_pieces_.size());
   std::size_t lanes = lanes_.size();
@@ -120,15 +121,10 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE std::size_t Matching_problem::fit(const Image& 
     if (known.first == &order) lanes = known.second;
   if (lanes == lanes_.size()) {
     lanes_of_[to].emplace_back(&order, lanes);
-    lanes_.emplace_back();
-    const Points& samples = target_pieces_[to].samples;
-    const int lift = int(order.size()) / int(samples.cols());
-    for (int axis = 0; axis < 3; ++axis)
-      for (int i = 0; i < internal::lane_count; ++i)
-        lanes_.back().coordinates[axis][i] =
-            i < int(order.size()) ? float(samples(axis, order[std::size_t(i)] / lift)) : internal::far_away;
+    lanes_.push_back(internal::Sample_lanes(samples, order));
   }
-  fitted_.push_back({image.source, image.target, from, to, &order, lanes});
+  const bool lifted = Eigen::Index(order.size()) != source_pieces_[from].samples.cols();
+  fitted_.push_back({image.source, image.target, from, to, &order, lifted, lanes});
   return fitted_.size() - 1;
 }
 

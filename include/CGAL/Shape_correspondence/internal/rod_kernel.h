@@ -35,12 +35,32 @@ struct alignas(64) Sample_lanes
 {
   float coordinates[3][lane_count];
 
-  Sample_lanes() = default;
   explicit Sample_lanes(const Points& samples)
   {
+    for (Eigen::Index i = 0; i < samples.cols(); ++i)
+      set(int(i), samples.col(i));
+    pad(int(samples.cols()));
+  }
+  // In an order; where this is longer, samples are repeated equally often.
+  Sample_lanes(const Points& samples, const std::vector<int>& order)
+  {
+    const int count = int(order.size()), repeats = count / int(samples.cols());
+    for (int i = 0; i < count; ++i)
+      set(i, samples.col(repeats == 1 ? order[std::size_t(i)] : order[std::size_t(i)] / repeats));
+    pad(count);
+  }
+
+private:
+  template <typename Sample>
+  void set(int i, const Sample& sample)
+  {
     for (int axis = 0; axis < 3; ++axis)
-      for (int i = 0; i < lane_count; ++i)
-        coordinates[axis][i] = i < samples.cols() ? float(samples(axis, i)) : far_away;
+      coordinates[axis][i] = float(sample[axis]);
+  }
+  void pad(int count)
+  {
+    for (auto& axis : coordinates)
+      std::fill(axis + count, axis + lane_count, far_away);
   }
 };
 
