@@ -50,6 +50,9 @@ public:
       }
   }
 
+  // How much is listed.
+  std::size_t size() const { return comparisons_.size(); }
+
   // Appends the energies of the contacts that were listed, in their order, first label by second label; the list is
   // empty then.
   void compute(std::vector<Rod_energy>& result)

@@ -181,8 +181,8 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE const std::vector<int>& fitting_order(const Sam
   for (const std::vector<int>& candidate : internal::orientations(source, target)) {
     double sum = 0;
     for (Eigen::Index k = 0; k < from.cols(); ++k)
-      sum += from.col(k).dot(target.samples.col(candidate[std::size_t(ends[std::size_t(k)])] / to_lift) -
-                             target.centroid);
+      sum +=
+          from.col(k).dot(target.samples.col(candidate[std::size_t(ends[std::size_t(k)])] / to_lift) - target.centroid);
     const long score = internal::quantized(sum);
     if (!best || score > best_score) best = &candidate, best_score = score;
   }
