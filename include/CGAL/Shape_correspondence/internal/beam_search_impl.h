@@ -77,8 +77,7 @@ public:
   // The solution whose expansions are rated next.
   void set_parent(const Assignment& assignment)
   {
-    has_parent_ = false;
-    (*this)(assignment);
+    (*this)(assignment); // the parent before has most of it
     has_parent_ = true;
     parent_ = assignment;
     parent_displacement_ = displacement_;
