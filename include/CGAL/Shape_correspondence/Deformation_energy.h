@@ -46,12 +46,6 @@ public:
   /// \pre either has at most `samples_per_side`² points
   Structural_rods(const Points& first, const Points& second);
 
-  /// E_d (Eq. 2, 3) of pairs of parts that all turn into `first` and `second`, of as many samples as each of them, in
-  /// single precision. A rod of length zero keeps its direction whatever happens; one that becomes zero loses it.
-  /// Exactly 0 when nothing moved. O(number of rods).
-  friend void distortions(const std::vector<const Structural_rods*>& pairs, const internal::Sample_lanes& first,
-                          const internal::Sample_lanes& second, std::vector<double>& result);
-
   /// E_c (Eq. 4) when the least distance of two samples is now `distance`: min(1, d'/f) when the parts have come apart
   /// (d' > d), else 0. The sign of the printed Eq. 4 is turned, it would fall as parts separate.
   double connectedness(double distance) const;
@@ -61,6 +55,8 @@ public:
   Rod_energy energy(const Points& first, const Points& second) const;
 
 private:
+  friend void distortions(const std::vector<const Structural_rods*>& pairs, const internal::Sample_lanes& first,
+                          const internal::Sample_lanes& second, std::vector<double>& result);
   double distortion(float squared_cosines) const;
 
   std::vector<internal::Rod_block> rods_;
@@ -70,6 +66,12 @@ private:
   double shortest_ = 0;      // d
   double longest_ = 0;       // f
 };
+
+/// E_d (Eq. 2, 3) of pairs of parts that all turn into the samples `first` and `second`, as many as each of them had,
+/// in single precision. A rod of length zero keeps its direction whatever happens; one that becomes zero loses it.
+/// Exactly 0 when nothing moved. O(number of rods).
+void distortions(const std::vector<const Structural_rods*>& pairs, const internal::Sample_lanes& first,
+                 const internal::Sample_lanes& second, std::vector<double>& result);
 
 /// The least distance between a sample of one part and a sample of another, in single precision. O(number of pairs).
 double least_distance(const Points& first, const Points& second);

@@ -18,6 +18,7 @@ constexpr double comparison_grid = 1e-6;
 
 inline long quantized(double value)
 {
+  // std::lround() is a call
   const double steps = value / comparison_grid;
   return long(steps < 0 ? steps - 0.5 : steps + 0.5);
 }

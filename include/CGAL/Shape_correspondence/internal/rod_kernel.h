@@ -154,13 +154,13 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void find_squared_along(const Rod_block&
   squared = product * product;
 }
 
-// What is asked about rods: how far they keep their directions, compared with those of `Sources` pairs of parts before.
+// What is asked about rods: how far they keep their directions, compared with those of `Sources` pairs of parts before,
+// as a sum over all rods that have a direction, 0 beyond a right angle; and how short the shortest is.
 template <int Sources>
 struct Rod_answer
 {
-  float squared_cosines[Sources > 0 ? Sources : 1] =
-      {};                         // sum over all rods that have a direction, 0 beyond a right angle
-  float least_squared_length = 0; // of any two samples; where it is asked for
+  float squared_cosines[Sources > 0 ? Sources : 1] = {};
+  float least_squared_length = 0; // where it is asked for
 };
 
 // An answer up to a block of lanes.
