@@ -264,13 +264,14 @@ TEST_CASE("Frames as OBJ and PLY read back; the animation plays all surfaces one
   const Shape_blend blend = blend_of(chair, stool, correspondence);
   const model_files::Temporary_folder folder;
   std::ostringstream obj, ply, glb;
-  IO::write_segmented_shape_obj(obj, blend(0.5));
+  const Segmented_shape half = blend(0.5);
+  IO::write_segmented_shape_obj(obj, half);
   const Segmented_shape read = IO::read_segmented_shape(folder.write("half.obj", obj.str()));
-  CHECK(read.parts().size() == blend(0.5).parts().size());
-  IO::write_segmented_shape_ply(ply, blend(0.5));
+  CHECK(read.parts().size() == half.parts().size());
+  IO::write_segmented_shape_ply(ply, half);
   const Segmented_shape one = IO::read_segmented_shape(folder.write("half.ply", ply.str()));
   Eigen::Index triangles = 0;
-  for (const Shape_part& part : blend(0.5).parts())
+  for (const Shape_part& part : half.parts())
     triangles += part.mesh.triangles.cols();
   CHECK(one.parts().size() == 1);
   CHECK(one.parts()[0].mesh.triangles.cols() == triangles);

@@ -299,6 +299,29 @@ TEST_CASE("Pairs that are not sure enough can be left out; other parts stay matc
   CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);
 }
 
+TEST_CASE("Another alignment than the given one must be clearly better")
+{
+  // A chair's seat and legs alone, the hind legs closer together by `narrowing`, all legs leaning out by `lean`
+  const auto stool = [](double narrowing, double lean) {
+    Shape_structure shape;
+    shape.frame.mirror_x = shape.frame.mirror_z = true;
+    shape.parts = {sheet("seat", {-.25, 1, -.25}, {.5, 0, 0}, {0, 0, .5})};
+    for (const double z : {-.25, .25})
+      for (const double x : {-.25, .25}) {
+        const double top = x * (z < 0 ? 1 - narrowing : 1);
+        shape.parts.push_back(curve("leg", {top + lean * x, 0, z + lean * z}, {top, 1, z}));
+        shape.contacts.push_back(contact(shape, 0, shape.parts.size() - 1, {top, 1, z}));
+      }
+    return make_structural_graph(std::move(shape), {group({0}), group({1, 2}, Symmetry_type::REFLECTION),
+                                                    group({3, 4}, Symmetry_type::REFLECTION)});
+  };
+  const Structural_graph leaning = stool(0.02, 1);
+  Search_options all;
+  all.alignments = 0;
+  CHECK(find_correspondence(stool(-0.02, 0), leaning, all).target_quarter_turns == 0); // a hair better at 2
+  CHECK(find_correspondence(stool(-0.9, 0), stool(0.9, 1), all).target_quarter_turns == 2);
+}
+
 TEST_CASE("The default takes chosen parts only, and any alignment where asked to")
 {
   Search_options options;

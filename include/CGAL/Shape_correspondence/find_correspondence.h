@@ -38,8 +38,8 @@ struct Search_options
   bool both_directions = true; ///< deform either shape into the other and keep the lower energy per connected pair
   int maximum_parts = 0;       ///< coarse correspondence: only the most prominent parts of either shape; 0 takes all
   std::vector<std::size_t> source_parts, target_parts; ///< only these parts, by their index; none named takes all
-  /// How many of `alignment_turns()` are tried, the best-scoring one wins; 1 is the one nearest to the given
-  /// orientation, 0 all of them.
+  /// How many of `alignment_turns()` are tried, the best-scoring one wins, by `Search_method::PARTS` only if it is
+  /// clearly better than the first; 1 is the first, the one nearest to the given orientation, 0 all of them.
   int alignments = 1;
   int solutions = 1;          ///< of `find_correspondences()`
   bool min_marginals = false; ///< compute `Group_match::min_marginal`, by exact searches whatever the method

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The paper's experiments with the energy and its search: Figures 4, 10 and 11.
+#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ENERGY_H
+#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ENERGY_H
+
+#include "chart.h"
+#include "options.h"
+#include "tables.h"
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace experiments {
+
+inline void figure4(const Dataset& dataset)
+{
+  std::vector<std::pair<std::string, peers::Peer>> methods{{"all terms", ours(paper_options())}};
+  const std::pair<const char*, double Energy_weights::*> terms[] = {
+      {"no distortion", &Energy_weights::distortion},
+      {"no connectedness", &Energy_weights::connectedness},
+      {"no split", &Energy_weights::split}};
+  for (const auto& [name, term] : terms) {
+    Search_options options = paper_options();
+    options.matching.weights.*term = 0;
+    methods.emplace_back(name, ours(options));
+  }
+  compare(dataset, methods, "energy");
+}
+
+/// Over all pairs, energies relative to the least proven one.
+inline void figure10(const Dataset& dataset, const Options& options)
+{
+  const std::vector<int> widths{1, 2, 5, 10, 20, 50, 100};
+  std::vector<double> excess(widths.size(), 0), seconds(widths.size(), 0);
+  std::vector<std::size_t> reached(widths.size(), 0);
+  std::size_t proven = 0;
+  for (const Category& category : dataset)
+    for (const auto& [s, t] : category.pairs) {
+      Search_options exact = exact_options();
+      exact.both_directions = false;
+      const Correspondence best = find_correspondence(category.graphs[s], category.graphs[t], exact);
+      if (!best.optimal || !(best.energy > 0)) continue;
+      ++proven;
+      for (std::size_t k = 0; k < widths.size(); ++k) {
+        Search_options beam = paper_options();
+        beam.both_directions = false;
+        beam.beam.beam_width = widths[k];
+        const double begin = now();
+        const double energy = find_correspondence(category.graphs[s], category.graphs[t], beam).energy;
+        seconds[k] += now() - begin;
+        excess[k] += energy / best.energy;
+        reached[k] += energy < best.energy * (1 + 1e-6);
+      }
+    }
+  if (proven == 0) throw Invalid_input("the least energy of no pair is proven; there is nothing to compare with");
+  std::cout << "Pairs whose least energy is proven: " << proven << "\n\n";
+  write_heading({"beam width K", "energy / least energy", "reaches it", "s / pair"});
+  Chart chart;
+  chart.x_title = "beam width K";
+  chart.y_title = "energy / least energy, mean";
+  chart.lines = {{"beam search, k = 4", "#0a62c4", {}, false}, {"proven least energy", "#c43b0a", {}, true}};
+  chart.y_low = chart.y_high = 1;
+  for (std::size_t k = 0; k < widths.size(); ++k) {
+    const double mean = excess[k] / double(proven);
+    write_row({std::to_string(widths[k]), text(mean), text(100. * double(reached[k]) / double(proven), 1) + " %",
+               text(seconds[k] / double(proven), 4)});
+    chart.x_marks.push_back(std::to_string(widths[k]));
+    chart.lines[0].points.emplace_back(double(k), mean);
+    chart.lines[1].points.emplace_back(double(k), 1);
+    chart.y_high = std::max(chart.y_high, mean);
+  }
+  chart.y_low = 1 - .1 * (chart.y_high - 1);
+  std::ofstream out = picture(options, "figure10.svg");
+  chart.write(out);
+}
+
+inline void figure11(const Dataset& dataset)
+{
+  write_heading({"most prominent parts", "method", "coarse P", "P", "R of all parts", "s / pair"});
+  for (const int parts : {2, 4, 8, 16, 0})
+    for (Search_options options : {default_options(), paper_options()}) {
+      options.maximum_parts = parts;
+      const Run of_parts = run(dataset, ours(options));
+      const Mean_score& mean = of_parts.evaluation.mean;
+      write_row({parts ? std::to_string(parts) : "all", options.method == Search_method::BEAM ? "paper" : "default",
+                 text(mean.coarse_precision.mean), text(mean.precision.mean), text(mean.recall.mean),
+                 text(of_parts.seconds, 4)});
+    }
+}
+
+} // namespace experiments
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ENERGY_H

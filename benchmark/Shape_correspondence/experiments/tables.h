@@ -1,0 +1,133 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The tables of the paper, and all methods side by side.
+#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_TABLES_H
+#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_TABLES_H
+
+#include "../peers/peers.h"
+#include "methods.h"
+
+#include <utility>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace experiments {
+
+inline void compare(const Dataset& dataset, const std::vector<std::pair<std::string, peers::Peer>>& methods,
+                    const std::string& what = "method")
+{
+  write_run_heading(dataset, what);
+  for (const auto& [name, method] : methods)
+    write_run_row(name, run(dataset, method));
+}
+
+/// The share of the pairs of equal coarse labels that was found, mean of pairs by category, then of categories.
+inline double coarse_recall(const Dataset& dataset, const Run& run)
+{
+  double sum = 0;
+  for (std::size_t c = 0; c < dataset.size(); ++c) {
+    double of_category = 0;
+    for (std::size_t k = 0; k < dataset[c].pairs.size(); ++k) {
+      const auto [s, t] = dataset[c].pairs[k];
+      Ground_truth truth = ground_truth(dataset[c].labels[s], dataset[c].labels[t]);
+      truth.pairs = truth.coarse_pairs;
+      of_category += evaluate_correspondence(run.matches[c][k], truth).recall();
+    }
+    sum += of_category / double(dataset[c].pairs.size());
+  }
+  return sum / double(dataset.size());
+}
+
+/// The largest and the smallest pair of each category, by numbers of parts.
+inline void table1(const Dataset& dataset)
+{
+  write_heading({"pair", "#P_s", "#P_t", "#G_s", "#G_t", "beam s", "exact s", "proven", "parts s"});
+  for (const Category& category : dataset) {
+    const auto size = [&](const peers::Shape_pair& pair) {
+      return num_vertices(category.graphs[pair[0]]) * num_vertices(category.graphs[pair[1]]);
+    };
+    const auto smaller = [&](const auto& a, const auto& b) { return size(a) < size(b); };
+    const auto [least, most] = std::minmax_element(category.pairs.begin(), category.pairs.end(), smaller);
+    for (const peers::Shape_pair& pair : {*least, *most}) {
+      const Structural_graph &source = category.graphs[pair[0]], &target = category.graphs[pair[1]];
+      std::vector<std::string> cells{category.shapes[pair[0]] + " – " + category.shapes[pair[1]],
+                                     std::to_string(structure(source).parts.size()),
+                                     std::to_string(structure(target).parts.size()),
+                                     std::to_string(num_vertices(source)), std::to_string(num_vertices(target))};
+      for (const Search_options& options : {paper_options(), exact_options(), default_options()}) {
+        const double begin = now();
+        const Correspondence c = find_correspondence(source, target, options);
+        cells.push_back(text(now() - begin, 4));
+        if (options.method == Search_method::EXACT) cells.push_back(c.optimal ? "yes" : "no");
+      }
+      write_row(cells);
+    }
+  }
+}
+
+inline void table2(const Dataset& dataset)
+{
+  const auto ours_by = [](const Search_options& options) {
+    return co_analyzed([options](const Structural_graph& source, const Structural_graph& target) {
+      return part_map(find_correspondence(source, target, options));
+    });
+  };
+  const auto xu = co_analyzed([](const Structural_graph& source, const Structural_graph& target) {
+    const auto [a, b] = peers::boxed_pair(source, target);
+    const Part_pairs pairs = peers::match_xu_2012(a, b);
+    return Part_map{pairs, std::vector<double>(pairs.size(), 1)};
+  });
+  std::vector<std::string> heading{"method"};
+  for (const Category& category : dataset)
+    heading.push_back(category.name);
+  heading.insert(heading.end(), {"mean coarse P", "95 %", "mean coarse R"});
+  write_heading(heading);
+  const std::pair<const char*, peers::Peer> methods[] = {{"Xu et al. 2012, clustered", xu},
+                                                         {"Zheng et al. 2014", peers::match_zheng_2014},
+                                                         {"Kim et al. 2013", peers::match_kim_2013},
+                                                         {"the paper's method", ours_by(paper_options())},
+                                                         {"default", ours_by(default_options())}};
+  for (const auto& [name, method] : methods) {
+    const Run of_set = run(dataset, method);
+    std::vector<std::string> cells{name};
+    for (const auto& [category, mean] : of_set.evaluation.categories)
+      cells.push_back(text(mean.coarse_precision.mean, 2));
+    const Estimate& precision = of_set.evaluation.mean.coarse_precision;
+    cells.push_back(text(precision.mean));
+    cells.push_back(text(precision.low, 2) + "–" + text(precision.high, 2));
+    cells.push_back(text(coarse_recall(dataset, of_set)));
+    write_row(cells);
+  }
+}
+
+inline void table3(const Dataset& dataset)
+{
+  const peers::Peer paper = ours(paper_options());
+  compare(dataset, {{"Xu et al. 2012", peers::pairwise(peers::match_xu_2012)},
+                    {"the paper's method, no symmetry", without_symmetry(paper)},
+                    {"the paper's method", paper},
+                    {"default, no symmetry", without_symmetry(ours(default_options()))},
+                    {"default", ours(default_options())}});
+}
+
+inline void compare_peers(const Dataset& dataset)
+{
+  std::vector<std::pair<std::string, peers::Peer>> methods{{"default", ours(default_options())},
+                                                           {"the paper's method (beam)", ours(paper_options())},
+                                                           {"least energy (exact)", ours(exact_options())}};
+  for (const peers::Named_peer& peer : peers::all_peers())
+    methods.emplace_back(peer.name, peer.match);
+  compare(dataset, methods);
+  std::cout << "\nSimplified:\n";
+  for (const peers::Named_peer& peer : peers::all_peers())
+    if (peer.simplified != "-") std::cout << "- " << peer.name << ": " << peer.simplified << '\n';
+}
+
+} // namespace experiments
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_TABLES_H
