@@ -6,8 +6,6 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_QUANTIZED_H
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_QUANTIZED_H
 
-#include <cmath>
-
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
