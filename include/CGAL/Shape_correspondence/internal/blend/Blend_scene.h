@@ -259,8 +259,8 @@ inline void Blend_scene::relink()
     bool is_good = true;
     for (std::size_t l = 0; l < near.size(); ++l) {
       const auto [a, b] = cast_.links[l].actors;
-      const double allowed = cast_.links[l].allowed(t_), enough = allowed + closed;
-      const contacts::Closest_pair closest = trees[a]->nearly_closest(*trees[b], enough * enough, near[l]);
+      const double allowed = cast_.links[l].allowed(t_);
+      const contacts::Closest_pair closest = trees[a]->nearly_closest(*trees[b], allowed + closed, near[l]);
       const double gap = std::sqrt(closest.squared);
       if (gap + joined < allowed) continue; // it holds nothing
       Point step = Point::Zero();
@@ -401,7 +401,7 @@ inline Blend_scene::Open_contact Blend_scene::widest_contact(const Trees& trees)
   for (const Blend_link& link : cast_.links) {
     const auto [a, b] = link.actors;
     const double allowed = link.allowed(t_);
-    const double gap = std::sqrt(trees[a]->nearly_closest(*trees[b], allowed * allowed).squared) - allowed;
+    const double gap = std::sqrt(trees[a]->nearly_closest(*trees[b], allowed).squared) - allowed;
     if (gap > widest.gap) widest = {gap, link.actors};
   }
   return widest;

@@ -9,6 +9,8 @@
 #include <CGAL/Shape_correspondence/internal/contacts/triangle_distance.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -95,26 +97,29 @@ public:
   /// The closest points of two surfaces, where they are closer than `best`.
   void improve_closest(const Triangle_tree& other, Closest_pair& best) const
   {
-    improve_closest(0, other, 0, {1, 0, nullptr}, best);
+    Closest_search search(best, 0, 1);
+    improve_closest(0, other, 0, search);
   }
 
-  /// Points of two surfaces that are closest but for a tenth of their distance, or any within the root of `squared`:
-  /// much faster between faces that lie flat on each other.
-  Closest_pair nearly_closest(const Triangle_tree& other, double squared = 0) const
+  /// Points of two surfaces that are closest but for a tenth of what their distance is over `enough`, or any within
+  /// that: much faster between faces that lie flat on each other.
+  Closest_pair nearly_closest(const Triangle_tree& other, double enough = 0) const
   {
     Closest_pair best;
-    improve_closest(0, other, 0, {nearly, squared, nullptr}, best);
+    Closest_search search(best, enough, nearly);
+    improve_closest(0, other, 0, search);
     return best;
   }
 
   /// The same.
   /// \param near triangles of either tree that are likely to be near each other, which saves time; then those of the
   /// points
-  Closest_pair nearly_closest(const Triangle_tree& other, double squared, Triangle_pair& near) const
+  Closest_pair nearly_closest(const Triangle_tree& other, double enough, Triangle_pair& near) const
   {
     Closest_pair best;
     improve_by_triangles(triangles_[near.first], other.triangles_[near.second], best);
-    if (best.squared > squared) improve_closest(0, other, 0, {nearly, squared, &near}, best);
+    Closest_search search(best, enough, nearly, &near);
+    improve_closest(0, other, 0, search);
     return best;
   }
 
@@ -142,7 +147,7 @@ public:
 
 private:
   static constexpr std::size_t LEAF = 2;
-  static constexpr double nearly = 0.81; // the square of what is left but for a tenth
+  static constexpr double nearly = 0.9;
 
   struct Node
   {
@@ -217,21 +222,53 @@ private:
     return nodes_[node].box.squaredExteriorDistance(other.nodes_[other_node].box);
   }
 
-  /// What is good enough: a bound over this multiple of the best is not looked into, nor is anything after a best
-  /// under `squared`.
-  struct Enough
+  /// A search for the closest points of two trees.
+  class Closest_search
   {
-    double multiple, squared;
-    Triangle_pair* triangles; ///< set to those of the best, unless null
+  public:
+    /// \param enough the distance that is good enough
+    /// \param share how much of a distance over that what is closer has of it, at most
+    /// \param triangles set to those of the best
+    Closest_search(Closest_pair& best, double enough, double share, Triangle_pair* triangles = nullptr)
+        : best_(best), enough_(enough), share_(share), triangles_(triangles)
+    {
+      set_limit();
+    }
+
+    /// The squared distance under which it is worth while to look.
+    double limit() const { return limit_; }
+
+    void compare(const Triangle_tree& a, std::size_t t, const Triangle_tree& b, std::size_t u)
+    {
+      const Triangle &first = a.triangles_[t], &second = b.triangles_[u];
+      if (box_of(first).squaredExteriorDistance(box_of(second)) >= limit_) return;
+      const double before = best_.squared;
+      improve_by_triangles(first, second, best_, limit_);
+      if (!(best_.squared < before)) return;
+      if (triangles_) *triangles_ = {t, u};
+      set_limit();
+    }
+
+  private:
+    void set_limit()
+    {
+      const double distance = std::sqrt(best_.squared);
+      const double share = share_ + (1 - share_) * enough_ / distance;
+      limit_ = distance > enough_ ? share * share * best_.squared : 0;
+    }
+
+    Closest_pair& best_;
+    double enough_, share_, limit_ = 0;
+    Triangle_pair* triangles_;
   };
 
-  void improve_closest(std::size_t node, const Triangle_tree& other, std::size_t other_node, const Enough& enough,
-                       Closest_pair& best) const
+  void improve_closest(std::size_t node, const Triangle_tree& other, std::size_t other_node,
+                       Closest_search& search) const
   {
     if (is_leaf(node) && other.is_leaf(other_node)) {
       for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t)
         for (std::size_t u = other.nodes_[other_node].begin; u < other.nodes_[other_node].end; ++u)
-          improve_closest_by_triangles(t, other, u, enough, best);
+          search.compare(*this, t, other, u);
       return;
     }
     auto pairs = split(node, other, other_node);
@@ -243,8 +280,7 @@ private:
       std::swap(bounds[0], bounds[1]);
     }
     for (int i = 0; i < 2; ++i)
-      if (bounds[i] < enough.multiple * best.squared && best.squared > enough.squared)
-        improve_closest(pairs[i].first, other, pairs[i].second, enough, best);
+      if (bounds[i] < search.limit()) improve_closest(pairs[i].first, other, pairs[i].second, search);
   }
 
   bool is_within(std::size_t node, const Triangle_tree& other, std::size_t other_node, double squared) const
@@ -264,17 +300,6 @@ private:
     const auto& near = pairs[second_is_nearer ? 1 : 0];
     const auto& far = pairs[second_is_nearer ? 0 : 1];
     return is_within(near.first, other, near.second, squared) || is_within(far.first, other, far.second, squared);
-  }
-
-  void improve_closest_by_triangles(std::size_t t, const Triangle_tree& other, std::size_t u, const Enough& enough,
-                                    Closest_pair& best) const
-  {
-    const double before = best.squared;
-    if (before <= enough.squared ||
-        box_of(triangles_[t]).squaredExteriorDistance(box_of(other.triangles_[u])) >= enough.multiple * before)
-      return;
-    improve_by_triangles(triangles_[t], other.triangles_[u], best, enough.multiple);
-    if (best.squared < before && enough.triangles) *enough.triangles = {t, u};
   }
 
   // Whether a triangle passes a test; nodes farther than the root of `squared` have none. The nearer node first.

@@ -113,10 +113,9 @@ inline bool is_off_plane(const Triangle& plane, const Triangle& t, double square
 }
 
 /// The closest points of two triangles, where they are closer than `best`.
-/// \param multiple of the squared distance of `best`, over which it need not be improved
-inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_pair& best, double multiple = 1)
+/// \param limit a squared distance, over which it need not be improved
+inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_pair& best, double limit)
 {
-  const double limit = multiple * best.squared;
   if (is_off_plane(a, b, limit) || is_off_plane(b, a, limit)) return;
   if (improve_by_crossing(a, b, best) || improve_by_crossing(b, a, best)) return;
   for (int i = 0; i < 3; ++i) {
@@ -125,6 +124,12 @@ inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_p
     for (int j = 0; j < 3; ++j)
       improve_by_segments(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3], best);
   }
+}
+
+/// The same, without a limit.
+inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_pair& best)
+{
+  improve_by_triangles(a, b, best, best.squared);
 }
 
 /// Whether two triangles are within the root of `squared` of each other.
