@@ -29,10 +29,9 @@ struct Joining_way
   double length;
 };
 
-/// The shortest ways that join sets of surfaces, the shortest first; lengths up to a tenth. Distances are measured in
-/// the order of those of the boxes, which bound them from below, until all are joined: seldom more than there are
-/// surfaces.
-/// \param set by surface, the smallest one of its set
+/// The shortest ways that join sets of surfaces, the shortest first. Distances are measured in the order of those of
+/// the boxes, which bound them from below, until all are joined: seldom more than there are surfaces. \param set by
+/// surface, the smallest one of its set
 inline std::vector<Joining_way> joining_ways(const std::vector<const contacts::Triangle_tree*>& surfaces,
                                              std::vector<std::size_t> set)
 {
@@ -51,7 +50,9 @@ inline std::vector<Joining_way> joining_ways(const std::vector<const contacts::T
     queue.pop();
     if (set[a] == set[b]) continue;
     if (kind == bounded) {
-      const double exact = std::sqrt(surfaces[a]->nearly_closest(*surfaces[b]).squared);
+      contacts::Closest_pair closest;
+      surfaces[a]->improve_closest(*surfaces[b], closest);
+      const double exact = std::sqrt(closest.squared);
       queue.emplace(quantized(exact), measured, a, b, exact);
       continue;
     }
