@@ -71,7 +71,10 @@ public:
   }
 
   std::size_t size() const { return ends_.size(); } // parts
-  Counterpart_range operator[](std::size_t part) const { return {&list_[begins_[part]], &list_[ends_[part]]}; }
+  Counterpart_range operator[](std::size_t part) const
+  {
+    return {list_.data() + begins_[part], list_.data() + ends_[part]};
+  }
 
 private:
   std::size_t number(std::size_t shape, std::size_t part) const
