@@ -5,6 +5,7 @@
 
 // Writes the models of data/, or the shapes of the benchmark, each a folder of parts with labels.
 
+#include "command_line.h"
 #include "generator/benchmark/degrade.h"
 #include "generator/benchmark/random_designs.h"
 #include "generator/models.h"
@@ -16,12 +17,12 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace gen = CGAL::Shape_correspondence::generator;
 namespace fs = std::filesystem;
+using namespace CGAL::Shape_correspondence::benchmark;
 
 namespace {
 
@@ -36,33 +37,29 @@ struct Options
   std::string folder;
 };
 
-void print_help(std::ostream& out)
-{
-  out << "Usage: generate_models [--single-file] OUTPUT_FOLDER\n"
-         "       generate_models --benchmark [--random-styles] [--degrade WAYS] [--seed N] OUTPUT_FOLDER\n"
-         "       generate_models [--benchmark] --list\n"
-         "\n"
-         "Writes labelled models of man-made shapes; the same bytes every time.\n"
-         "  OUTPUT_FOLDER/NAME/parts/PART.obj  one closed mesh a part; metres, y up, front +z, left +x\n"
-         "  OUTPUT_FOLDER/NAME/labels.json     coarse and fine label of each part\n"
-         "  OUTPUT_FOLDER/NAME/structure.json  mid-lines and mid-surfaces, symmetry groups, contacts\n"
-         "\n"
-         "  --single-file  write OUTPUT_FOLDER/NAME.obj instead, one `o` a part\n"
-         "  --benchmark    make the shapes that methods are compared on instead, fifteen of each of six categories, "
-         "in\n"
-         "                 OUTPUT_FOLDER/CATEGORY/NAME\n"
-         "  --random-styles  draw their styles, too: shapes that no method was set on\n"
-         "  --degrade      make them worse; WAYS are any of segmentation, open, gaps, noise, scale, rotation, with "
-         "commas\n"
-         "                 in between: parts cut and joined, surfaces with holes, parts that do not meet, vertices "
-         "off\n"
-         "                 their places, other proportions, turned about the up axis\n"
-         "  --seed         of the styles, and of what is drawn to make them worse; 1 if not given\n"
-         "  --list         print the names of the models\n"
-         "  --help         print this\n";
-}
+const char* const help_text =
+    R"(Usage: generate_models [--single-file] OUTPUT_FOLDER
+       generate_models --benchmark [--random-styles] [--degrade WAYS] [--seed N] OUTPUT_FOLDER
+       generate_models [--benchmark] --list
 
-gen::Degradation parsed_ways(const std::string& words)
+Writes labelled models of man-made shapes; the same bytes every time.
+  OUTPUT_FOLDER/NAME/parts/PART.obj  one closed mesh a part; metres, y up, front +z, left +x
+  OUTPUT_FOLDER/NAME/labels.json     coarse and fine label of each part
+  OUTPUT_FOLDER/NAME/structure.json  mid-lines and mid-surfaces, symmetry groups, contacts
+
+  --single-file  write OUTPUT_FOLDER/NAME.obj instead, one `o` a part
+  --benchmark    make the shapes that methods are compared on instead, fifteen of each of six categories, in
+                 OUTPUT_FOLDER/CATEGORY/NAME
+  --random-styles  draw their styles, too: shapes that no method was set on
+  --degrade      make them worse; WAYS are any of segmentation, open, gaps, noise, scale, rotation, with commas
+                 in between: parts cut and joined, surfaces with holes, parts that do not meet, vertices off
+                 their places, other proportions, turned about the up axis
+  --seed         of the styles, and of what is drawn to make them worse; 1 if not given
+  --list         print the names of the models
+  --help         print this
+)";
+
+gen::Degradation parsed_ways(const std::string& list)
 {
   gen::Degradation ways;
   const std::pair<const char*, bool*> known[] = {{"segmentation", &ways.segmentation},
@@ -71,8 +68,7 @@ gen::Degradation parsed_ways(const std::string& words)
                                                  {"noise", &ways.noise},
                                                  {"scale", &ways.scale},
                                                  {"rotation", &ways.rotation}};
-  std::istringstream list(words);
-  for (std::string word; std::getline(list, word, ',');) {
+  for (const std::string& word : words_of(list)) {
     const auto found = std::find_if(std::begin(known), std::end(known), [&](const auto& k) { return k.first == word; });
     if (found == std::end(known)) throw std::invalid_argument("unknown way to degrade '" + word + "'");
     *found->second = true;
@@ -80,43 +76,32 @@ gen::Degradation parsed_ways(const std::string& words)
   return ways;
 }
 
-std::uint64_t parsed_seed(const std::string& text)
-{
-  if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos || text.size() > 18)
-    throw std::invalid_argument("a seed is a whole number, not '" + text + "'");
-  return std::stoull(text);
-}
-
 Options parsed(int argc, char** argv)
 {
+  Command_line line(argc, argv);
   Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    const auto value = [&] {
-      if (++i == argc) throw std::invalid_argument(argument + " needs a value");
-      return std::string(argv[i]);
-    };
-    if (argument == "--help" || argument == "-h")
+  while (!line.is_at_end()) {
+    const std::string& word = line.word();
+    if (word == "--help" || word == "-h")
       options.help = true;
-    else if (argument == "--list")
+    else if (word == "--list")
       options.list = true;
-    else if (argument == "--single-file")
+    else if (word == "--single-file")
       options.single_file = true;
-    else if (argument == "--benchmark")
+    else if (word == "--benchmark")
       options.benchmark = true;
-    else if (argument == "--degrade") {
+    else if (word == "--degrade") {
       options.degrades = true;
-      options.degradation = parsed_ways(value());
-    } else if (argument == "--random-styles")
+      options.degradation = parsed_ways(line.value());
+    } else if (word == "--random-styles")
       options.random_styles = true;
-    else if (argument == "--seed")
-      options.seed = parsed_seed(value());
-    else if (argument.empty() || argument[0] == '-')
-      throw std::invalid_argument("unknown option '" + argument + "'");
-    else if (!options.folder.empty())
-      throw std::invalid_argument("more than one output folder");
-    else
-      options.folder = argument;
+    else if (word == "--seed")
+      options.seed = whole_number(line.value(), "a seed");
+    else {
+      refuse_option(word);
+      if (!options.folder.empty()) throw std::invalid_argument("more than one output folder");
+      options.folder = word;
+    }
   }
   if (options.degrades && !options.benchmark) throw std::invalid_argument("--degrade is of --benchmark");
   if (options.random_styles && !options.benchmark) throw std::invalid_argument("--random-styles is of --benchmark");
@@ -168,7 +153,7 @@ int main(int argc, char** argv)
   }
   try {
     if (options.help)
-      print_help(std::cout);
+      std::cout << help_text;
     else if (options.list)
       for (const gen::Assembly& shape : shapes(options))
         std::cout << shape.name << '\n';

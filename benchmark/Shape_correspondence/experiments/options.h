@@ -7,10 +7,10 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_OPTIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_OPTIONS_H
 
+#include "../command_line.h"
 #include "dataset.h"
 
 #include <iostream>
-#include <sstream>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -46,41 +46,27 @@ inline std::ofstream picture(const Options& options, const std::string& name)
   return out;
 }
 
-inline std::vector<std::string> words(const std::string& list)
-{
-  std::vector<std::string> result;
-  std::istringstream in(list);
-  for (std::string word; std::getline(in, word, ',');)
-    result.push_back(word);
-  return result;
-}
-
 inline Options parsed(int argc, char** argv)
 {
+  benchmark::Command_line line(argc, argv);
   Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    const auto value = [&] {
-      if (++i == argc) throw std::invalid_argument(argument + " needs a value");
-      return std::string(argv[i]);
-    };
-    if (argument == "--out")
-      options.out = value();
-    else if (argument == "--cache")
-      options.cache = value();
-    else if (argument == "--category")
-      options.categories = words(value());
-    else if (argument == "--pairs") {
-      const std::string number = value();
-      if (number.empty() || number.size() > 9 || number.find_first_not_of("0123456789") != std::string::npos)
-        throw std::invalid_argument("--pairs is a number, not '" + number + "'");
-      options.pairs = std::stoul(number);
-    } else if (argument.empty() || argument[0] == '-')
-      throw std::invalid_argument("unknown option '" + argument + "'");
-    else if (options.experiment.empty())
-      options.experiment = argument;
-    else
-      options.data.push_back(argument);
+  while (!line.is_at_end()) {
+    const std::string& word = line.word();
+    if (word == "--out")
+      options.out = line.value();
+    else if (word == "--cache")
+      options.cache = line.value();
+    else if (word == "--category")
+      options.categories = benchmark::words_of(line.value());
+    else if (word == "--pairs")
+      options.pairs = benchmark::whole_number(line.value(), "--pairs");
+    else {
+      benchmark::refuse_option(word);
+      if (options.experiment.empty())
+        options.experiment = word;
+      else
+        options.data.push_back(word);
+    }
   }
   if (options.data.empty()) throw std::invalid_argument("no experiment, or no data");
   return options;

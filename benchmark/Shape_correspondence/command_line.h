@@ -1,0 +1,69 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_BENCHMARK_COMMAND_LINE_H
+#define CGAL_SHAPE_CORRESPONDENCE_BENCHMARK_COMMAND_LINE_H
+
+#include <cstdint>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace benchmark {
+
+/// The words of a command line, read one after the other. What it throws, `std::invalid_argument`, is for the user.
+class Command_line
+{
+public:
+  Command_line(int argc, char** argv) : words_(argv + 1, argv + argc) {}
+
+  bool is_at_end() const { return next_ == words_.size(); }
+  /// The next word. \pre not at the end
+  const std::string& word() { return words_[next_++]; }
+  /// The next word as the value of the one before, an option.
+  const std::string& value()
+  {
+    if (is_at_end()) throw std::invalid_argument(words_.back() + " needs a value");
+    return word();
+  }
+
+private:
+  std::vector<std::string> words_;
+  std::size_t next_ = 0;
+};
+
+/// \throw std::invalid_argument if a word that is not known is an option
+inline void refuse_option(const std::string& word)
+{
+  if (word.empty() || word[0] == '-') throw std::invalid_argument("unknown option '" + word + "'");
+}
+
+/// The number that a text is. \param meaning what it is, for the user
+inline std::uint64_t whole_number(const std::string& text, const std::string& meaning)
+{
+  constexpr std::size_t most_digits = 18;
+  if (text.empty() || text.size() > most_digits || text.find_first_not_of("0123456789") != std::string::npos)
+    throw std::invalid_argument(meaning + " is a whole number, not '" + text + "'");
+  return std::stoull(text);
+}
+
+/// The words of a list with commas in between.
+inline std::vector<std::string> words_of(const std::string& list)
+{
+  std::vector<std::string> result;
+  std::istringstream in(list);
+  for (std::string word; std::getline(in, word, ',');)
+    result.push_back(word);
+  return result;
+}
+
+} // namespace benchmark
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_BENCHMARK_COMMAND_LINE_H
