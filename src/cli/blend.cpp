@@ -7,6 +7,7 @@
 #include "common_options.h"
 #include "load_shape.h"
 #include "match_options.h"
+#include "outputs.h"
 #include "progress_bar.h"
 #include "text_table.h"
 #include "thread_limit.h"
@@ -63,7 +64,7 @@ struct Blend_output
 
 po::options_description output_options(Blend_output& output, Common_options& common)
 {
-  po::options_description result("Output", 100, 68);
+  po::options_description result = option_group("Output");
   auto add = result.add_options();
   add("output,o", po::value(&output.path)->value_name("PATH"),
       "a file that ends in .glb, for an animation, or a folder that is not there yet, for a file a frame");
@@ -104,7 +105,7 @@ void check(const Blend_output& output)
 void check_needs_no_search(const po::options_description& search, const po::variables_map& given)
 {
   for (const auto& option : search.options())
-    if (given.count(option->long_name()) && !given[option->long_name()].defaulted())
+    if (is_given(given, option->long_name()))
       throw Usage_error("--match says what corresponds; leave --" + option->long_name() + " out");
 }
 
@@ -150,8 +151,7 @@ void write_table(std::ostream& out, const Shape_blend& blend)
   out << "\nThe first schedule is taken. Lengths are over the height, the worst of the shapes in between: by how much "
          "a "
          "contact\nis wider than at the ends, how far parts came apart before they were joined again, how far the "
-         "shape is "
-         "from its\nmirror image, how far its feet are off the ground.\n";
+         "shape is from its\nmirror image, how far its feet are off the ground.\n";
 }
 
 } // namespace
@@ -171,9 +171,9 @@ void run_blend(const std::vector<std::string>& arguments)
   }
   Search_options search = search_options(match, parsed.values);
   if (!output.match.empty()) check_needs_no_search(searching, parsed.values);
-  if (is_glb(output.path)) common.glb = output.path;
   check(common);
   check(output);
+  check_outputs({common.json, is_glb(output.path) ? output.path : ""});
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
   std::vector<Loaded_shape> shapes = load_shapes(paths, common);
@@ -205,11 +205,10 @@ void run_blend(const std::vector<std::string>& arguments)
     for (const std::string& warning : structure(shapes[i].graph).warnings)
       warnings.push_back(paths[i] + ": " + warning);
   warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
-  if (!common.json.empty())
-    IO::write_atomically(common.json, [&](std::ostream& out) {
-      IO::write_blend_json(out, blend, source.graph, target.graph, paths[0], paths[1], output.path, output.frames,
-                           warnings);
-    });
+  write_output(common.json, [&](std::ostream& out) {
+    IO::write_blend_json(out, blend, source.graph, target.graph, paths[0], paths[1], output.path, output.frames,
+                         warnings);
+  });
   if (common.prints_table()) {
     write_table(std::cout, blend);
     for (const std::string& warning : warnings)

@@ -9,10 +9,9 @@
 #include "collection_work.h"
 #include "commands.h"
 #include "load_shape.h"
+#include "outputs.h"
 #include "text_table.h"
 #include "thread_limit.h"
-
-#include "../IO/atomic_file.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>
@@ -95,17 +94,13 @@ void write_outputs(const Analysis& analysis, const Collection_shapes& shapes, co
   std::vector<std::string> names;
   for (const IO::Collection::Shape& shape : collection.shapes)
     names.push_back(shape.name);
-  if (!common.json.empty())
-    IO::write_atomically(common.json, [&](std::ostream& out) { IO::write_collection_json(out, collection); });
-  if (!common.html.empty())
-    IO::write_atomically(common.html, [&](std::ostream& out) {
-      IO::write_collection_html(
-          out, collection, [&](std::size_t i) { return shapes.graph(i); }, analysis.maps);
-    });
-  if (!options.npy.empty())
-    IO::write_atomically(options.npy, [&](std::ostream& out) { IO::write_npy(out, collection.energies); });
-  if (!options.csv.empty())
-    IO::write_atomically(options.csv, [&](std::ostream& out) { IO::write_csv(out, collection.energies, names); });
+  write_output(common.json, [&](std::ostream& out) { IO::write_collection_json(out, collection); });
+  write_output(common.html, [&](std::ostream& out) {
+    IO::write_collection_html(
+        out, collection, [&](std::size_t i) { return shapes.graph(i); }, analysis.maps);
+  });
+  write_output(options.npy, [&](std::ostream& out) { IO::write_npy(out, collection.energies); });
+  write_output(options.csv, [&](std::ostream& out) { IO::write_csv(out, collection.energies, names); });
   if (!common.prints_table()) return;
   print_collection(collection);
   if (!common.html.empty() && collection.shapes.size() > IO::largest_pictured)
@@ -125,8 +120,7 @@ void find_nearest(const Collection_shapes& shapes, const Collection_options& opt
   found.warnings = shapes.skipped();
   found.nearest = nearest_shapes<CGAL::Parallel_if_available_tag>(
       query, shapes.size(), [&](std::size_t i) { return shapes.graph(i); }, options.nearest_count, matching);
-  if (!common.json.empty())
-    IO::write_atomically(common.json, [&](std::ostream& out) { IO::write_nearest_json(out, found); });
+  write_output(common.json, [&](std::ostream& out) { IO::write_nearest_json(out, found); });
   if (!common.prints_table()) return;
   std::vector<std::vector<std::string>> rows{{"nearest", "distance", "pairs of parts"}};
   for (const Near_shape& near : found.nearest.shapes)
@@ -165,6 +159,7 @@ void run_collection(const std::vector<std::string>& arguments)
   matching.unmatched_energy = options.unmatched_energy;
   check(common);
   check(options, common, parsed.values);
+  check_outputs({common.json, common.html, options.npy, options.csv});
   Team team;
   if (team.size() > 1 && options.store.empty())
     throw Usage_error("several processes need --store, a folder that all reach");

@@ -5,9 +5,6 @@
 
 #include "collection_options.h"
 
-#include "../IO/atomic_file.h"
-
-#include <set>
 #include <sstream>
 
 namespace CGAL {
@@ -23,11 +20,9 @@ constexpr int matching_version = 6;
 /// Options of match that say nothing on a collection.
 void refuse_options_of_pairs(const po::variables_map& values)
 {
-  for (const char* option : {"solutions", "min-marginals", "source-parts", "target-parts", "search-time-limit"}) {
-    const auto& value = values[option];
-    const bool is_given = !value.empty() && !value.defaulted();
-    if (is_given) throw Usage_error("--" + std::string(option) + " is for a pair of shapes, not for a collection");
-  }
+  for (const char* option : {"solutions", "min-marginals", "source-parts", "target-parts", "search-time-limit"})
+    if (is_given(values, option))
+      throw Usage_error("--" + std::string(option) + " is for a pair of shapes, not for a collection");
 }
 
 void parse_tile(Collection_options& options)
@@ -61,7 +56,7 @@ std::string text_of(const po::options_description& options, const po::variables_
 
 po::options_description collection_options(Common_options& common, Collection_options& options)
 {
-  po::options_description result("Options of collection", 100, 68);
+  po::options_description result = option_group("Options of collection");
   auto add = result.add_options();
   add("json", po::value(&common.json)->value_name("FILE"), "write the result as JSON; - is standard output");
   add("npy", po::value(&options.npy)->value_name("FILE"),
@@ -99,8 +94,7 @@ po::options_description collection_options(Common_options& common, Collection_op
       "a pair of parts is clustered if this share of the third shapes that could confirm it do; 0: every pair");
   add("neighbours", po::value(&options.neighbours)->value_name("K"),
       "cluster the part maps of every shape with its K nearest ones only; default: with all of up to 100 shapes, with "
-      "32 "
-      "of more");
+      "32 of more");
   return result;
 }
 
@@ -122,12 +116,6 @@ void check(Collection_options& options, const Common_options& common, const po::
   if (!(options.co_analysis.clustering.inflation > 1)) throw Usage_error("--inflation must be more than 1");
   if (!(options.co_analysis.least_cycle_support >= 0 && options.co_analysis.least_cycle_support <= 1))
     throw Usage_error("--cycle-support must be between 0 and 1");
-  std::set<std::string> outputs{common.json, common.html};
-  for (const std::string& file : {options.npy, options.csv}) {
-    if (file.empty()) continue;
-    if (!outputs.insert(file).second) throw Usage_error("two outputs are the same file, " + file);
-    IO::check_writable(file);
-  }
 }
 
 std::string key_of(const Match_options& match, const Collection_options& options, const po::variables_map& values)

@@ -5,10 +5,7 @@
 
 #include "common_options.h"
 
-#include "../IO/atomic_file.h"
-
 #include <algorithm>
-#include <set>
 #include <sstream>
 #include <utility>
 
@@ -22,18 +19,6 @@ namespace {
 
 // Names that a user is not to write
 constexpr const char* inputs_key = "INPUT";
-
-constexpr int help_width = 100, description_width = 68;
-
-/// The words of a list with commas in between.
-std::vector<std::string> words_of(const std::string& list)
-{
-  std::vector<std::string> words;
-  std::istringstream in(list);
-  for (std::string word; std::getline(in, word, ',');)
-    words.push_back(word);
-  return words;
-}
 
 /// A number without the noise of its last digits.
 std::string short_text(double number)
@@ -104,9 +89,15 @@ Symmetry_options Common_options::symmetry_options() const
   return result;
 }
 
+po::options_description option_group(const std::string& title)
+{
+  constexpr unsigned width = 100, least_description = 68;
+  return po::options_description(title, width, least_description);
+}
+
 po::options_description common_options(Common_options& options)
 {
-  po::options_description result("Options of all commands", help_width, description_width);
+  po::options_description result = option_group("Options of all commands");
   auto add = result.add_options();
   add("threads", po::value(&options.threads)->value_name("N")->notifier([](int n) { check_at_least("threads", n, 1); }),
       "threads to use; default: all of the machine. The result is the same for any number");
@@ -122,7 +113,7 @@ po::options_description common_options(Common_options& options)
 po::options_description model_options(Common_options& options)
 {
   Abstraction_options& abstraction = options.abstraction;
-  po::options_description result("Options on models", help_width, description_width);
+  po::options_description result = option_group("Options on models");
   auto add = result.add_options();
   add("up", po::value(&options.up)->value_name("AXIS")->default_value(options.up),
       "the upright axis of model files: x, y, z or auto, which takes the one along which the model stands best and "
@@ -199,6 +190,21 @@ Arguments parse(const std::vector<std::string>& arguments, const po::options_des
   return result;
 }
 
+bool is_given(const po::variables_map& values, const std::string& option)
+{
+  const po::variable_value& value = values[option];
+  return !value.empty() && !value.defaulted();
+}
+
+std::vector<std::string> words_of(const std::string& list)
+{
+  std::vector<std::string> words;
+  std::istringstream in(list);
+  for (std::string word; std::getline(in, word, ',');)
+    words.push_back(word);
+  return words;
+}
+
 void check(const Common_options& options)
 {
   check_word("up", options.up, {"x", "y", "z", "auto"});
@@ -208,12 +214,6 @@ void check(const Common_options& options)
   check_between("contact-tolerance", options.contact_tolerance, 0, 0.5);
   check_word("progress", options.progress, {"auto", "always", "never"});
   check_abstraction(options.abstraction);
-  std::set<std::string> outputs;
-  for (const std::string& output : {options.json, options.glb, options.html}) {
-    if (output.empty()) continue;
-    if (!outputs.insert(output).second) throw Usage_error("two outputs are the same file, " + output);
-    IO::check_writable(output);
-  }
 }
 
 void check_word(const std::string& option, const std::string& value, const std::vector<std::string>& known)

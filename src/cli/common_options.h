@@ -53,6 +53,9 @@ struct Common_options
   bool prints_table() const { return !quiet && json != "-"; }
 };
 
+/// A group of options, without any as yet.
+boost::program_options::options_description option_group(const std::string& title);
+
 /// The options that all commands share.
 boost::program_options::options_description common_options(Common_options& options);
 
@@ -75,7 +78,13 @@ constexpr std::size_t any_number = std::size_t(-1);
 Arguments parse(const std::vector<std::string>& arguments, const boost::program_options::options_description& options,
                 std::size_t least, std::size_t most);
 
-/// Checks the values of common options. \throw Usage_error, or Invalid_input if an output cannot be written
+/// Whether an option is given, rather than left at its default.
+bool is_given(const boost::program_options::variables_map& values, const std::string& option);
+
+/// The words of a list with commas in between.
+std::vector<std::string> words_of(const std::string& list);
+
+/// Checks the values of common options but for the outputs. \throw Usage_error
 void check(const Common_options& options);
 
 /// Throws `Usage_error` if `value` is none of `known`.

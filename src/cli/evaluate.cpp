@@ -5,9 +5,9 @@
 
 #include "commands.h"
 #include "common_options.h"
+#include "outputs.h"
 #include "text_table.h"
 
-#include "../IO/atomic_file.h"
 #include "../IO/json_text.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
@@ -69,7 +69,7 @@ struct Judged_result
 
 po::options_description evaluate_options(Evaluate_options& evaluate, Common_options& common)
 {
-  po::options_description result("Options of evaluate", 100, 68);
+  po::options_description result = option_group("Options of evaluate");
   auto add = result.add_options();
   add("ground-truth", po::value(&evaluate.labels)->value_name("LABELS")->required(),
       "labels of the shapes' parts; may be given many times");
@@ -311,12 +311,12 @@ void run_evaluate(const std::vector<std::string>& arguments)
   }
   check(common);
   check(evaluate);
+  check_outputs({common.json});
   evaluate.evaluation.seed = std::uint64_t(common.seed);
   const std::vector<IO::Labelled_shape> shapes = read_labels(evaluate.labels);
   const std::vector<Judged_result> results = judge(result_files(parsed.inputs), shapes);
   const Evaluation evaluation = mean_scores(results, evaluate.evaluation);
-  if (!common.json.empty())
-    IO::write_atomically(common.json, [&](std::ostream& out) { write_evaluation_json(out, evaluation, results); });
+  write_output(common.json, [&](std::ostream& out) { write_evaluation_json(out, evaluation, results); });
   if (common.prints_table()) print(evaluation, results, evaluate.worst);
 }
 

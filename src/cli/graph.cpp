@@ -6,10 +6,10 @@
 #include "commands.h"
 #include "common_options.h"
 #include "load_shape.h"
+#include "outputs.h"
 #include "text_table.h"
 #include "thread_limit.h"
 
-#include "../IO/atomic_file.h"
 #include "../IO/report_text.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
@@ -48,7 +48,7 @@ struct Graph_files
 
 po::options_description graph_options(Common_options& common, Graph_files& files)
 {
-  po::options_description result("Options of graph", 100, 68);
+  po::options_description result = option_group("Options of graph");
   auto add = result.add_options();
   add("json,o", po::value(&common.json)->value_name("FILE"),
       "write the graph as JSON, which match reads in place of the model; - is standard output");
@@ -112,25 +112,16 @@ void run_graph(const std::vector<std::string>& arguments)
     return;
   }
   check(common);
-  for (const std::string& file : {files.graphml, files.dot})
-    if (!file.empty()) IO::check_writable(file);
+  check_outputs({common.json, common.glb, common.html, files.graphml, files.dot});
   const Thread_limit limit(common.threads);
   const Loaded_shape shape = load_shape(parsed.inputs[0], common);
-  if (!common.json.empty())
-    IO::write_atomically(common.json, [&](std::ostream& out) { IO::write_structural_graph_json(out, shape.graph); });
-  if (!common.glb.empty())
-    IO::write_atomically(common.glb, [&](std::ostream& out) {
-      IO::write_structural_graph_glb(out, shape.graph, shape.model_pointer());
-    });
-  if (!common.html.empty())
-    IO::write_atomically(common.html, [&](std::ostream& out) {
-      IO::write_structural_graph_html(out, shape.graph, shape.model_pointer());
-    });
-  if (!files.graphml.empty())
-    IO::write_atomically(files.graphml,
-                         [&](std::ostream& out) { IO::write_structural_graph_graphml(out, shape.graph); });
-  if (!files.dot.empty())
-    IO::write_atomically(files.dot, [&](std::ostream& out) { IO::write_structural_graph_dot(out, shape.graph); });
+  write_output(common.json, [&](std::ostream& out) { IO::write_structural_graph_json(out, shape.graph); });
+  write_output(common.glb,
+               [&](std::ostream& out) { IO::write_structural_graph_glb(out, shape.graph, shape.model_pointer()); });
+  write_output(common.html,
+               [&](std::ostream& out) { IO::write_structural_graph_html(out, shape.graph, shape.model_pointer()); });
+  write_output(files.graphml, [&](std::ostream& out) { IO::write_structural_graph_graphml(out, shape.graph); });
+  write_output(files.dot, [&](std::ostream& out) { IO::write_structural_graph_dot(out, shape.graph); });
   if (common.prints_table()) print_graph(parsed.inputs[0], shape.graph);
 }
 

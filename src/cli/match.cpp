@@ -8,9 +8,8 @@
 #include "load_shape.h"
 #include "match_options.h"
 #include "match_table.h"
+#include "outputs.h"
 #include "thread_limit.h"
-
-#include "../IO/atomic_file.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
@@ -45,7 +44,7 @@ Examples: shape_correspondence match chair.obj swivel_chair.obj --json result.js
 
 po::options_description output_options(Common_options& common)
 {
-  po::options_description result("Output", 100, 68);
+  po::options_description result = option_group("Output");
   auto add = result.add_options();
   add("json", po::value(&common.json)->value_name("FILE"), "write the result as JSON; - is standard output");
   add("glb", po::value(&common.glb)->value_name("FILE"),
@@ -89,6 +88,7 @@ void run_match(const std::vector<std::string>& arguments)
   }
   Search_options search_with = search_options(match, parsed.values);
   check(common);
+  check_outputs({common.json, common.glb, common.html});
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
   const std::vector<Loaded_shape> shapes = load_shapes(paths, common);
@@ -100,20 +100,17 @@ void run_match(const std::vector<std::string>& arguments)
   const IO::Match_seconds seconds{source.read_seconds + target.read_seconds,
                                   source.abstraction_seconds + target.abstraction_seconds,
                                   source.structure_seconds + target.structure_seconds, now() - begin};
-  if (!common.json.empty())
-    IO::write_atomically(common.json, [&](std::ostream& out) {
-      IO::write_correspondences_json(out, ranked, source.graph, target.graph, paths[0], paths[1], seconds);
-    });
-  if (!common.glb.empty())
-    IO::write_atomically(common.glb, [&](std::ostream& out) {
-      IO::write_correspondence_glb(out, ranked[0], source.graph, target.graph, source.model_pointer(),
-                                   target.model_pointer());
-    });
-  if (!common.html.empty())
-    IO::write_atomically(common.html, [&](std::ostream& out) {
-      IO::write_correspondence_html(out, ranked[0], source.graph, target.graph, source.model_pointer(),
-                                    target.model_pointer());
-    });
+  write_output(common.json, [&](std::ostream& out) {
+    IO::write_correspondences_json(out, ranked, source.graph, target.graph, paths[0], paths[1], seconds);
+  });
+  write_output(common.glb, [&](std::ostream& out) {
+    IO::write_correspondence_glb(out, ranked[0], source.graph, target.graph, source.model_pointer(),
+                                 target.model_pointer());
+  });
+  write_output(common.html, [&](std::ostream& out) {
+    IO::write_correspondence_html(out, ranked[0], source.graph, target.graph, source.model_pointer(),
+                                  target.model_pointer());
+  });
   if (common.prints_table()) write_match_table(std::cout, ranked[0], source.graph, target.graph);
 }
 

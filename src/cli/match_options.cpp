@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace CGAL {
@@ -72,12 +71,6 @@ const std::pair<const char*, Search_method> energy_options[] = {
     {"allow-unmatched", Search_method::EXACT}, {"search-time-limit", Search_method::EXACT},
     {"min-marginals", Search_method::EXACT},   {"solutions", Search_method::EXACT}};
 
-bool is_given(const po::variables_map& values, const char* option)
-{
-  const auto& value = values[option];
-  return !value.empty() && !value.defaulted();
-}
-
 Search_method search_method(const Match_options& match, const po::variables_map& values)
 {
   if (match.paper && match.method != "auto" && match.method != "beam")
@@ -97,7 +90,7 @@ Search_method search_method(const Match_options& match, const po::variables_map&
 
 po::options_description match_options(Match_options& match)
 {
-  po::options_description result("Options of match", 100, 68);
+  po::options_description result = option_group("Options of match");
   auto add = result.add_options();
   add("search", po::value(&match.method)->value_name("METHOD")->default_value(match.method),
       "parts (what parts cost standing for one another; agrees best with people), beam (least deformation energy by "
@@ -173,8 +166,7 @@ std::vector<std::size_t> chosen_parts(const std::string& names, const Structural
 {
   std::vector<std::size_t> result;
   const auto& parts = structure(graph).parts;
-  std::istringstream list(names);
-  for (std::string name; std::getline(list, name, ',');) {
+  for (const std::string& name : words_of(names)) {
     const auto found =
         std::find_if(parts.begin(), parts.end(), [&](const Part_abstraction& part) { return part.name == name; });
     if (found == parts.end())

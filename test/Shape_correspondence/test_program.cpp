@@ -91,6 +91,7 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
                                        "graph " + a + " --time-limit -1",
                                        "graph " + a + " --curve-points 1",
                                        "graph " + a + " --html - --json -",
+                                       "graph " + a + " --graphml - --dot -",
                                        "match " + a + " " + a + " --solutions 0",
                                        "match " + a + " " + a + " --beam-width 0",
                                        "match " + a + " " + a + " --beam-width many",

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "outputs.h"
+
+#include "common_options.h"
+
+#include "../IO/atomic_file.h"
+
+#include <set>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+
+void check_outputs(const std::vector<std::string>& files)
+{
+  std::set<std::string> outputs;
+  for (const std::string& file : files) {
+    if (file.empty()) continue;
+    if (!outputs.insert(file).second) throw Usage_error("two outputs are the same file, " + file);
+    IO::check_writable(file);
+  }
+}
+
+void write_output(const std::string& file, const std::function<void(std::ostream&)>& write)
+{
+  if (!file.empty()) IO::write_atomically(file, write);
+}
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL
