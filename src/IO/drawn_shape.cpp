@@ -5,6 +5,7 @@
 
 #include "drawn_shape.h"
 
+#include "colours.h"
 #include "picture_geometry.h"
 
 #include <CGAL/Shape_correspondence/internal/quarter_turn.h>
@@ -122,6 +123,19 @@ std::vector<int> match_numbers(const Correspondence& correspondence, std::size_t
     result[i] = static_cast<int>(found - roots.begin());
     if (found == roots.end()) roots.push_back(components.find(i));
   }
+  return result;
+}
+
+std::vector<int> add_match_materials(Glb_builder& glb, const Correspondence& correspondence, std::size_t sources,
+                                     std::size_t targets)
+{
+  std::vector<int> result = match_numbers(correspondence, sources, targets);
+  const int matches = 1 + *std::max_element(result.begin(), result.end());
+  int number = 0;
+  for (const Colour& colour : distinct_colours(static_cast<std::size_t>(matches)))
+    glb.add_material("match_" + std::to_string(++number), colour);
+  const int unmatched = glb.add_material("unmatched", grey());
+  std::replace(result.begin(), result.end(), -1, unmatched);
   return result;
 }
 

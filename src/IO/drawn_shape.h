@@ -61,6 +61,11 @@ std::array<Point, 2> side_by_side(const Drawn_shape& left, const Drawn_shape& ri
 /// target's parts come after the source's.
 std::vector<int> match_numbers(const Correspondence& correspondence, std::size_t sources, std::size_t targets);
 
+/// Adds a material for every match, and a grey one for parts in no pair. \return the material of every part, the
+/// target's parts after the source's
+std::vector<int> add_match_materials(Glb_builder& glb, const Correspondence& correspondence, std::size_t sources,
+                                     std::size_t targets);
+
 } // namespace IO
 } // namespace Shape_correspondence
 } // namespace CGAL

@@ -57,19 +57,30 @@ std::vector<std::string> flags_of(const Abstraction_report& report)
   return result;
 }
 
-std::string name_of(const Symmetry& symmetry)
+const char* name_of(Symmetry_type type)
 {
-  switch (symmetry.type) {
+  switch (type) {
+  case Symmetry_type::SELF:
+    return "self";
   case Symmetry_type::REFLECTION:
     return "reflection";
   case Symmetry_type::ROTATION:
-    return "rotation, " + std::to_string(symmetry.order) + "-fold";
+    return "rotation";
   case Symmetry_type::TRANSLATION:
     return "translation";
-  case Symmetry_type::SELF:
-    break;
   }
   return "self";
+}
+
+std::string name_of(const Symmetry& symmetry)
+{
+  const std::string name = name_of(symmetry.type);
+  return symmetry.type == Symmetry_type::ROTATION ? name + ", " + std::to_string(symmetry.order) + "-fold" : name;
+}
+
+std::string kind_of(const Part_abstraction& part)
+{
+  return part.is_sheet() ? "sheet" : part.is_closed_curve() ? "closed curve" : "curve";
 }
 
 } // namespace IO

@@ -20,8 +20,12 @@ const char* name_of(Abstraction_report::Method method);
 const char* name_of(Abstraction_report::Repair repair);
 std::vector<std::string> flags_of(const Abstraction_report& report);
 
-/// The kind of a symmetry in words.
+/// The kind of a symmetry, as files have it.
+const char* name_of(Symmetry_type type);
+
+/// A symmetry and a part's kind in words, for people.
 std::string name_of(const Symmetry& symmetry);
+std::string kind_of(const Part_abstraction& part);
 
 } // namespace IO
 } // namespace Shape_correspondence

@@ -5,14 +5,12 @@
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
-#include "colours.h"
 #include "drawn_shape.h"
 #include "json_text.h"
 #include "picture_geometry.h"
 
 #include <CGAL/Shape_correspondence/internal/for_each_index.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -39,20 +37,6 @@ void append_little_endian(std::string& bytes, Number number)
   std::memcpy(&bits, &number, sizeof(bits));
   for (std::size_t byte = 0; byte < sizeof(bits); ++byte)
     bytes.push_back(static_cast<char>(bits >> (8 * byte) & 0xFF));
-}
-
-/// The materials of parts, the target's after the source's: one for what corresponds, grey for the rest.
-std::vector<int> materials_of(Glb_builder& glb, const Correspondence& correspondence, std::size_t sources,
-                              std::size_t targets)
-{
-  std::vector<int> result = match_numbers(correspondence, sources, targets);
-  const int matches = 1 + *std::max_element(result.begin(), result.end());
-  int number = 0;
-  for (const Colour& colour : distinct_colours(static_cast<std::size_t>(matches)))
-    glb.add_material("match_" + std::to_string(++number), colour);
-  const int unmatched = glb.add_material("unmatched", grey());
-  std::replace(result.begin(), result.end(), -1, unmatched);
-  return result;
 }
 
 /// The shape at an end, seen from `begin` to `end`.
@@ -125,7 +109,8 @@ void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Correspo
 {
   const Segmented_shape source = blend(0), target = blend(1);
   Glb_builder glb;
-  const std::vector<int> materials = materials_of(glb, correspondence, source.parts().size(), target.parts().size());
+  const std::vector<int> materials =
+      add_match_materials(glb, correspondence, source.parts().size(), target.parts().size());
   const auto time = [&](double t) { return hold_seconds + t * motion_seconds; };
   std::vector<int> roots = {add_end(glb, source, materials.data(), 0, hold_seconds)};
 

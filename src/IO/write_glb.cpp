@@ -8,28 +8,12 @@
 #include "colours.h"
 #include "drawn_shape.h"
 
-#include <algorithm>
-
 namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 namespace {
 
 constexpr double surface_alpha = 0.25;
-
-/// The material of every part, the target's after the source's: one a match, grey for parts in no pair.
-std::vector<int> match_materials(const Correspondence& correspondence, std::size_t sources, std::size_t targets,
-                                 Glb_builder& glb)
-{
-  std::vector<int> materials = match_numbers(correspondence, sources, targets);
-  const int matches = 1 + *std::max_element(materials.begin(), materials.end());
-  const std::vector<Colour> colours = distinct_colours(static_cast<std::size_t>(matches));
-  for (int i = 0; i < matches; ++i)
-    glb.add_material("match_" + std::to_string(i + 1), colours[static_cast<std::size_t>(i)]);
-  const int unmatched = glb.add_material("unmatched", grey());
-  std::replace(materials.begin(), materials.end(), -1, unmatched);
-  return materials;
-}
 
 /// \param materials of the shape's parts, from here on
 int add_shape(Glb_builder& glb, const Drawn_shape& shape, const int* materials, const Point& translation)
@@ -50,7 +34,7 @@ void write_correspondence_glb(std::ostream& out, const Correspondence& correspon
   const Drawn_shape right(target, target_shape, correspondence.target_quarter_turns);
   Glb_builder glb;
   const std::vector<int> materials =
-      match_materials(correspondence, left.number_of_parts(), right.number_of_parts(), glb);
+      add_match_materials(glb, correspondence, left.number_of_parts(), right.number_of_parts());
   const std::array<Point, 2> places = side_by_side(left, right);
   const int first = add_shape(glb, left, materials.data(), places[0]);
   const int second = add_shape(glb, right, materials.data() + left.number_of_parts(), places[1]);

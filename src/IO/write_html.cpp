@@ -9,6 +9,8 @@
 #include "html_page.h"
 #include "report_text.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <sstream>
 
@@ -20,6 +22,7 @@ namespace {
 constexpr double surface_alpha = 0.35;
 constexpr const char *surfaces = "surfaces", *abstractions = "curves and sheets", *contacts = "contacts";
 
+using boost::algorithm::join;
 using Details = std::vector<std::pair<std::string, std::string>>;
 
 std::string text_of(double number)
@@ -28,19 +31,6 @@ std::string text_of(double number)
   out.precision(3);
   out << number;
   return out.str();
-}
-
-std::string kind_of(const Part_abstraction& part)
-{
-  return part.is_sheet() ? "sheet" : part.is_closed_curve() ? "closed curve" : "curve";
-}
-
-std::string listed(const std::vector<std::string>& words)
-{
-  std::string result;
-  for (const std::string& word : words)
-    result += (result.empty() ? "" : ", ") + word;
-  return result;
 }
 
 std::string method_of(const Abstraction_report& report)
@@ -52,7 +42,7 @@ Details details_of(const Part_abstraction& part)
 {
   const Abstraction_report& report = part.report;
   Details result{{"kind", kind_of(part)}, {"method", method_of(report)}, {"repair", name_of(report.repair)}};
-  if (!flags_of(report).empty()) result.emplace_back("flags", listed(flags_of(report)));
+  if (!flags_of(report).empty()) result.emplace_back("flags", join(flags_of(report), ", "));
   if (report.is_fallback()) result.emplace_back("bounding box, because", report.fallback);
   result.emplace_back("residual", text_of(report.residual));
   result.emplace_back("coverage", text_of(report.coverage));
@@ -62,7 +52,7 @@ Details details_of(const Part_abstraction& part)
 
 std::vector<std::string> part_cells(const std::string& group, const Part_abstraction& part)
 {
-  return {group, part.name, kind_of(part), method_of(part.report), listed(flags_of(part.report))};
+  return {group, part.name, kind_of(part), method_of(part.report), join(flags_of(part.report), ", ")};
 }
 
 /// Adds the parts of one shape of a pair. \return the thing of each
@@ -100,7 +90,7 @@ void add_matches(Html_page& page, const Drawn_shape shapes[2], const std::vector
     }
     if (!row.empty())
       page.add_row(row, is_last ? grey() : colours[static_cast<std::size_t>(match)],
-                   {listed(names[0]), listed(names[1])});
+                   {join(names[0], ", "), join(names[1], ", ")});
   }
 }
 

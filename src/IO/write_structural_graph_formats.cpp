@@ -5,6 +5,9 @@
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 
+#include "report_text.h"
+
+#include <boost/algorithm/string/join.hpp>
 #include <boost/graph/graphml.hpp>
 #include <boost/graph/graphviz.hpp>
 #include <boost/property_map/function_property_map.hpp>
@@ -19,32 +22,17 @@ using Edge = boost::graph_traits<Structural_graph>::edge_descriptor;
 
 std::string names(const Structural_graph& graph, Vertex v)
 {
-  std::string result;
+  std::vector<std::string> result;
   for (std::size_t part : graph[v].parts)
-    result += (result.empty() ? "" : ", ") + structure(graph).parts[part].name;
-  return result;
-}
-
-std::string name_of(Symmetry_type type)
-{
-  switch (type) {
-  case Symmetry_type::REFLECTION:
-    return "reflection";
-  case Symmetry_type::ROTATION:
-    return "rotation";
-  case Symmetry_type::TRANSLATION:
-    return "translation";
-  case Symmetry_type::SELF:
-    break;
-  }
-  return "self";
+    result.push_back(structure(graph).parts[part].name);
+  return boost::algorithm::join(result, ", ");
 }
 
 /// The columns of both formats. \param label what the parts' names are called
 boost::dynamic_properties properties(const Structural_graph& graph, const std::string& label)
 {
   const auto parts = [&graph](Vertex v) { return names(graph, v); };
-  const auto symmetry = [&graph](Vertex v) { return name_of(graph[v].symmetry.type); };
+  const auto symmetry = [&graph](Vertex v) -> std::string { return name_of(graph[v].symmetry.type); };
   const auto solid = [&graph](Vertex v) { return solidity(graph[v].volume, graph[v].hull_volume); };
   const auto contacts = [&graph](const Edge& e) { return static_cast<int>(graph[e].contacts.size()); };
   boost::dynamic_properties result;

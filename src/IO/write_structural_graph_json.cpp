@@ -84,24 +84,20 @@ Json part(const Part_abstraction& part)
 
 void set_symmetry(Json& group, const Symmetry& symmetry)
 {
+  group["symmetry"] = name_of(symmetry.type);
   switch (symmetry.type) {
   case Symmetry_type::SELF:
-    group["symmetry"] = "self";
     if (symmetry.direction.isZero()) return;
-    group["plane"] = {{"point", point(symmetry.point)}, {"normal", point(symmetry.direction)}};
-    break;
+    [[fallthrough]];
   case Symmetry_type::REFLECTION:
-    group["symmetry"] = "reflection";
     group["plane"] = {{"point", point(symmetry.point)}, {"normal", point(symmetry.direction)}};
     break;
   case Symmetry_type::ROTATION:
-    group["symmetry"] = "rotation";
     group["axis"] = point(symmetry.direction);
     group["point"] = point(symmetry.point);
     group["order"] = symmetry.order;
     break;
   case Symmetry_type::TRANSLATION:
-    group["symmetry"] = "translation";
     group["vector"] = point(symmetry.direction);
     group["point"] = point(symmetry.point);
     break;

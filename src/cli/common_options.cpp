@@ -5,6 +5,8 @@
 
 #include "common_options.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <sstream>
 #include <utility>
@@ -219,10 +221,7 @@ void check(const Common_options& options)
 void check_word(const std::string& option, const std::string& value, const std::vector<std::string>& known)
 {
   if (std::find(known.begin(), known.end(), value) != known.end()) return;
-  std::string list;
-  for (const std::string& word : known)
-    list += (list.empty() ? "" : ", ") + word;
-  throw Usage_error("--" + option + " cannot be '" + value + "'; known are: " + list);
+  throw Usage_error("--" + option + " cannot be '" + value + "'; known are: " + boost::algorithm::join(known, ", "));
 }
 
 void check_at_least(const std::string& option, int value, int least)

@@ -63,11 +63,6 @@ po::options_description graph_options(Common_options& common, Graph_files& files
   return result;
 }
 
-std::string type_of(const Part_abstraction& part)
-{
-  return part.is_sheet() ? "sheet" : part.is_closed_curve() ? "closed curve" : "curve";
-}
-
 std::string touched_parts(const Shape_structure& shape, std::size_t part)
 {
   std::vector<std::string> names;
@@ -88,7 +83,7 @@ void print_graph(const std::string& path, const Structural_graph& graph)
       const Part_abstraction& p = shape.parts[part];
       const bool first = part == graph[v].parts[0];
       rows.push_back({first ? std::to_string(v + 1) : "", first ? IO::name_of(graph[v].symmetry) : "", p.name,
-                      type_of(p), short_number(solidity(p.volume, p.hull_volume)), touched_parts(shape, part)});
+                      IO::kind_of(p), short_number(solidity(p.volume, p.hull_volume)), touched_parts(shape, part)});
     }
   }
   std::cout << path << ": " << shape.parts.size() << " parts, " << num_vertices(graph) << " groups, "

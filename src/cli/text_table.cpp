@@ -5,6 +5,8 @@
 
 #include "text_table.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <ostream>
 #include <sstream>
@@ -55,10 +57,7 @@ std::string short_number(double number)
 
 std::string listed(const std::vector<std::string>& words)
 {
-  std::string result;
-  for (const std::string& word : words)
-    result += (result.empty() ? "" : ", ") + word;
-  return result.empty() ? "-" : result;
+  return words.empty() ? "-" : boost::algorithm::join(words, ", ");
 }
 
 } // namespace cli
