@@ -44,81 +44,65 @@ bool is_device(const fs::path& file)
   return fs::exists(file, error) && !fs::is_regular_file(file, error) && !fs::is_directory(file, error);
 }
 
-/// A file of a new name beside `file`, removed again unless it is renamed.
-class Temporary_file
+/// What is made under a temporary name, for `path`; removed again unless it is renamed.
+class Temporary
 {
 public:
-  Temporary_file(const std::string& path, const fs::path& file) : path_(path)
-  {
-    // Other threads and processes may be writing the same file.
-    static std::atomic<unsigned> count{0};
-    int descriptor = -1;
-    while (descriptor < 0) {
-      name_ = file.string() + ".tmp" + std::to_string(getpid()) + '_' + std::to_string(count++);
-      descriptor = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
-      if (descriptor < 0 && errno != EEXIST) fail(path, std::strerror(errno));
-    }
-    close(descriptor);
-  }
-  ~Temporary_file()
-  {
-    if (!renamed_) unlink(name_.c_str());
-  }
-  Temporary_file(const Temporary_file&) = delete;
-  Temporary_file& operator=(const Temporary_file&) = delete;
-
-  const std::string& name() const { return name_; }
-
-  void rename_to(const fs::path& file)
-  {
-    std::error_code error;
-    fs::rename(name_, file, error);
-    if (error) fail(path_, error.message());
-    renamed_ = true;
-  }
-
-private:
-  std::string path_;
-  std::string name_;
-  bool renamed_ = false;
-};
-
-/// A folder of a new name beside `folder`, removed again unless it is renamed.
-class Temporary_folder
-{
-public:
-  Temporary_folder(const std::string& path, const fs::path& folder) : path_(path)
-  {
-    std::error_code error;
-    for (unsigned count = 0;; ++count) {
-      name_ = folder.string() + ".tmp" + std::to_string(getpid()) + '_' + std::to_string(count);
-      if (fs::create_directory(name_, error)) return;
-      if (error) fail(path, error.message());
-    }
-  }
-  ~Temporary_folder()
+  Temporary(const std::string& path, const std::string& name) : path_(path), name_(name) {}
+  ~Temporary()
   {
     std::error_code error;
     if (!renamed_) fs::remove_all(name_, error);
   }
-  Temporary_folder(const Temporary_folder&) = delete;
-  Temporary_folder& operator=(const Temporary_folder&) = delete;
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
 
   const std::string& name() const { return name_; }
 
-  void rename_to(const fs::path& folder)
+  void rename_to(const fs::path& place)
   {
     std::error_code error;
-    fs::rename(name_, folder, error); // takes the place of an empty folder
+    fs::rename(name_, place, error); // takes the place of a file, or of an empty folder
     if (error) fail(path_, error.message());
     renamed_ = true;
   }
 
 private:
-  std::string path_;
-  std::string name_;
+  std::string path_, name_;
   bool renamed_ = false;
 };
+
+/// Another name beside `place` each time; other processes may have made something of that name.
+std::string temporary_name(const fs::path& place)
+{
+  static std::atomic<unsigned> count{0};
+  return place.string() + ".tmp" + std::to_string(getpid()) + '_' + std::to_string(count++);
+}
+
+/// Makes a file of a new name beside `file`. \return its name
+std::string make_file_beside(const fs::path& file, const std::string& path)
+{
+  for (;;) {
+    const std::string name = temporary_name(file);
+    const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
+    if (descriptor >= 0) {
+      close(descriptor);
+      return name;
+    }
+    if (errno != EEXIST) fail(path, std::strerror(errno));
+  }
+}
+
+/// Makes a folder of a new name beside `folder`. \return its name
+std::string make_folder_beside(const fs::path& folder, const std::string& path)
+{
+  for (;;) {
+    const std::string name = temporary_name(folder);
+    std::error_code error;
+    if (fs::create_directory(name, error)) return name;
+    if (error) fail(path, error.message());
+  }
+}
 
 /// Without slashes at its end, which would be inside the folder.
 fs::path folder_path(const std::string& path)
@@ -149,7 +133,7 @@ void check_writable(const std::string& path)
   if (path == "-") return;
   const fs::path file = resolved(path);
   check_existing(path, file);
-  if (!is_device(file)) Temporary_file probe(path, file);
+  if (!is_device(file)) Temporary(path, make_file_beside(file, path)); // gone again at once
 }
 
 void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write)
@@ -161,7 +145,7 @@ void write_atomically(const std::string& path, const std::function<void(std::ost
     std::ofstream out(file, std::ios::binary);
     return write_directly(path, out, write);
   }
-  Temporary_file temporary(path, file);
+  Temporary temporary(path, make_file_beside(file, path));
   std::ofstream out(temporary.name(), std::ios::binary);
   write_directly(path, out, write);
   out.close();
@@ -174,15 +158,24 @@ void check_new_folder(const std::string& path)
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail(path, "it is a file");
   if (fs::exists(folder, error) && !fs::is_empty(folder, error)) fail(path, "the folder is there and not empty");
-  Temporary_folder probe(path, folder);
+  Temporary(path, make_folder_beside(folder, path)); // gone again at once
 }
 
 void write_folder_atomically(const std::string& path, const std::function<void(const std::string&)>& write)
 {
   const fs::path folder = folder_path(path);
-  Temporary_folder temporary(path, folder);
+  Temporary temporary(path, make_folder_beside(folder, path));
   write(temporary.name());
   temporary.rename_to(folder);
+}
+
+void make_folder(const std::string& path, const std::string& use)
+{
+  std::error_code error, none;
+  fs::create_directories(path, error);
+  if (!fs::is_directory(path, none))
+    throw Invalid_input(path + ": it cannot be used as " + use + " (" + (error ? error.message() : "it is a file") +
+                        "); choose another folder");
 }
 
 } // namespace IO

@@ -31,6 +31,10 @@ void check_new_folder(const std::string& path);
 /// nothing. \throw Invalid_input if that fails; names the folder
 void write_folder_atomically(const std::string& path, const std::function<void(const std::string&)>& write);
 
+/// Makes a folder if there is none. \param use what it is to be, "a store", for the user
+/// \throw Invalid_input if that fails; names the folder
+void make_folder(const std::string& path, const std::string& use);
+
 } // namespace IO
 } // namespace Shape_correspondence
 } // namespace CGAL

@@ -5,10 +5,11 @@
 
 #include "json_field.h"
 
+#include "input_file.h"
+
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <cmath>
-#include <fstream>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -97,15 +98,19 @@ Point Json_field::unit_vector() const
   return result;
 }
 
-nlohmann::json read_json_file(const std::string& path)
+nlohmann::json read_json(std::istream& in, const std::string& file)
 {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw Invalid_input(path + ": the file cannot be opened");
   try {
     return nlohmann::json::parse(in);
   } catch (const nlohmann::json::exception& error) {
-    throw Invalid_input(path + ": it is not a JSON document (" + error.what() + ")");
+    throw Invalid_input(file + ": it is not a JSON document (" + error.what() + ")");
   }
+}
+
+nlohmann::json read_json_file(const std::string& path)
+{
+  std::ifstream in = open_input(path);
+  return read_json(in, path);
 }
 
 } // namespace IO

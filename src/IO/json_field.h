@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,9 @@ private:
   std::string file_;
   std::string place_;
 };
+
+/// The JSON document in a stream. \throw Invalid_input if it is none; names `file`
+nlohmann::json read_json(std::istream& in, const std::string& file);
 
 /// The JSON document in a file. \throw Invalid_input if it cannot be read or is none
 nlohmann::json read_json_file(const std::string& path);

@@ -6,7 +6,6 @@
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>
 
 #include <charconv>
-#include <cstdint>
 #include <ostream>
 
 namespace CGAL {

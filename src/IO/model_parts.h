@@ -27,6 +27,9 @@ std::vector<Model_part> read_obj_parts(const std::string& file);
 std::vector<Model_part> read_soup_part(const std::string& file); ///< OFF and PLY, in double precision
 std::vector<Model_part> read_parts_with_assimp(const std::string& file);
 
+/// Whether there is a reader for files of a name like this, by its extension.
+bool is_model_file(const std::string& path);
+
 /// Adds the triangles of a polygon, concave ones included, to `corners`. Polygons of fewer than 3 corners add nothing.
 void add_polygon(const std::vector<Point>& polygon, std::vector<Point>& corners);
 

@@ -7,10 +7,9 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
+#include <algorithm>
 #include <charconv>
-#include <filesystem>
 #include <fstream>
-#include <map>
 #include <string_view>
 
 // An own reader for Wavefront OBJ: assimp keeps coordinates as float, so a shape far from the origin would lose digits,

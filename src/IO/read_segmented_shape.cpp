@@ -6,12 +6,11 @@
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
+#include "input_file.h"
 #include "model_parts.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <fstream>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -22,20 +21,12 @@ namespace fs = std::filesystem;
 
 const char* const known_formats = "OBJ, PLY, STL, OFF, glTF, GLB, COLLADA (dae)";
 
-std::string lower_extension(const fs::path& path)
-{
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
-
 using Reader = std::vector<Model_part> (*)(const std::string&);
 
 /// The reader of a file's format; null if it is no format of models.
 Reader reader_of(const fs::path& file)
 {
-  const std::string extension = lower_extension(file);
+  const std::string extension = lower_extension(file.string());
   if (extension == ".obj") return read_obj_parts;
   if (extension == ".off" || extension == ".ply") return read_soup_part;
   for (const char* known : {".stl", ".gltf", ".glb", ".dae"}) {
@@ -46,8 +37,7 @@ Reader reader_of(const fs::path& file)
 
 void check_readable(const fs::path& file)
 {
-  if (!std::ifstream(file))
-    throw Invalid_input(file.string() + ": it cannot be opened for reading; check its permissions");
+  open_input(file.string());
   std::error_code error;
   if (fs::file_size(file, error) == 0 && !error) throw Invalid_input(file.string() + ": the file is empty");
 }
@@ -155,6 +145,8 @@ Segmented_shape read_folder(const fs::path& path, const Point& up)
 }
 
 } // namespace
+
+bool is_model_file(const std::string& path) { return reader_of(path) != nullptr; }
 
 Segmented_shape read_segmented_shape(const std::string& path, const Point& up)
 {

@@ -4,7 +4,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
-#include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include "frame_of_abstractions.h"
 #include "json_field.h"
@@ -323,12 +322,7 @@ Structural_graph read_graph(const Json_field& document, const Structure_options&
 Structural_graph read_structural_graph_json(std::istream& in, const std::string& file_name,
                                             const Structure_options& options)
 {
-  nlohmann::json document;
-  try {
-    document = nlohmann::json::parse(in);
-  } catch (const nlohmann::json::exception& error) {
-    throw Invalid_input(file_name + ": it is not a JSON document (" + error.what() + ")");
-  }
+  const nlohmann::json document = read_json(in, file_name);
   return read_graph(Json_field(document, file_name), options);
 }
 

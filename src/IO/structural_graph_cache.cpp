@@ -6,6 +6,7 @@
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 
 #include "atomic_file.h"
+#include "checked_file.h"
 #include "digest.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <type_traits>
 
@@ -23,12 +23,8 @@ namespace Shape_correspondence {
 namespace IO {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// To be raised with every change that makes another graph of the same shape and options.
 constexpr int algorithms_version = 5;
-
-constexpr const char* first_words = "shape_correspondence cache entry";
 
 /// Values in their bytes, one after the other.
 class Bytes
@@ -75,18 +71,7 @@ void add(const Abstraction_options& options, Bytes& bytes)
                 options.time_limit, options.curve_points, options.sheet_points);
 }
 
-std::string read_file(const std::string& path)
-{
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-std::string heading(const std::string& content, const std::string& text)
-{
-  return std::string(first_words) + ' ' + content + ' ' + digest(text) + '\n';
-}
+std::string title(const std::string& content) { return "shape_correspondence cache entry " + content; }
 
 } // namespace
 
@@ -105,27 +90,20 @@ std::string content_hash(const Segmented_shape& shape, const Structure_options& 
 
 Structural_graph_cache::Structural_graph_cache(std::string folder) : folder_(std::move(folder))
 {
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  if (!fs::is_directory(folder_))
-    throw Invalid_input(folder_ + ": it cannot be used as a cache folder (" +
-                        (error ? error.message() : "it is a file") + "); choose another one");
+  make_folder(folder_, "a cache folder");
 }
 
 std::string Structural_graph_cache::path(const std::string& content) const
 {
-  return (fs::path(folder_) / (content + ".graph")).string();
+  return (std::filesystem::path(folder_) / (content + ".graph")).string();
 }
 
 std::optional<Structural_graph> Structural_graph_cache::find(const std::string& content) const
 {
-  const std::string entry = read_file(path(content));
-  const std::size_t line = entry.find('\n');
-  if (line == std::string::npos) return std::nullopt;
-  const std::string text = entry.substr(line + 1);
-  if (entry.compare(0, line + 1, heading(content, text)) != 0) return std::nullopt;
+  const std::optional<std::string> text = read_checked_file(path(content), title(content));
+  if (!text) return std::nullopt;
   try {
-    std::istringstream in(text);
+    std::istringstream in(*text);
     Structural_graph graph = read_structural_graph_json(in, path(content));
     if (structure(graph).content == content) return graph;
   } catch (const Invalid_input&) {
@@ -140,8 +118,7 @@ void Structural_graph_cache::insert(const Structural_graph& graph) const
   if (shape.content.empty() || std::any_of(shape.parts.begin(), shape.parts.end(), reached_limit)) return;
   std::ostringstream text;
   write_structural_graph_json(text, graph);
-  write_atomically(path(shape.content),
-                   [&](std::ostream& out) { out << heading(shape.content, text.str()) << text.str(); });
+  write_checked_file(path(shape.content), title(shape.content), text.str());
 }
 
 } // namespace IO

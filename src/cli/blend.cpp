@@ -200,10 +200,7 @@ void run_blend(const std::vector<std::string>& arguments)
                          [&](std::ostream& out) { IO::write_blend_glb(out, blend, correspondence, output.frames); });
   else
     IO::write_folder_atomically(output.path, [&](const std::string& folder) { write_frames(folder, output, blend); });
-  std::vector<std::string> warnings;
-  for (std::size_t i : {0u, 1u})
-    for (const std::string& warning : structure(shapes[i].graph).warnings)
-      warnings.push_back(paths[i] + ": " + warning);
+  std::vector<std::string> warnings = warnings_of(paths, shapes);
   warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
   write_output(common.json, [&](std::ostream& out) {
     IO::write_blend_json(out, blend, source.graph, target.graph, paths[0], paths[1], output.path, output.frames,

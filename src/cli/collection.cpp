@@ -26,6 +26,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 namespace cli {
+
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
 

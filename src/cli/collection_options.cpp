@@ -10,6 +10,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 namespace cli {
+
 namespace po = boost::program_options;
 
 namespace {

@@ -10,18 +10,16 @@
 
 #include "../IO/atomic_file.h"
 #include "../IO/digest.h"
+#include "../IO/input_file.h"
 #include "../IO/json_text.h"
+#include "../IO/model_parts.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#endif
+#include <CGAL/Shape_correspondence/internal/for_each_index.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <mutex>
 #include <sstream>
@@ -33,15 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_shape_file(const fs::path& path)
-{
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  for (const char* known : {".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".dae", ".json", ".xml"})
-    if (extension == known) return true;
-  return false;
-}
+bool is_shape_file(const std::string& path) { return is_graph_file(path) || IO::is_model_file(path); }
 
 bool is_hidden(const fs::path& path) { return path.filename().string()[0] == '.'; }
 
@@ -50,7 +40,7 @@ bool is_shape_folder(const fs::path& folder)
 {
   if (fs::is_directory(folder / "parts")) return true;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file() && !is_hidden(entry.path()) && is_shape_file(entry.path())) return true;
+    if (entry.is_regular_file() && !is_hidden(entry.path()) && is_shape_file(entry.path().string())) return true;
   return false;
 }
 
@@ -58,11 +48,35 @@ bool is_shape_folder(const fs::path& folder)
 struct Loaded_input
 {
   Collection_shape shape;
-  std::string failure; ///< empty: none
-  Structural_graph graph;
+  std::string failure;    ///< empty: none
+  Structural_graph graph; ///< empty where it is in a folder
 };
 
-Loaded_input load_input(const std::string& path, const Common_options& options)
+std::string text_of(const Structural_graph& graph)
+{
+  std::ostringstream text;
+  IO::write_structural_graph_json(text, graph);
+  return text.str();
+}
+
+std::string graph_file(const std::string& folder, const std::string& content)
+{
+  return (fs::path(folder) / (content + ".json")).string();
+}
+
+/// Puts a graph into the folder, if there is one. \return the digest of the graph
+std::string store_graph(const std::string& folder, Structural_graph& graph)
+{
+  const std::string text = text_of(graph);
+  const std::string content = IO::digest(text);
+  if (folder.empty()) return content;
+  graph = Structural_graph();
+  const std::string file = graph_file(folder, content);
+  if (!fs::exists(file)) IO::write_atomically(file, [&](std::ostream& out) { out << text; });
+  return content;
+}
+
+Loaded_input load_input(const std::string& path, const std::string& folder, const Common_options& options)
 {
   Loaded_input result;
   result.shape.path = path;
@@ -76,14 +90,8 @@ Loaded_input load_input(const std::string& path, const Common_options& options)
   result.shape.name = structure.name;
   result.shape.warnings = structure.warnings;
   result.shape.parts = part_names(result.graph);
+  result.shape.content = store_graph(folder, result.graph);
   return result;
-}
-
-std::string text_of(const Structural_graph& graph)
-{
-  std::ostringstream text;
-  IO::write_structural_graph_json(text, graph);
-  return text.str();
 }
 
 /// What processes tell each other of an input.
@@ -106,6 +114,51 @@ void take(const IO::Json& message, Loaded_input& input)
   input.shape.warnings = message["warnings"].get<std::vector<std::string>>();
 }
 
+/// Tells the other processes of the inputs that were loaded here, and learns of theirs.
+void exchange(std::vector<Loaded_input>& inputs, const std::vector<char>& is_loaded, Team& team)
+{
+  IO::Json messages = IO::Json::array();
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    if (is_loaded[i]) messages.push_back(message(i, inputs[i]));
+  for (const std::string& text : team.gathered(IO::json_line(messages))) {
+    const IO::Json list = IO::Json::parse(text);
+    for (const IO::Json& one : list)
+      take(one, inputs[one["index"].get<std::size_t>()]);
+  }
+}
+
+constexpr std::size_t inputs_at_a_time = 8; // that a process of several is handed out
+
+/// Loads all inputs, the processes of the team together; a process has the graphs that it loaded itself.
+std::vector<Loaded_input> load_inputs(const std::vector<std::string>& paths, const std::string& folder,
+                                      const Common_options& options, Team& team)
+{
+  Common_options quiet = options; // one bar for all
+  quiet.quiet = true;
+  Common_options shown = options;
+  shown.quiet = options.quiet || !team.is_first();
+  Progress_bar bar(shown, "graphs", "shape");
+  std::vector<Loaded_input> inputs(paths.size());
+  std::vector<char> is_loaded(paths.size(), 0);
+  std::mutex mutex;
+  std::size_t done = 0;
+  const std::size_t chunk = team.size() == 1 ? paths.size() : inputs_at_a_time;
+  team.for_each((paths.size() + chunk - 1) / chunk, [&](std::size_t c) {
+    const std::size_t begin = c * chunk, end = std::min(paths.size(), begin + chunk);
+    internal::for_each_index<CGAL::Parallel_if_available_tag>(end - begin, [&](std::size_t k) {
+      const std::size_t i = begin + k;
+      inputs[i] = load_input(paths[i], folder, quiet);
+      is_loaded[i] = 1;
+      const std::lock_guard<std::mutex> lock(mutex);
+      bar.show(++done, paths.size());
+    });
+  });
+  if (team.size() > 1) exchange(inputs, is_loaded, team);
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    inputs[i].shape.path = paths[i];
+  return inputs;
+}
+
 /// Shapes of one name are told apart by their paths.
 void make_names_unique(std::vector<Collection_shape>& shapes)
 {
@@ -115,8 +168,6 @@ void make_names_unique(std::vector<Collection_shape>& shapes)
   for (Collection_shape& shape : shapes)
     if (uses[shape.name] > 1 || shape.name.empty()) shape.name = shape.path;
 }
-
-constexpr std::size_t inputs_at_a_time = 8; // that a process of several is handed out
 
 } // namespace
 
@@ -139,7 +190,7 @@ std::vector<std::string> collection_paths(const std::vector<std::string>& inputs
     result.clear();
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
       if (!is_hidden(entry.path()) &&
-          (entry.is_directory() ? is_shape_folder(entry.path()) : is_shape_file(entry.path())))
+          (entry.is_directory() ? is_shape_folder(entry.path()) : is_shape_file(entry.path().string())))
         result.push_back(entry.path().string());
     std::sort(result.begin(), result.end());
   }
@@ -154,55 +205,9 @@ Collection_shapes::Collection_shapes(const std::vector<std::string>& paths, cons
                                      const Common_options& options, Team& team)
     : folder_(folder)
 {
-  if (!folder_.empty()) fs::create_directories(folder_);
-  Common_options quiet = options; // one bar for all
-  quiet.quiet = true;
-  Common_options shown = options;
-  shown.quiet = options.quiet || !team.is_first();
-  Progress_bar bar(shown, "graphs", "shape");
-  std::vector<Loaded_input> inputs(paths.size());
-  std::mutex mutex;
-  std::size_t done = 0;
-  IO::Json messages = IO::Json::array();
-  const auto load = [&](std::size_t i) {
-    inputs[i] = load_input(paths[i], quiet);
-    Loaded_input& input = inputs[i];
-    if (input.failure.empty()) {
-      const std::string text = text_of(input.graph);
-      input.shape.content = IO::digest(text);
-      if (!folder_.empty()) {
-        input.graph = Structural_graph();
-        if (!fs::exists(file(input.shape.content)))
-          IO::write_atomically(file(input.shape.content), [&](std::ostream& out) { out << text; });
-      }
-    }
-    const std::lock_guard<std::mutex> lock(mutex);
-    messages.push_back(message(i, input));
-    bar.show(++done, paths.size());
-  };
-  const std::size_t chunk = team.size() == 1 ? paths.size() : inputs_at_a_time;
-  team.for_each((paths.size() + chunk - 1) / chunk, [&](std::size_t c) {
-    const std::size_t begin = c * chunk, end = std::min(paths.size(), begin + chunk);
-#ifdef CGAL_LINKED_WITH_TBB
-    tbb::parallel_for(begin, end, load, tbb::simple_partitioner());
-#else
-    for (std::size_t i = begin; i < end; ++i)
-      load(i);
-#endif
-  });
-  if (team.size() > 1)
-    for (const std::string& text : team.gathered(IO::json_line(messages))) {
-      const IO::Json list = IO::Json::parse(text);
-      for (const IO::Json& one : list) {
-        Loaded_input& input = inputs[one["index"].get<std::size_t>()];
-        take(one, input);
-      }
-    }
-
+  if (!folder_.empty()) IO::make_folder(folder_, "a store");
   std::string failures;
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    Loaded_input& input = inputs[i];
-    input.shape.path = paths[i];
+  for (Loaded_input& input : load_inputs(paths, folder_, options, team)) {
     if (input.failure.empty()) {
       shapes_.push_back(std::move(input.shape));
       if (folder_.empty()) graphs_.push_back(std::move(input.graph));
@@ -217,16 +222,11 @@ Collection_shapes::Collection_shapes(const std::vector<std::string>& paths, cons
   make_names_unique(shapes_);
 }
 
-std::string Collection_shapes::file(const std::string& content) const
-{
-  return (fs::path(folder_) / (content + ".json")).string();
-}
-
 Structural_graph Collection_shapes::graph(std::size_t shape) const
 {
   if (folder_.empty()) return graphs_[shape];
-  const std::string path = file(shapes_[shape].content);
-  std::ifstream in(path, std::ios::binary);
+  const std::string path = graph_file(folder_, shapes_[shape].content);
+  std::ifstream in = IO::open_input(path);
   return IO::read_structural_graph_json(in, path);
 }
 

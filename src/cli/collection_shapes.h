@@ -51,8 +51,6 @@ public:
   Structural_graph graph(std::size_t shape) const;
 
 private:
-  std::string file(const std::string& content) const;
-
   std::string folder_;
   std::vector<Collection_shape> shapes_;
   std::vector<std::string> skipped_;

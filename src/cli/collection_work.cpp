@@ -12,6 +12,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 namespace cli {
+
 void Collection_work::run(Team& team)
 {
   std::vector<std::size_t> missing;

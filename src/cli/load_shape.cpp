@@ -5,7 +5,10 @@
 
 #include "load_shape.h"
 
+#include "clock.h"
 #include "progress_bar.h"
+
+#include "../IO/input_file.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
@@ -14,14 +17,9 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/estimate_up.h>
+#include <CGAL/Shape_correspondence/internal/for_each_index.h>
 #include <CGAL/Shape_correspondence/segment_mesh.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#endif
-
-#include <algorithm>
-#include <chrono>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -35,23 +33,16 @@ namespace fs = std::filesystem;
 
 bool has_extension(const std::string& path, const char* wanted)
 {
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return extension == wanted && !fs::is_directory(path);
+  return IO::lower_extension(path) == wanted && !fs::is_directory(path);
 }
 
 bool says_up(const std::string& model_path) { return has_extension(model_path, ".dae"); }
-
-bool is_graph_file(const std::string& path) { return is_json_file(path) || has_extension(path, ".xml"); }
 
 void load_graph(const std::string& path, const Common_options& common, const Structure_options& options,
                 Loaded_shape& shape)
 {
   const double begin = now();
-  if (!fs::exists(path)) throw Invalid_input(path + ": there is no such file or folder");
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw Invalid_input(path + ": it cannot be opened for reading; check its permissions");
+  std::ifstream in = IO::open_input(path);
   if (has_extension(path, ".xml") && common.finds_up())
     throw Invalid_input("a graph without surfaces does not tell which way is up; give --up x, y or z");
   shape.graph = has_extension(path, ".xml") ? IO::read_structural_graph_xml(in, path, common.up_vector(), options)
@@ -134,7 +125,7 @@ void load_model(const std::string& path, const Common_options& common, const Str
 
 bool is_json_file(const std::string& path) { return has_extension(path, ".json"); }
 
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+bool is_graph_file(const std::string& path) { return is_json_file(path) || has_extension(path, ".xml"); }
 
 Loaded_shape load_shape(const std::string& path, const Common_options& common)
 {
@@ -161,23 +152,26 @@ std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, con
 {
   std::vector<Loaded_shape> shapes(paths.size());
   std::vector<std::exception_ptr> failures(paths.size());
-  const auto load = [&](std::size_t i) {
+  internal::for_each_index<CGAL::Parallel_if_available_tag>(paths.size(), [&](std::size_t i) {
     try {
       shapes[i] = load_shape(paths[i], options);
     } catch (...) {
       failures[i] = std::current_exception();
     }
-  };
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::parallel_for(std::size_t(0), paths.size(), load, tbb::simple_partitioner());
-#else
-  for (std::size_t i = 0; i < paths.size(); ++i)
-    load(i);
-#endif
+  });
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }
   return shapes;
+}
+
+std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes)
+{
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    for (const std::string& warning : structure(shapes[i].graph).warnings)
+      result.push_back(paths[i] + ": " + warning);
+  return result;
 }
 
 } // namespace cli

@@ -38,11 +38,12 @@ Loaded_shape load_shape(const std::string& path, const Common_options& options);
 /// The same for several inputs at once, on as many threads as there are.
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options);
 
-/// Whether a path is that of a file that ends in `.json`.
-bool is_json_file(const std::string& path);
+/// What the graphs of inputs warn of; every line names its input.
+std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes);
 
-/// Seconds on the wall since some moment.
-double now();
+/// Whether a path is that of a file that ends in `.json`, and whether it is that of a structural graph.
+bool is_json_file(const std::string& path);
+bool is_graph_file(const std::string& path);
 
 } // namespace cli
 } // namespace Shape_correspondence

@@ -3,6 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "clock.h"
 #include "commands.h"
 #include "common_options.h"
 #include "load_shape.h"
@@ -54,25 +55,6 @@ po::options_description output_options(Common_options& common)
   return result;
 }
 
-/// What both shapes' graphs warn of comes first.
-void add_warnings(const std::string& path, const Structural_graph& graph, std::vector<std::string>& warnings)
-{
-  for (const std::string& warning : structure(graph).warnings)
-    warnings.push_back(path + ": " + warning);
-}
-
-/// The best correspondence first.
-std::vector<Correspondence> search(const std::vector<std::string>& paths, const Loaded_shape& source,
-                                   const Loaded_shape& target, const Search_options& options)
-{
-  std::vector<Correspondence> ranked = find_correspondences(source.graph, target.graph, options);
-  std::vector<std::string> warnings;
-  add_warnings(paths[0], source.graph, warnings);
-  add_warnings(paths[1], target.graph, warnings);
-  ranked[0].warnings.insert(ranked[0].warnings.begin(), warnings.begin(), warnings.end());
-  return ranked;
-}
-
 } // namespace
 
 void run_match(const std::vector<std::string>& arguments)
@@ -96,10 +78,12 @@ void run_match(const std::vector<std::string>& arguments)
   search_with.source_parts = chosen_parts(match.source_parts, source.graph, paths[0]);
   search_with.target_parts = chosen_parts(match.target_parts, target.graph, paths[1]);
   const double begin = now();
-  const std::vector<Correspondence> ranked = search(paths, source, target, search_with);
+  std::vector<Correspondence> ranked = find_correspondences(source.graph, target.graph, search_with); // the best first
   const IO::Match_seconds seconds{source.read_seconds + target.read_seconds,
                                   source.abstraction_seconds + target.abstraction_seconds,
                                   source.structure_seconds + target.structure_seconds, now() - begin};
+  const std::vector<std::string> warnings = warnings_of(paths, shapes);
+  ranked[0].warnings.insert(ranked[0].warnings.begin(), warnings.begin(), warnings.end());
   write_output(common.json, [&](std::ostream& out) {
     IO::write_correspondences_json(out, ranked, source.graph, target.graph, paths[0], paths[1], seconds);
   });

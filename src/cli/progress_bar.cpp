@@ -5,7 +5,7 @@
 
 #include "progress_bar.h"
 
-#include "load_shape.h"
+#include "clock.h"
 
 #include <unistd.h>
 

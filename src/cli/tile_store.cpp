@@ -6,7 +6,7 @@
 #include "tile_store.h"
 
 #include "../IO/atomic_file.h"
-#include "../IO/digest.h"
+#include "../IO/checked_file.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -15,9 +15,6 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <ostream>
-#include <sstream>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -27,7 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* extension = ".tile";
-constexpr const char* first_words = "shape_correspondence tile";
 constexpr std::chrono::hours age_of_leftovers{1};
 
 using Small = std::uint16_t; // numbers of parts, and confidences
@@ -107,10 +103,7 @@ std::optional<std::vector<Rated_map>> decoded(const std::string& bytes)
   return pairs;
 }
 
-std::string heading(const std::string& name, const std::string& bytes)
-{
-  return std::string(first_words) + ' ' + name + ' ' + IO::digest(bytes) + '\n';
-}
+std::string title(const std::string& name) { return "shape_correspondence tile " + name; }
 
 /// Files that killed processes did not finish.
 void remove_leftovers(const std::string& folder)
@@ -128,11 +121,7 @@ void remove_leftovers(const std::string& folder)
 Tile_store::Tile_store(std::string folder) : folder_(std::move(folder))
 {
   if (folder_.empty()) return;
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  if (!fs::is_directory(folder_))
-    throw Invalid_input(folder_ + ": it cannot be used as a store (" + (error ? error.message() : "it is a file") +
-                        "); choose another folder");
+  IO::make_folder(folder_, "a store");
   remove_leftovers(folder_);
 }
 
@@ -152,15 +141,8 @@ std::optional<std::vector<Rated_map>> Tile_store::find(const std::string& name) 
     const auto found = in_memory_.find(name);
     return found == in_memory_.end() ? std::nullopt : decoded(found->second);
   }
-  std::ifstream in(path(name), std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  const std::string tile = text.str();
-  const std::size_t line = tile.find('\n');
-  if (line == std::string::npos) return std::nullopt;
-  const std::string bytes = tile.substr(line + 1);
-  if (tile.compare(0, line + 1, heading(name, bytes)) != 0) return std::nullopt;
-  return decoded(bytes);
+  const std::optional<std::string> bytes = IO::read_checked_file(path(name), title(name));
+  return bytes ? decoded(*bytes) : std::nullopt;
 }
 
 void Tile_store::insert(const std::string& name, const std::vector<Rated_map>& pairs)
@@ -169,7 +151,7 @@ void Tile_store::insert(const std::string& name, const std::vector<Rated_map>& p
   if (folder_.empty())
     in_memory_[name] = std::move(bytes);
   else
-    IO::write_atomically(path(name), [&](std::ostream& out) { out << heading(name, bytes) << bytes; });
+    IO::write_checked_file(path(name), title(name), bytes);
 }
 
 } // namespace cli

@@ -7,12 +7,10 @@
 #define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TILES_H
 
 #include "collection_shapes.h"
-#include "tile_store.h"
 
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
