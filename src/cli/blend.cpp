@@ -87,7 +87,7 @@ void check_is_no_other_file(const std::string& folder)
   const std::string ending = std::filesystem::path(folder).extension().string();
   for (const char* file : {".obj", ".ply", ".stl", ".off", ".gltf", ".dae", ".json", ".html", ".png", ".gif", ".mp4"})
     if (ending == file)
-      throw Usage_error("'" + folder + "' is the name of a " + ending.substr(1) +
+      throw Usage_error("'" + folder + "' is named like a " + ending +
                         " file; blend writes an animation, FILE.glb, or a file a frame into a folder");
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/config.h>
 
+#include <filesystem>
 #include <iostream>
 
 namespace CGAL {
@@ -68,6 +69,10 @@ int run_command(const std::string& name, const std::vector<std::string>& argumen
     return complain(name + ": " + error.what() + "; try 'shape_correspondence " + name + " --help'", bad_usage);
   } catch (const Invalid_input& error) {
     return complain(error.what(), unusable_input);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain(error.path1().string() + ": it cannot be used (" + error.code().message() +
+                        "); check the path and its permissions",
+                    unusable_input);
   } catch (const std::bad_alloc&) {
     return complain("the memory is not enough for this input", unusable_input);
   } catch (const std::exception& error) {

@@ -224,6 +224,10 @@ TEST_CASE("Shapes that cannot be used: all are named, the work is kept, --skip-b
   CHECK_THAT(result["warnings"][0].get<std::string>(), Contains("bad.json"));
   result["warnings"] = json::array();
   CHECK(result == json::parse(expected));
+  folder.write("graphs", "a file");
+  const Run no_folder = run(quoted(in) + " --store " + quoted(folder.path("graphs")));
+  CHECK(no_folder.status == 1);
+  CHECK_THAT(no_folder.error, Contains("graphs/tiles: it cannot be used as a store"));
 }
 
 TEST_CASE("The nearest shapes of a query")

@@ -146,6 +146,10 @@ TEST_CASE("Inputs that cannot be used end with status 1, a message and nothing l
   CHECK_THAT(refused(folder, folder.write("b.json", "{\"format\": 1}")), Contains("format"));
   fs::create_directories(folder.path("none"));
   CHECK_THAT(refused(folder, folder.path("none")), Contains("no part"));
+  fs::create_symlink("loop", folder.path("loop"));
+  const Run endless = run("collection " + quoted(folder.path("loop")));
+  CHECK(endless.status == 1);
+  CHECK_THAT(endless.error, Contains(folder.path("loop") + ": it cannot be used"));
 }
 
 TEST_CASE("Outputs that cannot be written end with status 1 before any work")
