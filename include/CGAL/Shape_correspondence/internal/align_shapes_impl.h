@@ -208,12 +208,12 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Sampled_part segment(const Sampled_part& curve,
   return result;
 }
 
-CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns)
-{
-  using namespace internal;
-  const Shape_structure& shape = structure(graph);
-  const Eigen::Matrix3d turn = quarter_turn(quarter_turns);
+namespace internal {
 
+// Adds the parts in an order that does not depend on the file's. Returns the place in it of each part of the file.
+inline std::vector<std::size_t> add_parts(const Shape_structure& shape, const Eigen::Matrix3d& turn,
+                                          Aligned_shape& result)
+{
   std::vector<Sampled_part> sampled;
   std::vector<std::array<long, 6>> keys;
   for (const Part_abstraction& part : shape.parts) {
@@ -223,8 +223,6 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape align_shape(const Structural_grap
     keys.push_back({quantized(c.y()), quantized(c.x()), quantized(c.z()), quantized(extent.y()), quantized(extent.x()),
                     quantized(extent.z())});
   }
-
-  Aligned_shape result;
   result.original = sorting_order(keys);
   std::vector<std::size_t> rank(sampled.size());
   for (std::size_t i = 0; i < rank.size(); ++i) {
@@ -233,20 +231,30 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape align_shape(const Structural_grap
     result.parts.push_back(std::move(sampled[part]));
     result.prominence.push_back(prominence(shape.parts[part], result.parts.back()));
   }
+  return rank;
+}
 
+inline void add_groups(const Structural_graph& graph, const Eigen::Matrix3d& turn, const std::vector<std::size_t>& rank,
+                       Aligned_shape& result)
+{
   for (std::size_t v = 0; v < num_vertices(graph); ++v) {
     Aligned_shape::Group group;
     for (std::size_t part : graph[v].parts)
       group.parts.push_back(rank[part]);
     std::sort(group.parts.begin(), group.parts.end());
-    group.symmetry = in_common_frame(graph[v].symmetry, shape.frame, turn);
+    group.symmetry = in_common_frame(graph[v].symmetry, structure(graph).frame, turn);
     group.solidity = solidity(graph[v].volume, graph[v].hull_volume);
     result.groups.push_back(std::move(group));
   }
   std::sort(result.groups.begin(), result.groups.end(),
             [](const Aligned_shape::Group& a, const Aligned_shape::Group& b) { return a.parts[0] < b.parts[0]; });
   complete_groups(result);
+}
 
+// One contact a pair of parts.
+inline void add_contacts(const Shape_structure& shape, const Eigen::Matrix3d& turn,
+                         const std::vector<std::size_t>& rank, Aligned_shape& result)
+{
   for (const Contact& contact : shape.contacts) {
     Aligned_shape::Contact c;
     const bool swap = rank[contact.parts[0]] > rank[contact.parts[1]];
@@ -267,14 +275,30 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape align_shape(const Structural_grap
   };
   result.contacts.erase(std::unique(result.contacts.begin(), result.contacts.end(), same_parts), result.contacts.end());
   list_contacts(result);
+}
 
-  const Eigen::Index n = Eigen::Index(result.parts.size());
-  result.distance = Eigen::MatrixXd::Zero(n, n);
+inline Eigen::MatrixXd least_distances(const std::vector<Sampled_part>& parts)
+{
+  const Eigen::Index n = Eigen::Index(parts.size());
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < i; ++j)
-      result.distance(i, j) = result.distance(j, i) =
-          least_distance(result.parts[std::size_t(i)].samples, result.parts[std::size_t(j)].samples);
+      result(i, j) = result(j, i) = least_distance(parts[std::size_t(i)].samples, parts[std::size_t(j)].samples);
+  return result;
+}
 
+} // namespace internal
+
+CGAL_SHAPE_CORRESPONDENCE_INLINE Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns)
+{
+  using namespace internal;
+  const Shape_structure& shape = structure(graph);
+  const Eigen::Matrix3d turn = quarter_turn(quarter_turns);
+  Aligned_shape result;
+  const std::vector<std::size_t> rank = add_parts(shape, turn, result);
+  add_groups(graph, turn, rank, result);
+  add_contacts(shape, turn, rank, result);
+  result.distance = least_distances(result.parts);
   auto rods = std::make_shared<std::vector<Aligned_shape::Contact_rods>>();
   for (const Aligned_shape::Contact& contact : result.contacts)
     rods->push_back(contact_rods(result.parts[contact.parts[0]], result.parts[contact.parts[1]]));

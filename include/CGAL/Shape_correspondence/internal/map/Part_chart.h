@@ -7,9 +7,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MAP_PART_CHART_H
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
-#include <CGAL/Shape_correspondence/internal/planar_hull.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -85,7 +83,9 @@ private:
   static int stations(bool is_sheet) { return is_sheet ? sheet_stations : curve_stations; }
 
   std::pair<Point, Eigen::Matrix3d> locate(const Point& k) const;
-  Eigen::Vector2d nearest_on_spine(const Point& p) const;
+  double nearest_on_curve(const Point& p) const;
+  Eigen::Vector2d nearest_on_sheet(const Point& p) const;
+  Point coordinates_of_station(Eigen::Index station) const;
   Point station(int i, int j) const { return spine_.col(i * sheet_stations + j); }
   void transport_frames(const Point& across);
   void normal_frames();
@@ -112,24 +112,6 @@ inline Point unit_or(const Point& v, const Point& otherwise)
 inline Point across_to(const Point& v, const Point& direction)
 {
   return unit_or(v - direction.dot(v) * direction, some_normal(direction));
-}
-
-/// The angle by which a rectangle of least area around points in the plane is turned, between -45° and 45°; of nearly
-/// as small ones the one turned least, so that a round cross-section has the axes that it is seen in.
-inline double least_rectangle_angle(const Planar_points& points)
-{
-  constexpr double nearly = 1.02;
-  const Planar_points hull = planar_hull(points);
-  const auto area = [&](double angle) {
-    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(-angle).toRotationMatrix();
-    Eigen::AlignedBox2d box;
-    for (const Eigen::Vector2d& p : hull)
-      box.extend(turn * p);
-    return box.sizes().prod();
-  };
-  const Eigen::Vector2d direction = least_rectangle_direction(hull);
-  const double angle = std::remainder(std::atan2(direction.y(), direction.x()), EIGEN_PI / 2);
-  return area(0) <= nearly * area(angle) ? 0 : angle;
 }
 
 inline Eigen::Matrix3d Part_chart::axes() const
@@ -206,6 +188,9 @@ inline Part_chart Part_chart::over(const Points& spine, const Point& half)
   return result;
 }
 
+/// The coordinate of the i-th of some stations in a row.
+inline double station_coordinate(Eigen::Index i, int stations) { return 2. * double(i) / (stations - 1) - 1; }
+
 /// A cell of a row of stations and the position in it, beyond [0, 1] past the ends.
 inline std::pair<int, double> station_cell(double k, int stations)
 {
@@ -237,25 +222,28 @@ inline std::pair<Point, Eigen::Matrix3d> Part_chart::locate(const Point& k) cons
   return {place, frame};
 }
 
-inline Eigen::Vector2d Part_chart::nearest_on_spine(const Point& p) const
+inline double Part_chart::nearest_on_curve(const Point& p) const
 {
-  const int n = stations(is_sheet_);
-  if (!is_sheet_) {
-    double best = std::numeric_limits<double>::infinity(), k = 0;
-    for (int i = 0; i + 1 < n; ++i) {
-      const Point side = spine_.col(i + 1) - spine_.col(i);
-      const double squared = side.squaredNorm();
-      double f = squared > 0 ? (p - spine_.col(i)).dot(side) / squared : 0;
-      f = std::min(std::max(f, i == 0 ? -double(n) : 0.), i + 2 == n ? double(n) : 1.);
-      const double distance = (spine_.col(i) + f * side - p).squaredNorm();
-      if (distance < best) best = distance, k = 2 * (i + f) / (n - 1) - 1;
-    }
-    return {k, 0};
+  const int n = curve_stations;
+  double best = std::numeric_limits<double>::infinity(), k = 0;
+  for (int i = 0; i + 1 < n; ++i) {
+    const Point side = spine_.col(i + 1) - spine_.col(i);
+    const double squared = side.squaredNorm();
+    double f = squared > 0 ? (p - spine_.col(i)).dot(side) / squared : 0;
+    f = std::min(std::max(f, i == 0 ? -double(n) : 0.), i + 2 == n ? double(n) : 1.);
+    const double distance = (spine_.col(i) + f * side - p).squaredNorm();
+    if (distance < best) best = distance, k = 2 * (i + f) / (n - 1) - 1;
   }
-  // From the nearest station by Gauss-Newton steps
+  return k;
+}
+
+/// From the nearest station by Gauss-Newton steps.
+inline Eigen::Vector2d Part_chart::nearest_on_sheet(const Point& p) const
+{
+  const int n = sheet_stations;
   Eigen::Index nearest;
   (spine_.colwise() - p).colwise().squaredNorm().minCoeff(&nearest);
-  Eigen::Vector2d k(2. * double(nearest / n) / (n - 1) - 1, 2. * double(nearest % n) / (n - 1) - 1);
+  Eigen::Vector2d k(station_coordinate(nearest / n, n), station_coordinate(nearest % n, n));
   constexpr int steps = 4;
   for (int step = 0; step < steps; ++step) {
     const auto [i, f] = station_cell(k[0], n);
@@ -273,11 +261,20 @@ inline Eigen::Vector2d Part_chart::nearest_on_spine(const Point& p) const
   return k.cwiseMax(-2.).cwiseMin(2.);
 }
 
+inline Point Part_chart::coordinates_of_station(Eigen::Index station) const
+{
+  if (!is_sheet_) return {station_coordinate(station, curve_stations), 0, 0};
+  const int n = sheet_stations;
+  return {station_coordinate(station / n, n), station_coordinate(station % n, n), 0};
+}
+
 inline Point Part_chart::coordinates(const Point& p) const
 {
-  const Eigen::Vector2d on_spine = nearest_on_spine(p);
-  Point k(on_spine[0], on_spine[1], 0);
-  if (!is_sheet_) k[1] = 0;
+  Point k = Point::Zero();
+  if (is_sheet_)
+    k.head<2>() = nearest_on_sheet(p);
+  else
+    k[0] = nearest_on_curve(p);
   const auto [place, frame] = locate(k);
   const Point across = frame.transpose() * (p - place);
   for (int axis = is_sheet_ ? 2 : 1; axis < 3; ++axis)
@@ -285,205 +282,10 @@ inline Point Part_chart::coordinates(const Point& p) const
   return k;
 }
 
-inline Part_chart Part_chart::restricted(const Point& low, const Point& high) const
-{
-  const Point middle = (low + high) / 2, half = (high - low) / 2;
-  const auto inside = [&](double x, double y) {
-    Point k = middle + half.cwiseProduct(Point(x, y, 0));
-    if (!is_sheet_) k[1] = middle[1];
-    return k;
-  };
-  const Point extents = half_.cwiseProduct(half).cwiseMax(least_half_extent);
-  const int n = stations(is_sheet_);
-  Points spine(3, spine_.cols());
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < (is_sheet_ ? n : 1); ++j)
-      spine.col(is_sheet_ ? i * n + j : i) = (*this)(inside(2. * i / (n - 1) - 1, 2. * j / (n - 1) - 1));
-  if (is_sheet_) return over(spine, extents);
-  return along(spine, frame(inside(-1, 0)).col(1), extents);
-}
-
-inline Part_chart Part_chart::fitted(const Points& surface) const
-{
-  Part_chart result = *this;
-  constexpr int rounds = 2; // moving the spine into the middle of a bent part moves the coordinates a little
-  for (int round = 0; round < rounds; ++round) {
-    Eigen::AlignedBox3d box;
-    for (Eigen::Index i = 0; i < surface.cols(); ++i)
-      box.extend(result.coordinates(surface.col(i)));
-    const Point least = Point::Constant(least_half_extent), middle = box.center();
-    result = result.restricted(box.min().cwiseMin(middle - least), box.max().cwiseMax(middle + least));
-  }
-  return result;
-}
-
-inline Part_chart Part_chart::centred(const Points& surface) const
-{
-  const int n = stations(is_sheet_);
-  const double reach = is_sheet_ ? 2. / (n - 1) : 4. / (n - 1); // of a station, in coordinates
-  const Eigen::Index count = spine_.cols();
-  Points low = Points::Constant(3, count, std::numeric_limits<double>::infinity()), high = -low;
-  for (Eigen::Index i = 0; i < surface.cols(); ++i) {
-    const Point k = coordinates(surface.col(i));
-    for (Eigen::Index s = 0; s < count; ++s) {
-      const double first = 2. * double(is_sheet_ ? s / n : s) / (n - 1) - 1, second = 2. * double(s % n) / (n - 1) - 1;
-      if (std::abs(k[0] - first) > reach || (is_sheet_ && std::abs(k[1] - second) > reach)) continue;
-      low.col(s) = low.col(s).cwiseMin(k);
-      high.col(s) = high.col(s).cwiseMax(k);
-    }
-  }
-  Points spine = spine_;
-  for (Eigen::Index s = 0; s < count; ++s) {
-    if (!(low(2, s) <= high(2, s))) continue;
-    for (int axis = is_sheet_ ? 2 : 1; axis < 3; ++axis)
-      spine.col(s) += (low(axis, s) + high(axis, s)) / 2 * half_[axis] * frames_[std::size_t(s)].col(axis);
-  }
-  const Part_chart moved = (is_sheet_ ? over(spine, half_) : along(spine, frames_[0].col(1), half_)).fitted(surface);
-  const auto section = [](const Part_chart& chart) { return (chart.is_sheet_ ? 1 : chart.half_[1]) * chart.half_[2]; };
-  return section(moved) < section(*this) ? moved : *this;
-}
-
-inline Part_chart Part_chart::box(const Points& surface, const Eigen::Matrix3d& axes)
-{
-  const Points local = axes.transpose() * surface;
-  const Point low = local.rowwise().minCoeff(), high = local.rowwise().maxCoeff();
-  const Point half = ((high - low) / 2).cwiseMax(least_half_extent), middle = (low + high) / 2;
-  Points spine(3, curve_stations);
-  for (int i = 0; i < curve_stations; ++i)
-    spine.col(i) = axes * (middle + Point((2. * i / (curve_stations - 1) - 1) * half[0], 0, 0));
-  return along(spine, axes.col(1), half);
-}
-
-inline Part_chart Part_chart::plate(const Points& surface, const Eigen::Matrix3d& axes)
-{
-  const Points local = axes.transpose() * surface;
-  const Point low = local.rowwise().minCoeff(), high = local.rowwise().maxCoeff();
-  const Point half = ((high - low) / 2).cwiseMax(least_half_extent), middle = (low + high) / 2;
-  Points spine(3, sheet_stations * sheet_stations);
-  const double step = 2. / (sheet_stations - 1);
-  for (int i = 0; i < sheet_stations; ++i)
-    for (int j = 0; j < sheet_stations; ++j)
-      spine.col(i * sheet_stations + j) = axes * (middle + half.cwiseProduct(Point(i * step - 1, j * step - 1, 0)));
-  return over(spine, half);
-}
-
-inline Part_chart Part_chart::symmetrised(const Eigen::Matrix3d& turn) const
-{
-  const Eigen::DiagonalMatrix<double, 3> mirror(-1, 1, 1);
-  const int n = stations(is_sheet_);
-  Points spine(3, spine_.cols());
-  for (Eigen::Index s = 0; s < spine.cols(); ++s) {
-    const Point k(2. * double(is_sheet_ ? s / n : s) / (n - 1) - 1, is_sheet_ ? 2. * double(s % n) / (n - 1) - 1 : 0,
-                  0);
-    spine.col(s) = (spine_.col(s) + mirror * (*this)(turn * k)) / 2;
-  }
-  if (is_sheet_) return over(spine, half_);
-  Point across = frames_[0].col(1);
-  if (turn(0, 0) > 0)
-    across = std::abs(across.x()) > std::sqrt(0.5) ? Point(across.x(), 0, 0) : Point(0, across.y(), across.z());
-  return along(spine, across, half_);
-}
-
-inline Part_chart Part_chart::image() const
-{
-  const Eigen::DiagonalMatrix<double, 3> mirror(-1, 1, 1);
-  const Points spine = mirror * spine_;
-  return is_sheet_ ? over(spine, half_) : along(spine, mirror * frames_[0].col(1), half_);
-}
-
-inline Part_chart Part_chart::turned(const Eigen::Matrix3d& turn) const
-{
-  const Point half = (turn.transpose() * half_).cwiseAbs();
-  Points spine(3, spine_.cols());
-  if (!is_sheet_) {
-    const bool ahead = turn(0, 0) > 0;
-    spine = ahead ? spine_ : Points(spine_.rowwise().reverse());
-    const Eigen::Matrix3d start = frames_[ahead ? 0 : curve_stations - 1] * turn;
-    return along(spine, start.col(1), half);
-  }
-  const double step = 2. / (sheet_stations - 1);
-  for (int i = 0; i < sheet_stations; ++i)
-    for (int j = 0; j < sheet_stations; ++j) {
-      const Point k = turn * Point(i * step - 1, j * step - 1, 0);
-      const int row = int(std::lround((k[0] + 1) / step)), col = int(std::lround((k[1] + 1) / step));
-      spine.col(i * sheet_stations + j) = station(row, col);
-    }
-  return over(spine, half);
-}
-
-inline Eigen::Matrix3d Part_chart::lengthwise_turn() const
-{
-  const Point half = half_extents();
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  if (is_sheet_ && half[1] > half[0]) turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  return turn;
-}
-
-inline Part_chart Part_chart::lengthwise() const
-{
-  if (!is_sheet_) return *this;
-  const Eigen::Matrix3d turn = lengthwise_turn();
-  Points spine(3, curve_stations);
-  for (int i = 0; i < curve_stations; ++i)
-    spine.col(i) = (*this)(turn * Point(2. * i / (curve_stations - 1) - 1, 0, 0));
-  const Point half = (turn.transpose() * half_extents()).cwiseAbs();
-  return along(spine, (frame(turn * Point(-1, 0, 0)) * turn).col(1), half);
-}
-
-inline Part_chart Part_chart::between(const Part_chart& a, const Part_chart& b, double t)
-{
-  const Point centre_a = a.spine_.rowwise().mean(), centre_b = b.spine_.rowwise().mean();
-  const Eigen::Matrix3d rotation = b.axes() * a.axes().transpose();
-  const Eigen::Quaterniond whole(rotation), part = Eigen::Quaterniond::Identity().slerp(t, whole);
-  const Points shape =
-      (1 - t) * (a.spine_.colwise() - centre_a) + t * (rotation.transpose() * (b.spine_.colwise() - centre_b));
-  const Points spine = (part.toRotationMatrix() * shape).colwise() + ((1 - t) * centre_a + t * centre_b);
-  const Point half = (1 - t) * a.half_ + t * b.half_;
-  if (a.is_sheet_) return over(spine, half);
-  const Point from = a.frames_[0].col(1), to = rotation.transpose() * b.frames_[0].col(1);
-  const Point across = part * unit_or((1 - t) * from + t * to, from);
-  return along(spine, across, half);
-}
-
-inline Part_chart Part_chart::around(const Part_abstraction& part, const Points& control_points, const Points& surface)
-{
-  if (const Sheet* given = std::get_if<Sheet>(&part.geometry)) {
-    const Sheet sheet{control_points, given->rows, given->cols};
-    Points spine(3, sheet_stations * sheet_stations);
-    for (int i = 0; i < sheet_stations; ++i)
-      for (int j = 0; j < sheet_stations; ++j)
-        spine.col(i * sheet_stations + j) = sheet(double(i) / (sheet_stations - 1), double(j) / (sheet_stations - 1));
-    return over(spine, Point::Ones()).fitted(surface);
-  }
-  const Curve curve{control_points, std::get<Curve>(part.geometry).closed};
-  Points spine(3, curve_stations);
-  for (int i = 0; i < curve_stations; ++i)
-    spine.col(i) = curve(double(i) / (curve_stations - 1));
-  Eigen::Matrix3d axes;
-  if (curve.closed) {
-    const Points centred = spine.colwise() - spine.rowwise().mean();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred * centred.transpose());
-    const Point normal = solver.eigenvectors().col(0);
-    axes << some_normal(normal), normal.cross(some_normal(normal)), normal;
-  } else {
-    const Point direction = unit_or(spine.col(1) - spine.col(0), Point::UnitY());
-    axes << direction, some_normal(direction), direction.cross(some_normal(direction));
-  }
-  // Coordinates across are turned to the least rectangle
-  const int first = curve.closed ? 0 : 1;
-  const Part_chart chart = curve.closed ? box(surface, axes) : along(spine, axes.col(1), Point::Ones());
-  Planar_points section;
-  for (Eigen::Index i = 0; i < surface.cols(); ++i) {
-    const Point k = chart.coordinates(surface.col(i)).cwiseProduct(curve.closed ? chart.half_extents() : chart.half_);
-    section.emplace_back(k[first], k[first + 1]);
-  }
-  const Eigen::AngleAxisd turn(least_rectangle_angle(section), Point(axes.col(curve.closed ? 2 : 0)));
-  if (curve.closed) return box(surface, turn * axes);
-  return along(spine, turn * axes.col(1), Point::Ones()).fitted(surface);
-}
-
 } // namespace internal
 } // namespace Shape_correspondence
 } // namespace CGAL
+
+#include <CGAL/Shape_correspondence/internal/map/Part_chart_making.h>
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MAP_PART_CHART_H
