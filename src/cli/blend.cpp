@@ -68,8 +68,7 @@ po::options_description output_options(Blend_output& output, Common_options& com
   auto add = result.add_options();
   add("output,o", po::value(&output.path)->value_name("PATH"),
       "a file that ends in .glb, for an animation, or a folder that is not there yet, for a file a frame");
-  add("frames", po::value(&output.frames)->value_name("N")->default_value(output.frames),
-      "frames at even times, the source and the target among them");
+  add("frames", number(output.frames)->value_name("N"), "frames at even times, the source and the target among them");
   add("format", po::value(&output.format)->value_name("FORMAT")->default_value(output.format),
       "of the files in the folder: obj (an object a part) or ply (binary, the part a property of every face)");
   add("match", po::value(&output.match)->value_name("R.json"),
@@ -141,17 +140,36 @@ void write_frames(const std::string& folder, const Blend_output& output, const S
       std::size_t(output.frames), [&](std::size_t frame) { write_frame(folder, output, blend, int(frame)); });
 }
 
-void write_table(std::ostream& out, const Shape_blend& blend)
+void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence)
+{
+  if (is_glb(output.path))
+    IO::write_atomically(output.path,
+                         [&](std::ostream& out) { IO::write_blend_glb(out, blend, correspondence, output.frames); });
+  else
+    IO::write_folder_atomically(output.path, [&](const std::string& folder) { write_frames(folder, output, blend); });
+}
+
+Blend_options with_progress(Progress_bar& bar)
+{
+  Blend_options result;
+  result.progress = [&bar](double done) {
+    constexpr std::size_t steps = 100;
+    bar.show(std::size_t(done * steps), steps);
+    return true;
+  };
+  return result;
+}
+
+void print_schedules(const Shape_blend& blend)
 {
   std::vector<std::vector<std::string>> rows{{"schedule", "gap", "apart", "asymmetry", "off the ground"}};
   for (const Blend_schedule& schedule : blend.schedules())
     rows.push_back({schedule.name, short_number(schedule.quality.gap), short_number(schedule.quality.apart),
                     short_number(schedule.quality.asymmetry), short_number(schedule.quality.ground)});
-  cli::write_table(out, rows);
-  out << "\nThe first schedule is taken. Lengths are over the height, the worst of the shapes in between: by how much "
-         "a "
-         "contact\nis wider than at the ends, how far parts came apart before they were joined again, how far the "
-         "shape is from its\nmirror image, how far its feet are off the ground.\n";
+  write_table(std::cout, rows);
+  std::cout << "\nThe first schedule is taken. Lengths are over the height, the worst of the shapes in between: by how "
+               "much a contact\nis wider than at the ends, how far parts came apart before they were joined again, how "
+               "far the shape is from its\nmirror image, how far its feet are off the ground.\n";
 }
 
 } // namespace
@@ -188,18 +206,8 @@ void run_blend(const std::vector<std::string>& arguments)
           : IO::correspondence_of(IO::read_correspondence_json(output.match), source.graph, target.graph, output.match);
 
   Progress_bar bar(common, "blend");
-  Blend_options blending;
-  blending.progress = [&](double done) {
-    constexpr std::size_t steps = 100;
-    bar.show(std::size_t(done * steps), steps);
-    return true;
-  };
-  const Shape_blend blend(source.graph, *source.model, target.graph, *target.model, correspondence, blending);
-  if (is_glb(output.path))
-    IO::write_atomically(output.path,
-                         [&](std::ostream& out) { IO::write_blend_glb(out, blend, correspondence, output.frames); });
-  else
-    IO::write_folder_atomically(output.path, [&](const std::string& folder) { write_frames(folder, output, blend); });
+  const Shape_blend blend(source.graph, *source.model, target.graph, *target.model, correspondence, with_progress(bar));
+  write_blend(output, blend, correspondence);
   std::vector<std::string> warnings = warnings_of(paths, shapes);
   warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
   write_output(common.json, [&](std::ostream& out) {
@@ -207,7 +215,7 @@ void run_blend(const std::vector<std::string>& arguments)
                          warnings);
   });
   if (common.prints_table()) {
-    write_table(std::cout, blend);
+    print_schedules(blend);
     for (const std::string& warning : warnings)
       std::cout << "warning: " << warning << '\n';
   }

@@ -72,26 +72,18 @@ po::options_description collection_options(Common_options& common, Collection_op
   add("nearest", po::value(&options.nearest)->value_name("QUERY"),
       "find the shapes of the collection that are nearest to this one instead, without matching all; the result is "
       "written by --json");
-  add("count,k", po::value(&options.nearest_count)->value_name("K")->default_value(options.nearest_count),
-      "how many of them");
+  add("count,k", number(options.nearest_count)->value_name("K"), "how many of them");
   add("tile", po::value(&options.tile)->value_name("I/N"),
       "do the I-th of N shares of the pairs and write no result: a job of an array; needs --store");
   add("merge", po::bool_switch(&options.merge), "match nothing, all pairs must be in the store");
   add("tile-size", po::value(&options.block_size)->value_name("N"),
       "shapes on a side of a tile, the least work that is kept; default: by the number of shapes, 64 at most");
   add("skip-bad", po::bool_switch(&options.skip_bad), "leave out inputs that cannot be used, with a warning");
-  add("unmatched-energy",
-      po::value(&options.unmatched_energy)->value_name("E")->default_value(options.unmatched_energy, "0.5"),
+  add("unmatched-energy", number(options.unmatched_energy)->value_name("E"),
       "what a pair of connected parts counts of which one has no counterpart");
-  add("inflation",
-      po::value(&options.co_analysis.clustering.inflation)
-          ->value_name("R")
-          ->default_value(options.co_analysis.clustering.inflation, "2"),
+  add("inflation", number(options.co_analysis.clustering.inflation)->value_name("R"),
       "of Markov clustering: more of it makes smaller clusters of parts");
-  add("cycle-support",
-      po::value(&options.co_analysis.least_cycle_support)
-          ->value_name("S")
-          ->default_value(options.co_analysis.least_cycle_support, "0.5"),
+  add("cycle-support", number(options.co_analysis.least_cycle_support)->value_name("S"),
       "a pair of parts is clustered if this share of the third shapes that could confirm it do; 0: every pair");
   add("neighbours", po::value(&options.neighbours)->value_name("K"),
       "cluster the part maps of every shape with its K nearest ones only; default: with all of up to 100 shapes, with "

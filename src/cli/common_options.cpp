@@ -5,6 +5,8 @@
 
 #include "common_options.h"
 
+#include "text_table.h"
+
 #include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
@@ -21,14 +23,6 @@ namespace {
 
 // Names that a user is not to write
 constexpr const char* inputs_key = "INPUT";
-
-/// A number without the noise of its last digits.
-std::string short_text(double number)
-{
-  std::ostringstream out;
-  out << number;
-  return out.str();
-}
 
 void check_between(const std::string& option, double value, double least, double most)
 {
@@ -97,6 +91,15 @@ po::options_description option_group(const std::string& title)
   return po::options_description(title, width, least_description);
 }
 
+po::typed_value<double>* number(double& variable)
+{
+  return po::value(&variable)->default_value(variable, short_number(variable));
+}
+
+po::typed_value<int>* number(int& variable) { return po::value(&variable)->default_value(variable); }
+
+po::typed_value<std::size_t>* number(std::size_t& variable) { return po::value(&variable)->default_value(variable); }
+
 po::options_description common_options(Common_options& options)
 {
   po::options_description result = option_group("Options of all commands");
@@ -123,15 +126,9 @@ po::options_description model_options(Common_options& options)
   add("no-symmetry", po::bool_switch(&options.no_symmetry), "take every part as a group of its own");
   add("symmetries", po::value(&options.symmetries)->value_name("KINDS")->default_value(options.symmetries),
       "the kinds of symmetry groups that are looked for");
-  add("symmetry-tolerance",
-      po::value(&options.symmetry_tolerance)
-          ->value_name("T")
-          ->default_value(options.symmetry_tolerance, short_text(options.symmetry_tolerance)),
+  add("symmetry-tolerance", number(options.symmetry_tolerance)->value_name("T"),
       "how far a part may be from its image, over the part's diagonal");
-  add("contact-tolerance",
-      po::value(&options.contact_tolerance)
-          ->value_name("T")
-          ->default_value(options.contact_tolerance, short_text(options.contact_tolerance)),
+  add("contact-tolerance", number(options.contact_tolerance)->value_name("T"),
       "the widest gap between parts in contact, over the shape's diagonal");
   add("cache", po::value(&options.cache)->value_name("FOLDER"),
       "keep structural graphs in this folder, and take them from there when the model and the options are the same");
@@ -151,20 +148,18 @@ po::options_description model_options(Common_options& options)
       abstraction.part_kinds.insert(parse_part_kind(word));
   }),
       "the same for one part; may be given many times");
-  add("edge-length", po::value(&abstraction.edge_length)->value_name("X")->default_value(0.02, "0.02"),
-      "edges of the remeshed part, over its diagonal");
-  add("triangles", po::value(&abstraction.triangles)->value_name("N")->default_value(abstraction.triangles),
+  add("edge-length", number(abstraction.edge_length)->value_name("X"), "edges of the remeshed part, over its diagonal");
+  add("triangles", number(abstraction.triangles)->value_name("N"),
       "about how many triangles the remeshed part may have; its edges are longer if need be");
-  add("stop-volume", po::value(&abstraction.stop_volume)->value_name("X")->default_value(0.02, "0.02"),
-      "a sheet is fitted to what the flow leaves when this fraction of the volume is left");
-  add("max-iterations", po::value(&abstraction.maximum_iterations)->value_name("N")->default_value(300),
+  add("stop-volume", number(abstraction.stop_volume)->value_name("X"),
+      "whether a part is hollow shows when the flow has left this fraction of its volume");
+  add("max-iterations", number(abstraction.maximum_iterations)->value_name("N"),
       "steps of the flow; the bounding box stands in for a part that needs more");
-  add("time-limit", po::value(&abstraction.time_limit)->value_name("SECONDS")->default_value(20),
+  add("time-limit", number(abstraction.time_limit)->value_name("SECONDS"),
       "for a part; the bounding box stands in for one that needs more");
-  add("curve-points", po::value(&abstraction.curve_points)->value_name("N")->default_value(abstraction.curve_points),
-      "control points of a curve");
-  add("sheet-points", po::value(&abstraction.sheet_points)->value_name("N")->default_value(abstraction.sheet_points),
-      "control points along a side of a sheet");
+  add("curve-points", number(abstraction.curve_points)->value_name("N"),
+      "control points of a curve; as many again for every full turn that it makes");
+  add("sheet-points", number(abstraction.sheet_points)->value_name("N"), "control points along a side of a sheet");
   return result;
 }
 

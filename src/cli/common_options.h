@@ -56,6 +56,11 @@ struct Common_options
 /// A group of options, without any as yet.
 boost::program_options::options_description option_group(const std::string& title);
 
+/// An option for a number, with the variable's value as its default.
+boost::program_options::typed_value<double>* number(double& variable);
+boost::program_options::typed_value<int>* number(int& variable);
+boost::program_options::typed_value<std::size_t>* number(std::size_t& variable);
+
 /// The options that all commands share.
 boost::program_options::options_description common_options(Common_options& options);
 

@@ -75,10 +75,10 @@ po::options_description evaluate_options(Evaluate_options& evaluate, Common_opti
       "labels of the shapes' parts; may be given many times");
   add("json", po::value(&common.json)->value_name("FILE"),
       "write all scores as JSON, with every result's right, wrong and missed pairs; - is standard output");
-  add("worst", po::value(&evaluate.worst)->value_name("N")->default_value(0), "list the N results of least F1, too");
-  add("resamples", po::value(&evaluate.evaluation.resamples)->value_name("N")->default_value(1000),
+  add("worst", number(evaluate.worst)->value_name("N"), "list the N results of least F1, too");
+  add("resamples", number(evaluate.evaluation.resamples)->value_name("N"),
       "draws of the bootstrap that the intervals come from");
-  add("confidence", po::value(&evaluate.evaluation.confidence)->value_name("P")->default_value(0.95, "0.95"),
+  add("confidence", number(evaluate.evaluation.confidence)->value_name("P"),
       "how probable it is that a mean lies in its interval");
   return result;
 }

@@ -98,11 +98,11 @@ po::options_description match_options(Match_options& match)
       "paper's pruned beam search) or exact (least deformation energy, with a proof); auto: parts, or what the other "
       "options need");
   add("paper", po::bool_switch(&match.paper), "match as the paper does: the same as --search beam");
-  add("min-confidence", po::value(&match.search.min_confidence)->value_name("P")->default_value(0),
+  add("min-confidence", number(match.search.min_confidence)->value_name("P"),
       "leave out pairs of parts that are less probable, between 0 and 1; of --search parts");
-  add("beam-width", po::value(&match.search.beam.beam_width)->value_name("K")->default_value(20),
+  add("beam-width", number(match.search.beam.beam_width)->value_name("K"),
       "partial solutions kept at every step, the paper's K");
-  add("expansions", po::value(&match.search.beam.expansions)->value_name("k")->default_value(4),
+  add("expansions", number(match.search.beam.expansions)->value_name("k"),
       "continuations kept of every partial solution, the paper's k");
   add("direction", po::value(&match.direction)->value_name("WHICH")->default_value(match.direction),
       "which shapes are deformed: both, or forward (the source only)");
@@ -125,7 +125,7 @@ po::options_description match_options(Match_options& match)
       po::value(&match.search.matching.unmatched_cost)->value_name("COST")->implicit_value(default_unmatched_cost),
       "groups of parts may be left unmatched, at this cost for each of their contacts (0.5 if no number is given); for "
       "shapes of which one is a part of the other");
-  add("solutions", po::value(&match.search.solutions)->value_name("N")->default_value(1),
+  add("solutions", number(match.search.solutions)->value_name("N"),
       "write the N best correspondences into the result, ranked by their energy");
   add("min-marginals", po::bool_switch(&match.search.min_marginals),
       "say of every group by how much the energy rises if it may not have its match: how sure the match is");

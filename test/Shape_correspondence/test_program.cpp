@@ -8,6 +8,7 @@
 #include "program.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+#include <CGAL/Shape_correspondence/config.h>
 
 #include <catch2/catch.hpp>
 
@@ -66,7 +67,8 @@ TEST_CASE("Help at both levels and the version")
     CHECK_THAT(of_command.out, Contains("Usage") && Contains("Example") && Contains("--json") && Contains("--threads"));
   }
   CHECK_THAT(run("match --help").out, Contains("the paper's K") && Contains("=20"));
-  CHECK_THAT(run("--version").out, Contains(CGAL_SHAPE_CORRESPONDENCE_VERSION));
+  CHECK(run("--version").out == "shape_correspondence " CGAL_SHAPE_CORRESPONDENCE_VERSION "\n");
+  CHECK(std::string(CGAL_SHAPE_CORRESPONDENCE_VERSION) == SHAPE_CORRESPONDENCE_PROJECT_VERSION);
 }
 
 TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
