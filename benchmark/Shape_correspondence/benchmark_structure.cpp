@@ -11,6 +11,7 @@
 #include "brute_force_contacts.h"
 
 #include <CGAL/Real_timer.h>
+#include <CGAL/Shape_correspondence/IO/read_part_labels.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/estimate_up.h>
@@ -30,10 +31,7 @@ namespace {
 
 constexpr std::size_t PART_SAMPLES = 256;
 
-struct Label
-{
-  std::string coarse, fine;
-};
+using Labels = std::vector<SC::Part_label>; // by part
 
 struct Totals
 {
@@ -45,18 +43,13 @@ struct Totals
   double symmetry_seconds = 0, contact_seconds = 0;
 };
 
-std::map<std::string, Label> read_labels(const std::string& folder)
+Labels labels_of(const std::string& folder, const SC::Segmented_shape& shape)
 {
-  std::ifstream file(folder + "/labels.json");
-  std::map<std::string, Label> labels;
-  const nlohmann::json document = nlohmann::json::parse(file);
-  for (const auto& part : document.at("parts")) {
-    const auto text = [&](const char* key) {
-      return part.contains(key) && part[key].is_string() ? part[key].get<std::string>() : std::string();
-    };
-    labels[text("name")] = {text("coarse"), text("fine")};
-  }
-  return labels;
+  const SC::IO::Labelled_shape labelled = SC::IO::read_part_labels(folder).front();
+  Labels result;
+  for (const SC::Shape_part& part : shape.parts())
+    result.push_back(labelled.labels.at(labelled.index(part.name)));
+  return result;
 }
 
 using Name_pair = std::pair<std::string, std::string>;
@@ -118,7 +111,7 @@ SC::Points all_samples(const SC::Segmented_shape& shape)
 
 /// The sets of parts whose coarse labels are equal and whose sizes agree, as the fine labels or, without them, the
 /// sizes of axis-parallel boxes tell.
-std::vector<std::vector<std::size_t>> equal_sets(const SC::Segmented_shape& shape, const std::vector<Label>& labels,
+std::vector<std::vector<std::size_t>> equal_sets(const SC::Segmented_shape& shape, const Labels& labels,
                                                  const SC::Shape_frame& frame)
 {
   std::vector<std::vector<std::size_t>> sets;
@@ -192,31 +185,11 @@ void compare_with_brute_force(const SC::Segmented_shape& shape, const SC::Shape_
     }
 }
 
-void measure(const std::string& folder, bool quiet, bool brute_force, Totals& totals)
+/// Counts groups of several parts, and those with several labels. \return the group of every part
+std::vector<std::size_t> count_groups(const std::vector<SC::Part_group>& groups, const Labels& labels, bool quiet,
+                                      Totals& totals)
 {
-  const SC::Segmented_shape shape = SC::IO::read_segmented_shape(folder + "/parts");
-  const std::map<std::string, Label> labels_by_name = read_labels(folder);
-  std::vector<Label> labels;
-  std::vector<SC::Part_abstraction> parts;
-  for (const SC::Shape_part& part : shape.parts()) {
-    labels.push_back(labels_by_name.at(part.name));
-    parts.push_back(make_part(part));
-  }
-  const SC::Shape_frame frame = SC::compute_shape_frame(all_samples(shape), shape.up());
-  CGAL::Real_timer timer;
-  timer.start();
-  const std::vector<SC::Part_group> groups = SC::detect_symmetry_groups(parts, frame);
-  const double symmetry_seconds = timer.time();
-  std::vector<std::string> warnings;
-  const std::vector<SC::Contact> contacts =
-      SC::detect_contacts<CGAL::Parallel_if_available_tag>(shape, parts, frame, {}, warnings);
-  const double contact_seconds = timer.time() - symmetry_seconds;
-
-  std::cout << folder << ": " << parts.size() << " parts, " << groups.size() << " groups, " << contacts.size()
-            << " contacts, " << warnings.size() + 1 << " piece(s), mirror " << frame.mirror_x << frame.mirror_z << ", "
-            << std::fixed << std::setprecision(1) << 1000 * symmetry_seconds << " + " << 1000 * contact_seconds
-            << " ms\n";
-  std::vector<std::size_t> group_of(parts.size());
+  std::vector<std::size_t> group_of(labels.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     std::set<std::string> coarse;
     std::string members;
@@ -232,7 +205,14 @@ void measure(const std::string& folder, bool quiet, bool brute_force, Totals& to
       std::cout << (mixed ? "  MIXED " : "  ") << name_of(groups[g].symmetry) << " of " << groups[g].parts.size() << ":"
                 << members << "  (residual " << std::setprecision(4) << groups[g].symmetry.residual << ")\n";
   }
-  for (const std::vector<std::size_t>& set : equal_sets(shape, labels, frame)) {
+  return group_of;
+}
+
+/// Counts the sets of equal parts, and those that are in one group, or in mirrored pairs.
+void count_equal_sets(const std::vector<std::vector<std::size_t>>& sets, const std::vector<SC::Part_group>& groups,
+                      const std::vector<std::size_t>& group_of, const Labels& labels, bool quiet, Totals& totals)
+{
+  for (const std::vector<std::size_t>& set : sets) {
     std::map<std::size_t, std::size_t> uses;
     for (std::size_t part : set)
       ++uses[group_of[part]];
@@ -250,12 +230,44 @@ void measure(const std::string& folder, bool quiet, bool brute_force, Totals& to
       std::cout << "\n";
     }
   }
+}
+
+/// Counts the contacts that the folder states, and those of them that were found.
+void count_stated_contacts(const std::string& folder, const std::vector<SC::Contact>& contacts,
+                           const std::vector<SC::Part_abstraction>& parts, Totals& totals)
+{
   const std::set<Name_pair> stated = stated_contacts(folder);
   for (const SC::Contact& contact : contacts)
     totals.stated_contacts_found +=
         stated.count(std::minmax(parts[contact.parts[0]].name, parts[contact.parts[1]].name));
   totals.stated_contacts += stated.size();
   if (!stated.empty()) totals.comparable_contacts += contacts.size();
+}
+
+void measure(const std::string& folder, bool quiet, bool brute_force, Totals& totals)
+{
+  const SC::Segmented_shape shape = SC::IO::read_segmented_shape(folder + "/parts");
+  const Labels labels = labels_of(folder, shape);
+  std::vector<SC::Part_abstraction> parts;
+  for (const SC::Shape_part& part : shape.parts())
+    parts.push_back(make_part(part));
+  const SC::Shape_frame frame = SC::compute_shape_frame(all_samples(shape), shape.up());
+  CGAL::Real_timer timer;
+  timer.start();
+  const std::vector<SC::Part_group> groups = SC::detect_symmetry_groups(parts, frame);
+  const double symmetry_seconds = timer.time();
+  std::vector<std::string> warnings;
+  const std::vector<SC::Contact> contacts =
+      SC::detect_contacts<CGAL::Parallel_if_available_tag>(shape, parts, frame, {}, warnings);
+  const double contact_seconds = timer.time() - symmetry_seconds;
+
+  std::cout << folder << ": " << parts.size() << " parts, " << groups.size() << " groups, " << contacts.size()
+            << " contacts, " << warnings.size() + 1 << " piece(s), mirror " << frame.mirror_x << frame.mirror_z << ", "
+            << std::fixed << std::setprecision(1) << 1000 * symmetry_seconds << " + " << 1000 * contact_seconds
+            << " ms\n";
+  const std::vector<std::size_t> group_of = count_groups(groups, labels, quiet, totals);
+  count_equal_sets(equal_sets(shape, labels, frame), groups, group_of, labels, quiet, totals);
+  count_stated_contacts(folder, contacts, parts, totals);
   for (const std::string& warning : warnings)
     if (!quiet) std::cout << "  " << warning << "\n";
   if (brute_force) compare_with_brute_force(shape, frame, contacts, !warnings.empty(), totals);
