@@ -49,31 +49,44 @@ inline double clamped_cotangent(const Point& a, const Point& b, const Point& c)
   return cosine / std::sqrt(1 - cosine * cosine);
 }
 
-/// One implicit step of the flow: the vertices' new places minimise the squared Laplacians, with cotangent weights,
-/// plus the squared distances from their old places and from their poles, as long as those are inside. The library's
-/// own step gives the same but takes far longer: it computes poles by an exact Voronoi diagram and tests each twice a
-/// step.
-inline Points contracted(const Contracting_mesh& input, const Flow_weights& weights)
+/// The vertices that a step moves, by number; -1: not moved.
+struct Moved_vertices
 {
-  const Part_mesh& mesh = input.mesh;
-  const Eigen::Index n = mesh.points.cols();
-  std::vector<int> unknown(static_cast<std::size_t>(n), -1);
-  int unknowns = 0;
-  for (std::size_t v = 0; v < unknown.size(); ++v) {
-    unknown[v] = input.fixed[v] ? -1 : unknowns++;
+  explicit Moved_vertices(const Contracting_mesh& input)
+      : number(static_cast<std::size_t>(input.mesh.points.cols()), -1)
+  {
+    for (std::size_t v = 0; v < number.size(); ++v) {
+      number[v] = input.fixed[v] ? -1 : count++;
+    }
   }
-  if (unknowns == 0) {
-    return mesh.points;
-  }
-  std::vector<Eigen::Triplet<double>> laplacian;
-  laplacian.reserve(static_cast<std::size_t>(12 * mesh.triangles.cols()));
-  Eigen::MatrixX3d known = Eigen::MatrixX3d::Zero(unknowns, 3);
+
+  int operator[](Eigen::Index vertex) const { return number[static_cast<std::size_t>(vertex)]; }
+
+  std::vector<int> number;
+  int count = 0;
+};
+
+using System_matrix = Eigen::SparseMatrix<double>;
+
+/// Laplacians with cotangent weights of the moved vertices: `matrix` times their places plus `known`, what the others
+/// add.
+struct Laplacian
+{
+  System_matrix matrix;
+  Eigen::MatrixX3d known;
+};
+
+inline Laplacian laplacian_of(const Part_mesh& mesh, const Moved_vertices& moved)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(12 * mesh.triangles.cols()));
+  Laplacian result{System_matrix(moved.count, moved.count), Eigen::MatrixX3d::Zero(moved.count, 3)};
   const auto connect = [&](int row, int to, double w) {
-    laplacian.emplace_back(row, row, -w);
-    if (unknown[static_cast<std::size_t>(to)] >= 0) {
-      laplacian.emplace_back(row, unknown[static_cast<std::size_t>(to)], w);
+    entries.emplace_back(row, row, -w);
+    if (moved[to] >= 0) {
+      entries.emplace_back(row, moved[to], w);
     } else {
-      known.row(row) += w * mesh.points.col(to).transpose();
+      result.known.row(row) += w * mesh.points.col(to).transpose();
     }
   };
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
@@ -81,28 +94,30 @@ inline Points contracted(const Contracting_mesh& input, const Flow_weights& weig
       const int a = mesh.triangles(k, t), b = mesh.triangles((k + 1) % 3, t), c = mesh.triangles((k + 2) % 3, t);
       const double w = clamped_cotangent(mesh.points.col(a), mesh.points.col(b), mesh.points.col(c));
       for (const auto& [from, to] : {std::array<int, 2>{b, c}, std::array<int, 2>{c, b}}) {
-        if (unknown[static_cast<std::size_t>(from)] >= 0) {
-          connect(unknown[static_cast<std::size_t>(from)], to, w);
+        if (moved[from] >= 0) {
+          connect(moved[from], to, w);
         }
       }
     }
   }
-  using Matrix = Eigen::SparseMatrix<double>;
-  Matrix system(unknowns, unknowns);
-  system.setFromTriplets(laplacian.begin(), laplacian.end());
-  Matrix normal_matrix = system.transpose() * system;
-  Eigen::MatrixX3d right = -(system.transpose() * known);
+  result.matrix.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
 
-  const Inside_test is_inside(mesh);
-  Eigen::VectorXd diagonal(unknowns);
-  for (Eigen::Index v = 0; v < n; ++v) {
-    const int i = unknown[static_cast<std::size_t>(v)];
+/// Adds to the normal equations what draws vertices to their old places and to their poles.
+inline void add_attraction(const Contracting_mesh& input, const Flow_weights& weights, const Moved_vertices& moved,
+                           System_matrix& normal_matrix, Eigen::MatrixX3d& right)
+{
+  const Inside_test is_inside(input.mesh);
+  Eigen::VectorXd diagonal(moved.count);
+  for (Eigen::Index v = 0; v < input.mesh.points.cols(); ++v) {
+    const int i = moved[v];
     if (i < 0) {
       continue;
     }
     const double place = weights.velocity * weights.velocity;
     diagonal[i] = place;
-    right.row(i) += place * mesh.points.col(v).transpose();
+    right.row(i) += place * input.mesh.points.col(v).transpose();
     const Point pole = input.poles.col(v);
     if (pole.allFinite() && is_inside(pole)) {
       const double medial = weights.medial * weights.medial;
@@ -110,18 +125,34 @@ inline Points contracted(const Contracting_mesh& input, const Flow_weights& weig
       right.row(i) += medial * pole.transpose();
     }
   }
-  for (int i = 0; i < unknowns; ++i) {
+  for (int i = 0; i < moved.count; ++i) {
     normal_matrix.coeffRef(i, i) += diagonal[i];
   }
-  const Eigen::SimplicialLDLT<Matrix> solver(normal_matrix);
+}
+
+/// One implicit step of the flow: the vertices' new places minimise the squared Laplacians, with cotangent weights,
+/// plus the squared distances from their old places and from their poles, as long as those are inside. The library's
+/// own step gives the same but takes far longer: it computes poles by an exact Voronoi diagram and tests each twice a
+/// step.
+inline Points contracted(const Contracting_mesh& input, const Flow_weights& weights)
+{
+  Points result = input.mesh.points;
+  const Moved_vertices moved(input);
+  if (moved.count == 0) {
+    return result;
+  }
+  const Laplacian laplacian = laplacian_of(input.mesh, moved);
+  System_matrix normal_matrix = laplacian.matrix.transpose() * laplacian.matrix;
+  Eigen::MatrixX3d right = -(laplacian.matrix.transpose() * laplacian.known);
+  add_attraction(input, weights, moved, normal_matrix, right);
+  const Eigen::SimplicialLDLT<System_matrix> solver(normal_matrix);
   const Eigen::MatrixX3d solution = solver.solve(right);
   if (solver.info() != Eigen::Success || !solution.allFinite()) {
     throw Flow_failure("the equations of the flow have no solution");
   }
-  Points result = mesh.points;
-  for (Eigen::Index v = 0; v < n; ++v) {
-    if (unknown[static_cast<std::size_t>(v)] >= 0) {
-      result.col(v) = solution.row(unknown[static_cast<std::size_t>(v)]).transpose();
+  for (Eigen::Index v = 0; v < result.cols(); ++v) {
+    if (moved[v] >= 0) {
+      result.col(v) = solution.row(moved[v]).transpose();
     }
   }
   return result;
