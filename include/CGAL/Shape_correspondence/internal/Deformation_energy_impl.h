@@ -143,4 +143,4 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE double weighted_sum(const Energy_terms& terms, 
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_DEFORMATION_ENERGY_IMPL_H

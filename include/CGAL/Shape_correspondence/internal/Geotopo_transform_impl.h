@@ -395,4 +395,4 @@ Propagation::operator()(const std::vector<char>& matched, const std::vector<std:
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_GEOTOPO_TRANSFORM_IMPL_H

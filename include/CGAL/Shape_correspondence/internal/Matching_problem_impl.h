@@ -347,4 +347,4 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Energy_terms Matching_problem::terms(const Assi
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MATCHING_PROBLEM_IMPL_H

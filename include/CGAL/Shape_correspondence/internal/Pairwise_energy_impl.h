@@ -58,4 +58,4 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE double Pairwise_energy::lower_bound() const
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_PAIRWISE_ENERGY_IMPL_H

@@ -71,4 +71,4 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Part_map composed(const Part_map& first, const 
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_PART_MAP_IMPL_H

@@ -57,4 +57,4 @@ private:
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_PIECE_LIST_H

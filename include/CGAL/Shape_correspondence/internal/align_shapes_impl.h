@@ -342,4 +342,4 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE std::vector<int> alignment_turns(const Shape_fr
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ALIGN_SHAPES_IMPL_H

@@ -260,4 +260,4 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Search_result beam_search(const Matching_proble
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BEAM_SEARCH_IMPL_H

@@ -200,4 +200,4 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Co_analysis co_analysis(const std::vector<std::
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_CO_ANALYSIS_IMPL_H

@@ -137,4 +137,4 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Eigen::MatrixXd symmetric_distances(const Eigen
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_ENERGY_MATRIX_IMPL_H

@@ -342,4 +342,4 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Search_result exact_search(const Pairwise_energ
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_EXACT_SEARCH_IMPL_H

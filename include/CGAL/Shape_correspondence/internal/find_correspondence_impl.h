@@ -346,4 +346,4 @@ find_correspondences(const Structural_graph& source, const Structural_graph& tar
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_FIND_CORRESPONDENCE_IMPL_H

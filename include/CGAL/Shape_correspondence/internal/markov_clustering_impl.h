@@ -187,4 +187,4 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Markov_clustering markov_clustering(const Eigen
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MARKOV_CLUSTERING_IMPL_H

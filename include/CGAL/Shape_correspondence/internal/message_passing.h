@@ -98,4 +98,4 @@ private:
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MESSAGE_PASSING_H

@@ -71,4 +71,4 @@ inline std::vector<std::size_t> min_fill_order(std::size_t n,
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MIN_FILL_ORDER_H

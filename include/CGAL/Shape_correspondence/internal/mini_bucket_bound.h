@@ -231,4 +231,4 @@ private:
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MINI_BUCKET_BOUND_H

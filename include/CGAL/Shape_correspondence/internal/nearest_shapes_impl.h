@@ -73,4 +73,4 @@ Nearest_shapes nearest_shapes(const Structural_graph& query, std::size_t number_
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_NEAREST_SHAPES_IMPL_H

@@ -58,4 +58,4 @@ inline std::vector<std::size_t> optimal_assignment(const Eigen::MatrixXd& cost)
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_OPTIMAL_ASSIGNMENT_H

@@ -190,4 +190,4 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Part_assemblies part_assemblies(const Aligned_s
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_PART_ASSEMBLIES_IMPL_H

@@ -28,4 +28,4 @@ constexpr double zero_squared_length = 1e-18;
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_QUANTIZED_H

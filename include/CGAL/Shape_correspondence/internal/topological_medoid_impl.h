@@ -171,4 +171,4 @@ sampled_medoid(std::size_t n, const std::function<double(std::size_t, std::size_
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_TOPOLOGICAL_MEDOID_IMPL_H

@@ -177,4 +177,4 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Transitive_correspondence transitive_correspond
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_TRANSITIVE_CORRESPONDENCE_IMPL_H
