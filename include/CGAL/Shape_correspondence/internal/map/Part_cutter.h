@@ -8,6 +8,7 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/internal/map/Part_pair.h>
@@ -19,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -37,48 +39,103 @@ inline double turns_around(const Eigen::Vector2d& p, const Planar_points& vertic
   return sum / (2 * EIGEN_PI);
 }
 
-/// The triangles that fill a section of a solid.
-///
-/// Vertices are numbered from 0 on; sides run around what they enclose counter-clockwise. Where sides cross each other,
-/// which they do not if the solid's surface does not, all of them are joined to one more vertex.
-inline std::vector<std::array<int, 3>> section_triangles(const Planar_points& vertices,
-                                                         const std::vector<std::array<int, 2>>& sides)
+/// What fills a section of a solid, in the plane.
+struct Section_filling
 {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-  using Structure = CGAL::Triangulation_data_structure_2<Vertex, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-  using Triangulation =
-      CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
-  std::vector<std::array<int, 3>> result;
-  Triangulation triangulation;
-  try {
-    std::vector<Triangulation::Vertex_handle> handles;
+  Planar_points vertices; ///< those of the section, then those where its sides cross each other
+  std::vector<std::array<int, 3>> triangles;
+};
+
+/// Fills the section of a solid with triangles that run along each of its sides once, so that the solid stays closed.
+/// Where sides cross each other or vertices are in one place, as they are if the solid's surface touches itself, that
+/// takes triangles without area.
+class Section_filler
+{
+public:
+  using Side = std::array<int, 2>; ///< from vertex to vertex, counter-clockwise around what they enclose
+
+  Section_filler(const Planar_points& vertices, const std::vector<Side>& sides) : filling_{vertices, {}}
+  {
     for (const Eigen::Vector2d& p : vertices) {
-      handles.push_back(triangulation.insert({p.x(), p.y()}));
-      handles.back()->info() = int(handles.size()) - 1;
+      handles_.push_back(triangulation_.insert({p.x(), p.y()}));
+      set_number(handles_.back(), int(handles_.size()) - 1);
     }
-    if (triangulation.number_of_vertices() < vertices.size())
-      throw Triangulation::Intersection_of_constraints_exception();
-    for (const auto& [a, b] : sides)
-      triangulation.insert_constraint(handles[std::size_t(a)], handles[std::size_t(b)]);
-  } catch (const Triangulation::Intersection_of_constraints_exception&) {
-    for (const auto& [a, b] : sides)
-      result.push_back({a, b, int(vertices.size())});
-    return result;
+    for (const Side& side : sides) {
+      const Side places = in_order(side);
+      if (places[0] == places[1] || constraints_.count(places)) continue;
+      constraints_[places] =
+          triangulation_.insert_constraint(handles_[std::size_t(places[0])], handles_[std::size_t(places[1])]);
+    }
+    for (const auto vertex : triangulation_.finite_vertex_handles())
+      if (set_number(vertex, int(filling_.vertices.size())))
+        filling_.vertices.emplace_back(vertex->point().x(), vertex->point().y());
+    for (const auto face : triangulation_.finite_face_handles())
+      add_face({number(face->vertex(0)), number(face->vertex(1)), number(face->vertex(2))}, vertices, sides);
+    for (const Side& side : sides)
+      add_strip(side);
   }
-  for (const auto& face : triangulation.finite_face_handles()) {
-    std::array<int, 3> corners;
+
+  const Section_filling& operator()() const { return filling_; }
+
+private:
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::optional<int>, Kernel>;
+  using Structure = CGAL::Triangulation_data_structure_2<Vertex, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+  using Triangulation = CGAL::Constrained_triangulation_plus_2<
+      CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>>;
+  using Handle = Triangulation::Vertex_handle;
+
+  static int number(Handle vertex) { return *vertex->info(); }
+  static bool set_number(Handle vertex, int number)
+  {
+    if (vertex->info()) return false;
+    vertex->info() = number;
+    return true;
+  }
+
+  /// The first vertices in the places of a side's ends, the smaller one first.
+  Side in_order(const Side& side) const
+  {
+    const int a = number(handles_[std::size_t(side[0])]), b = number(handles_[std::size_t(side[1])]);
+    return {std::min(a, b), std::max(a, b)};
+  }
+
+  /// As often as the sides run around it.
+  void add_face(std::array<int, 3> corners, const Planar_points& vertices, const std::vector<Side>& sides)
+  {
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-    for (int i = 0; i < 3; ++i) {
-      corners[std::size_t(i)] = face->vertex(i)->info();
-      middle += vertices[std::size_t(corners[std::size_t(i)])] / 3;
-    }
+    for (int corner : corners)
+      middle += filling_.vertices[std::size_t(corner)] / 3;
     const int turns = int(std::lround(turns_around(middle, vertices, sides)));
     if (turns < 0) std::swap(corners[0], corners[1]);
-    result.insert(result.end(), std::size_t(std::abs(turns)), corners);
+    filling_.triangles.insert(filling_.triangles.end(), std::size_t(std::abs(turns)), corners);
   }
-  return result;
-}
+
+  /// What is between a side and the edges of the triangulation that it runs along.
+  void add_strip(const Side& side)
+  {
+    std::vector<int> strip;
+    const Side places = in_order(side);
+    if (places[0] == places[1]) {
+      strip = {places[0]};
+    } else {
+      const Triangulation::Constraint_id constraint = constraints_.at(places);
+      for (auto vertex = triangulation_.vertices_in_constraint_begin(constraint);
+           vertex != triangulation_.vertices_in_constraint_end(constraint); ++vertex)
+        strip.push_back(number(*vertex));
+      if (strip.front() == number(handles_[std::size_t(side[0])])) std::reverse(strip.begin(), strip.end());
+    }
+    strip.insert(strip.begin(), side[1]);
+    for (std::size_t i = 0; i + 1 < strip.size(); ++i)
+      if (side[0] != strip[i] && side[0] != strip[i + 1] && strip[i] != strip[i + 1])
+        filling_.triangles.push_back({side[0], strip[i], strip[i + 1]});
+  }
+
+  Section_filling filling_;
+  Triangulation triangulation_;
+  std::vector<Handle> handles_;                              ///< by vertex of the section
+  std::map<Side, Triangulation::Constraint_id> constraints_; ///< by numbers of first vertices in their places
+};
 
 /// Cuts parts into pieces, one side of the piece after the other.
 class Part_cutter
@@ -90,8 +147,8 @@ public:
     add_coordinates();
   }
 
-  /// Removes what is beyond `at` in a coordinate and fills the section. Of a part all of which is beyond, the nearest
-  /// point is left.
+  /// Removes what is beyond `at` in a coordinate and fills the section if it is closed. Of a part all of which is
+  /// beyond, the nearest point is left.
   void cut(int axis, double at, bool is_low)
   {
     const auto beyond = [&](int i) {
@@ -114,7 +171,7 @@ public:
     if (mesh_.number_of_triangles() == 0)
       mesh_.add_triangle({nearest, nearest, nearest});
     else
-      fill_section(axis, [&](int i) { return beyond(i) >= -on_side; });
+      fill_section(axis, at, [&](int i) { return beyond(i) >= -on_side; });
   }
 
   /// What is left.
@@ -150,7 +207,7 @@ private:
   }
 
   template <typename Is_on_side>
-  void fill_section(int axis, const Is_on_side& is_on_side)
+  void fill_section(int axis, double at, const Is_on_side& is_on_side)
   {
     std::vector<int> points; // by vertex of the section
     std::map<int, int> vertex;
@@ -159,24 +216,38 @@ private:
       if (is_new) points.push_back(point);
       return known->second;
     };
-    std::vector<std::array<int, 2>> sides;
+    std::vector<Section_filler::Side> sides;
     for (std::size_t t = 0; t < mesh_.number_of_triangles(); ++t)
       for (std::size_t i = 0; i < 3; ++i) {
         const int a = mesh_.corners(t)[i], b = mesh_.corners(t)[(i + 1) % 3];
         if (is_on_side(a) && is_on_side(b)) sides.push_back({number(b), number(a)});
       }
-    if (sides.empty()) return;
+    if (sides.empty() || !is_closed(sides, points.size())) return;
     Planar_points vertices;
-    Point middle = Point::Zero();
     for (int point : points) {
       const Point& k = coordinates_[std::size_t(point)];
       vertices.emplace_back(k[(axis + 1) % 3], k[(axis + 2) % 3]);
-      middle += mesh_.point(point) / double(points.size());
     }
-    points.push_back(mesh_.add_point(middle));
-    for (const std::array<int, 3>& t : section_triangles(vertices, sides))
+    const Section_filling filling = Section_filler(vertices, sides)();
+    for (std::size_t i = vertices.size(); i < filling.vertices.size(); ++i) {
+      Point k;
+      k[axis] = at;
+      k[(axis + 1) % 3] = filling.vertices[i].x();
+      k[(axis + 2) % 3] = filling.vertices[i].y();
+      points.push_back(mesh_.add_point(chart_(k)));
+      coordinates_.push_back(k);
+    }
+    for (const std::array<int, 3>& t : filling.triangles)
       mesh_.add_triangle({points[std::size_t(t[0])], points[std::size_t(t[1])], points[std::size_t(t[2])]});
-    add_coordinates();
+  }
+
+  /// Whether as many sides end at every vertex as begin there.
+  static bool is_closed(const std::vector<Section_filler::Side>& sides, std::size_t vertices)
+  {
+    std::vector<int> balance(vertices, 0);
+    for (const auto& [a, b] : sides)
+      --balance[std::size_t(a)], ++balance[std::size_t(b)];
+    return std::all_of(balance.begin(), balance.end(), [](int difference) { return difference == 0; });
   }
 
   const Part_chart& chart_;
