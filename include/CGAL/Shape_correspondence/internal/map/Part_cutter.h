@@ -14,6 +14,7 @@
 #include <CGAL/Shape_correspondence/internal/map/Part_pair.h>
 #include <CGAL/Shape_correspondence/internal/map/Subdivision.h>
 #include <CGAL/Shape_correspondence/internal/planar_hull.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
@@ -26,18 +27,6 @@
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
-
-/// How often directed sides run around a point of the plane, counter-clockwise.
-inline double turns_around(const Eigen::Vector2d& p, const Planar_points& vertices,
-                           const std::vector<std::array<int, 2>>& sides)
-{
-  double sum = 0;
-  for (const auto& [a, b] : sides) {
-    const Eigen::Vector2d u = vertices[std::size_t(a)] - p, v = vertices[std::size_t(b)] - p;
-    sum += std::atan2(cross(u, v), u.dot(v));
-  }
-  return sum / (2 * EIGEN_PI);
-}
 
 /// What fills a section of a solid, in the plane.
 struct Section_filling
@@ -69,10 +58,9 @@ public:
     for (const auto vertex : triangulation_.finite_vertex_handles())
       if (set_number(vertex, int(filling_.vertices.size())))
         filling_.vertices.emplace_back(vertex->point().x(), vertex->point().y());
-    for (const auto face : triangulation_.finite_face_handles())
-      add_face({number(face->vertex(0)), number(face->vertex(1)), number(face->vertex(2))}, vertices, sides);
     for (const Side& side : sides)
       add_strip(side);
+    add_faces();
   }
 
   const Section_filling& operator()() const { return filling_; }
@@ -80,10 +68,13 @@ public:
 private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::optional<int>, Kernel>;
-  using Structure = CGAL::Triangulation_data_structure_2<Vertex, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+  using Face_base = CGAL::Triangulation_face_base_with_info_2<std::optional<int>, Kernel>;
+  using Structure =
+      CGAL::Triangulation_data_structure_2<Vertex, CGAL::Constrained_triangulation_face_base_2<Kernel, Face_base>>;
   using Triangulation = CGAL::Constrained_triangulation_plus_2<
       CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>>;
   using Handle = Triangulation::Vertex_handle;
+  using Face = Triangulation::Face_handle;
 
   static int number(Handle vertex) { return *vertex->info(); }
   static bool set_number(Handle vertex, int number)
@@ -100,18 +91,7 @@ private:
     return {std::min(a, b), std::max(a, b)};
   }
 
-  /// As often as the sides run around it.
-  void add_face(std::array<int, 3> corners, const Planar_points& vertices, const std::vector<Side>& sides)
-  {
-    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-    for (int corner : corners)
-      middle += filling_.vertices[std::size_t(corner)] / 3;
-    const int turns = int(std::lround(turns_around(middle, vertices, sides)));
-    if (turns < 0) std::swap(corners[0], corners[1]);
-    filling_.triangles.insert(filling_.triangles.end(), std::size_t(std::abs(turns)), corners);
-  }
-
-  /// What is between a side and the edges of the triangulation that it runs along.
+  /// What is between a side and the edges of the triangulation that it runs along, which are counted.
   void add_strip(const Side& side)
   {
     std::vector<int> strip;
@@ -125,16 +105,51 @@ private:
         strip.push_back(number(*vertex));
       if (strip.front() == number(handles_[std::size_t(side[0])])) std::reverse(strip.begin(), strip.end());
     }
+    for (std::size_t i = 0; i + 1 < strip.size(); ++i) {
+      ++runs_[{strip[i + 1], strip[i]}];
+      --runs_[{strip[i], strip[i + 1]}];
+    }
     strip.insert(strip.begin(), side[1]);
     for (std::size_t i = 0; i + 1 < strip.size(); ++i)
       if (side[0] != strip[i] && side[0] != strip[i + 1] && strip[i] != strip[i + 1])
         filling_.triangles.push_back({side[0], strip[i], strip[i + 1]});
   }
 
+  /// Every face as often as the sides run around it, which is told from the outside inwards.
+  void add_faces()
+  {
+    if (triangulation_.dimension() < 2) return;
+    std::vector<Face> faces = {triangulation_.infinite_face()};
+    faces[0]->info() = 0;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (int i = 0; i < 3; ++i) {
+        const Face next = faces[f]->neighbor(i);
+        if (next->info()) continue;
+        next->info() = *faces[f]->info() - runs_along(faces[f], i);
+        faces.push_back(next);
+      }
+    for (const Face face : faces) {
+      if (triangulation_.is_infinite(face)) continue;
+      std::array<int, 3> corners = {number(face->vertex(0)), number(face->vertex(1)), number(face->vertex(2))};
+      if (*face->info() < 0) std::swap(corners[0], corners[1]);
+      filling_.triangles.insert(filling_.triangles.end(), std::size_t(std::abs(*face->info())), corners);
+    }
+  }
+
+  /// How many more sides run along an edge of a face with the face to their left than with it to their right.
+  int runs_along(Face face, int edge) const
+  {
+    const Handle from = face->vertex(Triangulation::ccw(edge)), to = face->vertex(Triangulation::cw(edge));
+    if (triangulation_.is_infinite(from) || triangulation_.is_infinite(to)) return 0;
+    const auto found = runs_.find({number(from), number(to)});
+    return found == runs_.end() ? 0 : found->second;
+  }
+
   Section_filling filling_;
   Triangulation triangulation_;
   std::vector<Handle> handles_;                              ///< by vertex of the section
   std::map<Side, Triangulation::Constraint_id> constraints_; ///< by numbers of first vertices in their places
+  std::map<Side, int> runs_;                                 ///< by directed edge, how many more sides run along it
 };
 
 /// Cuts parts into pieces, one side of the piece after the other.
