@@ -14,6 +14,7 @@
 #include <CGAL/Shape_correspondence/internal/map/Part_pair.h>
 #include <CGAL/Shape_correspondence/internal/map/Subdivision.h>
 #include <CGAL/Shape_correspondence/internal/planar_hull.h>
+#include <CGAL/Shape_correspondence/internal/quantized.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
@@ -237,12 +238,12 @@ private:
         const int a = mesh_.corners(t)[i], b = mesh_.corners(t)[(i + 1) % 3];
         if (is_on_side(a) && is_on_side(b)) sides.push_back({number(b), number(a)});
       }
-    if (sides.empty() || !is_closed(sides, points.size())) return;
     Planar_points vertices;
     for (int point : points) {
       const Point& k = coordinates_[std::size_t(point)];
       vertices.emplace_back(k[(axis + 1) % 3], k[(axis + 2) % 3]);
     }
+    if (sides.empty() || !is_closed(sides, vertices)) return;
     const Section_filling filling = Section_filler(vertices, sides)();
     for (std::size_t i = vertices.size(); i < filling.vertices.size(); ++i) {
       Point k;
@@ -256,13 +257,17 @@ private:
       mesh_.add_triangle({points[std::size_t(t[0])], points[std::size_t(t[1])], points[std::size_t(t[2])]});
   }
 
-  /// Whether as many sides end at every vertex as begin there.
-  static bool is_closed(const std::vector<Section_filler::Side>& sides, std::size_t vertices)
+  /// Whether as many sides end in every place as begin there.
+  static bool is_closed(const std::vector<Section_filler::Side>& sides, const Planar_points& vertices)
   {
-    std::vector<int> balance(vertices, 0);
+    std::map<std::array<long, 2>, int> balance;
+    const auto place = [&](int vertex) {
+      const Eigen::Vector2d& p = vertices[std::size_t(vertex)];
+      return std::array<long, 2>{quantized(p.x()), quantized(p.y())};
+    };
     for (const auto& [a, b] : sides)
-      --balance[std::size_t(a)], ++balance[std::size_t(b)];
-    return std::all_of(balance.begin(), balance.end(), [](int difference) { return difference == 0; });
+      --balance[place(a)], ++balance[place(b)];
+    return std::all_of(balance.begin(), balance.end(), [](const auto& place) { return place.second == 0; });
   }
 
   const Part_chart& chart_;
