@@ -120,6 +120,18 @@ TEST_CASE("Pieces of a part are closed, within it, and make up its volume, also 
   CHECK(volume(part) > 0);
 }
 
+TEST_CASE("A piece where a part has nothing is a speck of it")
+{
+  const Part_mesh part = ring(0.2);
+  const internal::Part_chart chart = internal::Part_chart::box(part.points, Eigen::Matrix3d::Identity());
+  const internal::Chart_box hole(Point(-0.4, -0.4, -1), Point(0.4, 0.4, 1));
+  const Part_mesh piece = internal::piece_of(part.points, part.triangles, chart, hole);
+  CHECK(is_closed(piece));
+  CHECK(volume(piece) > 0);
+  CHECK((piece.points.rowwise().maxCoeff() - piece.points.rowwise().minCoeff()).maxCoeff() < 0.01);
+  CHECK(std::abs(piece.points.row(2).maxCoeff()) < 0.2 + 1e-6);
+}
+
 TEST_CASE("What vanishes between contacts goes to the straight line between them; one that goes apart is given up")
 {
   Part_mesh arch = ring(0.05);

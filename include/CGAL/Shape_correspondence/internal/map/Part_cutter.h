@@ -163,8 +163,8 @@ public:
     add_coordinates();
   }
 
-  /// Removes what is beyond `at` in a coordinate and fills the section if it is closed. Of a part all of which is
-  /// beyond, the nearest point is left.
+  /// Removes what is beyond `at` in a coordinate and fills the section if it is closed. A part all of which is
+  /// beyond is shrunk to a speck at its nearest point.
   void cut(int axis, double at, bool is_low)
   {
     const auto beyond = [&](int i) {
@@ -177,17 +177,22 @@ public:
     });
     for (std::size_t i = add_coordinates(); i < coordinates_.size(); ++i)
       coordinates_[i][axis] = at;
+    const auto is_beyond = [&](const std::array<int, 3>& corners) {
+      return std::all_of(corners.begin(), corners.end(), [&](int corner) { return beyond(corner) >= -on_side; });
+    };
     int nearest = mesh_.corners(0)[0];
-    for (std::size_t t = 0; t < mesh_.number_of_triangles(); ++t)
+    bool all_beyond = true;
+    for (std::size_t t = 0; t < mesh_.number_of_triangles(); ++t) {
+      all_beyond = all_beyond && is_beyond(mesh_.corners(t));
       for (int corner : mesh_.corners(t))
         if (beyond(corner) < beyond(nearest)) nearest = corner;
-    mesh_.remove_triangles_if([&](const std::array<int, 3>& corners) {
-      return std::all_of(corners.begin(), corners.end(), [&](int corner) { return beyond(corner) >= -on_side; });
-    });
-    if (mesh_.number_of_triangles() == 0)
-      mesh_.add_triangle({nearest, nearest, nearest});
-    else
-      fill_section(axis, at, [&](int i) { return beyond(i) >= -on_side; });
+    }
+    if (all_beyond) {
+      shrink_to(nearest);
+      return;
+    }
+    mesh_.remove_triangles_if(is_beyond);
+    fill_section(axis, at, [&](int i) { return beyond(i) >= -on_side; });
   }
 
   /// What is left.
@@ -220,6 +225,16 @@ private:
     for (std::size_t i = before; i < mesh_.number_of_points(); ++i)
       coordinates_.push_back(chart_.coordinates(mesh_.point(int(i))));
     return before;
+  }
+
+  void shrink_to(int point)
+  {
+    constexpr double speck = 1e-3; // of the part's size
+    const Point to = mesh_.point(point);
+    for (int i = 0; i < int(coordinates_.size()); ++i) {
+      mesh_.move(i, to + speck * (mesh_.point(i) - to));
+      coordinates_[std::size_t(i)] = chart_.coordinates(mesh_.point(i));
+    }
   }
 
   template <typename Is_on_side>

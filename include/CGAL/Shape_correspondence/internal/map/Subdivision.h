@@ -37,6 +37,8 @@ public:
   const Point& point(int i) const { return points_[std::size_t(i)]; }
   const std::array<int, 3>& corners(std::size_t triangle) const { return triangles_[triangle]; }
 
+  void move(int i, const Point& to) { points_[std::size_t(i)] = to; }
+
   /// Adds a point and returns its number.
   int add_point(const Point& p)
   {
