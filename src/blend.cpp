@@ -9,3 +9,4 @@
 
 #include <CGAL/Shape_correspondence/internal/Correspondence_map_impl.h>
 #include <CGAL/Shape_correspondence/internal/blend_shapes_impl.h>
+#include <CGAL/Shape_correspondence/internal/map/fill_section_impl.h>

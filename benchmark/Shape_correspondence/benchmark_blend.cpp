@@ -11,7 +11,7 @@
 //   apart      the widest gap that it takes to join all parts, and the same at the ends
 //   asymmetry  root mean square distance from the mirror image, and the same at the ends
 //   ground     how far a foot is off the ground
-//   start, end the Hausdorff distance from the source just after 0, and from the target just before 1
+//   start, end the Hausdorff distance of what is seen from the source just after 0, and from the target just before 1
 // and a line for everything that does not hold within the tolerances of `Shape_blend`.
 // Ends with exit status 1 if a part is open that must not be, or an end is not the input.
 #include "blend_checks.h"
@@ -97,8 +97,8 @@ bool check(const std::string& source_path, const std::string& target_path, int f
   const double end_apart = std::max(widest_gap(source.shape, heights[0]), widest_gap(target.shape, heights[1]));
   const double end_asymmetry = std::max(blend.check(0).quality.asymmetry, blend.check(1).quality.asymmetry);
   constexpr double just = 1e-6;
-  const double start = hausdorff_distance(source.shape, blend(just)) / heights[0];
-  const double end = hausdorff_distance(target.shape, blend(1 - just)) / heights[1];
+  const double start = seen_distance(blend(just), source.shape, heights[0]);
+  const double end = seen_distance(blend(1 - just), target.shape, heights[1]);
   const bool exact = is_same(blend(0), source.shape) && is_same(blend(1), target.shape);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const auto stem = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };

@@ -52,8 +52,34 @@ inline double widest_gap(const Segmented_shape& shape, double height)
   return CGAL::Shape_correspondence::internal::widest_gap(trees_of(shape, 1 / height));
 }
 
+/// Whether a point is in a closed mesh, by the solid angle under which it sees the surface.
+inline bool is_inside(const Point& p, const Part_mesh& mesh)
+{
+  double angle = 0; // half of it
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Point a = mesh.points.col(mesh.triangles(0, t)) - p, b = mesh.points.col(mesh.triangles(1, t)) - p;
+    const Point c = mesh.points.col(mesh.triangles(2, t)) - p;
+    const double lengths[] = {a.norm(), b.norm(), c.norm()};
+    angle += std::atan2(a.dot(b.cross(c)), lengths[0] * lengths[1] * lengths[2] + a.dot(b) * lengths[2] +
+                                               b.dot(c) * lengths[0] + c.dot(a) * lengths[1]);
+  }
+  return std::abs(angle) > EIGEN_PI;
+}
+
+inline double area(const Part_mesh& mesh)
+{
+  double sum = 0;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const auto corner = [&](int i) -> Point { return mesh.points.col(mesh.triangles(i, t)); };
+    sum += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
+  }
+  return sum;
+}
+
 /// How far the vertices of one shape are from the surface of another.
-inline double distance(const Segmented_shape& from, const Segmented_shape& to)
+/// \param is_left_out of a part of `from`, and a point of it
+template <typename Is_left_out>
+double distance(const Segmented_shape& from, const Segmented_shape& to, const Is_left_out& is_left_out)
 {
   const std::vector<Triangle_tree> trees = trees_of(to);
   double farthest = 0;
@@ -65,15 +91,33 @@ inline double distance(const Segmented_shape& from, const Segmented_shape& to)
       std::size_t triangle;
       for (const Triangle_tree& tree : trees)
         if (tree.box().squaredExteriorDistance(p) < squared) tree.improve_nearest(p, nearest, squared, triangle);
-      farthest = std::max(farthest, squared);
+      if (squared > farthest && !is_left_out(part, p)) farthest = squared;
     }
   return std::sqrt(farthest);
+}
+
+inline double distance(const Segmented_shape& from, const Segmented_shape& to)
+{
+  return distance(from, to, [](const Shape_part&, const Point&) { return false; });
 }
 
 /// The Hausdorff distance, as vertices tell.
 inline double hausdorff_distance(const Segmented_shape& a, const Segmented_shape& b)
 {
   return std::max(distance(a, b), distance(b, a));
+}
+
+/// How far what is seen of a shape of a blend is from an input, or the input from the shape. Not seen are parts that
+/// have shrunk to nothing, and what is inside the input's parts, where pieces of divided parts meet.
+inline double seen_distance(const Segmented_shape& blended, const Segmented_shape& input, double height)
+{
+  constexpr double least_area = 1e-5;
+  const auto is_left_out = [&](const Shape_part& part, const Point& p) {
+    return area(part.mesh) < least_area * height * height ||
+           std::any_of(input.parts().begin(), input.parts().end(),
+                       [&](const Shape_part& other) { return is_inside(p, other.mesh); });
+  };
+  return std::max(distance(blended, input, is_left_out), distance(input, blended)) / height;
 }
 
 /// To the bit.

@@ -4,6 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // `match` through the program on models of data/: complete results, the file format, invariance, reproducibility.
+#include "model_files.h"
+
 #include <nlohmann/json.hpp>
 
 #include <catch2/catch.hpp>
@@ -24,15 +26,11 @@ namespace {
 
 const fs::path data = SHAPE_CORRESPONDENCE_DATA_DIR;
 
+// Of this process: several may run at once
 fs::path scratch()
 {
-  static const fs::path folder = [] {
-    const fs::path path = fs::temp_directory_path() / "shape_correspondence_test_match";
-    fs::remove_all(path);
-    fs::create_directories(path);
-    return path;
-  }();
-  return folder;
+  static const model_files::Temporary_folder folder;
+  return folder.path("");
 }
 
 std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }

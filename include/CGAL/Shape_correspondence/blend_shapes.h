@@ -88,13 +88,14 @@ struct Blend_surface
 /// al., Topology-Varying 3D Shape Creation via Structural Blending, 2014).
 ///
 /// Matched parts morph into each other in coordinates along their curves and sheets, with rotation-minimising frames; a
-/// part that corresponds to many is divided into closed pieces, one for each; parts without counterpart shrink towards
-/// or grow out of what they touch, of which they keep one contact, or two far from each other. The parts' own surfaces
-/// are carried along. If both shapes have the mirror plane in common, what a part becomes, its mirror image becomes the
-/// mirror image of, also where the correspondence has only one of the two, and both move alike. Contacts of parts that
-/// stay are kept, and feet on the ground: all parts are moved and stretched at once, as little as that takes. Sets of
-/// parts that have come apart all the same are moved together. Of several schedules the one is taken in which contacts,
-/// mirror symmetry and ground contact hold best; `check()` tells what does not hold. Deterministic.
+/// part that corresponds to many is cut into closed pieces, one for each; parts without counterpart shrink towards or
+/// grow out of what they touch, to a point or, between contacts far from each other, to a straight thread; contacts
+/// that go apart are given up. The parts' own surfaces are carried along. If both shapes have the mirror plane in
+/// common, what a part becomes, its mirror image becomes the mirror image of, also where the correspondence has only
+/// one of the two, and both move alike. Contacts of parts that stay are kept, and feet on the ground: all parts are
+/// moved and stretched at once, as little as that takes. Sets of parts that have come apart all the same are moved
+/// together. Of several schedules the one is taken in which contacts, mirror symmetry and ground contact hold best;
+/// `check()` tells what does not hold. Deterministic.
 class Shape_blend
 {
 public:

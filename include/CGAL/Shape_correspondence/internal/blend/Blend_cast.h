@@ -24,8 +24,34 @@ struct Blend_attachment
   std::size_t actor;
   int surface;
   Mesh_place place;
-  Point at;
+  Point at;       ///< at the end that has the fading part
+  Point vanished; ///< at the other end, but for how what it hangs on may be stretched
 };
+
+/// Leaves out places to hang on that go far apart though they are near each other on the part, those first that do so
+/// most: what is there hangs together by other ways at the other end. Mirror images go together; one is always left.
+/// \param size of the part
+inline std::vector<Blend_attachment> kept_together(std::vector<Blend_attachment> holds, double size)
+{
+  constexpr double most_stretch = 3, near = 0.1; // the latter over the size
+  for (;;) {
+    std::vector<double> strains;
+    for (const Blend_attachment& hold : holds) {
+      double excess = 0;
+      for (const Blend_attachment& other : holds) {
+        const double before = std::max((hold.at - other.at).norm(), near * size);
+        excess += std::max(0., (hold.vanished - other.vanished).norm() - most_stretch * before);
+      }
+      strains.push_back(excess * (hold.vanished - hold.at).norm());
+    }
+    const long worst = strains.empty() ? 0 : quantized(*std::max_element(strains.begin(), strains.end()));
+    std::vector<Blend_attachment> kept;
+    for (std::size_t i = 0; i < holds.size(); ++i)
+      if (quantized(strains[i]) < worst) kept.push_back(holds[i]);
+    if (worst == 0 || kept.empty()) return holds;
+    holds = std::move(kept);
+  }
+}
 
 /// The parts of a blend and how they hang together, in the common frame of both shapes.
 class Blend_cast
@@ -62,6 +88,7 @@ private:
   std::vector<Blend_attachment> images_of(const std::vector<Blend_attachment>& holds, int side) const;
   Blend_attachment attachment(const std::vector<std::size_t>& candidates, int side, const Point& at) const;
   Points end_points(std::size_t actor, int side) const;
+  Point vanished(const Blend_attachment& hold, int side) const;
   void add_trees();
 };
 
@@ -110,6 +137,18 @@ inline Points Blend_cast::end_points(std::size_t actor, int side) const
   return actors[actor].morph ? actors[actor].points(side, side) : actors[actor].points_left(1);
 }
 
+/// Where a place to hang on is at the end that does not have what hangs there.
+/// \param side the other one
+inline Point Blend_cast::vanished(const Blend_attachment& hold, int side) const
+{
+  const Blend_actor& actor = actors[hold.actor];
+  if (actor.morph) return hold.place.of(actor.points(hold.surface, 1 - side), triangles(hold.actor, hold.surface));
+  Point result = actor.place(hold.at, 0);
+  for (const Blend_attachment& on : attachments[hold.actor])
+    result += (on.vanished - on.at) / double(attachments[hold.actor].size());
+  return result;
+}
+
 inline Blend_attachment Blend_cast::attachment(const std::vector<std::size_t>& candidates, int side,
                                                const Point& at) const
 {
@@ -122,8 +161,9 @@ inline Blend_attachment Blend_cast::attachment(const std::vector<std::size_t>& c
     const Point p = place.of(points, triangles(actor, surface));
     if ((p - at).squaredNorm() >= least) continue;
     least = (p - at).squaredNorm();
-    best = {actor, surface, place, p};
+    best = {actor, surface, place, p, p};
   }
+  best.vanished = vanished(best, side);
   return best;
 }
 
@@ -182,6 +222,8 @@ inline void Blend_cast::add_fading(const Blend_side& given, int side, std::size_
     }
   }
   Part_mesh mesh = ends.meshes[std::size_t(side)][part];
+  const double size = (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
+  holds = kept_together(std::move(holds), size);
   if (actor.is_image) mesh.points = mirrored(std::move(mesh.points));
   std::vector<Point> anchors;
   for (const Blend_attachment& hold : holds)

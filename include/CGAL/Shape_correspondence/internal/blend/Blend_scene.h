@@ -8,7 +8,12 @@
 
 #include <CGAL/Shape_correspondence/internal/blend/Affine_moves.h>
 #include <CGAL/Shape_correspondence/internal/blend/Blend_cast.h>
+#include <CGAL/Shape_correspondence/internal/blend/Joined_sets.h>
 
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -54,6 +59,7 @@ public:
 private:
   static constexpr double closed = 1e-4;  ///< a gap that is none
   static constexpr double joined = 0.005; ///< over what the ends have, the widest gap between sets of parts
+  static constexpr int most_rounds = 20;  ///< of closing contacts
 
   /// How far parts are symmetric: wholly from the end of the first quarter to the begin of the last one.
   double mirror_share() const { return std::min({1., 4 * t_, 4 * (1 - t_)}); }
@@ -68,8 +74,11 @@ private:
   void fade();
   void mirror();
   void meet_image(std::size_t actor);
-  void relink();
-  void join();
+  void settle();
+  int relink();
+  bool join();
+  bool move_set(Joined_sets& sets, std::size_t set, const std::vector<std::size_t>& present, std::size_t to, Point step,
+                bool is_along_mirror);
   void stand();
   void put_foot(std::size_t actor);
   void move(std::size_t actor, const Point& step);
@@ -87,9 +96,7 @@ inline Blend_scene::Blend_scene(const Blend_cast& cast, const Times& times, doub
 {
   morph(times);
   mirror();
-  relink();
-  fade();
-  join();
+  settle();
   stand();
 }
 
@@ -212,6 +219,18 @@ inline void Blend_scene::meet_image(std::size_t actor)
   }
 }
 
+/// Closes contacts and moves together what has come apart, in turns, since the one may undo the other.
+inline void Blend_scene::settle()
+{
+  constexpr int most_turns = 4;
+  for (int turn = 0; turn < most_turns; ++turn) {
+    const int rounds = relink();
+    if (turn > 0 && rounds == 0) return;
+    fade();
+    if (!join() || rounds == most_rounds) return;
+  }
+}
+
 /// How high the foot of a part that stands is above the ground at the ends, in between.
 inline double Blend_scene::foot_level(std::size_t actor) const
 {
@@ -238,10 +257,9 @@ inline Point Blend_scene::foot(std::size_t actor) const
 }
 
 /// Closes the gaps of links between parts that stay and puts feet on the ground: all move at once by the affine moves
-/// nearest to that, mirror images alike.
-inline void Blend_scene::relink()
+/// nearest to that, mirror images alike. Returns how often; `most_rounds`: to no avail.
+inline int Blend_scene::relink()
 {
-  constexpr int most_rounds = 20;
   constexpr double inertia = 0.01; // of a part as large as the shape is high, against a pull of 1
   const std::size_t count = points_.size();
   Trees trees = this->trees();
@@ -277,7 +295,7 @@ inline void Blend_scene::relink()
       moves.lift(a, foot(a), rise);
       is_good = is_good && std::abs(rise) <= closed;
     }
-    if (is_good) return;
+    if (is_good) return round;
     const std::vector<Affine_move> solved = moves.solve();
     for (std::size_t a = 0; a < count; ++a) {
       const std::size_t twin = cast_.actors[a].twin;
@@ -287,6 +305,7 @@ inline void Blend_scene::relink()
       if (is_there(a)) put_foot(a);
     }
   }
+  return most_rounds;
 }
 
 /// Stretches a part that stands down to its place on the ground, and one that is in the ground up out of it; what is
@@ -309,75 +328,60 @@ inline void Blend_scene::move(std::size_t actor, const Point& step)
     if (surface.cols() > 0) surface.colwise() += step;
 }
 
-/// Moves sets of parts that have come apart from the rest, the smallest one first, back to what is nearest to them;
-/// mirror images of sets alike.
-inline void Blend_scene::join()
+/// Moves sets of parts that have come apart from the rest, the smallest one first, back to what is nearest to them.
+/// Returns whether there were any.
+inline bool Blend_scene::join()
 {
-  std::vector<std::size_t> present, place(points_.size(), Mirror_twins::none);
+  std::vector<std::size_t> present;
   std::vector<Tree> trees;
   for (std::size_t a = 0; a < points_.size(); ++a)
-    if (is_there(a)) place[a] = present.size(), present.push_back(a), trees.push_back(tree(a));
-  const auto image = [&](std::size_t i) {
-    const std::size_t twin = cast_.actors[present[i]].twin;
-    return twin == Mirror_twins::none ? twin : place[twin];
-  };
+    if (is_there(a)) present.push_back(a), trees.push_back(tree(a));
   const double allowed = (1 - t_) * cast_.apart[0] + t_ * cast_.apart[1] + joined;
-  std::vector<std::size_t> set(present.size());
-  std::iota(set.begin(), set.end(), std::size_t(0));
-  const auto unite = [&](std::size_t a, std::size_t b) {
-    const std::size_t kept = std::min(set[a], set[b]), given_up = std::max(set[a], set[b]);
-    std::replace(set.begin(), set.end(), given_up, kept);
-  };
-  for (std::size_t a = 0; a < present.size(); ++a)
-    for (std::size_t b = a + 1; b < present.size(); ++b)
-      if (set[a] != set[b] && trees[a].is_within(trees[b], allowed * allowed)) unite(a, b);
+  Joined_sets sets(std::move(trees), allowed);
   constexpr int most_tries = 5;
   std::map<std::size_t, int> tries; // by set, to join it without moving it across the mirror plane
-  for (;;) {
-    std::map<std::size_t, double> sizes;
-    for (std::size_t a = 0; a < present.size(); ++a)
-      sizes[set[a]] += trees[a].box().diagonal().norm();
-    if (sizes.size() < 2) return;
-    const std::size_t least = std::min_element(sizes.begin(), sizes.end(), [](const auto& a, const auto& b) {
-                                return quantized(a.second) < quantized(b.second);
-                              })->first;
-    contacts::Closest_pair closest;
-    std::size_t from = 0, to = 0;
-    for (std::size_t a = 0; a < present.size(); ++a)
-      for (std::size_t b = 0; b < present.size(); ++b) {
-        if (set[a] != least || set[b] == least ||
-            trees[a].box().squaredExteriorDistance(trees[b].box()) >= closest.squared)
-          continue;
-        const contacts::Closest_pair pair = trees[a].nearly_closest(trees[b]);
-        if (pair.squared < closest.squared) closest = pair, from = a, to = b;
-      }
-    const double gap = std::sqrt(closest.squared), excess = std::max(0., gap - allowed);
+  bool any = false;
+  while (const std::optional<std::size_t> set = sets.smallest()) {
+    const Joined_sets::Way way = sets.way_from(*set);
+    const double gap = std::sqrt(way.closest.squared), excess = std::max(0., gap - allowed);
     apart_ = std::max(apart_, excess);
     if (excess > 0) {
-      Point step = excess / gap * (closest.second - closest.first);
-      std::vector<char> moves(present.size(), 0), image_moves(present.size(), 0);
-      for (std::size_t a = 0; a < present.size(); ++a) {
-        if (set[a] != least) continue;
-        moves[a] = 1;
-        if (image(a) != Mirror_twins::none) image_moves[image(a)] = 1;
-      }
-      if (image_moves[to]) step /= 2; // they move towards each other
-      const bool may_be_symmetric = std::abs(step.x()) < step.norm() / 2 && tries[least]++ < most_tries;
-      bool is_joined = true;
-      for (std::size_t a = 0; a < present.size(); ++a) {
-        if (!moves[a] && !image_moves[a]) continue;
-        Point own = moves[a] ? step : mirrored(step);
-        if (moves[a] && image_moves[a] && may_be_symmetric) {
-          is_joined = is_joined && std::abs(own.x()) <= closed;
-          own.x() = 0;
-        }
-        move(present[a], own);
-        trees[a] = tree(present[a]);
-      }
-      if (!is_joined) continue;
+      any = true;
+      const Point step = excess / gap * (way.closest.second - way.closest.first);
+      const bool is_along_mirror = std::abs(step.x()) < step.norm() / 2 && tries[*set]++ < most_tries;
+      if (!move_set(sets, *set, present, present[way.to], step, is_along_mirror)) continue;
     }
-    unite(from, to);
+    sets.unite(way.from, way.to);
   }
+  return any;
+}
+
+/// Moves a set by a step to an actor, and mirror images of its parts alike. Returns whether it goes all of the way.
+/// \param is_along_mirror whether what is its own image is not moved across the mirror plane
+inline bool Blend_scene::move_set(Joined_sets& sets, std::size_t set, const std::vector<std::size_t>& present,
+                                  std::size_t to, Point step, bool is_along_mirror)
+{
+  std::vector<char> moves(points_.size(), 0), image_moves(points_.size(), 0);
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    if (sets.set_of(i) != set) continue;
+    moves[present[i]] = 1;
+    const std::size_t twin = cast_.actors[present[i]].twin;
+    if (twin != Mirror_twins::none) image_moves[twin] = 1;
+  }
+  if (image_moves[to]) step /= 2; // they move towards each other
+  bool is_whole = true;
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    const std::size_t actor = present[i];
+    if (!moves[actor] && !image_moves[actor]) continue;
+    Point own = moves[actor] ? step : mirrored(step);
+    if (moves[actor] && image_moves[actor] && is_along_mirror) {
+      is_whole = is_whole && std::abs(own.x()) <= closed;
+      own.x() = 0;
+    }
+    move(actor, own);
+    sets.update(i, tree(actor));
+  }
+  return is_whole;
 }
 
 /// Lifts the shape out of the ground, or puts it there if no part of it is to stand.

@@ -9,7 +9,7 @@
 #include <CGAL/Shape_correspondence/internal/blend/Affine_moves.h>
 #include <CGAL/Shape_correspondence/internal/map/Charted_mesh.h>
 
-#include <utility>
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -43,62 +43,58 @@ inline Affine_move following(const std::vector<Handle>& handles, double size)
   return result;
 }
 
-/// A part without counterpart. It shrinks to where it touches what stays; between contacts far from each other it
-/// becomes a thread.
+/// A part without counterpart. It shrinks to where it touches what stays: to a point or, between contacts far from each
+/// other, to a straight thread.
 class Fading_part
 {
 public:
   /// \param anchors where it touches what it shrinks to; none: its own middle
   Fading_part(const Part_chart& chart, const Part_mesh& mesh, const std::vector<Point>& anchors)
-      : chart_(chart), mesh_(charted_mesh(mesh, chart, std::numeric_limits<double>::infinity()))
+      : chart_(chart), mesh_(mesh), vanished_(3, mesh.points.cols())
   {
     constexpr double far_apart = 1; // in coordinates, of 2 from end to end
     std::vector<Point> ends = anchors;
     if (ends.empty()) ends.push_back(chart(Point::Zero()));
-    Eigen::AlignedBox3d box;
-    centre_ = Point::Zero();
-    for (const Point& end : ends) {
-      box.extend(chart.coordinates(end));
-      centre_ += end / double(ends.size());
+    Points coordinates(3, Eigen::Index(ends.size()));
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      coordinates.col(Eigen::Index(i)) = chart.coordinates(ends[i]);
+      middle_ += ends[i] / double(ends.size());
     }
-    const double spread = box.sizes().maxCoeff(&kept_axis_);
-    if (spread < far_apart) kept_axis_ = -1;
-    thread_ = box.center().cwiseMax(-1).cwiseMin(1);
+    const Point low = coordinates.rowwise().minCoeff(), high = coordinates.rowwise().maxCoeff();
+    if ((high - low).maxCoeff(&axis_) >= far_apart) {
+      low_ = low[axis_];
+      high_ = high[axis_];
+      mean_ = coordinates.row(axis_).mean();
+      const Eigen::RowVectorXd off = coordinates.row(axis_).array() - mean_;
+      for (std::size_t i = 0; i < ends.size(); ++i)
+        slope_ += off[Eigen::Index(i)] / off.squaredNorm() * (ends[i] - middle_);
+    }
+    for (Eigen::Index i = 0; i < vanished_.cols(); ++i)
+      vanished_.col(i) = vanished(mesh.points.col(i));
   }
 
   const Eigen::Matrix3Xi& triangles() const { return mesh_.triangles; }
 
   /// \param left how much of it is left, in [0, 1]
-  Points points(double left) const
-  {
-    if (left >= 1) return mesh_.points;
-    Points result(3, mesh_.points.cols());
-    for (Eigen::Index i = 0; i < result.cols(); ++i)
-      result.col(i) = place(mesh_.points.col(i), mesh_.coordinates.col(i), mesh_.offsets.col(i), left);
-    return result;
-  }
+  Points points(double left) const { return left * mesh_.points + (1 - left) * vanished_; }
 
   /// Where a point of the part is then.
-  Point place(const Point& p, double left) const
-  {
-    if (left >= 1) return p;
-    const Point k = chart_.coordinates(p);
-    return place(p, k, chart_.frame(k).inverse() * (p - chart_(k)), left);
-  }
+  Point place(const Point& p, double left) const { return left * p + (1 - left) * vanished(p); }
 
 private:
-  Point place(const Point& p, const Point& coordinates, const Point& offset, double left) const
+  /// Where nothing is left: on the line nearest to the anchors, between them.
+  Point vanished(const Point& p) const
   {
-    if (kept_axis_ < 0) return left * p + (1 - left) * centre_;
-    Point k = left * coordinates + (1 - left) * thread_;
-    k[kept_axis_] = coordinates[kept_axis_];
-    return chart_(k) + chart_.frame(k) * (left * offset);
+    if (slope_.isZero(0)) return middle_;
+    return middle_ + (std::clamp(chart_.coordinates(p)[axis_], low_, high_) - mean_) * slope_;
   }
 
   Part_chart chart_;
-  Charted_mesh mesh_;
-  Point centre_, thread_;
-  Eigen::Index kept_axis_ = -1;
+  Part_mesh mesh_;
+  Points vanished_;                                      ///< of the mesh's points
+  Point middle_ = Point::Zero(), slope_ = Point::Zero(); ///< of the anchors, along a coordinate
+  Eigen::Index axis_ = 0;                                ///< that coordinate
+  double low_ = 0, high_ = 0, mean_ = 0;                 ///< of the anchors' ones
 };
 
 } // namespace internal

@@ -1,0 +1,180 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MAP_PART_CUTTER_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MAP_PART_CUTTER_H
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/internal/map/Part_pair.h>
+#include <CGAL/Shape_correspondence/internal/map/Subdivision.h>
+#include <CGAL/Shape_correspondence/internal/map/fill_section.h>
+#include <CGAL/Shape_correspondence/internal/quantized.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// Cuts parts into pieces, one side of the piece after the other.
+class Part_cutter
+{
+public:
+  Part_cutter(const Points& points, const Eigen::Matrix3Xi& triangles, const Part_chart& chart)
+      : chart_(chart), mesh_(points, triangles)
+  {
+    add_coordinates();
+  }
+
+  /// Removes what is beyond `at` in a coordinate and fills the section if it is closed. A part all of which is
+  /// beyond is shrunk to a speck at its nearest point.
+  void cut(int axis, double at, bool is_low)
+  {
+    const auto beyond = [&](int i) {
+      const double beyond_at = coordinates_[std::size_t(i)][axis] - at;
+      return is_low ? -beyond_at : beyond_at;
+    };
+    mesh_.split_edges([&](int a, int b) {
+      const double x = beyond(a), y = beyond(b);
+      return x * y < 0 && std::abs(x) > on_side && std::abs(y) > on_side ? x / (x - y) : -1;
+    });
+    for (std::size_t i = add_coordinates(); i < coordinates_.size(); ++i)
+      coordinates_[i][axis] = at;
+    const auto is_beyond = [&](const std::array<int, 3>& corners) {
+      return std::all_of(corners.begin(), corners.end(), [&](int corner) { return beyond(corner) >= -on_side; });
+    };
+    int nearest = mesh_.corners(0)[0];
+    bool all_beyond = true;
+    for (std::size_t t = 0; t < mesh_.number_of_triangles(); ++t) {
+      all_beyond = all_beyond && is_beyond(mesh_.corners(t));
+      for (int corner : mesh_.corners(t))
+        if (beyond(corner) < beyond(nearest)) nearest = corner;
+    }
+    if (all_beyond) {
+      shrink_to(nearest);
+      return;
+    }
+    mesh_.remove_triangles_if(is_beyond);
+    close(axis, at, [&](int i) { return beyond(i) >= -on_side; });
+  }
+
+  /// What is left.
+  Part_mesh mesh() const
+  {
+    const Points points = mesh_.points();
+    Part_mesh result{Points(3, points.cols()), mesh_.triangles()};
+    std::vector<int> number(std::size_t(points.cols()), -1);
+    int count = 0;
+    for (Eigen::Index t = 0; t < result.triangles.cols(); ++t)
+      for (int& corner : result.triangles.col(t)) {
+        int& own = number[std::size_t(corner)];
+        if (own < 0) {
+          own = count++;
+          result.points.col(own) = points.col(corner);
+        }
+        corner = own;
+      }
+    result.points.conservativeResize(3, count);
+    return result;
+  }
+
+private:
+  static constexpr double on_side = 1e-9;
+
+  /// Returns the number of those that there were.
+  std::size_t add_coordinates()
+  {
+    const std::size_t before = coordinates_.size();
+    for (std::size_t i = before; i < mesh_.number_of_points(); ++i)
+      coordinates_.push_back(chart_.coordinates(mesh_.point(int(i))));
+    return before;
+  }
+
+  void shrink_to(int point)
+  {
+    constexpr double speck = 1e-3; // of the part's size
+    const Point to = mesh_.point(point);
+    for (int i = 0; i < int(coordinates_.size()); ++i) {
+      mesh_.move(i, to + speck * (mesh_.point(i) - to));
+      coordinates_[std::size_t(i)] = chart_.coordinates(mesh_.point(i));
+    }
+  }
+
+  /// Fills the section, if it is closed.
+  template <typename Is_on_side>
+  void close(int axis, double at, const Is_on_side& is_on_side)
+  {
+    std::vector<int> points; // by vertex of the section
+    std::map<int, int> vertex;
+    const auto number = [&](int point) {
+      const auto [known, is_new] = vertex.try_emplace(point, int(points.size()));
+      if (is_new) points.push_back(point);
+      return known->second;
+    };
+    std::vector<Section_side> sides;
+    for (std::size_t t = 0; t < mesh_.number_of_triangles(); ++t)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int a = mesh_.corners(t)[i], b = mesh_.corners(t)[(i + 1) % 3];
+        if (is_on_side(a) && is_on_side(b)) sides.push_back({number(b), number(a)});
+      }
+    Planar_points vertices;
+    for (int point : points) {
+      const Point& k = coordinates_[std::size_t(point)];
+      vertices.emplace_back(k[(axis + 1) % 3], k[(axis + 2) % 3]);
+    }
+    if (sides.empty() || !is_closed(sides, vertices)) return;
+    const Section_filling filling = fill_section(vertices, sides);
+    for (std::size_t i = vertices.size(); i < filling.vertices.size(); ++i) {
+      Point k;
+      k[axis] = at;
+      k[(axis + 1) % 3] = filling.vertices[i].x();
+      k[(axis + 2) % 3] = filling.vertices[i].y();
+      points.push_back(mesh_.add_point(chart_(k)));
+      coordinates_.push_back(k);
+    }
+    for (const std::array<int, 3>& t : filling.triangles)
+      mesh_.add_triangle({points[std::size_t(t[0])], points[std::size_t(t[1])], points[std::size_t(t[2])]});
+  }
+
+  /// Whether as many sides end in every place as begin there.
+  static bool is_closed(const std::vector<Section_side>& sides, const Planar_points& vertices)
+  {
+    std::map<std::array<long, 2>, int> balance;
+    const auto place = [&](int vertex) {
+      const Eigen::Vector2d& p = vertices[std::size_t(vertex)];
+      return std::array<long, 2>{quantized(p.x()), quantized(p.y())};
+    };
+    for (const auto& [a, b] : sides)
+      --balance[place(a)], ++balance[place(b)];
+    return std::all_of(balance.begin(), balance.end(), [](const auto& place) { return place.second == 0; });
+  }
+
+  const Part_chart& chart_;
+  Subdivision mesh_;
+  std::vector<Point> coordinates_; ///< by point
+};
+
+/// The piece of a part that a box of its chart cuts out, closed if the part is. All of it for the whole chart.
+inline Part_mesh piece_of(const Points& points, const Eigen::Matrix3Xi& triangles, const Part_chart& chart,
+                          const Chart_box& box)
+{
+  if (is_whole(box)) return {points, triangles};
+  Part_cutter cutter(points, triangles, chart);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.min()[axis] > -1) cutter.cut(axis, box.min()[axis], true);
+    if (box.max()[axis] < 1) cutter.cut(axis, box.max()[axis], false);
+  }
+  return cutter.mesh();
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_MAP_PART_CUTTER_H
