@@ -15,6 +15,7 @@
 // and a line for everything that does not hold within the tolerances of `Shape_blend`.
 // Ends with exit status 1 if a part is open that must not be, or an end is not the input.
 #include "blend_checks.h"
+#include "command_line.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
@@ -27,6 +28,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <stdexcept>
 
 namespace {
 
@@ -68,11 +70,18 @@ std::map<std::string, bool> must_be_closed(const Shape_blend& blend, const Model
   return result;
 }
 
-bool check(const std::string& source_path, const std::string& target_path, int frames, const std::string& cache,
-           const Search_options& search)
+struct Options
 {
-  const Model source = load(source_path, cache), target = load(target_path, cache);
-  const Correspondence correspondence = find_correspondence(source.graph, target.graph, search);
+  int frames = 9;
+  std::string cache;
+  Search_options search;
+  std::vector<std::string> paths; ///< source, target, source, target, …
+};
+
+bool check(const std::string& source_path, const std::string& target_path, const Options& options)
+{
+  const Model source = load(source_path, options.cache), target = load(target_path, options.cache);
+  const Correspondence correspondence = find_correspondence(source.graph, target.graph, options.search);
   const auto begin = std::chrono::steady_clock::now();
   const Shape_blend blend(source.graph, source.shape, target.graph, target.shape, correspondence);
   const std::map<std::string, bool> closed = must_be_closed(blend, source, target);
@@ -80,8 +89,8 @@ bool check(const std::string& source_path, const std::string& target_path, int f
   int open = 0, parts = 0;
   double gap = 0, apart = 0, asymmetry = 0, ground = 0;
   std::vector<std::string> faults;
-  for (int frame = 1; frame + 1 < frames; ++frame) {
-    const double t = double(frame) / (frames - 1);
+  for (int frame = 1; frame + 1 < options.frames; ++frame) {
+    const double t = double(frame) / (options.frames - 1);
     const Segmented_shape shape = blend(t);
     const auto [quality, found] = blend.check(t);
     for (const std::string& fault : found)
@@ -112,41 +121,49 @@ bool check(const std::string& source_path, const std::string& target_path, int f
   return open == 0 && exact;
 }
 
+Options parsed(int argc, char** argv)
+{
+  const std::map<std::string, Search_method> methods = {
+      {"parts", Search_method::PARTS}, {"beam", Search_method::BEAM}, {"exact", Search_method::EXACT}};
+  benchmark::Command_line line(argc, argv);
+  Options options;
+  while (!line.is_at_end()) {
+    const std::string& word = line.word();
+    if (word == "--frames") {
+      options.frames = int(benchmark::whole_number(line.value(), "the value of --frames"));
+    } else if (word == "--cache") {
+      options.cache = line.value();
+    } else if (word == "--search") {
+      const auto method = methods.find(line.value());
+      if (method == methods.end()) throw std::invalid_argument("--search is parts, beam or exact");
+      options.search.method = method->second;
+    } else {
+      benchmark::refuse_option(word);
+      options.paths.push_back(word);
+    }
+  }
+  if (options.paths.empty() || options.paths.size() % 2 != 0) throw std::invalid_argument("models come in pairs");
+  return options;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
-  int frames = 9;
-  std::string cache;
-  Search_options search;
-  const std::map<std::string, Search_method> methods = {
-      {"parts", Search_method::PARTS}, {"beam", Search_method::BEAM}, {"exact", Search_method::EXACT}};
-  std::vector<std::string> paths;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--frames" && i + 1 < argc)
-      frames = std::stoi(argv[++i]);
-    else if (word == "--cache" && i + 1 < argc)
-      cache = argv[++i];
-    else if (word == "--search" && i + 1 < argc && methods.count(argv[i + 1]))
-      search.method = methods.at(argv[++i]);
-    else
-      paths.push_back(word);
-  }
-  if (paths.empty() || paths.size() % 2 != 0) {
-    std::cerr << "benchmark_blend [--frames N] [--cache FOLDER] [--search parts|beam|exact] SOURCE TARGET [SOURCE "
-                 "TARGET]...\n";
-    return 2;
-  }
-  std::printf("%-30s %-30s %5s %4s %7s %16s %16s %7s %8s %8s %5s %5s\n", "source", "target", "parts", "open", "gap",
-              "apart (ends)", "asymmetry (ends)", "ground", "start", "end", "ends", "s");
-  bool good = true;
   try {
-    for (std::size_t i = 0; i < paths.size(); i += 2)
-      good = check(paths[i], paths[i + 1], frames, cache, search) && good;
+    const Options options = parsed(argc, argv);
+    std::printf("%-30s %-30s %5s %4s %7s %16s %16s %7s %8s %8s %5s %5s\n", "source", "target", "parts", "open", "gap",
+                "apart (ends)", "asymmetry (ends)", "ground", "start", "end", "ends", "s");
+    bool good = true;
+    for (std::size_t i = 0; i < options.paths.size(); i += 2)
+      good = check(options.paths[i], options.paths[i + 1], options) && good;
+    return good ? 0 : 1;
+  } catch (const std::invalid_argument& error) {
+    std::cerr << error.what() << "\nbenchmark_blend [--frames N] [--cache FOLDER] [--search parts|beam|exact] "
+              << "SOURCE TARGET [SOURCE TARGET]...\n";
+    return 2;
   } catch (const Invalid_input& error) {
     std::cerr << error.what() << '\n';
     return 1;
   }
-  return good ? 0 : 1;
 }

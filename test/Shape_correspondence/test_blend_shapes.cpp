@@ -208,6 +208,26 @@ TEST_CASE("Distances are those of the closest points but for a tenth of what the
   }
 }
 
+TEST_CASE("Contacts are kept where sets of parts come apart and are moved together")
+{
+  const Model &chair = model("chair_four_legged"), &other = model("chair_spindle");
+  const auto part = [](const Model& of, const std::string& name) {
+    const auto& parts = structure(of.graph).parts;
+    return std::size_t(std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.name == name; }) -
+                       parts.begin());
+  };
+  Correspondence few; // most of what holds these together vanishes
+  for (const auto& [from, to] :
+       {std::pair("front_apron", "h_cross"), std::pair("front_right_leg", "turned_leg_b"),
+        std::pair("left_back_post", "spindle_mid"), std::pair("rear_right_leg", "turned_leg_d"),
+        std::pair("right_back_post", "spindle_2_r"), std::pair("right_back_post", "spindle_3_r"),
+        std::pair("seat", "saddle_seat")})
+    few.pairs.emplace_back(part(chair, from), part(other, to));
+  const Shape_blend blend = blend_of(chair, other, few);
+  for (double t : {0.1, 0.3, 0.5, 0.7, 0.9})
+    CHECK(blend.check(t).quality.gap < 0.001);
+}
+
 TEST_CASE("Shapes between two models are closed, hang together, are symmetric and stand; the ends are the models")
 {
   const std::vector<std::pair<std::string, std::string>> pairs = {{"chair_four_legged", "chair_slatted"},
