@@ -191,6 +191,10 @@ TEST_CASE("Legs carry the deck, and so does all without which one of them would 
       with_parts(hand_made::table(), {hand_made::curve("stretcher", {-.5, .3, -.5}, {.5, .3, -.5})},
                  {{{1, 5}, {-.5, .3, -.5}}, {{2, 5}, {.5, .3, -.5}}});
   CHECK(assemblies(table).support == Indices{1, 2, 3, 4});
+  // a rim that hangs down around the top is no deck
+  Part_abstraction rim = hand_made::ring("rim", {0, 1.04, 0}, {.5, 0, 0}, {0, 0, .5});
+  rim.surface = hand_made::points({{-.5, .92, 0}, {.5, .92, 0}, {0, 1.16, -.5}, {0, 1.16, .5}});
+  CHECK(assemblies(with_parts(hand_made::pedestal_table(), {rim}, {{{0, 2}, {.5, 1, 0}}})).support == Indices{1});
 }
 
 TEST_CASE("Wide parts on the ground are no legs where there are narrow ones")

@@ -62,6 +62,7 @@ public:
 private:
   static constexpr std::size_t none = Row_framer::no_deck;
 
+  // The lowest flat part that covers much of the shape. A rim or a ring does not, however wide it is.
   std::size_t deck() const
   {
     std::size_t lowest = none;
@@ -69,6 +70,7 @@ private:
     for (std::size_t part = 0; part < layout_.boxes.size(); ++part) {
       const Eigen::Array3d sides = layout_.boxes[part].sides();
       const double cover = sides.x() * sides.z();
+      if (shape_.parts[part].kind == Sampled_part::Kind::CLOSED_CURVE) continue;
       if (layout_.is_on_ground[part] || !is_less(0, cover) || is_less(cover, deck_cover * whole_cover) ||
           is_less(deck_flatness * std::min(sides.x(), sides.z()), sides.y()))
         continue;
