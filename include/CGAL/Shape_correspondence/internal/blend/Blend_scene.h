@@ -10,6 +10,7 @@
 #include <CGAL/Shape_correspondence/internal/blend/Blend_cast.h>
 #include <CGAL/Shape_correspondence/internal/blend/Joined_sets.h>
 
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -345,7 +346,7 @@ inline bool Blend_scene::join()
     const Joined_sets::Way way = sets.way_from(*set);
     const double gap = std::sqrt(way.closest.squared), excess = std::max(0., gap - allowed);
     apart_ = std::max(apart_, excess);
-    if (excess > 0) {
+    if (excess > 0 && std::isfinite(excess)) {
       any = true;
       const Point step = excess / gap * (way.closest.second - way.closest.first);
       const bool is_along_mirror = std::abs(step.x()) < step.norm() / 2 && tries[*set]++ < most_tries;

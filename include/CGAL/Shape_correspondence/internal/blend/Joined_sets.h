@@ -65,10 +65,11 @@ public:
     contacts::Closest_pair closest;
   };
 
-  /// The shortest way from a set to another.
+  /// The shortest way from a set to another, of which there is one; without end where surfaces are nowhere.
   Way way_from(std::size_t set) const
   {
-    Way shortest;
+    const auto other = std::find_if(set_.begin(), set_.end(), [&](std::size_t own) { return own != set; });
+    Way shortest{set, std::size_t(other - set_.begin()), {}};
     for (std::size_t a = 0; a < surfaces_.size(); ++a)
       for (std::size_t b = 0; b < surfaces_.size(); ++b) {
         if (set_[a] != set || set_[b] == set ||
