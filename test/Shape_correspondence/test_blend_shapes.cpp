@@ -168,9 +168,10 @@ TEST_CASE("Ways join sets of surfaces once, the shortest way")
     }
   for (const Surface_tree& surface : surfaces)
     pointers.push_back(&surface);
-  // Numbered so that the first one of a set is given up when it is joined to one with a smaller number
-  const std::vector<internal::Joining_way> ways =
-      internal::joining_ways(pointers, {9, 9, 9, 3, 3, 3, 6, 6, 6, 0, 0, 0});
+  internal::Disjoint_sets rows(surfaces.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    rows.unite(i, i / 3 * 3 + 2);
+  const std::vector<internal::Joining_way> ways = internal::joining_ways(pointers, rows);
   REQUIRE(ways.size() == 3);
   for (std::size_t i = 0; i < ways.size(); ++i) {
     CHECK(ways[i].surfaces[1] / 3 == ways[i].surfaces[0] / 3 + 1);
@@ -335,6 +336,36 @@ TEST_CASE("Contacts of mirror images are kept alike, though one of them is just 
     const double body = parts[0].mesh.points.row(0).maxCoeff(), wing = parts[2].mesh.points.row(0).minCoeff();
     CHECK(wing - body == Approx(t * gap).margin(0.002));
     CHECK(-parts[1].mesh.points.row(0).maxCoeff() == Approx(wing).margin(0.002));
+  }
+}
+
+TEST_CASE("Mirror images may be abstracted by a curve and a sheet")
+{
+  const auto plane = [](Abstraction_kind left) {
+    Model result{Segmented_shape("plane"), {}};
+    result.shape.add_part("body", box_shapes::box({0, 0.5, 0}, {0.2, 1, 0.2}));
+    result.shape.add_part("left", box_shapes::box({-0.35, 0.6, 0}, {0.5, 0.1, 0.2}));
+    result.shape.add_part("right", box_shapes::box({0.35, 0.6, 0}, {0.5, 0.1, 0.2}));
+    Structure_options options;
+    options.abstraction.abstractor = Bounding_box_abstraction();
+    options.abstraction.part_kinds = {{"left", left}, {"right", Abstraction_kind::SHEET}};
+    result.graph = build_structural_graph(result.shape, options);
+    structure(result.graph).frame.mirror_x = true;
+    REQUIRE(structure(result.graph).parts[1].is_sheet() == (left == Abstraction_kind::SHEET));
+    return result;
+  };
+  const Model source = plane(Abstraction_kind::CURVE), target = plane(Abstraction_kind::SHEET);
+  Correspondence same;
+  same.pairs = {{0, 0}, {1, 1}, {2, 2}};
+  for (const Shape_blend& blend : {blend_of(source, target, same), blend_of(target, source, same)}) {
+    const Segmented_shape shape = blend(0.4);
+    for (std::size_t part : {1u, 2u}) {
+      const Points& points = shape.parts()[part].mesh.points;
+      const Point low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+      const Point middle(part == 1 ? -0.35 : 0.35, 0.6, 0);
+      CHECK(((low + high) / 2 - middle).norm() < 1e-3);
+      CHECK((high - low - Point(0.5, 0.1, 0.2)).norm() < 1e-3);
+    }
   }
 }
 

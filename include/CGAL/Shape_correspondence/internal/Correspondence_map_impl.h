@@ -88,7 +88,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Correspondence_map::Correspondence_map(const St
     map.source = side(from, pair.source, pair.source_piece);
     map.target = side(to, pair.target, pair.target_piece);
     Eigen::Matrix3d turn = pair.turn;
-    if (pair_kind(s, t) == Pair_kind::BOXES) // a closed curve runs the long way of a sheet, from its start
+    if (pair_kind(pair, from, to) == Pair_kind::BOXES) // a closed curve runs the long way of a sheet, from its start
       turn = to.charts[pair.target].lengthwise_turn() * from.charts[pair.source].lengthwise_turn().transpose();
     map.turn = turn.topLeftCorner<2, 2>();
     map.closed = s.is_closed_curve() && t.is_closed_curve();

@@ -7,10 +7,11 @@
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_AFFINE_MOVES_H
 
 #include <CGAL/Shape_correspondence/Points.h>
-#include <CGAL/Shape_correspondence/internal/contacts/Triangle_tree.h>
 
 #include <Eigen/SparseCholesky>
 
+#include <array>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,19 +40,25 @@ struct Affine_move
   }
 };
 
+/// What is to be moved.
+struct Movable_body
+{
+  Point middle = Point::Zero();
+  double size = 1;    ///< a change of shape counts as much as a motion this far from the middle; not 0
+  double inertia = 1; ///< how much it resists being moved
+};
+
 /// Finds the affine moves of bodies by which pulls between them are met best, in the least squares sense, with little
 /// motion, of small bodies rather than of large ones, and little change of shape.
 class Affine_moves
 {
 public:
-  /// \param bodies the boxes around them
-  /// \param inertias how much each one resists being moved
-  Affine_moves(const std::vector<contacts::Box>& bodies, const std::vector<double>& inertias)
-      : bodies_(bodies), right_(Points::Zero(3, Eigen::Index(size * bodies.size())))
+  explicit Affine_moves(std::vector<Movable_body> bodies)
+      : bodies_(std::move(bodies)), right_(Points::Zero(3, Eigen::Index(size * bodies_.size())))
   {
-    for (std::size_t body = 0; body < bodies.size(); ++body)
+    for (std::size_t body = 0; body < bodies_.size(); ++body)
       for (int i = 0; i < size; ++i)
-        add(all_, body, i, body, i, i == 0 ? inertias[body] : stiffness);
+        add(all_, body, i, body, i, i == 0 ? bodies_[body].inertia : stiffness);
   }
 
   /// Asks that `p` on body `a` and `q` on body `b` come nearer to each other by the step from p to q.
@@ -97,9 +104,9 @@ public:
     solution.row(1) = solver.solve(right_.row(1).transpose()).transpose();
     std::vector<Affine_move> result(bodies_.size());
     for (std::size_t body = 0; body < result.size(); ++body) {
-      result[body].middle = bodies_[body].center();
+      result[body].middle = bodies_[body].middle;
       result[body].shift = solution.col(index(body, 0));
-      result[body].gradient = solution.middleCols(index(body, 1), 3) / extent(body);
+      result[body].gradient = solution.middleCols(index(body, 1), 3) / bodies_[body].size;
     }
     return result;
   }
@@ -109,12 +116,11 @@ private:
   static constexpr double stiffness = 0.1; // of a body, against a pull of 1
   using Row = std::array<double, size>;
 
-  double extent(std::size_t body) const { return std::max(bodies_[body].diagonal().norm(), 1e-6); }
   Eigen::Index index(std::size_t body, int i) const { return Eigen::Index(size * body) + i; }
 
   Row row(std::size_t body, const Point& p) const
   {
-    const Point off = (p - bodies_[body].center()) / extent(body);
+    const Point off = (p - bodies_[body].middle) / bodies_[body].size;
     return {1, off[0], off[1], off[2]};
   }
 
@@ -123,7 +129,7 @@ private:
     entries.emplace_back(index(a, i), index(b, j), value);
   }
 
-  std::vector<contacts::Box> bodies_;
+  std::vector<Movable_body> bodies_;
   std::vector<Eigen::Triplet<double>> all_, upright_; // of the normal equations; the latter of the y coordinate only
   Points right_;
 };

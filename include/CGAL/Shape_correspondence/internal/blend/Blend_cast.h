@@ -71,6 +71,7 @@ public:
   std::vector<std::vector<Blend_attachment>> attachments; ///< by actor
   std::vector<Blend_link> links;
   std::vector<std::array<std::optional<Tree>, 2>> trees; ///< by actor and surface, at an end; to be moved
+  std::vector<double> sizes;                             ///< by actor, the larger one of its surfaces'
 
   const Eigen::Matrix3Xi& triangles(std::size_t actor, int surface) const
   {
@@ -257,12 +258,16 @@ inline void Blend_cast::add_fading(const Blend_side& given, int side)
 
 inline void Blend_cast::add_trees()
 {
+  constexpr double least = 1e-6;
   trees.resize(actors.size());
+  sizes.resize(actors.size(), least);
   for (std::size_t a = 0; a < actors.size(); ++a)
     for (int side : {0, 1}) {
       if (actors[a].fading && actors[a].side() != side) continue;
       const int surface = actors[a].morph ? side : 0;
-      trees[a][std::size_t(surface)] = tree_of(end_points(a, side), triangles(a, surface));
+      std::optional<Tree>& tree = trees[a][std::size_t(surface)];
+      tree = tree_of(end_points(a, side), triangles(a, surface));
+      sizes[a] = std::max(sizes[a], tree->box().diagonal().norm());
     }
 }
 

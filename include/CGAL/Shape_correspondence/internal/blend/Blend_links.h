@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -150,36 +149,31 @@ private:
   void join(std::size_t side)
   {
     const double joined = std::max(tolerance_, apart_[side]);
-    std::vector<std::size_t> set(actors_.size());
-    std::iota(set.begin(), set.end(), std::size_t(0));
-    const auto unite = [&](const Blend_link& link) {
-      const std::size_t a = set[link.actors[0]], b = set[link.actors[1]];
-      if (link.gap[side] <= joined) std::replace(set.begin(), set.end(), std::max(a, b), std::min(a, b));
-    };
+    Disjoint_sets sets(actors_.size());
     for (const auto& [pair, link] : kept_)
-      unite(link);
-    for (const Blend_link& link : found_) {
-      if (set[link.actors[0]] == set[link.actors[1]] || link.gap[side] > joined) continue;
-      keep(link);
-      unite(link);
-    }
-    for (const Pair& pair : bridges(side, set))
+      if (link.gap[side] <= joined) sets.unite(pair[0], pair[1]);
+    for (const Blend_link& link : found_)
+      if (link.gap[side] <= joined && sets.unite(link.actors[0], link.actors[1])) keep(link);
+    for (const Pair& pair : bridges(side, sets))
       keep(link_of(pair));
   }
 
   /// The shortest ways between sets of actors that stay, at an end, as many as join all.
-  std::vector<Pair> bridges(std::size_t side, const std::vector<std::size_t>& set) const
+  std::vector<Pair> bridges(std::size_t side, const Disjoint_sets& sets) const
   {
-    std::vector<std::size_t> stay, own_set;
+    std::vector<std::size_t> stay;
     std::vector<const Tree*> surfaces;
     for (std::size_t a = 0; a < actors_.size(); ++a) {
       if (!actors_[a].morph) continue;
       stay.push_back(a);
       surfaces.push_back(&*trees_[a][side]);
-      own_set.push_back(set[a]);
     }
+    Disjoint_sets own_sets(stay.size());
+    for (std::size_t i = 0; i < stay.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (sets[stay[i]] == sets[stay[j]]) own_sets.unite(i, j);
     std::vector<Pair> result;
-    for (const Joining_way& way : joining_ways(surfaces, own_set))
+    for (const Joining_way& way : joining_ways(surfaces, own_sets))
       result.push_back({stay[way.surfaces[0]], stay[way.surfaces[1]]});
     return result;
   }

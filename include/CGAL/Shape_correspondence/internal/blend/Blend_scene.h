@@ -61,6 +61,8 @@ private:
   static constexpr double closed = 1e-4;  ///< a gap that is none
   static constexpr double joined = 0.005; ///< over what the ends have, the widest gap between sets of parts
   static constexpr int most_rounds = 20;  ///< of closing contacts
+  /// Of its full size: what is smaller is moved as it is, not stretched, which would tear what it becomes apart.
+  static constexpr double least_stretched = 0.1;
 
   /// How far parts are symmetric: wholly from the end of the first quarter to the begin of the last one.
   double mirror_share() const { return std::min({1., 4 * t_, 4 * (1 - t_)}); }
@@ -143,14 +145,13 @@ inline void Blend_scene::morph(const Times& times)
 inline void Blend_scene::fade()
 {
   constexpr int rounds = 4;
-  constexpr double least_stiff = 0.1; // of its full size: what is smaller is moved, not stretched
   for (std::size_t a = 0; a < points_.size(); ++a) {
     const Blend_actor& actor = cast_.actors[a];
     if (actor.morph) continue;
     if (left_[a] > 0) surface_[a] = 0;
     Points& points = points_[a][0] = actor.points_left(left_[a]);
     const double size = std::max((points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm(),
-                                 least_stiff * cast_.trees[a][0]->box().diagonal().norm());
+                                 least_stretched * cast_.sizes[a]);
     std::vector<Handle> handles;
     for (const Blend_attachment& on : cast_.attachments[a]) {
       const Point there = on.place.of(this->points(on.actor, on.surface), cast_.triangles(on.actor, on.surface));
@@ -265,16 +266,15 @@ inline int Blend_scene::relink()
   const std::size_t count = points_.size();
   Trees trees = this->trees();
   std::vector<contacts::Triangle_pair> near(cast_.links.size());
-  std::vector<contacts::Box> boxes(count, contacts::Box(Point::Zero()));
-  std::vector<double> inertias(count, 1);
   for (int round = 0; round < most_rounds; ++round) {
+    std::vector<Movable_body> bodies(count);
     for (std::size_t a = 0; a < count; ++a) {
       if (!is_there(a)) continue;
       if (round > 0) refit(*trees[a], a);
-      boxes[a] = trees[a]->box();
-      inertias[a] = inertia * boxes[a].diagonal().norm();
+      const double size = std::max(trees[a]->box().diagonal().norm(), least_stretched * cast_.sizes[a]);
+      bodies[a] = {trees[a]->box().center(), size, inertia * size};
     }
-    Affine_moves moves(boxes, inertias);
+    Affine_moves moves(std::move(bodies));
     bool is_good = true;
     for (std::size_t l = 0; l < near.size(); ++l) {
       const auto [a, b] = cast_.links[l].actors;

@@ -6,13 +6,13 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_JOINED_SETS_H
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_JOINED_SETS_H
 
+#include <CGAL/Shape_correspondence/internal/Disjoint_sets.h>
 #include <CGAL/Shape_correspondence/internal/contacts/Triangle_tree.h>
 #include <CGAL/Shape_correspondence/internal/quantized.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,32 +28,27 @@ public:
   using Tree = contacts::Triangle_tree;
 
   /// \param widest gap between surfaces that hang together
-  Joined_sets(std::vector<Tree> surfaces, double widest) : surfaces_(std::move(surfaces)), set_(surfaces_.size())
+  Joined_sets(std::vector<Tree> surfaces, double widest) : surfaces_(std::move(surfaces)), sets_(surfaces_.size())
   {
-    std::iota(set_.begin(), set_.end(), std::size_t(0));
     for (std::size_t a = 0; a < surfaces_.size(); ++a)
       for (std::size_t b = a + 1; b < surfaces_.size(); ++b)
-        if (set_[a] != set_[b] && surfaces_[a].is_within(surfaces_[b], widest * widest)) unite(a, b);
+        if (sets_[a] != sets_[b] && surfaces_[a].is_within(surfaces_[b], widest * widest)) unite(a, b);
   }
 
-  std::size_t set_of(std::size_t surface) const { return set_[surface]; }
+  std::size_t set_of(std::size_t surface) const { return sets_[surface]; }
 
   /// To be called when a surface has been moved, which changes no set.
   void update(std::size_t surface, Tree tree) { surfaces_[surface] = std::move(tree); }
 
   /// Makes one set of those of two surfaces.
-  void unite(std::size_t a, std::size_t b)
-  {
-    const std::size_t kept = std::min(set_[a], set_[b]), given_up = std::max(set_[a], set_[b]);
-    std::replace(set_.begin(), set_.end(), given_up, kept);
-  }
+  void unite(std::size_t a, std::size_t b) { sets_.unite(a, b); }
 
   /// The smallest set, by the diagonals of the boxes, if there are several.
   std::optional<std::size_t> smallest() const
   {
     std::map<std::size_t, double> sizes;
     for (std::size_t a = 0; a < surfaces_.size(); ++a)
-      sizes[set_[a]] += surfaces_[a].box().diagonal().norm();
+      sizes[sets_[a]] += surfaces_[a].box().diagonal().norm();
     if (sizes.size() < 2) return std::nullopt;
     const auto is_smaller = [](const auto& a, const auto& b) { return quantized(a.second) < quantized(b.second); };
     return std::min_element(sizes.begin(), sizes.end(), is_smaller)->first;
@@ -68,11 +63,13 @@ public:
   /// The shortest way from a set to another, of which there is one; without end where surfaces are nowhere.
   Way way_from(std::size_t set) const
   {
-    const auto other = std::find_if(set_.begin(), set_.end(), [&](std::size_t own) { return own != set; });
-    Way shortest{set, std::size_t(other - set_.begin()), {}};
+    std::size_t other = 0;
+    while (sets_[other] == set)
+      ++other;
+    Way shortest{set, other, {}};
     for (std::size_t a = 0; a < surfaces_.size(); ++a)
       for (std::size_t b = 0; b < surfaces_.size(); ++b) {
-        if (set_[a] != set || set_[b] == set ||
+        if (sets_[a] != set || sets_[b] == set ||
             surfaces_[a].box().squaredExteriorDistance(surfaces_[b].box()) >= shortest.closest.squared)
           continue;
         const contacts::Closest_pair pair = surfaces_[a].nearly_closest(surfaces_[b]);
@@ -83,7 +80,7 @@ public:
 
 private:
   std::vector<Tree> surfaces_;
-  std::vector<std::size_t> set_; ///< by surface
+  Disjoint_sets sets_;
 };
 
 } // namespace internal

@@ -6,14 +6,13 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_JOINING_WAYS_H
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_BLEND_JOINING_WAYS_H
 
+#include <CGAL/Shape_correspondence/internal/Disjoint_sets.h>
 #include <CGAL/Shape_correspondence/internal/map/Charted_mesh.h>
 #include <CGAL/Shape_correspondence/internal/quantized.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <queue>
 #include <tuple>
 #include <vector>
@@ -30,17 +29,16 @@ struct Joining_way
 };
 
 /// The shortest ways that join sets of surfaces, the shortest first. Distances are measured in the order of those of
-/// the boxes, which bound them from below, until all are joined: seldom more than there are surfaces. \param set by
-/// surface, the smallest one of its set
+/// the boxes, which bound them from below, until all are joined: seldom more than there are surfaces.
 inline std::vector<Joining_way> joining_ways(const std::vector<const contacts::Triangle_tree*>& surfaces,
-                                             std::vector<std::size_t> set)
+                                             Disjoint_sets sets)
 {
   constexpr bool measured = false, bounded = true; // what is measured comes first
   using Candidate = std::tuple<long, bool, std::size_t, std::size_t, double>;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue;
   for (std::size_t a = 0; a < surfaces.size(); ++a)
     for (std::size_t b = a + 1; b < surfaces.size(); ++b) {
-      if (set[a] == set[b]) continue;
+      if (sets[a] == sets[b]) continue;
       const double bound = surfaces[a]->box().exteriorDistance(surfaces[b]->box());
       queue.emplace(quantized(bound), bounded, a, b, bound);
     }
@@ -48,7 +46,7 @@ inline std::vector<Joining_way> joining_ways(const std::vector<const contacts::T
   while (!queue.empty()) {
     const auto [key, kind, a, b, length] = queue.top();
     queue.pop();
-    if (set[a] == set[b]) continue;
+    if (sets[a] == sets[b]) continue;
     if (kind == bounded) {
       contacts::Closest_pair closest;
       surfaces[a]->improve_closest(*surfaces[b], closest);
@@ -56,8 +54,7 @@ inline std::vector<Joining_way> joining_ways(const std::vector<const contacts::T
       queue.emplace(quantized(exact), measured, a, b, exact);
       continue;
     }
-    const std::size_t kept = std::min(set[a], set[b]), given_up = std::max(set[a], set[b]);
-    std::replace(set.begin(), set.end(), given_up, kept);
+    sets.unite(a, b);
     result.push_back({{a, b}, length});
   }
   return result;
@@ -69,9 +66,7 @@ inline double widest_gap(const std::vector<contacts::Triangle_tree>& surfaces)
   std::vector<const contacts::Triangle_tree*> pointers;
   for (const contacts::Triangle_tree& surface : surfaces)
     pointers.push_back(&surface);
-  std::vector<std::size_t> set(surfaces.size());
-  std::iota(set.begin(), set.end(), std::size_t(0));
-  const std::vector<Joining_way> ways = joining_ways(pointers, set);
+  const std::vector<Joining_way> ways = joining_ways(pointers, Disjoint_sets(surfaces.size()));
   return ways.empty() ? 0 : ways.back().length;
 }
 

@@ -11,6 +11,8 @@
 #include <CGAL/Shape_correspondence/internal/map/Part_chart.h>
 #include <CGAL/Shape_correspondence/internal/planar_hull.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -243,6 +245,7 @@ inline Part_chart Part_chart::lengthwise() const
 
 inline Part_chart Part_chart::between(const Part_chart& a, const Part_chart& b, double t)
 {
+  CGAL_precondition(a.is_sheet_ == b.is_sheet_);
   const Point centre_a = a.spine_.rowwise().mean(), centre_b = b.spine_.rowwise().mean();
   const Eigen::Matrix3d rotation = b.axes() * a.axes().transpose();
   const Eigen::Quaterniond whole(rotation), part = Eigen::Quaterniond::Identity().slerp(t, whole);

@@ -8,13 +8,13 @@
 
 #include <CGAL/Shape_correspondence/Correspondence.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
+#include <CGAL/Shape_correspondence/internal/Disjoint_sets.h>
 #include <CGAL/Shape_correspondence/internal/map/Part_chart.h>
 #include <CGAL/Shape_correspondence/internal/optimal_assignment.h>
 #include <CGAL/Shape_correspondence/internal/quantized.h>
 #include <CGAL/Shape_correspondence/internal/quarter_turn.h>
 
 #include <array>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -90,12 +90,6 @@ enum class Pair_kind {
   BOXES       ///< with a closed curve: by the boxes around both
 };
 
-inline Pair_kind pair_kind(const Part_abstraction& a, const Part_abstraction& b)
-{
-  if (a.is_closed_curve() || b.is_closed_curve()) return Pair_kind::BOXES;
-  return a.is_sheet() == b.is_sheet() ? Pair_kind::SAME : Pair_kind::LENGTHWISE;
-}
-
 /// The turn from coordinates of one chart to those of another that lays the longest extents on each other best (paper,
 /// section 5, "Deform-to-fit": extremities are matched by proximity), of those for which `is_allowed(turn)` holds; none
 /// if it holds for none.
@@ -136,20 +130,12 @@ using Index_pairs = std::vector<std::pair<std::size_t, std::size_t>>; ///< sourc
 
 inline std::vector<Connected_parts> connected_parts(const Index_pairs& pairs, std::size_t sources, std::size_t targets)
 {
-  std::vector<std::size_t> root(sources + targets);
-  std::iota(root.begin(), root.end(), std::size_t(0));
-  const auto find = [&](std::size_t i) {
-    while (root[i] != i)
-      i = root[i];
-    return i;
-  };
-  for (const auto& [s, t] : pairs) {
-    const std::size_t a = find(s), b = find(sources + t);
-    root[std::max(a, b)] = std::min(a, b);
-  }
+  Disjoint_sets sets(sources + targets);
+  for (const auto& [s, t] : pairs)
+    sets.unite(s, sources + t);
   std::vector<Connected_parts> all(sources + targets), result;
-  for (std::size_t i = 0; i < root.size(); ++i)
-    (i < sources ? all[find(i)].source : all[find(i)].target).push_back(i < sources ? i : i - sources);
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    (i < sources ? all[sets[i]].source : all[sets[i]].target).push_back(i < sources ? i : i - sources);
   for (Connected_parts& block : all)
     if (!block.source.empty() && !block.target.empty()) result.push_back(std::move(block));
   return result;
@@ -287,9 +273,13 @@ inline std::array<Part_chart, 2> piece_charts(const Part_pair& pair, const Chart
   return {piece(source.charts[pair.source], pair.source_piece), piece(target.charts[pair.target], pair.target_piece)};
 }
 
+/// By the charts: a part may have that of its mirror image, which need not be of the part's kind.
 inline Pair_kind pair_kind(const Part_pair& pair, const Charted_shape& source, const Charted_shape& target)
 {
-  return pair_kind(*source.parts[pair.source], *target.parts[pair.target]);
+  if (source.parts[pair.source]->is_closed_curve() || target.parts[pair.target]->is_closed_curve())
+    return Pair_kind::BOXES;
+  const bool are_alike = source.charts[pair.source].is_sheet() == target.charts[pair.target].is_sheet();
+  return are_alike ? Pair_kind::SAME : Pair_kind::LENGTHWISE;
 }
 
 /// The pairs of pieces that pairs of parts consist of, in the same order.
