@@ -120,6 +120,40 @@ TEST_CASE("Pieces of a part are closed, within it, and make up its volume, also 
   CHECK(volume(part) > 0);
 }
 
+TEST_CASE("Pieces of a bent part are within it")
+{
+  // Half of a hoop, divided lengthwise
+  Part_mesh hoop = box_shapes::box({0, 0, 0}, {1, 0.1, 0.06}, 0, 24);
+  Points spine(3, 33);
+  for (Eigen::Index i = 0; i < spine.cols(); ++i)
+    spine.col(i) << double(i) / double(spine.cols() - 1) - 0.5, 0, 0;
+  const auto bend = [](Points& points) {
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      const double angle = EIGEN_PI * points(0, i), radius = 0.4 + points(1, i);
+      points.col(i).head<2>() << radius * std::sin(angle), radius * std::cos(angle);
+    }
+  };
+  bend(hoop.points);
+  bend(spine);
+  Part_abstraction part;
+  part.geometry = Curve{spine, false};
+  const internal::Part_chart chart = internal::Part_chart::around(part, spine, hoop.points);
+  const Surface_tree surface = internal::tree_of(hoop.points, hoop.triangles);
+  for (int axis : {1, 2}) {
+    internal::Chart_box half = internal::whole_chart();
+    half.max()[axis] = 0;
+    const Part_mesh piece = internal::piece_of(hoop.points, hoop.triangles, chart, half);
+    double farthest = 0;
+    for (Eigen::Index t = 0; t < piece.triangles.cols(); ++t) {
+      const auto corner = [&](int i) -> Point { return piece.points.col(piece.triangles(i, t)); };
+      const Point p = (corner(0) + corner(1) + corner(2)) / 3;
+      std::size_t triangle = 0;
+      if (!is_inside(p, hoop)) farthest = std::max(farthest, (surface.nearest(p, triangle) - p).norm());
+    }
+    CHECK(farthest < 0.003);
+  }
+}
+
 TEST_CASE("A piece where a part has nothing is a speck of it")
 {
   const Part_mesh part = ring(0.2);
@@ -339,33 +373,31 @@ TEST_CASE("Contacts of mirror images are kept alike, though one of them is just 
   }
 }
 
-TEST_CASE("Mirror images may be abstracted by a curve and a sheet")
+TEST_CASE("Mirror images may be abstracted by a curve and a sheet, and become what are no mirror images")
 {
-  const auto plane = [](Abstraction_kind left) {
+  const auto plane = [](Abstraction_kind left, double height) {
     Model result{Segmented_shape("plane"), {}};
     result.shape.add_part("body", box_shapes::box({0, 0.5, 0}, {0.2, 1, 0.2}));
-    result.shape.add_part("left", box_shapes::box({-0.35, 0.6, 0}, {0.5, 0.1, 0.2}));
+    result.shape.add_part("left", box_shapes::box({-0.35, height, 0}, {0.5, 0.1, 0.2}));
     result.shape.add_part("right", box_shapes::box({0.35, 0.6, 0}, {0.5, 0.1, 0.2}));
     Structure_options options;
     options.abstraction.abstractor = Bounding_box_abstraction();
     options.abstraction.part_kinds = {{"left", left}, {"right", Abstraction_kind::SHEET}};
     result.graph = build_structural_graph(result.shape, options);
+    structure(result.graph).frame.axes.setIdentity();
     structure(result.graph).frame.mirror_x = true;
     REQUIRE(structure(result.graph).parts[1].is_sheet() == (left == Abstraction_kind::SHEET));
     return result;
   };
-  const Model source = plane(Abstraction_kind::CURVE), target = plane(Abstraction_kind::SHEET);
+  const Model source = plane(Abstraction_kind::CURVE, 0.6), target = plane(Abstraction_kind::SHEET, 0.3);
   Correspondence same;
   same.pairs = {{0, 0}, {1, 1}, {2, 2}};
   for (const Shape_blend& blend : {blend_of(source, target, same), blend_of(target, source, same)}) {
     const Segmented_shape shape = blend(0.4);
-    for (std::size_t part : {1u, 2u}) {
-      const Points& points = shape.parts()[part].mesh.points;
-      const Point low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
-      const Point middle(part == 1 ? -0.35 : 0.35, 0.6, 0);
-      CHECK(((low + high) / 2 - middle).norm() < 1e-3);
-      CHECK((high - low - Point(0.5, 0.1, 0.2)).norm() < 1e-3);
-    }
+    const Points& right = shape.parts()[2].mesh.points;
+    const Point low = right.rowwise().minCoeff(), high = right.rowwise().maxCoeff();
+    CHECK(((low + high) / 2 - Point(0.35, 0.6, 0)).norm() < 1e-3);
+    CHECK((high - low - Point(0.5, 0.1, 0.2)).norm() < 1e-3);
   }
 }
 

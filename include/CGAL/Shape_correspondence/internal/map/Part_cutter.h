@@ -16,6 +16,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -129,17 +131,72 @@ private:
       vertices.emplace_back(k[(axis + 1) % 3], k[(axis + 2) % 3]);
     }
     if (sides.empty() || !is_closed(sides, vertices)) return;
-    const Section_filling filling = fill_section(vertices, sides);
-    for (std::size_t i = vertices.size(); i < filling.vertices.size(); ++i) {
+    add_filling(axis, at, points, sides, fill_section(vertices, sides));
+  }
+
+  /// \param points the first ones of the filling
+  void add_filling(int axis, double at, std::vector<int> points, const std::vector<Section_side>& sides,
+                   const Section_filling& filling)
+  {
+    const std::size_t given = points.size();
+    Points places(3, Eigen::Index(filling.vertices.size()));
+    std::vector<Point> coordinates;
+    for (std::size_t i = 0; i < filling.vertices.size(); ++i) {
       Point k;
       k[axis] = at;
       k[(axis + 1) % 3] = filling.vertices[i].x();
       k[(axis + 2) % 3] = filling.vertices[i].y();
-      points.push_back(mesh_.add_point(chart_(k)));
-      coordinates_.push_back(k);
+      places.col(Eigen::Index(i)) = i < given ? mesh_.point(points[i]) : chart_(k);
+      coordinates.push_back(k);
     }
-    for (const std::array<int, 3>& t : filling.triangles)
-      mesh_.add_triangle({points[std::size_t(t[0])], points[std::size_t(t[1])], points[std::size_t(t[2])]});
+    Subdivision section(places, triangles_of(filling));
+    bend(section, coordinates, sides);
+    for (std::size_t i = given; i < coordinates.size(); ++i) {
+      points.push_back(mesh_.add_point(section.point(int(i))));
+      coordinates_.push_back(coordinates[i]);
+    }
+    for (std::size_t t = 0; t < section.number_of_triangles(); ++t) {
+      const std::array<int, 3>& corners = section.corners(t);
+      mesh_.add_triangle({points[std::size_t(corners[0])], points[std::size_t(corners[1])],
+                          points[std::size_t(corners[2])]});
+    }
+  }
+
+  static Eigen::Matrix3Xi triangles_of(const Section_filling& filling)
+  {
+    Eigen::Matrix3Xi result(3, Eigen::Index(filling.triangles.size()));
+    for (Eigen::Index t = 0; t < result.cols(); ++t)
+      for (int i = 0; i < 3; ++i)
+        result(i, t) = filling.triangles[std::size_t(t)][std::size_t(i)];
+    return result;
+  }
+
+  /// Splits edges of a filling until it follows the chart: a long edge of a bent part would leave it. The sides stay.
+  void bend(Subdivision& section, std::vector<Point>& coordinates, const std::vector<Section_side>& sides) const
+  {
+    constexpr double straight = 1e-3; // of the height
+    constexpr int most_rounds = 8;
+    std::set<Section_side> kept;
+    for (const auto& [a, b] : sides)
+      kept.insert({std::min(a, b), std::max(a, b)});
+    const auto bend_of = [&](int a, int b) -> Point {
+      const Point &k = coordinates[std::size_t(a)], &l = coordinates[std::size_t(b)];
+      return chart_((k + l) / 2) - (chart_(k) + chart_(l)) / 2;
+    };
+    std::vector<Section_side> bent;
+    const auto where = [&](int a, int b) {
+      if (kept.count({a, b}) || bend_of(a, b).norm() <= straight) return -1.;
+      bent.push_back({a, b});
+      return 0.5;
+    };
+    for (int round = 0; round < most_rounds && section.split_edges(where); ++round) {
+      for (const auto& [a, b] : bent) {
+        const int middle = int(coordinates.size());
+        section.move(middle, section.point(middle) + bend_of(a, b));
+        coordinates.push_back((coordinates[std::size_t(a)] + coordinates[std::size_t(b)]) / 2);
+      }
+      bent.clear();
+    }
   }
 
   /// Whether as many sides end in every place as begin there.
