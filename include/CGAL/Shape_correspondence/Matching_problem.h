@@ -9,13 +9,11 @@
 #include <CGAL/Shape_correspondence/Deformation_energy.h>
 #include <CGAL/Shape_correspondence/Geotopo_transform.h>
 #include <CGAL/Shape_correspondence/Pairwise_energy.h>
-#include <CGAL/Shape_correspondence/internal/Piece_list.h>
+#include <CGAL/Shape_correspondence/internal/Fitted_pieces.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -88,30 +86,14 @@ public:
   /// E_d and E_c, summed, between the segments of a group's cut parts.
   Rod_energy cut_energy(std::size_t group, std::size_t label) const { return cut_energies_[group][label]; }
 
-  /// A source piece after it was fitted to a target piece.
-  struct Fitted
-  {
-    Piece source, target;
-    std::size_t source_index, target_index; ///< of the pieces
-    const std::vector<int>* order;          ///< `fitting_order()`
-    bool lifted;                            ///< a source curve among sheets: it has a sheet's number of samples
-    std::size_t lanes;                      ///< `samples()`
-  };
-  /// Indices of fitted pieces.
-  struct Images
-  {
-    const std::uint32_t *first, *last;
-    const std::uint32_t* begin() const { return first; }
-    const std::uint32_t* end() const { return last; }
-    std::size_t size() const { return std::size_t(last - first); }
-    bool empty() const { return first == last; }
-  };
+  /// What source parts become, by label.
+  const internal::Fitted_pieces& fitted() const { return fitted_; }
   /// What touches at a contact on a side when the part there has a label: all its clones, or the one segment.
-  Images touching(std::size_t contact, int side, std::size_t label) const;
-  const Fitted& fitted(std::size_t index) const { return fitted_[index]; }
-  /// The samples of the target piece in the order in which the source piece takes them.
-  const internal::Sample_lanes& samples(const Fitted& fitted) const { return lanes_[fitted.lanes]; }
-  const Sampled_part& target_piece(std::size_t index) const { return target_pieces_[index]; }
+  internal::Fitted_range touching(std::size_t contact, int side, std::size_t label) const
+  {
+    const Aligned_shape::Contact& c = source_->contacts[contact];
+    return fitted_.touching(c.parts[std::size_t(side)], c.samples[std::size_t(side)], label);
+  }
   /// The rods of a contact, of the whole parts; with a curve's samples lifted to a sheet's number or not.
   const Structural_rods& rods(std::size_t contact, bool lift_first, bool lift_second) const
   {
@@ -121,13 +103,6 @@ public:
 private:
   class Contact_table;
 
-  void choose_labels();
-  void make_tables();
-  std::size_t fit(const Image& image);
-  void fit_parts();
-  Images images(std::size_t part, std::size_t label) const;
-  void measure_target_pieces();
-  double connectedness(const Structural_rods& rods, const Fitted& first, const Fitted& second) const;
   void fill_contact_energies();
   void fill_cut_energies();
   void add_up_energy();
@@ -135,19 +110,11 @@ private:
   Shared_shape source_, target_;
   Matching_options options_;
   bool has_shortlists_ = false;
-  std::vector<std::vector<Group_label>> labels_;
-  internal::Piece_list source_pieces_, target_pieces_;
-  Eigen::MatrixXd target_distances_;      // least distances of pieces
-  std::vector<Fitted> fitted_;            // those of a part together
-  std::vector<std::size_t> fitted_begin_; // by part
-  std::vector<internal::Sample_lanes> lanes_;
-  std::vector<std::vector<std::pair<const std::vector<int>*, std::size_t>>> lanes_of_; // by target piece and order
-  std::vector<std::size_t> label_begin_;     // by part, of its labels in `image_begin_`
-  std::vector<std::size_t> image_begin_;     // by part and label, in `images_`
-  std::vector<std::uint32_t> images_;        // fitted pieces
-  std::vector<std::size_t> contact_begin_;   // by contact, in `contact_energies_`
-  std::vector<Rod_energy> contact_energies_; // by labels of either side
-  std::vector<std::vector<Rod_energy>> cut_energies_;
+  std::vector<std::vector<Group_label>> labels_; // by source group
+  internal::Fitted_pieces fitted_;
+  std::vector<std::size_t> contact_begin_;            // by contact, in `contact_energies_`
+  std::vector<Rod_energy> contact_energies_;          // by labels of either side
+  std::vector<std::vector<Rod_energy>> cut_energies_; // by group and label
   Pairwise_energy energy_;
 };
 

@@ -23,7 +23,9 @@ class Matching_problem::Contact_table
 {
 public:
   explicit Contact_table(const Matching_problem& problem)
-      : problem_(problem), number_of_lanes_(problem.lanes_.size()), pair_of_(number_of_lanes_ * number_of_lanes_, none)
+      : problem_(problem),
+        fitted_(problem.fitted_),
+        pair_of_(fitted_.number_of_lanes() * fitted_.number_of_lanes(), none)
   {}
 
   // Lists what the energies of the next contact are the means of.
@@ -34,8 +36,8 @@ public:
     const bool same_group = problem_.source().group_of[parts[0]] == problem_.source().group_of[parts[1]];
     for (int side : {0, 1}) {
       const std::size_t part = parts[std::size_t(side)];
-      begin_[side] = problem_.fitted_begin_[part];
-      count_[side] = problem_.fitted_begin_[part + 1] - begin_[side];
+      begin_[side] = fitted_.begin_of(part);
+      count_[side] = fitted_.begin_of(part + 1) - begin_[side];
       touching_[side].clear();
       for (std::size_t label = 0; label < problem_.number_of_labels(problem_.source().group_of[part]); ++label)
         touching_[side].push_back(problem_.touching(contact, side, label));
@@ -75,6 +77,9 @@ public:
   }
 
 private:
+  using Range = internal::Fitted_range;
+  using Fitted = internal::Fitted_piece;
+
   static constexpr std::uint32_t none = std::uint32_t(-1);
 
   // Rods of a source pair with those of a target pair; `next` is the next one with the same target pair.
@@ -93,7 +98,7 @@ private:
   };
 
   // Clones are compared each with its nearest counterpart.
-  void list(const Images& first, const Images& second)
+  void list(const Range& first, const Range& second)
   {
     if (first.size() == 1 || second.size() == 1) {
       for (std::uint32_t a : first)
@@ -110,12 +115,9 @@ private:
     }
   }
 
-  std::uint32_t nearest(std::uint32_t fitted, const Images& others) const
+  std::uint32_t nearest(std::uint32_t fitted, const Range& others) const
   {
-    const Eigen::Index from = Eigen::Index(problem_.fitted_[fitted].target_index);
-    const auto distance = [&](std::size_t other) {
-      return problem_.target_distances_(Eigen::Index(problem_.fitted_[other].target_index), from);
-    };
+    const auto distance = [&](std::size_t other) { return fitted_.target_distance(fitted_[other], fitted_[fitted]); };
     std::uint32_t best = *others.first;
     double least = distance(best);
     for (const std::uint32_t* other = others.first + 1; other != others.last; ++other) {
@@ -130,8 +132,8 @@ private:
     std::uint32_t& known = known_[(a - begin_[0]) * count_[1] + b - begin_[1]];
     if (known == none) {
       known = std::uint32_t(comparisons_.size());
-      const Fitted &first = problem_.fitted_[a], &second = problem_.fitted_[b];
-      std::uint32_t& pair = pair_of_[first.lanes * number_of_lanes_ + second.lanes];
+      const Fitted &first = fitted_[a], &second = fitted_[b];
+      std::uint32_t& pair = pair_of_[pair_index(first, second)];
       if (pair == none) {
         pair = std::uint32_t(pairs_.size());
         pairs_.push_back({a, b, none});
@@ -142,18 +144,23 @@ private:
     return known;
   }
 
+  std::size_t pair_index(const Fitted& first, const Fitted& second) const
+  {
+    return first.lanes * fitted_.number_of_lanes() + second.lanes;
+  }
+
   void compare()
   {
     for (const Target_pair& pair : pairs_) {
-      const Fitted &first = problem_.fitted_[pair.first], &second = problem_.fitted_[pair.second];
+      const Fitted &first = fitted_[pair.first], &second = fitted_[pair.second];
       rods_.clear();
       for (std::uint32_t i = pair.comparison; i != none; i = comparisons_[i].next)
         rods_.push_back(comparisons_[i].rods);
-      distortions(rods_, problem_.samples(first), problem_.samples(second), distortions_);
+      distortions(rods_, fitted_.samples(first), fitted_.samples(second), distortions_);
       auto distortion = distortions_.begin();
       for (std::uint32_t i = pair.comparison; i != none; i = comparisons_[i].next)
-        comparisons_[i].energy = {*distortion++, problem_.connectedness(*comparisons_[i].rods, first, second)};
-      pair_of_[first.lanes * number_of_lanes_ + second.lanes] = none;
+        comparisons_[i].energy = {*distortion++, fitted_.connectedness(*comparisons_[i].rods, first, second)};
+      pair_of_[pair_index(first, second)] = none;
     }
     pairs_.clear();
   }
@@ -172,8 +179,8 @@ private:
     segment_rods_.push_back({first.source_index,
                              second.source_index,
                              {n, m},
-                             Structural_rods(lifted_samples(problem_.source_pieces_[first.source_index], n),
-                                             lifted_samples(problem_.source_pieces_[second.source_index], m))});
+                             Structural_rods(lifted_samples(fitted_.source_piece(first.source_index), n),
+                                             lifted_samples(fitted_.source_piece(second.source_index), m))});
     return segment_rods_.back().rods;
   }
 
@@ -186,8 +193,8 @@ private:
   };
 
   const Matching_problem& problem_;
-  std::size_t number_of_lanes_;
-  std::vector<std::uint32_t> pair_of_;  // by lanes and lanes, in `pairs_`
+  const internal::Fitted_pieces& fitted_;
+  std::vector<std::uint32_t> pair_of_;  // by `pair_index()`, in `pairs_`
   std::vector<Target_pair> pairs_;      // those that anything is compared with
   std::vector<Comparison> comparisons_; // of contact after contact
   std::vector<std::uint32_t> counts_;   // by contact and labels: how many comparisons
@@ -198,9 +205,9 @@ private:
 
   // Of the contact that is being listed
   std::size_t contact_ = 0, first_segment_rods_ = 0;
-  std::array<std::size_t, 2> begin_, count_;    // the fitted pieces of either side
-  std::array<std::vector<Images>, 2> touching_; // by label
-  std::vector<std::uint32_t> known_;            // comparisons by two fitted pieces
+  std::array<std::size_t, 2> begin_, count_;   // the fitted pieces of either side
+  std::array<std::vector<Range>, 2> touching_; // by label
+  std::vector<std::uint32_t> known_;           // comparisons by two fitted pieces
 };
 
 } // namespace Shape_correspondence

@@ -12,7 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -26,24 +27,59 @@ inline Eigen::Matrix<double, 6, 1> extremes(const Aligned_shape::Group& group)
   return result;
 }
 
-// Which of `count` segments of a curve a sample of it is on.
-inline int segment_of_sample(std::size_t sample, int count)
+// The target groups that a source group may be matched to: all, or the nearest ones, in their order.
+inline std::vector<std::size_t> candidates(const Aligned_shape::Group& group, const Aligned_shape& target)
 {
-  return std::min(count - 1, int(sample) * count / (samples_per_side - 1));
+  std::vector<std::pair<long, std::size_t>> nearest;
+  for (std::size_t h = 0; h < target.groups.size(); ++h)
+    nearest.emplace_back(quantized((extremes(group) - extremes(target.groups[h])).norm()), h);
+  if (nearest.size() > maximum_labels) {
+    std::sort(nearest.begin(), nearest.end());
+    nearest.resize(maximum_labels);
+  }
+  std::vector<std::size_t> result;
+  for (const auto& candidate : nearest)
+    result.push_back(candidate.second);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+inline std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_t group,
+                                                const Aligned_shape& target, const Matching_options& options)
+{
+  const std::vector<std::size_t> matched = candidates(source.groups[group], target);
+  std::vector<Group_label> result;
+  result.reserve(2 * matched.size() + 1);
+  for (std::size_t candidate : matched)
+    result.push_back(match_members(source, group, target, candidate));
+  for (std::size_t l = 0; options.cut_curves && l < matched.size(); ++l) {
+    if (result[l].operation == Operation::MATCH) continue; // one to one
+    Group_label cut = cut_members(source, group, target, result[l]);
+    if (cut.operation == Operation::CUT || cut.operation == Operation::JOIN) result.push_back(std::move(cut));
+  }
+  if (options.unmatched_cost < Matching_options::never) {
+    result.emplace_back();
+    result.back().images.resize(source.groups[group].parts.size());
+  }
+  return result;
+}
+
+inline std::vector<std::vector<Group_label>> all_labels(const Aligned_shape& source, const Aligned_shape& target,
+                                                        const Matching_options& options)
+{
+  std::vector<std::vector<Group_label>> result;
+  for (std::size_t g = 0; g < source.groups.size(); ++g)
+    result.push_back(labels_of_group(source, g, target, options));
+  return result;
 }
 
 } // namespace internal
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
                                                                     const Matching_options& options)
-    : source_(std::move(source)),
-      target_(std::move(target)),
-      options_(options),
-      source_pieces_(*source_),
-      target_pieces_(*target_)
+    : Matching_problem(source, target, internal::all_labels(*source, *target, options), options)
 {
-  choose_labels();
-  make_tables();
+  has_shortlists_ = target_->groups.size() > maximum_labels;
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Matching_problem(Aligned_shape source, Aligned_shape target,
@@ -59,135 +95,11 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Matching_problem(Shared_shape
       target_(std::move(target)),
       options_(options),
       labels_(std::move(labels)),
-      source_pieces_(*source_),
-      target_pieces_(*target_)
+      fitted_(*source_, *target_, labels_)
 {
-  make_tables();
-}
-
-CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::make_tables()
-{
-  fit_parts();
-  measure_target_pieces();
   fill_contact_energies();
   fill_cut_energies();
   add_up_energy();
-}
-
-CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::choose_labels()
-{
-  has_shortlists_ = target().groups.size() > maximum_labels;
-  labels_.resize(source().groups.size());
-  std::vector<std::pair<long, std::size_t>> candidates;
-  for (std::size_t g = 0; g < labels_.size(); ++g) {
-    candidates.clear();
-    for (std::size_t h = 0; h < target().groups.size(); ++h)
-      candidates.emplace_back(
-          internal::quantized((internal::extremes(source().groups[g]) - internal::extremes(target().groups[h])).norm()),
-          h);
-    if (has_shortlists_) {
-      std::sort(candidates.begin(), candidates.end());
-      candidates.resize(maximum_labels);
-      std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-    }
-    labels_[g].reserve(2 * candidates.size() + 1);
-    for (const auto& candidate : candidates)
-      labels_[g].push_back(match_members(source(), g, target(), candidate.second));
-    for (std::size_t l = 0; options_.cut_curves && l < candidates.size(); ++l) {
-      if (labels_[g][l].operation == Operation::MATCH) continue; // one to one
-      Group_label cut = cut_members(source(), g, target(), labels_[g][l]);
-      if (cut.operation == Operation::CUT || cut.operation == Operation::JOIN) labels_[g].push_back(std::move(cut));
-    }
-    if (options_.unmatched_cost < Matching_options::never) {
-      Group_label none;
-      none.images.resize(source().groups[g].parts.size());
-      labels_[g].push_back(std::move(none));
-    }
-  }
-}
-
-// The index of a fitted piece among those of its part, the last part that has any.
-CGAL_SHAPE_CORRESPONDENCE_INLINE std::size_t Matching_problem::fit(const Image& image)
-{
-  const std::size_t from = source_pieces_.index(image.source), to = target_pieces_.index(image.target);
-  for (std::size_t known = fitted_begin_.back(); known < fitted_.size(); ++known)
-    if (fitted_[known].source_index == from && fitted_[known].target_index == to) return known;
-
-  const Points& samples = target_pieces_[to].samples;
-  const std::vector<int>& order = fitting_order(source_pieces_[from], target_pieces_[to]);
-  if (lanes_of_.size() <= to) lanes_of_.resize(target_pieces_.size());
-  std::size_t lanes = lanes_.size();
-  for (const auto& known : lanes_of_[to])
-    if (known.first == &order) lanes = known.second;
-  if (lanes == lanes_.size()) {
-    lanes_of_[to].emplace_back(&order, lanes);
-    lanes_.push_back(internal::Sample_lanes(samples, order));
-  }
-  const bool lifted = Eigen::Index(order.size()) != source_pieces_[from].samples.cols();
-  fitted_.push_back({image.source, image.target, from, to, &order, lifted, lanes});
-  return fitted_.size() - 1;
-}
-
-CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fit_parts()
-{
-  for (std::size_t part = 0; part < source().parts.size(); ++part) {
-    const std::size_t group = source().group_of[part];
-    const auto& parts = source().groups[group].parts;
-    const std::size_t member = std::size_t(std::find(parts.begin(), parts.end(), part) - parts.begin());
-    fitted_begin_.push_back(fitted_.size());
-    label_begin_.push_back(image_begin_.size());
-    for (const Group_label& label : labels_[group]) {
-      image_begin_.push_back(images_.size());
-      for (const Image& image : label.images[member])
-        images_.push_back(std::uint32_t(fit(image)));
-    }
-  }
-  fitted_begin_.push_back(fitted_.size());
-  image_begin_.push_back(images_.size());
-}
-
-CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Images Matching_problem::images(std::size_t part,
-                                                                                   std::size_t label) const
-{
-  const std::size_t i = label_begin_[part] + label;
-  return {images_.data() + image_begin_[i], images_.data() + image_begin_[i + 1]};
-}
-
-CGAL_SHAPE_CORRESPONDENCE_INLINE Matching_problem::Images Matching_problem::touching(std::size_t contact, int side,
-                                                                                     std::size_t label) const
-{
-  const Aligned_shape::Contact& c = source().contacts[contact];
-  const Images clones = images(c.parts[std::size_t(side)], label);
-  for (const std::uint32_t& image : clones) {
-    const Piece& piece = fitted_[image].source;
-    if (piece.count > 1 && piece.index == internal::segment_of_sample(c.samples[std::size_t(side)], piece.count))
-      return {&image, &image + 1};
-  }
-  return clones;
-}
-
-// Those of whole parts are known.
-CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::measure_target_pieces()
-{
-  const Eigen::Index parts = Eigen::Index(target_pieces_.number_of_parts()), n = Eigen::Index(target_pieces_.size());
-  target_distances_ = target().distance;
-  if (n == parts) return;
-  target_distances_.conservativeResize(n, n);
-  std::vector<internal::Sample_lanes> lanes;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Points& samples = target_pieces_[std::size_t(i)].samples;
-    lanes.emplace_back(samples);
-    for (Eigen::Index j = 0; i >= parts && j <= i; ++j)
-      target_distances_(i, j) = target_distances_(j, i) = least_distance(
-          lanes.back(), int(samples.cols()), lanes[std::size_t(j)], int(target_pieces_[std::size_t(j)].samples.cols()));
-  }
-}
-
-CGAL_SHAPE_CORRESPONDENCE_INLINE double Matching_problem::connectedness(const Structural_rods& rods,
-                                                                        const Fitted& first, const Fitted& second) const
-{
-  if (first.target_index == second.target_index) return collapsed_connectedness;
-  return rods.connectedness(target_distances_(Eigen::Index(first.target_index), Eigen::Index(second.target_index)));
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fill_contact_energies()
@@ -217,14 +129,14 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fill_cut_energies()
     for (std::size_t l = 0; l < labels_[g].size(); ++l) {
       if (labels_[g][l].operation != Operation::CUT) continue;
       for (std::size_t part : source().groups[g].parts)
-        for (std::size_t a : images(part, l))
-          for (std::size_t b : images(part, l)) {
-            const Fitted &first = fitted_[a], &second = fitted_[b];
+        for (std::size_t a : fitted_.images(part, l))
+          for (std::size_t b : fitted_.images(part, l)) {
+            const internal::Fitted_piece &first = fitted_[a], &second = fitted_[b];
             if (first.source.count < 2 || second.source.index != first.source.index + 1) continue;
-            const Structural_rods rods(source_pieces_[first.source_index].samples,
-                                       source_pieces_[second.source_index].samples);
-            cut_energies_[g][l].distortion += rods.energy(samples(first), samples(second)).distortion;
-            cut_energies_[g][l].connectedness += connectedness(rods, first, second);
+            const Structural_rods rods(fitted_.source_piece(first.source_index).samples,
+                                       fitted_.source_piece(second.source_index).samples);
+            cut_energies_[g][l].distortion += rods.energy(fitted_.samples(first), fitted_.samples(second)).distortion;
+            cut_energies_[g][l].connectedness += fitted_.connectedness(rods, first, second);
           }
     }
   }

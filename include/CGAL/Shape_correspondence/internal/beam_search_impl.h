@@ -107,12 +107,12 @@ private:
   {
     const Points& samples = shape_.parts[shape_.contacts[contact].parts[std::size_t(side)]].samples;
     const std::size_t at = shape_.contacts[contact].samples[std::size_t(side)];
-    const Matching_problem::Images clones = problem_.touching(contact, side, label);
+    const Fitted_range clones = problem_.touching(contact, side, label);
     if (clones.empty()) return Point::Zero();
     Point sum = Point::Zero();
     for (std::size_t clone : clones) {
-      const Matching_problem::Fitted& fitted = problem_.fitted(clone);
-      const Points& target = problem_.target_piece(fitted.target_index).samples;
+      const Fitted_piece& fitted = problem_.fitted()[clone];
+      const Points& target = problem_.fitted().target_piece(fitted.target_index).samples;
       const std::size_t count = fitted.order->size();
       const std::size_t on_piece =
           at * std::size_t(fitted.source.count) - std::size_t(fitted.source.index) * (samples_per_side - 1);
@@ -172,10 +172,11 @@ private:
     double best_cost = std::numeric_limits<double>::infinity();
     const Energy_weights& weights = problem_.options().weights;
     for (std::size_t clone : problem_.touching(contact, side, std::size_t(assignment[shape_.group_of[matched_part]]))) {
-      const Matching_problem::Fitted& fitted = problem_.fitted(clone);
+      const Fitted_piece& fitted = problem_.fitted()[clone];
       const bool lift = Eigen::Index(fitted.order->size()) != own && fitted.source.count == 1;
-      const Rod_energy energy = side == 0 ? problem_.rods(contact, lift, false).energy(problem_.samples(fitted), other)
-                                          : problem_.rods(contact, false, lift).energy(other, problem_.samples(fitted));
+      const Sample_lanes& taken = problem_.fitted().samples(fitted);
+      const Rod_energy energy = side == 0 ? problem_.rods(contact, lift, false).energy(taken, other)
+                                          : problem_.rods(contact, false, lift).energy(other, taken);
       const double cost = weights.distortion * energy.distortion + weights.connectedness * energy.connectedness;
       if (cost < best_cost) best = energy, best_cost = cost;
     }

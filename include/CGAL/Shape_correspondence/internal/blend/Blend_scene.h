@@ -150,8 +150,8 @@ inline void Blend_scene::fade()
     if (actor.morph) continue;
     if (left_[a] > 0) surface_[a] = 0;
     Points& points = points_[a][0] = actor.points_left(left_[a]);
-    const double size = std::max((points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm(),
-                                 least_stretched * cast_.sizes[a]);
+    const double size =
+        std::max((points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm(), least_stretched * cast_.sizes[a]);
     std::vector<Handle> handles;
     for (const Blend_attachment& on : cast_.attachments[a]) {
       const Point there = on.place.of(this->points(on.actor, on.surface), cast_.triangles(on.actor, on.surface));

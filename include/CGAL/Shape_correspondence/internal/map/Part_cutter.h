@@ -63,7 +63,9 @@ public:
       return;
     }
     mesh_.remove_triangles_if(is_beyond);
-    close(axis, at, [&](int i) { return beyond(i) >= -on_side; });
+    const auto is_on_side = [&](int i) { return beyond(i) >= -on_side; };
+    straighten(axis, at, is_on_side);
+    close(axis, at, is_on_side);
   }
 
   /// What is left.
@@ -88,6 +90,8 @@ public:
 
 private:
   static constexpr double on_side = 1e-9;
+  static constexpr double straight = 1e-3; ///< how far an edge may stray from the chart, over the height
+  static constexpr int most_rounds = 8;    ///< of splitting edges that do
 
   /// Returns the number of those that there were.
   std::size_t add_coordinates()
@@ -106,6 +110,22 @@ private:
       mesh_.move(i, to + speck * (mesh_.point(i) - to));
       coordinates_[std::size_t(i)] = chart_.coordinates(mesh_.point(i));
     }
+  }
+
+  /// Splits the sides of the section until they are straight in the chart, too.
+  template <typename Is_on_side>
+  void straighten(int axis, double at, const Is_on_side& is_on_side)
+  {
+    const auto where = [&](int a, int b) {
+      if (!is_on_side(a) || !is_on_side(b)) return -1.;
+      Point k = chart_.coordinates((mesh_.point(a) + mesh_.point(b)) / 2);
+      k[axis] = at;
+      const Point straight_on = (coordinates_[std::size_t(a)] + coordinates_[std::size_t(b)]) / 2;
+      return (chart_(k) - chart_(straight_on)).norm() > straight ? 0.5 : -1.;
+    };
+    for (int round = 0; round < most_rounds && mesh_.split_edges(where); ++round)
+      for (std::size_t i = add_coordinates(); i < coordinates_.size(); ++i)
+        coordinates_[i][axis] = at;
   }
 
   /// Fills the section, if it is closed.
@@ -157,8 +177,8 @@ private:
     }
     for (std::size_t t = 0; t < section.number_of_triangles(); ++t) {
       const std::array<int, 3>& corners = section.corners(t);
-      mesh_.add_triangle({points[std::size_t(corners[0])], points[std::size_t(corners[1])],
-                          points[std::size_t(corners[2])]});
+      mesh_.add_triangle(
+          {points[std::size_t(corners[0])], points[std::size_t(corners[1])], points[std::size_t(corners[2])]});
     }
   }
 
@@ -174,8 +194,6 @@ private:
   /// Splits edges of a filling until it follows the chart: a long edge of a bent part would leave it. The sides stay.
   void bend(Subdivision& section, std::vector<Point>& coordinates, const std::vector<Section_side>& sides) const
   {
-    constexpr double straight = 1e-3; // of the height
-    constexpr int most_rounds = 8;
     std::set<Section_side> kept;
     for (const auto& [a, b] : sides)
       kept.insert({std::min(a, b), std::max(a, b)});
@@ -184,8 +202,10 @@ private:
       return chart_((k + l) / 2) - (chart_(k) + chart_(l)) / 2;
     };
     std::vector<Section_side> bent;
+    const auto error = [&](int i) { return (chart_(coordinates[std::size_t(i)]) - section.point(i)).norm(); };
     const auto where = [&](int a, int b) {
-      if (kept.count({a, b}) || bend_of(a, b).norm() <= straight) return -1.;
+      const double by = bend_of(a, b).norm();
+      if (kept.count({a, b}) || by <= straight || by <= error(a) + error(b)) return -1.;
       bent.push_back({a, b});
       return 0.5;
     };
