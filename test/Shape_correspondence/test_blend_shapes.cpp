@@ -373,6 +373,37 @@ TEST_CASE("Contacts of mirror images are kept alike, though one of them is just 
   }
 }
 
+TEST_CASE("Parts on the mirror plane keep contacts on both of its sides, whenever each of them changes")
+{
+  // A foot between two cheeks, which are one part
+  const auto vice = [](double width) {
+    Model result{Segmented_shape("vice"), {}};
+    const double cheek = width / 2 + 0.05;
+    const Part_mesh left = box_shapes::box({-cheek, 0.7, 0}, {0.1, 0.6, 0.2});
+    const Part_mesh right = box_shapes::box({cheek, 0.7, 0}, {0.1, 0.6, 0.2});
+    Part_mesh cheeks{Points(3, 2 * left.points.cols()), Eigen::Matrix3Xi(3, 2 * left.triangles.cols())};
+    cheeks.points << left.points, right.points;
+    cheeks.triangles << left.triangles, right.triangles.array() + int(left.points.cols());
+    result.shape.add_part("foot", box_shapes::box({0, 0.25, 0}, {width, 0.5, 0.2}));
+    result.shape.add_part("cheeks", cheeks);
+    Structure_options options;
+    options.abstraction.abstractor = Bounding_box_abstraction();
+    result.graph = build_structural_graph(result.shape, options);
+    structure(result.graph).frame.axes.setIdentity();
+    structure(result.graph).frame.mirror_x = true;
+    return result;
+  };
+  const Model wide = vice(0.6), narrow = vice(0.2);
+  Correspondence same;
+  same.pairs = {{0, 0}, {1, 1}};
+  const Shape_blend blend = blend_of(wide, narrow, same);
+  for (const Blend_schedule& schedule : blend.schedules()) {
+    INFO(schedule.name);
+    CHECK(schedule.quality.gap < 0.001);
+    CHECK(schedule.quality.asymmetry < 0.001);
+  }
+}
+
 TEST_CASE("Mirror images may be abstracted by a curve and a sheet, and become what are no mirror images")
 {
   const auto plane = [](Abstraction_kind left, double height) {

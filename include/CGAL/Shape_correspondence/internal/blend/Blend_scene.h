@@ -288,6 +288,9 @@ inline int Blend_scene::relink()
         is_good = false;
       }
       moves.pull(a, closest.first, b, closest.second, step);
+      const std::size_t image_a = cast_.actors[a].twin, image_b = cast_.actors[b].twin;
+      if (image_a != Mirror_twins::none && image_b != Mirror_twins::none)
+        moves.pull(image_a, mirrored(closest.first), image_b, mirrored(closest.second), mirrored(step));
     }
     for (std::size_t a = 0; a < count; ++a) {
       if (!is_there(a)) continue;
