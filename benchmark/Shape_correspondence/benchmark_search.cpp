@@ -6,13 +6,14 @@
 // Times the search on pairs of saved structural graphs, single-threaded: matching by parts, tables and exact search,
 // and the paper's beam, the searches with both directions. Prints medians and 95th percentiles in milliseconds, how far
 // the beam is from the optimum, the speed of the rod kernel against the machine's best loop, and a synthetic problem.
-//   benchmark_search GRAPH.json GRAPH.json ...     all pairs of the graphs given
+//   benchmark_search GRAPH.json GRAPH.json ...     all pairs of the graphs given that are in one folder
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -117,6 +118,7 @@ int main(int argc, char** argv)
     return 2;
   }
   std::vector<SC::Structural_graph> graphs;
+  const auto folder = [&](std::size_t graph) { return std::filesystem::path(argv[graph + 1]).parent_path(); };
   for (int i = 1; i < argc; ++i) {
     std::ifstream in(argv[i]);
     try {
@@ -131,6 +133,7 @@ int main(int argc, char** argv)
   std::size_t proven = 0, at_optimum = 0, runs = 0;
   for (std::size_t i = 0; i < graphs.size(); ++i)
     for (std::size_t j = i + 1; j < graphs.size(); ++j) {
+      if (folder(i) != folder(j)) continue;
       double align_time = 0, tables_time = 0, exact_time = 0, beam_time = 0;
       {
         const SC::Aligned_shape from = SC::align_shape(graphs[i]), to = SC::align_shape(graphs[j]);
