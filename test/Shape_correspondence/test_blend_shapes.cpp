@@ -61,6 +61,13 @@ Shape_blend blend_of(const std::string& source, const std::string& target)
   return blend_of(model(source), model(target), find_correspondence(model(source).graph, model(target).graph));
 }
 
+std::size_t part_named(const Model& model, const std::string& name)
+{
+  const auto& parts = structure(model.graph).parts;
+  return std::size_t(std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.name == name; }) -
+                     parts.begin());
+}
+
 /// A ring about the z axis of radius 1, its section a circle.
 Part_mesh ring(double thickness, const Point& middle = Point::Zero())
 {
@@ -246,21 +253,29 @@ TEST_CASE("Distances are those of the closest points but for a tenth of what the
 TEST_CASE("Contacts are kept where sets of parts come apart and are moved together")
 {
   const Model &chair = model("chair_four_legged"), &other = model("chair_spindle");
-  const auto part = [](const Model& of, const std::string& name) {
-    const auto& parts = structure(of.graph).parts;
-    return std::size_t(std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.name == name; }) -
-                       parts.begin());
-  };
   Correspondence few; // most of what holds these together vanishes
   for (const auto& [from, to] :
        {std::pair("front_apron", "h_cross"), std::pair("front_right_leg", "turned_leg_b"),
         std::pair("left_back_post", "spindle_mid"), std::pair("rear_right_leg", "turned_leg_d"),
         std::pair("right_back_post", "spindle_2_r"), std::pair("right_back_post", "spindle_3_r"),
         std::pair("seat", "saddle_seat")})
-    few.pairs.emplace_back(part(chair, from), part(other, to));
+    few.pairs.emplace_back(part_named(chair, from), part_named(other, to));
   const Shape_blend blend = blend_of(chair, other, few);
   for (double t : {0.1, 0.3, 0.5, 0.7, 0.9})
     CHECK(blend.check(t).quality.gap < 0.001);
+}
+
+TEST_CASE("What is its own mirror image stays that where it is moved to what it has come apart from")
+{
+  const Model &chair = model("chair_four_legged"), &stool = model("stool");
+  Correspondence few;
+  for (const auto& [from, to] : {std::pair("front_left_leg", "splay_1"), std::pair("rear_left_leg", "splay_3"),
+                                 std::pair("rear_right_leg", "splay_4"), std::pair("seat", "round_board")})
+    few.pairs.emplace_back(part_named(chair, from), part_named(stool, to));
+  const Shape_blend blend = blend_of(chair, stool, few);
+  const double ends = std::max(blend.check(0).quality.asymmetry, blend.check(1).quality.asymmetry);
+  for (double t : {0.2, 0.4, 0.6, 0.8})
+    CHECK(blend.check(t).quality.asymmetry < ends + 0.002);
 }
 
 TEST_CASE("Shapes between two models are closed, hang together, are symmetric and stand; the ends are the models")

@@ -80,8 +80,8 @@ private:
   void settle();
   int relink();
   bool join();
-  bool move_set(Joined_sets& sets, std::size_t set, const std::vector<std::size_t>& present, std::size_t to, Point step,
-                bool is_along_mirror);
+  bool move_set(Joined_sets& sets, std::size_t set, const std::vector<std::size_t>& present, std::size_t to,
+                const Point& from, Point step, bool is_along_mirror);
   void stand();
   void put_foot(std::size_t actor);
   void move(std::size_t actor, const Point& step);

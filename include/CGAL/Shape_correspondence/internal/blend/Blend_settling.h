@@ -155,7 +155,7 @@ inline bool Blend_scene::join()
       any = true;
       const Point step = excess / gap * (way.closest.second - way.closest.first);
       const bool is_along_mirror = std::abs(step.x()) < step.norm() / 2 && tries[*set]++ < most_tries;
-      if (!move_set(sets, *set, present, present[way.to], step, is_along_mirror)) continue;
+      if (!move_set(sets, *set, present, present[way.to], way.closest.first, step, is_along_mirror)) continue;
     }
     sets.unite(way.from, way.to);
   }
@@ -163,9 +163,10 @@ inline bool Blend_scene::join()
 }
 
 /// Moves a set by a step to an actor, and mirror images of its parts alike. Returns whether it goes all of the way.
+/// \param from where it is nearest to the actor
 /// \param is_along_mirror whether what is its own image is not moved across the mirror plane
 inline bool Blend_scene::move_set(Joined_sets& sets, std::size_t set, const std::vector<std::size_t>& present,
-                                  std::size_t to, Point step, bool is_along_mirror)
+                                  std::size_t to, const Point& from, Point step, bool is_along_mirror)
 {
   std::vector<char> moves(points_.size(), 0), image_moves(points_.size(), 0);
   for (std::size_t i = 0; i < present.size(); ++i) {
@@ -175,16 +176,23 @@ inline bool Blend_scene::move_set(Joined_sets& sets, std::size_t set, const std:
     if (twin != Mirror_twins::none) image_moves[twin] = 1;
   }
   if (image_moves[to]) step /= 2; // they move towards each other
+  // A set that is its own image gets as much wider on both sides, unless that were more than twice as wide
+  const bool is_widened = moves == image_moves && std::abs(step.x()) <= std::abs(from.x());
   bool is_whole = true;
   for (std::size_t i = 0; i < present.size(); ++i) {
     const std::size_t actor = present[i];
     if (!moves[actor] && !image_moves[actor]) continue;
-    Point own = moves[actor] ? step : mirrored(step);
-    if (moves[actor] && image_moves[actor] && is_along_mirror) {
-      is_whole = is_whole && std::abs(own.x()) <= closed;
-      own.x() = 0;
+    Affine_move own;
+    own.shift = moves[actor] ? step : mirrored(step);
+    if (is_widened) {
+      own.shift.x() = 0;
+      own.gradient(0, 0) = step.x() != 0 ? step.x() / from.x() : 0;
+    } else if (moves[actor] && image_moves[actor] && is_along_mirror) {
+      is_whole = is_whole && std::abs(own.shift.x()) <= closed;
+      own.shift.x() = 0;
     }
-    move(actor, own);
+    for (Points& surface : points_[actor])
+      own.apply(surface);
     sets.update(i, tree(actor));
   }
   return is_whole;
