@@ -8,10 +8,10 @@
 #include "colours.h"
 #include "picture_geometry.h"
 
+#include <CGAL/Shape_correspondence/internal/Disjoint_sets.h>
 #include <CGAL/Shape_correspondence/internal/quarter_turn.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -22,43 +22,19 @@ constexpr double gap = 0.25;             // between the shapes, over the wider o
 constexpr double tube_radius = 0.009;    // over the shape's diagonal
 constexpr double contact_radius = 0.014; // over the shape's diagonal
 
-/// Sets of things that belong together, by union and find.
-class Components
-{
-public:
-  explicit Components(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t(0)); }
-
-  std::size_t find(std::size_t i) const
-  {
-    while (parent_[i] != i)
-      i = parent_[i];
-    return i;
-  }
-
-  /// The smallest element stands for its component.
-  void join(std::size_t i, std::size_t j)
-  {
-    const std::size_t a = find(i), b = find(j);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
-
 /// Parts of both shapes that groups and pairs connect; target parts are numbered after the source's.
-Components connected_parts(const Correspondence& correspondence, std::size_t sources, std::size_t targets)
+internal::Disjoint_sets connected_parts(const Correspondence& correspondence, std::size_t sources, std::size_t targets)
 {
-  Components components(sources + targets);
+  internal::Disjoint_sets components(sources + targets);
   for (const Group_match& group : correspondence.groups) {
     if (group.source.empty() || group.target.empty()) continue;
     for (std::size_t s : group.source)
-      components.join(group.source[0], s);
+      components.unite(group.source[0], s);
     for (std::size_t t : group.target)
-      components.join(group.source[0], sources + t);
+      components.unite(group.source[0], sources + t);
   }
   for (const auto& [s, t] : correspondence.pairs)
-    components.join(s, sources + t);
+    components.unite(s, sources + t);
   return components;
 }
 
@@ -111,7 +87,7 @@ std::array<Point, 2> side_by_side(const Drawn_shape& left, const Drawn_shape& ri
 
 std::vector<int> match_numbers(const Correspondence& correspondence, std::size_t sources, std::size_t targets)
 {
-  const Components components = connected_parts(correspondence, sources, targets);
+  const internal::Disjoint_sets components = connected_parts(correspondence, sources, targets);
   std::vector<bool> matched(sources + targets, false);
   for (const auto& [s, t] : correspondence.pairs)
     matched[s] = matched[sources + t] = true;
@@ -119,9 +95,9 @@ std::vector<int> match_numbers(const Correspondence& correspondence, std::size_t
   std::vector<int> result(matched.size(), -1);
   for (std::size_t i = 0; i < matched.size(); ++i) {
     if (!matched[i]) continue;
-    const auto found = std::find(roots.begin(), roots.end(), components.find(i));
+    const auto found = std::find(roots.begin(), roots.end(), components[i]);
     result[i] = static_cast<int>(found - roots.begin());
-    if (found == roots.end()) roots.push_back(components.find(i));
+    if (found == roots.end()) roots.push_back(components[i]);
   }
   return result;
 }
