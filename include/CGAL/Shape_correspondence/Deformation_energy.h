@@ -61,7 +61,7 @@ private:
 
   std::vector<internal::Rod_block> rods_;
   int first_count_ = 0, second_count_ = 0;
-  double directionless_ = 0; // number of rods of length zero
+  double directionless_ = 0; // share of the rods that have length zero
   double unmoved_ = 0;       // the sum over the other rods, one each up to rounding
   double shortest_ = 0;      // d
   double longest_ = 0;       // f

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -130,17 +131,17 @@ private:
   std::uint32_t comparison(std::uint32_t a, std::uint32_t b)
   {
     std::uint32_t& known = known_[(a - begin_[0]) * count_[1] + b - begin_[1]];
-    if (known == none) {
-      known = std::uint32_t(comparisons_.size());
-      const Fitted &first = fitted_[a], &second = fitted_[b];
-      std::uint32_t& pair = pair_of_[pair_index(first, second)];
-      if (pair == none) {
-        pair = std::uint32_t(pairs_.size());
-        pairs_.push_back({a, b, none});
-      }
-      comparisons_.push_back({&rods(first, second), pairs_[pair].comparison, {}});
-      pairs_[pair].comparison = known;
+    if (known != none) return known;
+    known = std::uint32_t(comparisons_.size());
+    const Fitted &first = fitted_[a], &second = fitted_[b];
+    std::uint32_t& pair = pair_of_[pair_index(first, second)];
+    if (pair == none) {
+      pair = std::uint32_t(pairs_.size());
+      pairs_.push_back({a, b, none});
     }
+    comparisons_.emplace_back(); // filled in place: a copy would wait for its own parts
+    comparisons_.back().rods = &rods(first, second);
+    comparisons_.back().next = std::exchange(pairs_[pair].comparison, known);
     return known;
   }
 

@@ -48,10 +48,12 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Structural_rods::Structural_rods(const Points& 
   const int in_blocks = samples_in_blocks(second_count_);
   rods_.reserve(
       std::size_t(first_count_ * blocks_of(in_blocks) + (second_count_ - in_blocks) * blocks_of(first_count_)));
+  int directionless = 0;
   for (int i = 0; i < first_count_; ++i)
-    directionless_ += append_row(first.col(i), second, in_blocks, rods_);
+    directionless += append_row(first.col(i), second, in_blocks, rods_);
   for (int j = in_blocks; j < second_count_; ++j)
-    directionless_ += append_row(second.col(j), first, first_count_, rods_);
+    directionless += append_row(second.col(j), first, first_count_, rods_);
+  directionless_ = double(directionless) / (first_count_ * second_count_);
   const Rod_block* rods = rods_.data();
   const Rod_answer<1> unmoved =
       rod_kernels().both(&rods, Sample_lanes(first), first_count_, Sample_lanes(second), second_count_);
@@ -63,10 +65,8 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE Structural_rods::Structural_rods(const Points& 
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE double Structural_rods::distortion(float squared_cosines) const
 {
-  const double count = double(first_count_) * second_count_;
-  double kept = directionless_;
-  if (unmoved_ > 0) kept += (count - directionless_) * double(squared_cosines) / unmoved_;
-  return 1 - std::sqrt(std::min(1.0, kept / count));
+  if (unmoved_ == 0) return 0;
+  return 1 - std::sqrt(std::min(1.0, directionless_ + (1 - directionless_) * (double(squared_cosines) / unmoved_)));
 }
 
 CGAL_SHAPE_CORRESPONDENCE_INLINE void distortions(const std::vector<const Structural_rods*>& pairs,
