@@ -7,6 +7,7 @@
 #include <CGAL/Shape_correspondence/beam_search.h>
 #include <CGAL/Shape_correspondence/exact_search.h>
 #include <CGAL/Shape_correspondence/internal/message_passing.h>
+#include <CGAL/Shape_correspondence/internal/quantized.h>
 
 #include "brute_force.h"
 #include "hand_made_graphs.h"
@@ -16,6 +17,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <new>
 #include <random>
 #include <string>
@@ -203,6 +205,21 @@ TEST_CASE("The node limit ends the search with a gap, not with a wrong proof")
   few.time_limit = 1e-9;
   few.table_limit = 1;
   CHECK(!exact_search(random_tables(random, 30, 8, 8), few).optimal);
+}
+
+TEST_CASE("Costs beyond the comparison grid are compared as its last step")
+{
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  CHECK(internal::quantized(1e12) < internal::quantized(1e15));
+  CHECK(internal::quantized(1e15) == internal::quantized(infinite));
+  CHECK(internal::quantized(-infinite) == -internal::quantized(infinite));
+  Matching_options options;
+  options.unmatched_cost = 1e15; // as good as never
+  const Matching_problem problem(align_shape(chair()), align_shape(slatted_chair()), options),
+      never(align_shape(chair()), align_shape(slatted_chair()));
+  const Search_result result = exact_search(problem.energy()), expected = exact_search(never.energy());
+  CHECK(result.best().assignment == expected.best().assignment);
+  CHECK(result.summary.states == expected.summary.states);
 }
 
 TEST_CASE("A self-match is proven to cost nothing")

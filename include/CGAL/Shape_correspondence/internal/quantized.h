@@ -6,6 +6,8 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_QUANTIZED_H
 #define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_QUANTIZED_H
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
@@ -14,10 +16,12 @@ namespace internal {
 // stay ties and are settled by index.
 constexpr double comparison_grid = 1e-6;
 
+// What is beyond the grid, infinite too, is the last step. \pre a number
 inline long quantized(double value)
 {
+  constexpr double last = 9e18;
+  const double steps = std::min(last, std::max(-last, value / comparison_grid));
   // std::lround() is a call
-  const double steps = value / comparison_grid;
   return long(steps < 0 ? steps - 0.5 : steps + 0.5);
 }
 
