@@ -5,7 +5,7 @@
 
 // Times the search on pairs of saved structural graphs, single-threaded: matching by parts, tables and exact search,
 // and the paper's beam, the searches with both directions. Prints medians and 95th percentiles in milliseconds, how far
-// the beam is from the optimum, the speed of the rod kernel against the machine's best loop, and a synthetic problem.
+// the beam is from the optimum, the speed of the rod kernel against the machine's best loop, and synthetic problems.
 //   benchmark_search GRAPH.json GRAPH.json ...     all pairs of the graphs given that are in one folder
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
@@ -19,6 +19,7 @@
 #include <iostream>
 #include <memory>
 #include <random>
+#include <string>
 
 namespace SC = CGAL::Shape_correspondence;
 
@@ -65,11 +66,9 @@ double kernel_speed(const SC::internal::Rod_kernels& kernel)
   return sum > 0 ? 4 * 36 * 36 * repeats / (best * 1e6) : 0;
 }
 
-// 22 groups in a graph of width 5 and 20 labels: rods between random points, as between parts far smaller than the
-// shape.
-SC::Pairwise_energy synthetic_problem(unsigned seed)
+// Groups in a graph of some width: rods between random points, as between parts far smaller than the shape.
+SC::Pairwise_energy synthetic_problem(unsigned seed, int groups, int labels, int width)
 {
-  constexpr int groups = 22, labels = 20, width = 5;
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(0, 1);
   const auto points = [&](int count) {
@@ -77,7 +76,7 @@ SC::Pairwise_energy synthetic_problem(unsigned seed)
   };
   const SC::Points source = points(groups), target = points(labels);
   SC::Pairwise_energy energy;
-  SC::Pairwise_energy::Root_term split{SC::Energy_weights().split, groups, {}, {}};
+  SC::Pairwise_energy::Root_term split{SC::Energy_weights().split, double(groups), {}, {}};
   for (int v = 0; v < groups; ++v) {
     energy.unary.push_back(Eigen::VectorXd::Zero(labels));
     split.unary.push_back(Eigen::VectorXd::NullaryExpr(labels, [&] { return unit(random); }));
@@ -96,16 +95,17 @@ SC::Pairwise_energy synthetic_problem(unsigned seed)
   return energy;
 }
 
-void print_synthetic_problems()
+void print_synthetic_problems(int groups, int labels, int width)
 {
   std::vector<double> times;
   std::size_t proven = 0;
   constexpr unsigned problems = 20;
   for (unsigned seed = 0; seed < problems; ++seed) {
-    const SC::Pairwise_energy energy = synthetic_problem(seed);
+    const SC::Pairwise_energy energy = synthetic_problem(seed, groups, labels, width);
     times.push_back(milliseconds([&] { proven += SC::exact_search(energy).optimal; }));
   }
-  print("22 groups x 20 labels, width 5", times);
+  const std::string size = std::to_string(groups) + " groups x " + std::to_string(labels) + " labels";
+  print((size + ", width " + std::to_string(width)).c_str(), times);
   std::printf("proven optimal: %zu of %u\n", proven, problems);
 }
 
@@ -169,5 +169,6 @@ int main(int argc, char** argv)
   std::printf("proven optimal: %zu of %zu; beam at the optimum: %zu\n", proven, runs, at_optimum);
   for (const SC::internal::Rod_kernels& kernel : SC::internal::available_rod_kernels())
     std::printf("rod kernel: %.2f rods a nanosecond\n", kernel_speed(kernel));
-  print_synthetic_problems();
+  print_synthetic_problems(22, 20, 5);
+  print_synthetic_problems(100, int(SC::maximum_labels), 2);
 }

@@ -207,6 +207,27 @@ TEST_CASE("The node limit ends the search with a gap, not with a wrong proof")
   CHECK(!exact_search(random_tables(random, 30, 8, 8), few).optimal);
 }
 
+TEST_CASE("A search that takes long goes on with larger tables, until it is proven")
+{
+  // The tables of three variables do not fit at first; millions of nodes would be no proof then
+  std::mt19937 random(10);
+  const Pairwise_energy energy = random_tables(random, 40, 40, 2);
+  const Search_result result = exact_search(energy);
+  CHECK(result.optimal);
+  CHECK(result.best().energy == energy(result.best().assignment));
+  Exact_options large;
+  large.table_limit = 40 * 40 * 40;
+  CHECK(result.best().energy == Approx(exact_search(energy, large).best().energy).margin(1e-9));
+
+  // The nodes of all attempts count
+  Exact_options few;
+  few.node_limit = 70'000;
+  few.table_limit = 1;
+  const Search_result stopped = exact_search(random_tables(random, 30, 8, 8), few);
+  CHECK(!stopped.optimal);
+  CHECK(stopped.summary.states == few.node_limit);
+}
+
 TEST_CASE("Costs beyond the comparison grid are compared as its last step")
 {
   constexpr double infinite = std::numeric_limits<double>::infinity();

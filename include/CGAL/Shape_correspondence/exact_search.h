@@ -18,7 +18,9 @@ namespace Shape_correspondence {
 /// Options of `exact_search()`.
 struct Exact_options
 {
-  std::size_t table_limit = 1u << 12; ///< entries that a table of the bound may join; what needs more is split
+  /// Entries that a table of the bound may join at first; what needs more is split. A search that takes long goes on
+  /// with larger ones, up to a million entries.
+  std::size_t table_limit = 1u << 12;
   std::size_t node_limit = 2'000'000; ///< nodes of the search tree, after which the best solution so far is returned
   double time_limit = 0;              ///< seconds, after which the same happens; 0: none. Makes results depend on speed
   std::size_t solutions = 1;          ///< how many of the best assignments are returned
@@ -28,7 +30,7 @@ struct Exact_options
 /// leaves a sum of terms of one and of two variables. Bucket elimination along a min-fill order solves it exactly where
 /// its tables fit; else message passing (TRW-S; Kolmogorov 2006) moves costs to where mini-buckets (Dechter and Rish
 /// 2003) bound it well. A depth-first branch and bound over what the bound leaves makes the result optimal for the
-/// energy itself. Deterministic, but for a time limit.
+/// energy itself; if it takes long, it starts again with larger tables. Deterministic, but for a time limit.
 ///
 /// Time: O(number of variables · labels^(w + 1)) for tables of induced width w that fit, exponential in the worst case.
 /// Where a limit ends the search, `optimal` is false and `summary.lower_bound` tells the gap.

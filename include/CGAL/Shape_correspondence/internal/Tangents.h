@@ -57,6 +57,8 @@ public:
 
   // Whether the bounds are exact for the tangents.
   bool exact() const { return buckets_->exact(); }
+  // The fewer, the fewer buckets are split.
+  std::size_t number_of_tables() const { return buckets_->number_of_tables(); }
 
   Tangent_bound make() const { return {Mini_bucket_bound(*buckets_)}; }
 

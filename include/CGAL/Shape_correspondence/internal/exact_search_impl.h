@@ -15,6 +15,8 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <utility>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -22,6 +24,9 @@ namespace internal {
 
 // Energies closer than this are equal: the first solution found stays.
 constexpr double energy_tolerance = 1e-9;
+
+// After so many nodes without a proof, the tables of the bound may be so many times as large, up to a limit.
+constexpr std::size_t patience = 1u << 16, table_growth = 16, largest_tables = 1u << 20;
 
 } // namespace internal
 
@@ -32,8 +37,9 @@ public:
       : energy_(energy),
         options_(options),
         order_(internal::elimination_order(energy)),
-        tangents_(energy, order_, options.table_limit),
-        tangent_(tangents_.make())
+        table_limit_(options.table_limit),
+        tangents_(std::make_unique<internal::Tangents>(energy, order_, table_limit_)),
+        tangent_(tangents_->make())
   {
     if (options.solutions < 1) throw Invalid_input("exact search: at least one solution must be asked for");
     for (std::size_t v = 0; v < energy.number_of_variables(); ++v)
@@ -50,8 +56,16 @@ public:
   Search_result run()
   {
     wanted_ = options_.solutions;
-    start(options_.node_limit);
-    descend(0, tangent_.offset);
+    begin_ = std::chrono::steady_clock::now();
+    std::size_t nodes = 0;
+    for (bool more = true; more;) {
+      const std::size_t left = options_.node_limit - nodes;
+      start(can_refine() ? std::min(left, internal::patience) : left);
+      descend(0, tangent_.offset);
+      nodes += nodes_;
+      more = stopped_ && nodes_ >= node_limit_ && nodes < options_.node_limit;
+      if (more) refine();
+    }
     Search_result result;
     result.summary.method = "exact";
     result.solutions = solutions_;
@@ -60,7 +74,7 @@ public:
     result.summary.lower_bound =
         result.optimal ? result.best().energy
                        : std::min(result.best().energy, std::max(energy_.lower_bound(), tangent_.bound()));
-    result.summary.states = result.summary.evaluations = nodes_;
+    result.summary.states = result.summary.evaluations = nodes;
     return result;
   }
 
@@ -74,6 +88,7 @@ public:
       forbidden_level_ = level;
       forbidden_label_ = result.best().assignment[variable];
       solutions_.clear();
+      begin_ = std::chrono::steady_clock::now();
       start(options_.node_limit / order_.size());
       descend(0, tangent_.offset);
       rises[variable] = std::max(0.0, solutions_.front().energy - result.best().energy);
@@ -92,16 +107,16 @@ private:
     std::vector<double> touched;
     for (const Pairwise_energy::Root_term& term : energy_.root_terms)
       touched.push_back(term.count);
-    internal::Tangent_bound tangent = tangents_.make();
+    internal::Tangent_bound tangent = tangents_->make();
     for (int i = 0; i < maximum_tangents; ++i) {
-      tangents_.touch(touched, tangent);
+      tangents_->touch(touched, tangent);
       start(options_.node_limit);
       current_ = &tangent.tables;
       first_leaf_only_ = true;
       descend(0, tangent.offset);
       first_leaf_only_ = false;
       if (i == 0 || tangent.bound() > tangent_.bound()) std::swap(tangent, tangent_);
-      if (!tangents_.exact()) improve();
+      if (!tangents_->exact()) improve();
       keep();
       bool moved = false;
       for (std::size_t r = 0; r < touched.size(); ++r) {
@@ -119,7 +134,22 @@ private:
     nodes_ = 0;
     node_limit_ = node_limit;
     stopped_ = false;
-    begin_ = std::chrono::steady_clock::now();
+  }
+
+  bool can_refine() const
+  {
+    return !tangents_->exact() && table_limit_ * internal::table_growth <= internal::largest_tables;
+  }
+
+  // Goes over to larger tables, if they split fewer buckets.
+  void refine()
+  {
+    table_limit_ *= internal::table_growth;
+    auto finer = std::make_unique<internal::Tangents>(energy_, order_, table_limit_);
+    if (finer->number_of_tables() == tangents_->number_of_tables()) return;
+    tangents_ = std::move(finer);
+    tangent_ = tangents_->make();
+    choose_tangent();
   }
 
   void descend(std::size_t level, double cost)
@@ -204,7 +234,8 @@ private:
   const Pairwise_energy& energy_;
   const Exact_options options_;
   const std::vector<std::size_t> order_;
-  internal::Tangents tangents_;
+  std::size_t table_limit_;
+  std::unique_ptr<internal::Tangents> tangents_;
   internal::Tangent_bound tangent_; // the best one
   const internal::Mini_bucket_bound* current_ = nullptr;
 

@@ -68,6 +68,7 @@ public:
   }
 
   bool exact() const { return exact_; }
+  std::size_t number_of_tables() const { return tables_.size(); }
 
 private:
   friend class Mini_bucket_bound;
