@@ -1,0 +1,205 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "blend_checks.h"
+#include "box_shapes.h"
+
+#include <CGAL/Shape_correspondence/internal/blend/Blend_cast.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+// What blends are made of: pieces of parts, what vanishes, the ways between sets of parts.
+
+using namespace CGAL::Shape_correspondence;
+using namespace blend_checks;
+
+namespace {
+
+using Surface_tree = internal::contacts::Triangle_tree;
+
+/// A ring about the z axis of radius 1, its section a circle.
+Part_mesh ring(double thickness, const Point& middle = Point::Zero())
+{
+  constexpr int around = 24, across = 10;
+  Part_mesh result{Points(3, around * across), Eigen::Matrix3Xi(3, 2 * around * across)};
+  for (int i = 0; i < around; ++i)
+    for (int j = 0; j < across; ++j) {
+      const double u = 2 * EIGEN_PI * i / around, v = 2 * EIGEN_PI * j / across, r = 1 + thickness * std::cos(v);
+      result.points.col(i * across + j) = middle + Point(r * std::cos(u), r * std::sin(u), thickness * std::sin(v));
+      const int a = i * across + j, b = i * across + (j + 1) % across;
+      const int c = (i + 1) % around * across + j, d = (i + 1) % around * across + (j + 1) % across;
+      result.triangles.col(2 * a) << a, c, d;
+      result.triangles.col(2 * a + 1) << a, d, b;
+    }
+  return result;
+}
+
+double volume(const Part_mesh& mesh)
+{
+  double sum = 0;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const auto corner = [&](int i) -> Point { return mesh.points.col(mesh.triangles(i, t)); };
+    sum += corner(0).dot(corner(1).cross(corner(2))) / 6;
+  }
+  return sum;
+}
+
+} // namespace
+
+TEST_CASE("Pieces of a part are closed, within it, and make up its volume, also where its surface crosses itself")
+{
+  Part_mesh part = ring(0.2);
+  if (GENERATE(false, true)) { // two rings through each other
+    const Part_mesh other = ring(0.2, Point(0.1, 0.05, 0));
+    Part_mesh both{Points(3, 2 * part.points.cols()), Eigen::Matrix3Xi(3, 2 * part.triangles.cols())};
+    both.points << part.points, other.points;
+    both.triangles << part.triangles, other.triangles.array() + int(part.points.cols());
+    part = both;
+  }
+  const internal::Part_chart chart = internal::Part_chart::box(part.points, Eigen::Matrix3d::Identity());
+  const double at = GENERATE(0.3, 0.75, 0.9);
+  const int axis = GENERATE(0, 2); // across the hole, or of it all around
+  internal::Chart_box low = internal::whole_chart(), high = low;
+  low.max()[axis] = high.min()[axis] = at;
+  double sum = 0;
+  for (const internal::Chart_box& box : {low, high}) {
+    const Part_mesh piece = internal::piece_of(part.points, part.triangles, chart, box);
+    CHECK(is_closed(piece));
+    sum += volume(piece);
+    internal::Chart_box reach;
+    for (Eigen::Index i = 0; i < piece.points.cols(); ++i)
+      reach.extend(chart.coordinates(piece.points.col(i)));
+    CHECK(box.min()[axis] - 1e-6 < reach.min()[axis]);
+    CHECK(reach.max()[axis] < box.max()[axis] + 1e-6);
+  }
+  CHECK(sum == Approx(volume(part)));
+  CHECK(volume(part) > 0);
+}
+
+TEST_CASE("Pieces of a bent part are within it")
+{
+  // Half of a hoop, divided lengthwise
+  Part_mesh hoop = box_shapes::box({0, 0, 0}, {1, 0.1, 0.06}, 0, 24);
+  Points spine(3, 33);
+  for (Eigen::Index i = 0; i < spine.cols(); ++i)
+    spine.col(i) << double(i) / double(spine.cols() - 1) - 0.5, 0, 0;
+  const auto bend = [](Points& points) {
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      const double angle = EIGEN_PI * points(0, i), radius = 0.4 + points(1, i);
+      points.col(i).head<2>() << radius * std::sin(angle), radius * std::cos(angle);
+    }
+  };
+  bend(hoop.points);
+  bend(spine);
+  Part_abstraction part;
+  part.geometry = Curve{spine, false};
+  const internal::Part_chart chart = internal::Part_chart::around(part, spine, hoop.points);
+  const Surface_tree surface = internal::tree_of(hoop.points, hoop.triangles);
+  for (int axis : {1, 2}) {
+    internal::Chart_box half = internal::whole_chart();
+    half.max()[axis] = 0;
+    const Part_mesh piece = internal::piece_of(hoop.points, hoop.triangles, chart, half);
+    double farthest = 0;
+    for (Eigen::Index t = 0; t < piece.triangles.cols(); ++t) {
+      const auto corner = [&](int i) -> Point { return piece.points.col(piece.triangles(i, t)); };
+      const Point p = (corner(0) + corner(1) + corner(2)) / 3;
+      std::size_t triangle = 0;
+      if (!is_inside(p, hoop)) farthest = std::max(farthest, (surface.nearest(p, triangle) - p).norm());
+    }
+    CHECK(farthest < 0.002);
+  }
+}
+
+TEST_CASE("A piece where a part has nothing is a speck of it")
+{
+  const Part_mesh part = ring(0.2);
+  const internal::Part_chart chart = internal::Part_chart::box(part.points, Eigen::Matrix3d::Identity());
+  const internal::Chart_box hole(Point(-0.4, -0.4, -1), Point(0.4, 0.4, 1));
+  const Part_mesh piece = internal::piece_of(part.points, part.triangles, chart, hole);
+  CHECK(is_closed(piece));
+  CHECK(volume(piece) > 0);
+  CHECK((piece.points.rowwise().maxCoeff() - piece.points.rowwise().minCoeff()).maxCoeff() < 0.01);
+  CHECK(std::abs(piece.points.row(2).maxCoeff()) < 0.2 + 1e-6);
+}
+
+TEST_CASE("What vanishes between contacts goes to the straight line between them; one that goes apart is given up")
+{
+  Part_mesh arch = ring(0.05);
+  for (Eigen::Index i = 0; i < arch.points.cols(); ++i)
+    arch.points(1, i) = std::abs(arch.points(1, i));
+  const internal::Part_chart chart = internal::Part_chart::box(arch.points, Eigen::Matrix3d::Identity());
+  const Point left(-1, 0, 0), right(1, 0, 0);
+  const internal::Fading_part fading(chart, arch, {left, right});
+  CHECK(fading.points(1) == arch.points);
+  CHECK(fading.points(0).bottomRows<2>().cwiseAbs().maxCoeff() < 1e-9);
+  CHECK(fading.points(0).row(0).cwiseAbs().maxCoeff() < 1 + 1e-9);
+  CHECK(fading.points(0.5).row(1).maxCoeff() == Approx(arch.points.row(1).maxCoeff() / 2));
+
+  const auto hold = [](const Point& at, const Point& vanished) {
+    return internal::Blend_attachment{0, 0, {}, at, vanished};
+  };
+  const Point up(0, 0.3, 0), off(0, 0, 5);
+  const auto kept =
+      internal::kept_together({hold(left, left + up), hold(right, right + up), hold(right, right + off)}, 2);
+  REQUIRE(kept.size() == 2);
+  CHECK(kept[0].vanished == left + up);
+  CHECK(kept[1].vanished == right + up);
+}
+
+TEST_CASE("Ways join sets of surfaces once, the shortest way")
+{
+  // Rows of boxes, a set each; gaps in a row are wider than those between rows
+  std::vector<Surface_tree> surfaces;
+  std::vector<const Surface_tree*> pointers;
+  for (int row = 0; row < 4; ++row)
+    for (int i = 0; i < 3; ++i) {
+      const Part_mesh box = box_shapes::box({2. * i, 1.1 * row + 0.01 * row * row, 0}, {1, 1, 1});
+      surfaces.push_back(internal::tree_of(box.points, box.triangles));
+    }
+  for (const Surface_tree& surface : surfaces)
+    pointers.push_back(&surface);
+  internal::Disjoint_sets rows(surfaces.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    rows.unite(i, i / 3 * 3 + 2);
+  const std::vector<internal::Joining_way> ways = internal::joining_ways(pointers, rows);
+  REQUIRE(ways.size() == 3);
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    CHECK(ways[i].surfaces[1] / 3 == ways[i].surfaces[0] / 3 + 1);
+    CHECK(ways[i].length == Approx(0.11 + 0.02 * double(i)));
+  }
+}
+
+TEST_CASE("Distances are those of the closest points but for a tenth of what they are over what is enough")
+{
+  // Slanted sheets, of which boxes of the trees tell little
+  const auto sheet = [](double height) {
+    Part_mesh mesh = box_shapes::box({0, 0, 0}, {1, 1, 0}, 0, 12);
+    for (Eigen::Index i = 0; i < mesh.points.cols(); ++i) {
+      const Point p = mesh.points.col(i);
+      mesh.points(2, i) += p.x() + 0.7 * p.y() + 0.1 * std::sin(height * 7 + 9 * p.x() * p.y()) + height;
+    }
+    return internal::tree_of(mesh.points, mesh.triangles);
+  };
+  const Surface_tree low = sheet(0);
+  for (double height : {0.5, 0.8, 1.3}) {
+    const Surface_tree high = sheet(height);
+    internal::contacts::Closest_pair closest;
+    low.improve_closest(high, closest);
+    const double exact = std::sqrt(closest.squared);
+    for (double share : {0., 0.9, 0.99, 1.01}) {
+      INFO("height " << height << " share " << share);
+      const double enough = share * exact, most = std::max(enough, enough + (exact - enough) / 0.9);
+      internal::contacts::Triangle_pair near;
+      for (int round : {0, 1}) {
+        INFO("round " << round);
+        CHECK(std::sqrt(low.nearly_closest(high, enough, near).squared) <= most * (1 + 1e-9));
+      }
+      CHECK(std::sqrt(low.nearly_closest(high, enough).squared) <= most * (1 + 1e-9));
+    }
+  }
+}
