@@ -124,6 +124,7 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fill_contact_energies()
 CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fill_cut_energies()
 {
   cut_energies_.resize(labels_.size());
+  std::vector<double> distortion;
   for (std::size_t g = 0; g < labels_.size(); ++g) {
     cut_energies_[g].resize(labels_[g].size());
     for (std::size_t l = 0; l < labels_[g].size(); ++l) {
@@ -135,7 +136,8 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE void Matching_problem::fill_cut_energies()
             if (first.source.count < 2 || second.source.index != first.source.index + 1) continue;
             const Structural_rods rods(fitted_.source_piece(first.source_index).samples,
                                        fitted_.source_piece(second.source_index).samples);
-            cut_energies_[g][l].distortion += rods.energy(fitted_.samples(first), fitted_.samples(second)).distortion;
+            distortions({&rods}, fitted_.samples(first), fitted_.samples(second), distortion);
+            cut_energies_[g][l].distortion += distortion[0];
             cut_energies_[g][l].connectedness += fitted_.connectedness(rods, first, second);
           }
     }
