@@ -173,16 +173,20 @@ CGAL_SHAPE_CORRESPONDENCE_INLINE const std::vector<int>& fitting_order(const Sam
   const int from_lift = sheets && source.kind != Sampled_part::Kind::SHEET ? samples_per_side : 1;
   const int to_lift = sheets && target.kind != Sampled_part::Kind::SHEET ? samples_per_side : 1;
   const std::vector<int>& ends = internal::extremities(source, target);
-  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, samples_per_side> from(3, Eigen::Index(ends.size()));
-  for (Eigen::Index k = 0; k < from.cols(); ++k)
+  using Ends = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, samples_per_side>;
+  Ends from(3, Eigen::Index(ends.size())), to = from;
+  for (Eigen::Index k = 0; k < from.cols(); ++k) {
     from.col(k) = source.samples.col(ends[std::size_t(k)] / from_lift) - source.centroid;
+    to.col(k) = target.samples.col(ends[std::size_t(k)] / to_lift) - target.centroid;
+  }
   const std::vector<int>* best = nullptr;
   long best_score = 0; // the sum of products: greatest where the sum of squared distances is least
   for (const std::vector<int>& candidate : internal::orientations(source, target)) {
     double sum = 0;
-    for (Eigen::Index k = 0; k < from.cols(); ++k)
-      sum +=
-          from.col(k).dot(target.samples.col(candidate[std::size_t(ends[std::size_t(k)])] / to_lift) - target.centroid);
+    for (Eigen::Index k = 0; k < from.cols(); ++k) {
+      const int end = candidate[std::size_t(ends[std::size_t(k)])]; // again one of the ends
+      sum += from.col(k).dot(to.col(std::find(ends.begin(), ends.end(), end) - ends.begin()));
+    }
     const long score = internal::quantized(sum);
     if (!best || score > best_score) best = &candidate, best_score = score;
   }
