@@ -63,7 +63,7 @@ public:
       start(can_refine() ? std::min(left, internal::patience) : left);
       descend(0, tangent_.offset);
       nodes += nodes_;
-      more = stopped_ && nodes_ >= node_limit_ && nodes < options_.node_limit;
+      more = stopped_ && nodes_ >= node_limit_ && nodes < options_.node_limit && !is_late();
       if (more) refine();
     }
     Search_result result;
@@ -186,10 +186,14 @@ private:
     if (solutions_.empty() || first_leaf_only_) return;
     constexpr std::size_t interval = 1024; // nodes between two looks at the clock
     stopped_ = stopped_ || nodes_ >= node_limit_;
-    if (options_.time_limit > 0 && nodes_ % interval == 0) {
-      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-      stopped_ = stopped_ || elapsed.count() > options_.time_limit;
-    }
+    stopped_ = stopped_ || (nodes_ % interval == 0 && is_late());
+  }
+
+  bool is_late() const
+  {
+    if (options_.time_limit <= 0) return false;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+    return elapsed.count() > options_.time_limit;
   }
 
   // Changes labels one at a time while the energy falls.
