@@ -139,7 +139,7 @@ private:
       pair = std::uint32_t(pairs_.size());
       pairs_.push_back({a, b, none});
     }
-    comparisons_.emplace_back(); // filled in place: a copy would wait for its own parts
+    comparisons_.emplace_back(); // and filled there: the copy of a new one would stall on its parts just written
     comparisons_.back().rods = &rods(first, second);
     comparisons_.back().next = std::exchange(pairs_[pair].comparison, known);
     return known;

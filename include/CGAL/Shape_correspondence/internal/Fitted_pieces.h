@@ -104,7 +104,6 @@ inline Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Aligned_s
                                     const std::vector<std::vector<Group_label>>& labels)
     : source_pieces_(source), target_pieces_(target)
 {
-  lanes_.reserve(2 * target.parts.size());
   for (std::size_t part = 0; part < source.parts.size(); ++part) {
     const std::size_t group = source.group_of[part];
     const auto& parts = source.groups[group].parts;

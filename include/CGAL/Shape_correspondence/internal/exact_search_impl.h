@@ -25,8 +25,9 @@ namespace internal {
 // Energies closer than this are equal: the first solution found stays.
 constexpr double energy_tolerance = 1e-9;
 
-// After so many nodes without a proof, the tables of the bound may be so many times as large, up to a limit.
-constexpr std::size_t patience = 1u << 16, table_growth = 16, largest_tables = 1u << 20;
+constexpr std::size_t patience = 1u << 16;       // nodes without a proof, after which the bound gets larger tables:
+constexpr std::size_t table_growth = 16;         // so many times as large,
+constexpr std::size_t largest_tables = 1u << 20; // up to so many entries
 
 } // namespace internal
 
@@ -141,15 +142,17 @@ private:
     return !tangents_->exact() && table_limit_ * internal::table_growth <= internal::largest_tables;
   }
 
-  // Goes over to larger tables, if they split fewer buckets.
+  // Goes over to the next larger tables that split fewer buckets, if there are any.
   void refine()
   {
-    table_limit_ *= internal::table_growth;
-    auto finer = std::make_unique<internal::Tangents>(energy_, order_, table_limit_);
-    if (finer->number_of_tables() == tangents_->number_of_tables()) return;
-    tangents_ = std::move(finer);
-    tangent_ = tangents_->make();
-    choose_tangent();
+    while (can_refine()) {
+      table_limit_ *= internal::table_growth;
+      auto finer = std::make_unique<internal::Tangents>(energy_, order_, table_limit_);
+      if (finer->number_of_tables() == tangents_->number_of_tables()) continue;
+      tangents_ = std::move(finer);
+      tangent_ = tangents_->make();
+      return choose_tangent();
+    }
   }
 
   void descend(std::size_t level, double cost)
