@@ -10,6 +10,7 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <Eigen/Geometry>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -9,9 +9,10 @@
 
 #include "abstraction_error.h"
 
-#include <CGAL/Real_timer.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
+
+#include <CGAL/Real_timer.h>
 
 #include <cstdio>
 #include <iostream>

@@ -10,13 +10,15 @@
 
 #include "brute_force_contacts.h"
 
-#include <CGAL/Real_timer.h>
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/estimate_up.h>
 
+#include <CGAL/Real_timer.h>
+
 #include <Eigen/Geometry>
+
 #include <nlohmann/json.hpp>
 
 #include <fstream>

@@ -7,8 +7,9 @@
 #ifndef SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
 #define SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
 
+#include "blend/joining_ways.h"
+
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
-#include <CGAL/Shape_correspondence/internal/blend/joining_ways.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,10 +8,11 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_BENCHMARK_BRUTE_FORCE_CONTACTS_H
 #define CGAL_SHAPE_CORRESPONDENCE_BENCHMARK_BRUTE_FORCE_CONTACTS_H
 
+#include <CGAL/Shape_correspondence/abstract_part.h>
+
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Shape_correspondence/abstract_part.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>

@@ -11,6 +11,7 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/abstract_part.h>
+
 #include <CGAL/Timer.h>
 
 #include <cstdio>

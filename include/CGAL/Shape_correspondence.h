@@ -17,7 +17,6 @@
 #include <CGAL/Shape_correspondence/estimate_up.h>
 #include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
-#include <CGAL/Shape_correspondence/match_parts.h>
 #include <CGAL/Shape_correspondence/nearest_shapes.h>
 #include <CGAL/Shape_correspondence/parameters.h>
 #include <CGAL/Shape_correspondence/topological_medoid.h>

@@ -3,23 +3,22 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands.h"
-#include "common_options.h"
-#include "load_shape.h"
-#include "match_options.h"
-#include "outputs.h"
-#include "progress_bar.h"
-#include "text_table.h"
-#include "thread_limit.h"
-
-#include "../IO/atomic_file.h"
+#include "base/for_each_index.h"
+#include "cli/commands.h"
+#include "cli/common_options.h"
+#include "cli/load_shape.h"
+#include "cli/match_options.h"
+#include "cli/outputs.h"
+#include "cli/progress_bar.h"
+#include "cli/text_table.h"
+#include "cli/thread_limit.h"
+#include "io/atomic_file.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
-#include <CGAL/Shape_correspondence/internal/for_each_index.h>
 
 #include <filesystem>
 #include <iostream>

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_CLOCK_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_CLOCK_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_CLOCK_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_CLOCK_H
 
 #include <chrono>
 
@@ -22,4 +22,4 @@ inline double now()
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_CLOCK_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_CLOCK_H

@@ -3,15 +3,15 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "collection_analysis.h"
-#include "collection_options.h"
-#include "collection_shapes.h"
-#include "collection_work.h"
-#include "commands.h"
-#include "load_shape.h"
-#include "outputs.h"
-#include "text_table.h"
-#include "thread_limit.h"
+#include "cli/collection_analysis.h"
+#include "cli/collection_options.h"
+#include "cli/collection_shapes.h"
+#include "cli/collection_work.h"
+#include "cli/commands.h"
+#include "cli/load_shape.h"
+#include "cli/outputs.h"
+#include "cli/text_table.h"
+#include "cli/thread_limit.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>

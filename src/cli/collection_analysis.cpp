@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "collection_analysis.h"
+#include "cli/collection_analysis.h"
 
 #include <CGAL/Shape_correspondence/topological_medoid.h>
 #include <CGAL/Shape_correspondence/transitive_correspondence.h>

@@ -3,12 +3,12 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_ANALYSIS_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_ANALYSIS_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_ANALYSIS_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_ANALYSIS_H
 
-#include "collection_options.h"
-#include "collection_shapes.h"
-#include "collection_work.h"
+#include "cli/collection_options.h"
+#include "cli/collection_shapes.h"
+#include "cli/collection_work.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 #include <CGAL/Shape_correspondence/co_analysis.h>
@@ -35,4 +35,4 @@ Analysis analysed(const Collection_shapes& shapes, const Collection_options& opt
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_ANALYSIS_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_ANALYSIS_H

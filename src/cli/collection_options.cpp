@@ -3,7 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "collection_options.h"
+#include "cli/collection_options.h"
+
+#include <CGAL/Shape_correspondence/version.h>
 
 #include <sstream>
 

@@ -3,11 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_OPTIONS_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_OPTIONS_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_OPTIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_OPTIONS_H
 
-#include "common_options.h"
-#include "match_options.h"
+#include "cli/common_options.h"
+#include "cli/match_options.h"
 
 #include <CGAL/Shape_correspondence/co_analysis.h>
 
@@ -45,4 +45,4 @@ std::string key_of(const Match_options& match, const Collection_options& options
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_OPTIONS_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_OPTIONS_H

@@ -3,20 +3,18 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "collection_shapes.h"
-
-#include "load_shape.h"
-#include "progress_bar.h"
-
-#include "../IO/atomic_file.h"
-#include "../IO/digest.h"
-#include "../IO/input_file.h"
-#include "../IO/json_text.h"
-#include "../IO/model_parts.h"
+#include "base/for_each_index.h"
+#include "cli/collection_shapes.h"
+#include "cli/load_shape.h"
+#include "cli/progress_bar.h"
+#include "io/atomic_file.h"
+#include "io/digest.h"
+#include "io/input_file.h"
+#include "io/json_text.h"
+#include "io/model_parts.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
-#include <CGAL/Shape_correspondence/internal/for_each_index.h>
 
 #include <algorithm>
 #include <filesystem>

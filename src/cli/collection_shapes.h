@@ -3,11 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_SHAPES_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_SHAPES_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_SHAPES_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_SHAPES_H
 
-#include "common_options.h"
-#include "team.h"
+#include "cli/common_options.h"
+#include "cli/team.h"
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
@@ -61,4 +61,4 @@ private:
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_SHAPES_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_SHAPES_H

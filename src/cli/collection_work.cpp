@@ -3,9 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "collection_work.h"
-
-#include "progress_bar.h"
+#include "cli/collection_work.h"
+#include "cli/progress_bar.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

@@ -3,14 +3,14 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_WORK_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_WORK_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_WORK_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_WORK_H
 
-#include "collection_options.h"
-#include "collection_shapes.h"
-#include "team.h"
-#include "tile_store.h"
-#include "tiles.h"
+#include "cli/collection_options.h"
+#include "cli/collection_shapes.h"
+#include "cli/team.h"
+#include "cli/tile_store.h"
+#include "cli/tiles.h"
 
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
@@ -69,4 +69,4 @@ private:
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COLLECTION_WORK_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_WORK_H

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COMMANDS_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COMMANDS_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COMMANDS_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_COMMANDS_H
 
 #include <string>
 #include <vector>
@@ -24,4 +24,4 @@ void run_blend(const std::vector<std::string>& arguments);
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COMMANDS_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_COMMANDS_H

@@ -3,9 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "common_options.h"
-
-#include "text_table.h"
+#include "cli/common_options.h"
+#include "cli/text_table.h"
 
 #include <boost/algorithm/string/join.hpp>
 

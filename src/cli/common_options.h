@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COMMON_OPTIONS_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COMMON_OPTIONS_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COMMON_OPTIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_COMMON_OPTIONS_H
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
 #include <CGAL/Shape_correspondence/detect_symmetry_groups.h>
@@ -102,4 +102,4 @@ void check_at_least(const std::string& option, int value, int least);
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_COMMON_OPTIONS_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_COMMON_OPTIONS_H

@@ -3,12 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands.h"
-#include "common_options.h"
-#include "outputs.h"
-#include "text_table.h"
-
-#include "../IO/json_text.h"
+#include "cli/commands.h"
+#include "cli/common_options.h"
+#include "cli/outputs.h"
+#include "cli/text_table.h"
+#include "io/json_text.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>

@@ -3,12 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "load_shape.h"
-
-#include "clock.h"
-#include "progress_bar.h"
-
-#include "../IO/input_file.h"
+#include "base/for_each_index.h"
+#include "cli/clock.h"
+#include "cli/load_shape.h"
+#include "cli/progress_bar.h"
+#include "io/input_file.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
@@ -17,7 +16,6 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/estimate_up.h>
-#include <CGAL/Shape_correspondence/internal/for_each_index.h>
 #include <CGAL/Shape_correspondence/segment_mesh.h>
 
 #include <exception>

@@ -3,10 +3,10 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_LOAD_SHAPE_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_LOAD_SHAPE_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_LOAD_SHAPE_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_LOAD_SHAPE_H
 
-#include "common_options.h"
+#include "cli/common_options.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
@@ -49,4 +49,4 @@ bool is_graph_file(const std::string& path);
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_LOAD_SHAPE_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_LOAD_SHAPE_H

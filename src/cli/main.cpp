@@ -3,11 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands.h"
-#include "common_options.h"
+#include "cli/commands.h"
+#include "cli/common_options.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
-#include <CGAL/Shape_correspondence/config.h>
+#include <CGAL/Shape_correspondence/version.h>
 
 #include <filesystem>
 #include <iostream>

@@ -3,14 +3,14 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "clock.h"
-#include "commands.h"
-#include "common_options.h"
-#include "load_shape.h"
-#include "match_options.h"
-#include "match_table.h"
-#include "outputs.h"
-#include "thread_limit.h"
+#include "cli/clock.h"
+#include "cli/commands.h"
+#include "cli/common_options.h"
+#include "cli/load_shape.h"
+#include "cli/match_options.h"
+#include "cli/match_table.h"
+#include "cli/outputs.h"
+#include "cli/thread_limit.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/write_glb.h>

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_MATCH_OPTIONS_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_MATCH_OPTIONS_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_MATCH_OPTIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_MATCH_OPTIONS_H
 
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
@@ -44,4 +44,4 @@ std::vector<std::size_t> chosen_parts(const std::string& names, const Structural
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_MATCH_OPTIONS_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_MATCH_OPTIONS_H

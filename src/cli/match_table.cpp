@@ -3,9 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "match_table.h"
-
-#include "text_table.h"
+#include "cli/match_table.h"
+#include "cli/text_table.h"
 
 #include <algorithm>
 #include <ostream>

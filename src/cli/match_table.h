@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_MATCH_TABLE_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_MATCH_TABLE_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_MATCH_TABLE_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_MATCH_TABLE_H
 
 #include <CGAL/Shape_correspondence/Correspondence.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
@@ -23,4 +23,4 @@ void write_match_table(std::ostream& out, const Correspondence& correspondence, 
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_MATCH_TABLE_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_MATCH_TABLE_H

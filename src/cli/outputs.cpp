@@ -3,11 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "outputs.h"
-
-#include "common_options.h"
-
-#include "../IO/atomic_file.h"
+#include "cli/common_options.h"
+#include "cli/outputs.h"
+#include "io/atomic_file.h"
 
 #include <set>
 

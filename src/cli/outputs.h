@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_OUTPUTS_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_OUTPUTS_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_OUTPUTS_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_OUTPUTS_H
 
 #include <functional>
 #include <iosfwd>
@@ -26,4 +26,4 @@ void write_output(const std::string& file, const std::function<void(std::ostream
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_OUTPUTS_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_OUTPUTS_H

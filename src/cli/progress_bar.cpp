@@ -3,14 +3,12 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "progress_bar.h"
-
-#include "clock.h"
-
-#include <unistd.h>
+#include "cli/clock.h"
+#include "cli/progress_bar.h"
 
 #include <cmath>
 #include <iostream>
+#include <unistd.h>
 
 namespace CGAL {
 namespace Shape_correspondence {

@@ -3,10 +3,10 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_PROGRESS_BAR_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_PROGRESS_BAR_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_PROGRESS_BAR_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_PROGRESS_BAR_H
 
-#include "common_options.h"
+#include "cli/common_options.h"
 
 #include <cstddef>
 #include <string>
@@ -38,4 +38,4 @@ private:
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_PROGRESS_BAR_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_PROGRESS_BAR_H

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "team.h"
+#include "cli/team.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TEAM_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TEAM_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_TEAM_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_TEAM_H
 
 #include <cstddef>
 #include <functional>
@@ -48,4 +48,4 @@ private:
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TEAM_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_TEAM_H

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "text_table.h"
+#include "cli/text_table.h"
 
 #include <boost/algorithm/string/join.hpp>
 

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TEXT_TABLE_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TEXT_TABLE_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_TEXT_TABLE_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_TEXT_TABLE_H
 
 #include <iosfwd>
 #include <string>
@@ -27,4 +27,4 @@ std::string listed(const std::vector<std::string>& words);
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TEXT_TABLE_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_TEXT_TABLE_H

@@ -3,13 +3,14 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_THREAD_LIMIT_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_THREAD_LIMIT_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_THREAD_LIMIT_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_THREAD_LIMIT_H
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 
 #include <optional>
+
 #endif
 
 namespace CGAL {
@@ -37,4 +38,4 @@ private:
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_THREAD_LIMIT_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_THREAD_LIMIT_H

@@ -3,10 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "tile_store.h"
-
-#include "../IO/atomic_file.h"
-#include "../IO/checked_file.h"
+#include "cli/tile_store.h"
+#include "io/atomic_file.h"
+#include "io/checked_file.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TILE_STORE_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TILE_STORE_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_TILE_STORE_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_TILE_STORE_H
 
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
@@ -41,4 +41,4 @@ private:
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TILE_STORE_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_TILE_STORE_H

@@ -3,9 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "tiles.h"
-
-#include "../IO/digest.h"
+#include "cli/tiles.h"
+#include "io/digest.h"
 
 #include <algorithm>
 

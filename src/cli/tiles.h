@@ -3,10 +3,10 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TILES_H
-#define CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TILES_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_TILES_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_TILES_H
 
-#include "collection_shapes.h"
+#include "cli/collection_shapes.h"
 
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
@@ -56,4 +56,4 @@ private:
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_SRC_CLI_TILES_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_TILES_H

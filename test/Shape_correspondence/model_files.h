@@ -8,13 +8,12 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
-#include <unistd.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 namespace model_files {

@@ -3,8 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Shape_correspondence/Geotopo_transform.h>
-
+#include "energy/Geotopo_transform.h"
 #include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>

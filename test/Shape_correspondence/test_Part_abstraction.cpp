@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
+
+#include <catch2/catch.hpp>
 
 #include <cmath>
 

@@ -3,11 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Shape_correspondence/Part_costs.h>
-
-#include <CGAL/Shape_correspondence/internal/nearest_points_kernel.h>
-
 #include "hand_made_graphs.h"
+#include "matching/Part_costs.h"
+#include "matching/nearest_points_kernel.h"
 
 #include <catch2/catch.hpp>
 

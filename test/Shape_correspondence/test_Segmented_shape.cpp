@@ -1,10 +1,10 @@
-#include <catch2/catch.hpp>
-
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+
+#include <catch2/catch.hpp>
 
 #include <limits>
 #include <map>

@@ -1,8 +1,8 @@
-#include <catch2/catch.hpp>
-
 #include <CGAL/Shape_correspondence/Shape_frame.h>
 
 #include <Eigen/Geometry>
+
+#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <vector>

@@ -6,6 +6,7 @@
 #include "hand_made_graphs.h"
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
+
 #include <catch2/catch.hpp>
 
 #include <limits>

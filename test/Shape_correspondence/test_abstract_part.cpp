@@ -1,10 +1,10 @@
-#include <catch2/catch.hpp>
-
+#include "abstraction/repair.h"
+#include "abstraction/skeletonize.h"
 #include "part_meshes.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
-#include <CGAL/Shape_correspondence/internal/abstraction/repair.h>
-#include <CGAL/Shape_correspondence/internal/abstraction/skeletonize.h>
+
+#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <memory>

@@ -1,11 +1,11 @@
-#include <catch2/catch.hpp>
-
 #include "abstraction_error.h"
 #include "damaged_meshes.h"
 #include "part_meshes.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <map>

@@ -3,9 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Shape_correspondence/align_shapes.h>
-
 #include "hand_made_graphs.h"
+#include "structure/align_shapes.h"
 
 #include <catch2/catch.hpp>
 

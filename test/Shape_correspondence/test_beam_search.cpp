@@ -3,11 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Shape_correspondence/Invalid_input.h>
-#include <CGAL/Shape_correspondence/beam_search.h>
-
 #include "brute_force.h"
 #include "hand_made_graphs.h"
+#include "search/beam_search.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <catch2/catch.hpp>
 

@@ -2,10 +2,9 @@
 //
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "blend/Blend_cast.h"
 #include "blend_checks.h"
 #include "box_shapes.h"
-
-#include <CGAL/Shape_correspondence/internal/blend/Blend_cast.h>
 
 #include <catch2/catch.hpp>
 

@@ -13,9 +13,9 @@
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
-#include <nlohmann/json.hpp>
-
 #include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>

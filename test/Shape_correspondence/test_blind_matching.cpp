@@ -4,10 +4,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "generated_shapes.h"
-#include "program.h"
-
 #include "generator/benchmark/shapes.h"
 #include "generator/writer.h"
+#include "program.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>

@@ -7,6 +7,7 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>

@@ -13,10 +13,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include <signal.h>
 #include <sys/wait.h>
 
 #include <map>
+#include <signal.h>
 
 // The command `collection` from outside.
 

@@ -5,9 +5,9 @@
 
 #include "box_shapes.h"
 #include "generated_shapes.h"
+#include "shape/triangle_distance.h"
 
 #include <CGAL/Shape_correspondence/detect_contacts.h>
-#include <CGAL/Shape_correspondence/internal/contacts/triangle_distance.h>
 
 #include <catch2/catch.hpp>
 

@@ -7,6 +7,7 @@
 #include "generated_shapes.h"
 
 #include <CGAL/Shape_correspondence/detect_symmetry_groups.h>
+
 #include <catch2/catch.hpp>
 
 #include <map>

@@ -6,11 +6,11 @@
 #include "box_shapes.h"
 #include "generated_shapes.h"
 
-#include <catch2/catch.hpp>
-
 #include <CGAL/Shape_correspondence/estimate_up.h>
 
 #include <Eigen/Geometry>
+
+#include <catch2/catch.hpp>
 
 using namespace CGAL::Shape_correspondence;
 

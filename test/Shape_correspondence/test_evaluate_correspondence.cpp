@@ -3,9 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Shape_correspondence/evaluate_correspondence.h>
-
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 
 #include <catch2/catch.hpp>
 

@@ -3,14 +3,14 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Shape_correspondence/Invalid_input.h>
-#include <CGAL/Shape_correspondence/beam_search.h>
-#include <CGAL/Shape_correspondence/exact_search.h>
-#include <CGAL/Shape_correspondence/internal/message_passing.h>
-#include <CGAL/Shape_correspondence/internal/quantized.h>
-
+#include "base/quantized.h"
 #include "brute_force.h"
 #include "hand_made_graphs.h"
+#include "search/beam_search.h"
+#include "search/message_passing.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/exact_search.h>
 
 #include <catch2/catch.hpp>
 

@@ -6,9 +6,9 @@
 // `match` through the program on models of data/: complete results, the file format, invariance, reproducibility.
 #include "model_files.h"
 
-#include <nlohmann/json.hpp>
-
 #include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstdlib>

@@ -3,11 +3,10 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Shape_correspondence/match_parts.h>
+#include "hand_made_graphs.h"
+#include "matching/match_parts.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
-
-#include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
 

@@ -4,7 +4,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "hand_made_graphs.h"
-
 #include "peers/peers.h"
 
 #include <catch2/catch.hpp>

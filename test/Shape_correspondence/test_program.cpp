@@ -8,7 +8,7 @@
 #include "program.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
-#include <CGAL/Shape_correspondence/config.h>
+#include <CGAL/Shape_correspondence/version.h>
 
 #include <catch2/catch.hpp>
 

@@ -7,9 +7,9 @@
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 
-#include <catch2/catch.hpp>
-
 #include <Eigen/Geometry>
+
+#include <catch2/catch.hpp>
 
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;

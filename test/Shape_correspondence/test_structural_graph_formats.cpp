@@ -7,9 +7,10 @@
 #include "model_files.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
-#include <catch2/catch.hpp>
 
 #include <boost/property_tree/xml_parser.hpp>
+
+#include <catch2/catch.hpp>
 
 #include <map>
 #include <sstream>

@@ -5,9 +5,9 @@
 
 #include "hand_made_graphs.h"
 #include "model_files.h"
+#include "structure/align_shapes.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
-#include <CGAL/Shape_correspondence/align_shapes.h>
 
 #include <catch2/catch.hpp>
 

@@ -6,9 +6,8 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_ASSIGNMENT_H
 #define CGAL_SHAPE_CORRESPONDENCE_PEERS_ASSIGNMENT_H
 
+#include "base/optimal_assignment.h"
 #include "unit_box.h"
-
-#include <CGAL/Shape_correspondence/internal/optimal_assignment.h>
 
 namespace CGAL {
 namespace Shape_correspondence {

@@ -6,7 +6,8 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_UNIT_BOX_H
 #define CGAL_SHAPE_CORRESPONDENCE_PEERS_UNIT_BOX_H
 
-#include <CGAL/Shape_correspondence/align_shapes.h>
+#include "structure/align_shapes.h"
+
 #include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 
 #include <Eigen/Geometry>

@@ -6,6 +6,10 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_CORRESPONDENCE_H
 #define CGAL_SHAPE_CORRESPONDENCE_CORRESPONDENCE_H
 
+#include <CGAL/Shape_correspondence/Deformation_energy.h>
+#include <CGAL/Shape_correspondence/Geotopo_operation.h>
+#include <CGAL/Shape_correspondence/Search_result.h>
+
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -15,33 +19,6 @@
 
 namespace CGAL {
 namespace Shape_correspondence {
-
-/// The three terms of the deformation energy (paper, Eq. 1), before weighting.
-struct Energy_terms
-{
-  double distortion = 0;    ///< E_d, Eq. 2 and 3
-  double connectedness = 0; ///< E_c, Eq. 4 with its sign turned
-  double split = 0;         ///< E_s, Eq. 5
-  double unmatched = 0;     ///< cost of groups left unmatched, where the caller allowed it
-};
-
-/// What the GeoTopo transform does to the parts of a group, seen in the direction of the search (paper, section 4.1).
-enum class Operation {
-  MATCH,     ///< as many parts as before, one to one
-  SPLIT,     ///< one part becomes many
-  DUPLICATE, ///< some parts of several are cloned
-  MERGE,     ///< many parts become fewer
-  CUT,       ///< curves are cut into equally long segments, one for each target part
-  JOIN,      ///< the inverse: several curves become the segments of one
-  NONE       ///< left unmatched
-};
-
-/// The operation's name in files and messages.
-inline const char* name_of(Operation operation)
-{
-  static constexpr const char* names[] = {"match", "split", "duplicate", "merge", "cut", "join", "none"};
-  return names[int(operation)];
-}
 
 enum class Direction { SOURCE_TO_TARGET, TARGET_TO_SOURCE };
 
@@ -66,15 +43,6 @@ struct Contact_energy
   std::array<std::size_t, 2> parts;
   double distortion = 0;
   double connectedness = 0;
-};
-
-/// How the search went.
-struct Search_summary
-{
-  std::string method = "beam"; ///< parts, beam or exact
-  std::size_t states = 0;      ///< search states kept
-  std::size_t evaluations = 0; ///< energies of states computed
-  double lower_bound = 0;      ///< no correspondence in the direction of the result costs less
 };
 
 /// A part-to-part correspondence between a source and a target shape.

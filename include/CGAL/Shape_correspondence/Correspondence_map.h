@@ -9,7 +9,6 @@
 #include <CGAL/Shape_correspondence/Correspondence.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
-#include <CGAL/Shape_correspondence/config.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -135,9 +134,5 @@ private:
 } // namespace CGAL
 
 #include <CGAL/Shape_correspondence/internal/map/transferred_values.h>
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/Correspondence_map_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_CORRESPONDENCE_MAP_H

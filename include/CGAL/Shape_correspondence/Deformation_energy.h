@@ -6,89 +6,35 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_DEFORMATION_ENERGY_H
 #define CGAL_SHAPE_CORRESPONDENCE_DEFORMATION_ENERGY_H
 
-#include <CGAL/Shape_correspondence/Correspondence.h>
-#include <CGAL/Shape_correspondence/Points.h>
-#include <CGAL/Shape_correspondence/config.h>
-
-#include <CGAL/Shape_correspondence/internal/rod_kernel.h>
-
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 
-/// Weights of Eq. 1, E = E_d + w_c E_c + w_s E_s, with the paper's values. A term with weight 0 is switched off (the
-/// paper's Figure 4).
+/// The three terms of the deformation energy (paper, Eq. 1), before weighting.
+struct Energy_terms
+{
+  double distortion = 0;    ///< E_d, Eq. 2 and 3
+  double connectedness = 0; ///< E_c, Eq. 4 with its sign turned
+  double split = 0;         ///< E_s, Eq. 5
+  double unmatched = 0;     ///< cost of groups left unmatched, where the caller allowed it
+};
+
+/// Weights of Eq. 1 with the paper's values. A term with weight 0 is switched off (the paper's Figure 4).
 struct Energy_weights
 {
+  double distortion = 1;      ///< of E_d
   double connectedness = 0.6; ///< w_c
   double split = 0.4;         ///< w_s
-  double distortion = 1;      ///< of E_d
 };
 
-/// E_d and E_c of one pair of connected parts.
-struct Rod_energy
-{
-  double distortion = 0;
-  double connectedness = 0;
-};
+/// E = E_d + w_c E_c + w_s E_s (Eq. 1), and the cost of what is left unmatched.
+double deformation_energy(const Energy_terms& terms, const Energy_weights& weights = {});
 
-/// E_c of two connected parts that become one and the same part: the connection is lost, the parts are not apart. The
-/// paper is silent; this is the authors' charge.
-constexpr double collapsed_connectedness = 0.5;
-
-/// The structural rods of a pair of connected parts before the deformation (paper, section 4.3): all vectors from a
-/// sample of the first part to a sample of the second. Kept, since a pair meets many candidate deformations.
-class Structural_rods
-{
-public:
-  Structural_rods() = default;
-  /// \pre either has at most `samples_per_side`² points
-  Structural_rods(const Points& first, const Points& second);
-
-  /// E_c (Eq. 4) when the least distance of two samples is now `distance`: min(1, d'/f) when the parts have come apart
-  /// (d' > d), else 0. The sign of the printed Eq. 4 is turned, it would fall as parts separate.
-  double connectedness(double distance) const;
-
-  /// E_d and E_c after the samples moved to `first` and `second`.
-  Rod_energy energy(const internal::Sample_lanes& first, const internal::Sample_lanes& second) const;
-  Rod_energy energy(const Points& first, const Points& second) const;
-
-private:
-  friend void distortions(const std::vector<const Structural_rods*>& pairs, const internal::Sample_lanes& first,
-                          const internal::Sample_lanes& second, std::vector<double>& result);
-  double distortion(float squared_cosines) const;
-
-  std::vector<internal::Rod_block> rods_;
-  int first_count_ = 0, second_count_ = 0;
-  double directionless_ = 0; // share of the rods that have length zero
-  double unmoved_ = 0;       // the sum over the other rods, one each up to rounding
-  double shortest_ = 0;      // d
-  double longest_ = 0;       // f
-};
-
-/// E_d (Eq. 2, 3) of pairs of parts that all turn into the samples `first` and `second`, as many as each of them had,
-/// in single precision. A rod of length zero keeps its direction whatever happens; one that becomes zero loses it.
-/// Exactly 0 when nothing moved. O(number of rods).
-void distortions(const std::vector<const Structural_rods*>& pairs, const internal::Sample_lanes& first,
-                 const internal::Sample_lanes& second, std::vector<double>& result);
-
-/// The least distance between a sample of one part and a sample of another, in single precision. O(number of pairs).
-double least_distance(const Points& first, const Points& second);
-double least_distance(const internal::Sample_lanes& first, int first_count, const internal::Sample_lanes& second,
-                      int second_count);
-
-/// E_s (Eq. 5) of the vector S.
+/// E_s (Eq. 5) of the vector S of solidity ratios, an entry a group of parts; 0 of no groups.
 double split_energy(const std::vector<double>& solidity_ratios);
-
-/// E of Eq. 1.
-double weighted_sum(const Energy_terms& terms, const Energy_weights& weights);
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/Deformation_energy_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_DEFORMATION_ENERGY_H

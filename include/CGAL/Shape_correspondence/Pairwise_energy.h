@@ -6,8 +6,6 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_PAIRWISE_ENERGY_H
 #define CGAL_SHAPE_CORRESPONDENCE_PAIRWISE_ENERGY_H
 
-#include <CGAL/Shape_correspondence/config.h>
-
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -59,9 +57,5 @@ struct Pairwise_energy
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/Pairwise_energy_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_PAIRWISE_ENERGY_H

@@ -7,7 +7,6 @@
 #define CGAL_SHAPE_CORRESPONDENCE_PART_ABSTRACTION_H
 
 #include <CGAL/Shape_correspondence/Points.h>
-#include <CGAL/Shape_correspondence/config.h>
 
 #include <string>
 #include <variant>
@@ -110,9 +109,5 @@ double solidity(double volume, double hull_volume);
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/Part_abstraction_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_PART_ABSTRACTION_H

@@ -7,7 +7,6 @@
 #define CGAL_SHAPE_CORRESPONDENCE_PART_MAP_H
 
 #include <CGAL/Shape_correspondence/Correspondence.h>
-#include <CGAL/Shape_correspondence/config.h>
 
 #include <cstddef>
 #include <utility>
@@ -44,9 +43,5 @@ Part_map composed(const Part_map& first, const Part_map& second);
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/Part_map_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_PART_MAP_H

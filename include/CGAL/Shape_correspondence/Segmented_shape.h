@@ -7,7 +7,6 @@
 #define CGAL_SHAPE_CORRESPONDENCE_SEGMENTED_SHAPE_H
 
 #include <CGAL/Shape_correspondence/Points.h>
-#include <CGAL/Shape_correspondence/config.h>
 
 #include <string>
 #include <vector>
@@ -77,9 +76,5 @@ private:
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#include <CGAL/Shape_correspondence/internal/Segmented_shape_from_mesh.h>
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/Segmented_shape_impl.h>
-#endif
-
+#include <CGAL/Shape_correspondence/internal/Part_mesh_builder.h>
 #endif // CGAL_SHAPE_CORRESPONDENCE_SEGMENTED_SHAPE_H

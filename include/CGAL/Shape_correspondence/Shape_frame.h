@@ -7,7 +7,6 @@
 #define CGAL_SHAPE_CORRESPONDENCE_SHAPE_FRAME_H
 
 #include <CGAL/Shape_correspondence/Points.h>
-#include <CGAL/Shape_correspondence/config.h>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -35,9 +34,5 @@ Shape_frame compute_shape_frame(const Points& surface, const Point& up);
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/Shape_frame_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_SHAPE_FRAME_H

@@ -8,7 +8,6 @@
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/Shape_frame.h>
-#include <CGAL/Shape_correspondence/config.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
@@ -95,9 +94,5 @@ bool are_same_structural_graphs(const Structural_graph& a, const Structural_grap
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/Structural_graph_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURAL_GRAPH_H

@@ -9,7 +9,7 @@
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Shape_frame.h>
-#include <CGAL/Shape_correspondence/config.h>
+
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -87,9 +87,5 @@ double convex_hull_volume(const Points& points);
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/abstract_part_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACT_PART_H

@@ -9,7 +9,6 @@
 #include <CGAL/Shape_correspondence/Correspondence.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
-#include <CGAL/Shape_correspondence/config.h>
 
 #include <cstddef>
 #include <functional>
@@ -133,9 +132,5 @@ private:
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/blend_shapes_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_SHAPES_H

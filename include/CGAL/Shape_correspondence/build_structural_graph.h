@@ -44,8 +44,4 @@ Structural_graph complete_structural_graph(Shape_structure shape, std::vector<Pa
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/build_structural_graph_impl.h>
-#endif
-
 #endif // CGAL_SHAPE_CORRESPONDENCE_BUILD_STRUCTURAL_GRAPH_H

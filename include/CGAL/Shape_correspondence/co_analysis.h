@@ -7,7 +7,6 @@
 #define CGAL_SHAPE_CORRESPONDENCE_CO_ANALYSIS_H
 
 #include <CGAL/Shape_correspondence/Part_map.h>
-#include <CGAL/Shape_correspondence/config.h>
 #include <CGAL/Shape_correspondence/markov_clustering.h>
 
 #include <Eigen/SparseCore>
@@ -70,9 +69,5 @@ Co_analysis co_analysis(const std::vector<std::size_t>& part_counts, const std::
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/co_analysis_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_CO_ANALYSIS_H

@@ -43,8 +43,4 @@ std::vector<Contact> detect_contacts(const std::vector<Part_abstraction>& parts,
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/detect_contacts_impl.h>
-#endif
-
 #endif // CGAL_SHAPE_CORRESPONDENCE_DETECT_CONTACTS_H

@@ -53,8 +53,4 @@ std::vector<Part_group> detect_symmetry_groups(const std::vector<Part_abstractio
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/detect_symmetry_groups_impl.h>
-#endif
-
 #endif // CGAL_SHAPE_CORRESPONDENCE_DETECT_SYMMETRY_GROUPS_H

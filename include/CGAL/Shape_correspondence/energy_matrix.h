@@ -7,7 +7,6 @@
 #define CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATRIX_H
 
 #include <CGAL/Shape_correspondence/Part_map.h>
-#include <CGAL/Shape_correspondence/config.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <CGAL/tags.h>
@@ -77,9 +76,5 @@ Eigen::MatrixXd symmetric_distances(const Eigen::MatrixXd& energies);
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/energy_matrix_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATRIX_H

@@ -21,8 +21,4 @@ Point estimate_up(const Segmented_shape& shape);
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/estimate_up_impl.h>
-#endif
-
 #endif // CGAL_SHAPE_CORRESPONDENCE_ESTIMATE_UP_H

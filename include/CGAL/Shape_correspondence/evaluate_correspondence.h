@@ -6,8 +6,6 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H
 #define CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H
 
-#include <CGAL/Shape_correspondence/config.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -103,9 +101,5 @@ Evaluation mean_scores(const std::vector<Scored_correspondence>& scores, const E
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/evaluate_correspondence_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H

@@ -59,8 +59,4 @@ Search_result exact_search(const Pairwise_energy& energy, const Exact_options& o
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/exact_search_impl.h>
-#endif
-
 #endif // CGAL_SHAPE_CORRESPONDENCE_EXACT_SEARCH_H

@@ -7,12 +7,10 @@
 #define CGAL_SHAPE_CORRESPONDENCE_FIND_CORRESPONDENCE_H
 
 #include <CGAL/Shape_correspondence/Correspondence.h>
-#include <CGAL/Shape_correspondence/beam_search.h>
-#include <CGAL/Shape_correspondence/exact_search.h>
-#include <CGAL/Shape_correspondence/match_parts.h>
+#include <CGAL/Shape_correspondence/Search_options.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -20,32 +18,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
-enum class Search_method {
-  PARTS, ///< `match_parts()`: costs of parts standing for one another, no deformation; agrees best with people
-  BEAM,  ///< least deformation energy by the paper's beam search
-  EXACT  ///< least deformation energy, with a proof
-};
-
-/// Options of `find_correspondence()`.
-struct Search_options
-{
-  Search_method method = Search_method::PARTS;
-  Part_matching_options parts;
-  double min_confidence = 0; ///< drop pairs that are less probable; of `Search_method::PARTS`
-  Beam_options beam;
-  Exact_options exact;
-  Matching_options matching;
-  bool both_directions = true; ///< deform either shape into the other and keep the lower energy per connected pair
-  int maximum_parts = 0;       ///< coarse correspondence: only the most prominent parts of either shape; 0 takes all
-  std::vector<std::size_t> source_parts, target_parts; ///< only these parts, by their index; none named takes all
-  /// How many of `alignment_turns()` are tried, the best-scoring one wins, by `Search_method::PARTS` only if it is
-  /// clearly better than the first; 1 is the first, the one nearest to the given orientation, 0 all of them.
-  int alignments = 1;
-  int solutions = 1;          ///< of `find_correspondences()`
-  bool min_marginals = false; ///< compute `Group_match::min_marginal`, by exact searches whatever the method
-  /// Called before every direction of every alignment with the share that is done; `false` ends the search.
-  std::function<bool(double)> progress;
-};
+struct Aligned_shape;
 
 /// A shape that is matched many times: it is aligned once for every quarter turn that a match asks for. Threads may
 /// share it.
@@ -121,9 +94,5 @@ std::vector<Correspondence> find_correspondences(const Structural_graph& source,
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/find_correspondence_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_FIND_CORRESPONDENCE_H

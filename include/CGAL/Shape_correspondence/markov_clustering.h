@@ -6,8 +6,6 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_MARKOV_CLUSTERING_H
 #define CGAL_SHAPE_CORRESPONDENCE_MARKOV_CLUSTERING_H
 
-#include <CGAL/Shape_correspondence/config.h>
-
 #include <Eigen/SparseCore>
 
 #include <cstddef>
@@ -50,9 +48,5 @@ Markov_clustering markov_clustering(const Eigen::SparseMatrix<double>& weights,
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/markov_clustering_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_MARKOV_CLUSTERING_H

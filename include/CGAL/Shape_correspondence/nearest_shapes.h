@@ -7,7 +7,6 @@
 #define CGAL_SHAPE_CORRESPONDENCE_NEAREST_SHAPES_H
 
 #include <CGAL/Shape_correspondence/Part_map.h>
-#include <CGAL/Shape_correspondence/config.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
 #include <CGAL/tags.h>
@@ -56,9 +55,5 @@ Nearest_shapes nearest_shapes(const Structural_graph& query, const std::vector<S
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/nearest_shapes_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_NEAREST_SHAPES_H

@@ -7,7 +7,6 @@
 #define CGAL_SHAPE_CORRESPONDENCE_SEGMENT_MESH_H
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
-#include <CGAL/Shape_correspondence/config.h>
 
 #include <cstddef>
 #include <string>
@@ -38,9 +37,5 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/segment_mesh_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_SEGMENT_MESH_H

@@ -6,8 +6,6 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_TOPOLOGICAL_MEDOID_H
 #define CGAL_SHAPE_CORRESPONDENCE_TOPOLOGICAL_MEDOID_H
 
-#include <CGAL/Shape_correspondence/config.h>
-
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -50,9 +48,5 @@ Sampled_medoid sampled_medoid(std::size_t n, const std::function<double(std::siz
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/topological_medoid_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_TOPOLOGICAL_MEDOID_H

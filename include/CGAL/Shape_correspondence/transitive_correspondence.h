@@ -7,7 +7,6 @@
 #define CGAL_SHAPE_CORRESPONDENCE_TRANSITIVE_CORRESPONDENCE_H
 
 #include <CGAL/Shape_correspondence/Part_map.h>
-#include <CGAL/Shape_correspondence/config.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
 #include <Eigen/Core>
@@ -75,9 +74,5 @@ Transitive_correspondence transitive_correspondence(const Energy_matrix& matrix,
 
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COMPILED
-#include <CGAL/Shape_correspondence/internal/transitive_correspondence_impl.h>
-#endif
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_TRANSITIVE_CORRESPONDENCE_H

@@ -4,9 +4,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The light rooms, header-only: two graphs written by hand.
-#include <CGAL/Shape_correspondence/find_correspondence.h>
-
 #include "../hand_made_graphs.h"
+
+#include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <iostream>
 

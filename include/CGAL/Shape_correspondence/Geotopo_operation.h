@@ -1,0 +1,33 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_GEOTOPO_OPERATION_H
+#define CGAL_SHAPE_CORRESPONDENCE_GEOTOPO_OPERATION_H
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// What the GeoTopo transform does to the parts of a group, seen in the direction of the search (paper, section 4.1).
+enum class Operation {
+  MATCH,     ///< as many parts as before, one to one
+  SPLIT,     ///< one part becomes many
+  DUPLICATE, ///< some parts of several are cloned
+  MERGE,     ///< many parts become fewer
+  CUT,       ///< curves are cut into equally long segments, one for each target part
+  JOIN,      ///< the inverse: several curves become the segments of one
+  NONE       ///< left unmatched
+};
+
+/// The operation's name in files and messages.
+inline const char* name_of(Operation operation)
+{
+  static constexpr const char* names[] = {"match", "split", "duplicate", "merge", "cut", "join", "none"};
+  return names[int(operation)];
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_GEOTOPO_OPERATION_H

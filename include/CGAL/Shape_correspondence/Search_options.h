@@ -1,0 +1,106 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SEARCH_OPTIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_SEARCH_OPTIONS_H
+
+#include <CGAL/Shape_correspondence/Deformation_energy.h>
+#include <CGAL/Shape_correspondence/exact_search.h>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+enum class Search_method {
+  PARTS, ///< `match_parts()`: costs of parts standing for one another, no deformation; agrees best with people
+  BEAM,  ///< least deformation energy by the paper's beam search
+  EXACT  ///< least deformation energy, with a proof
+};
+
+/// What it costs that one part stands for another. Lengths are in the unit box of either shape: each axis of the common
+/// frame runs from 0 to 1 over the shape, so that a low chair and a high one compare.
+struct Part_cost_weights
+{
+  double overlap = 2;  ///< the share of the smaller part's box that lies outside of the other one's
+  double extent = 0.7; ///< |log of the ratio of the boxes' sides|, summed over the axes
+  double ground = 1.5; ///< one stands on the ground and the other does not; half of it for boards from side to side
+  double side = 3;     ///< distance of the boxes' centres sideways
+  double front = 3.5;  ///< the same, to the front
+  double orientation = 1.5; ///< Frobenius distance of the normalized square roots of the surfaces' covariances
+  double chamfer = 2;       ///< mean distance of a point of either surface from the other surface
+  double contacts = 2;      ///< the share of the parts that they touch which do not stand for one another
+  double link = 50;         ///< one is a link of a chain and the other is not (`Part_assemblies::is_link`)
+};
+
+/// Options of `match_parts()`; all are costs of `part_costs()`.
+struct Part_matching_options
+{
+  Part_cost_weights weights;
+  /// A pair is matched if it costs least for one of its parts and, over both parts, at most so much more than least.
+  /// Less of it: fewer and surer pairs.
+  double excess = 1.5;
+  double sure_excess = 0.5; ///< the same, for pairs that decide which sets of parts stand for one another
+  double sibling = 3.5;     ///< parts of one shape that cost less among each other may share a counterpart
+  double upside_down = 1;   ///< a shape is turned over where that makes `mean_least_cost()` so much less
+  bool panels = true;       ///< match panels as wholes (`Part_assemblies::panels`)
+  bool support = true;      ///< match what carries the shapes as a whole (`Part_assemblies::support`)
+  bool alike_legs = true;   ///< where only some legs are alike, match them one to one, not the support as a whole
+  bool chains = true;       ///< what has a chain hangs, and its links stand for links (`Part_assemblies::is_link`)
+};
+
+/// Options of `beam_search()`, with the paper's values.
+struct Beam_options
+{
+  int beam_width = 20; ///< K, the partial solutions kept at each level
+  int expansions = 4;  ///< k, the expansions kept of each partial solution
+};
+
+/// How the energies of connected pairs of parts make up E_d and E_c.
+enum class Energy_norm {
+  SUM,   ///< sums over the connected pairs (the paper's Eq. 1)
+  POOLED ///< E_d: one norm over the rods of all pairs, as many as their samples give, unlifted; E_c: the mean
+};
+
+/// What may be matched and what it costs.
+struct Matching_options
+{
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  Energy_weights weights;
+  Energy_norm norm = Energy_norm::SUM;
+  bool cut_curves = true; ///< offer `Operation::CUT` and `Operation::JOIN` beside splitting and merging
+  /// A group may be left unmatched, at this cost for each of its contacts (at least once); `never`: it may not.
+  double unmatched_cost = never;
+};
+
+/// Options of `find_correspondence()`.
+struct Search_options
+{
+  Search_method method = Search_method::PARTS;
+  Part_matching_options parts;
+  double min_confidence = 0; ///< drop pairs that are less probable; of `Search_method::PARTS`
+  Beam_options beam;
+  Exact_options exact;
+  Matching_options matching;
+  bool both_directions = true; ///< deform either shape into the other and keep the lower energy per connected pair
+  int maximum_parts = 0;       ///< coarse correspondence: only the most prominent parts of either shape; 0 takes all
+  std::vector<std::size_t> source_parts, target_parts; ///< only these parts, by their index; none named takes all
+  /// How many of `alignment_turns()` are tried, the best-scoring one wins, by `Search_method::PARTS` only if it is
+  /// clearly better than the first; 1 is the first, the one nearest to the given orientation, 0 all of them.
+  int alignments = 1;
+  int solutions = 1;          ///< of `find_correspondences()`
+  bool min_marginals = false; ///< compute `Group_match::min_marginal`, by exact searches whatever the method
+  /// Called before every direction of every alignment with the share that is done; `false` ends the search.
+  std::function<bool(double)> progress;
+};
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SEARCH_OPTIONS_H

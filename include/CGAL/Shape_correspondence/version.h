@@ -1,0 +1,14 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_VERSION_H
+#define CGAL_SHAPE_CORRESPONDENCE_VERSION_H
+
+/// \file version.h
+
+/// The package's version.
+#define CGAL_SHAPE_CORRESPONDENCE_VERSION "0.1.0"
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_VERSION_H

@@ -1,0 +1,163 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "abstraction/abstract_mesh.h"
+#include "abstraction/congruence.h"
+#include "abstraction/curve_and_sheet_geometry.h"
+#include "base/for_each_index.h"
+
+#include <CGAL/Shape_correspondence/abstract_part.h>
+
+#include <mutex>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+/// Coordinates are rounded to this fraction of the height of the shape (or the size of a single part): the remeshing
+/// and the flow amplify rounding noise, so that it must not reach them.
+constexpr double coordinate_grid = 1e-7;
+
+void move_points(Part_abstraction& part, const std::function<Points(const Points&)>& motion)
+{
+  std::visit([&](auto& g) { g.points = motion(g.points); }, part.geometry);
+  part.surface = motion(part.surface);
+  part.hull = motion(part.hull);
+}
+
+void scale_measures(Part_abstraction& part, double factor)
+{
+  part.area *= factor * factor;
+  part.volume *= factor * factor * factor;
+  part.hull_volume *= factor * factor * factor;
+}
+
+void make_canonical(Part_abstraction& part)
+{
+  std::visit([](auto& g) { internal::make_canonical(g); }, part.geometry);
+}
+
+Part_abstraction moved_copy(const Part_abstraction& original, const Motion& motion, const std::string& name)
+{
+  Part_abstraction result = original;
+  result.name = name;
+  result.report.method = Abstraction_report::Method::COPY;
+  result.report.copy_of = original.name;
+  result.report.milliseconds = 0;
+  result.report.phases = {};
+  move_points(result, motion);
+  make_canonical(result);
+  return result;
+}
+
+/// Counts parts that are done, for a caller who wants to know.
+class Progress
+{
+public:
+  Progress(const Abstraction_options& options, std::size_t total) : options_(&options), total_(total) {}
+
+  void one_done()
+  {
+    if (options_->progress) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      options_->progress(++done_, total_);
+    }
+  }
+
+private:
+  const Abstraction_options* options_;
+  std::size_t total_;
+  std::size_t done_ = 0;
+  std::mutex mutex_;
+};
+
+/// The parts' meshes in the shape's frame, in canonical form.
+std::vector<Part_mesh> meshes_in_frame(const Segmented_shape& shape, const Shape_frame& frame)
+{
+  std::vector<Part_mesh> result;
+  for (const Shape_part& part : shape.parts()) {
+    result.push_back(canonical_mesh({frame.to_frame(part.mesh.points), part.mesh.triangles}, coordinate_grid));
+  }
+  return result;
+}
+
+/// Indices of the meshes that are no copies, those with most triangles first: they are likely to take longest.
+std::vector<std::size_t> originals_by_size(const std::vector<Part_mesh>& meshes,
+                                           const std::vector<Congruence>& congruences)
+{
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (congruences[i].original == i) {
+      result.push_back(i);
+    }
+  }
+  std::stable_sort(result.begin(), result.end(), [&](std::size_t a, std::size_t b) {
+    return meshes[a].triangles.cols() > meshes[b].triangles.cols();
+  });
+  return result;
+}
+
+} // namespace
+
+Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options& options)
+{
+  const Point low = part.mesh.points.rowwise().minCoeff(), high = part.mesh.points.rowwise().maxCoeff();
+  Shape_frame frame;
+  frame.origin = 0.5 * (low + high);
+  frame.height = (high - low).norm();
+  const Part_mesh mesh = canonical_mesh({frame.to_frame(part.mesh.points), part.mesh.triangles}, coordinate_grid);
+  Part_abstraction result = abstract_mesh({part.name, mesh}, options);
+  move_points(result, [&](const Points& points) { return frame.to_world(points); });
+  scale_measures(result, frame.height);
+  if (options.progress) {
+    options.progress(1, 1);
+  }
+  return result;
+}
+
+template <typename ConcurrencyTag>
+std::vector<Part_abstraction> abstract_parts(const Segmented_shape& shape, const Shape_frame& frame,
+                                             const Abstraction_options& options)
+{
+  const std::vector<Part_mesh> meshes = meshes_in_frame(shape, frame);
+  const auto same_kind = [&](std::size_t i, std::size_t j) {
+    return options.kind_of(shape.parts()[i].name) == options.kind_of(shape.parts()[j].name);
+  };
+  const std::vector<Congruence> congruences = find_congruences(meshes, same_kind);
+  const std::vector<std::size_t> originals = originals_by_size(meshes, congruences);
+  std::vector<Part_abstraction> result(meshes.size());
+  Progress progress(options, meshes.size());
+  for_each_index<ConcurrencyTag>(originals.size(), [&](std::size_t k) {
+    const std::size_t i = originals[k];
+    result[i] = abstract_mesh({shape.parts()[i].name, meshes[i]}, options);
+    progress.one_done();
+  });
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const Congruence& congruence = congruences[i];
+    if (congruence.original != i) {
+      result[i] = moved_copy(result[congruence.original], congruence.motion, shape.parts()[i].name);
+      progress.one_done();
+    }
+  }
+  for (Part_abstraction& part : result) {
+    move_points(part, [&](const Points& points) { return frame.to_world(points); });
+    scale_measures(part, frame.height);
+  }
+  return result;
+}
+
+Points sample_surface(const Part_mesh& mesh, std::size_t n) { return even_surface_points(mesh, n); }
+
+double convex_hull_volume(const Points& points) { return convex_hull(points).volume; }
+
+template std::vector<Part_abstraction> abstract_parts<CGAL::Sequential_tag>(const Segmented_shape&, const Shape_frame&,
+                                                                            const Abstraction_options&);
+template std::vector<Part_abstraction> abstract_parts<CGAL::Parallel_tag>(const Segmented_shape&, const Shape_frame&,
+                                                                          const Abstraction_options&);
+
+} // namespace Shape_correspondence
+} // namespace CGAL

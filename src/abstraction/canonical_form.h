@@ -1,0 +1,169 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CANONICAL_FORM_H
+#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CANONICAL_FORM_H
+
+#include "abstraction/curve_and_sheet_geometry.h"
+
+#include <CGAL/Shape_correspondence/Part_abstraction.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// The same mesh whatever the order of its vertices and triangles, and with rounding noise in its coordinates or not:
+/// coordinates on a grid, equal vertices merged, vertices and triangles sorted, no triangle twice.
+inline Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
+{
+  using Key = std::array<double, 3>;
+  std::map<Key, int> vertices;
+  const auto key = [&](Eigen::Index v) {
+    const auto snap = [grid](double x) { return std::round(x / grid) * grid + 0.; };
+    return Key{snap(mesh.points(0, v)), snap(mesh.points(1, v)), snap(mesh.points(2, v))};
+  };
+  for (Eigen::Index t = 0; t < mesh.triangles.size(); ++t) {
+    vertices.emplace(key(mesh.triangles.data()[t]), 0);
+  }
+  Part_mesh result;
+  result.points.resize(3, static_cast<Eigen::Index>(vertices.size()));
+  int count = 0;
+  for (auto& [position, index] : vertices) {
+    result.points.col(count) << position[0], position[1], position[2];
+    index = count++;
+  }
+  std::map<std::array<int, 3>, std::array<int, 3>> triangles; // sorted corners, corners in their order
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    std::array<int, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = vertices.at(key(mesh.triangles(static_cast<Eigen::Index>(k), t)));
+    }
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    std::array<int, 3> sorted = corners;
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted[0] != sorted[1] && sorted[1] != sorted[2]) {
+      const auto [known, is_new] = triangles.emplace(sorted, corners);
+      if (!is_new) {
+        known->second = std::min(known->second, corners);
+      }
+    }
+  }
+  if (triangles.empty()) {
+    // Thinner than the grid.
+    const double finer = 1e-4, finest = 1e-20;
+    return grid > finest ? canonical_mesh(mesh, finer * grid) : mesh;
+  }
+  result.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
+  Eigen::Index t = 0;
+  for (const auto& [sorted, corners] : triangles) {
+    result.triangles.col(t++) << corners[0], corners[1], corners[2];
+  }
+  return result;
+}
+
+/// The coordinate in which a direction is longest; of nearly equal ones the height, then the side.
+inline int dominant_axis(const Point& direction)
+{
+  const double nearly = 0.98;
+  const double longest = direction.cwiseAbs().maxCoeff();
+  for (int axis : {1, 0, 2}) {
+    if (std::abs(direction[axis]) >= nearly * longest) {
+      return axis;
+    }
+  }
+  return 1;
+}
+
+inline bool points_backwards(const Point& direction) { return direction[dominant_axis(direction)] < 0; }
+
+/// An open curve runs up, else to the side, else to the front; a closed one starts at its foremost point and turns
+/// about the positive side of its longest axis.
+inline void make_canonical(Curve& curve)
+{
+  const Eigen::Index n = curve.points.cols();
+  if (!curve.closed) {
+    if (points_backwards(curve.points.col(n - 1) - curve.points.col(0))) {
+      curve.points = curve.points.rowwise().reverse().eval();
+    }
+    return;
+  }
+  // Not along any axis, so that no two points of a usual ring are equally far.
+  const Point front(0.13, 0.29, 1.);
+  const std::vector<double> lengths = arc_lengths(curve);
+  Point turn = Point::Zero();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    turn += curve.points.col(i).cross(curve.points.col((i + 1) % n));
+  }
+  if (points_backwards(turn)) {
+    curve.points = curve.points.rowwise().reverse().eval();
+  }
+  const int fine = 1024;
+  const Points dense = sample(curve, fine);
+  Eigen::Index start = 0;
+  (front.transpose() * dense).maxCoeff(&start);
+  Curve turned = curve;
+  turned.points.resize(3, fine);
+  for (Eigen::Index i = 0; i < fine; ++i) {
+    turned.points.col(i) = dense.col((start + i) % fine);
+  }
+  curve.points = sample(turned, static_cast<int>(n));
+}
+
+inline Sheet transposed(const Sheet& sheet)
+{
+  Sheet result = sheet;
+  std::swap(result.rows, result.cols);
+  for (int i = 0; i < sheet.rows; ++i) {
+    for (int j = 0; j < sheet.cols; ++j) {
+      result.points.col(j * sheet.rows + i) = sheet.points.col(i * sheet.cols + j);
+    }
+  }
+  return result;
+}
+
+inline Point row_direction(const Sheet& sheet) { return sheet(1, 0) + sheet(1, 1) - sheet(0, 0) - sheet(0, 1); }
+inline Point col_direction(const Sheet& sheet) { return sheet(0, 1) + sheet(1, 1) - sheet(0, 0) - sheet(1, 0); }
+
+/// v runs to the side (of a sheet that has no side: to the front), u up or to the front.
+inline void make_canonical(Sheet& sheet)
+{
+  const Point along_u = row_direction(sheet).normalized(), along_v = col_direction(sheet).normalized();
+  const double u_side = std::abs(along_u.x()), v_side = std::abs(along_v.x());
+  const bool side_decides = std::max(u_side, v_side) > 0.2 && std::abs(u_side - v_side) > 0.02;
+  if (side_decides ? u_side > v_side : std::abs(along_u.z()) > std::abs(along_v.z()) + 0.02) {
+    sheet = transposed(sheet);
+  }
+  if (points_backwards(row_direction(sheet))) {
+    Sheet flipped = sheet;
+    for (int i = 0; i < sheet.rows; ++i) {
+      flipped.points.middleCols(i * sheet.cols, sheet.cols) =
+          sheet.points.middleCols((sheet.rows - 1 - i) * sheet.cols, sheet.cols);
+    }
+    sheet = flipped;
+  }
+  if (points_backwards(col_direction(sheet))) {
+    for (int i = 0; i < sheet.rows; ++i) {
+      sheet.points.middleCols(i * sheet.cols, sheet.cols) =
+          sheet.points.middleCols(i * sheet.cols, sheet.cols).rowwise().reverse().eval();
+    }
+  }
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CANONICAL_FORM_H

@@ -1,0 +1,166 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CONTRACTION_H
+#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CONTRACTION_H
+
+#include "abstraction/inside_test.h"
+#include "base/deadline.h"
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// A closed mesh on its way to its skeleton.
+struct Contracting_mesh
+{
+  Part_mesh mesh;
+  Points poles;            ///< a vertex's point of the medial axis; not finite where there is none
+  std::vector<char> fixed; ///< vertices that have become part of the skeleton
+};
+
+/// Weights of the flow (Tagliasacchi et al. 2012): w_H keeps a vertex in place, w_P draws it to its pole.
+struct Flow_weights
+{
+  double velocity = 0.1; ///< w_H
+  double medial = 0.2;   ///< w_P
+};
+
+/// The cotangent of the angle at `a`, at least 0 and less than that of three degrees.
+inline double clamped_cotangent(const Point& a, const Point& b, const Point& c)
+{
+  const double most = 0.999;
+  const double lengths = (b - a).norm() * (c - a).norm();
+  if (!(lengths > 0)) {
+    return 0;
+  }
+  const double cosine = std::clamp((b - a).dot(c - a) / lengths, 0., most);
+  return cosine / std::sqrt(1 - cosine * cosine);
+}
+
+/// The vertices that a step moves, by number; -1: not moved.
+struct Moved_vertices
+{
+  explicit Moved_vertices(const Contracting_mesh& input)
+      : number(static_cast<std::size_t>(input.mesh.points.cols()), -1)
+  {
+    for (std::size_t v = 0; v < number.size(); ++v) {
+      number[v] = input.fixed[v] ? -1 : count++;
+    }
+  }
+
+  int operator[](Eigen::Index vertex) const { return number[static_cast<std::size_t>(vertex)]; }
+
+  std::vector<int> number;
+  int count = 0;
+};
+
+using System_matrix = Eigen::SparseMatrix<double>;
+
+/// Laplacians with cotangent weights of the moved vertices: `matrix` times their places plus `known`, what the others
+/// add.
+struct Laplacian
+{
+  System_matrix matrix;
+  Eigen::MatrixX3d known;
+};
+
+inline Laplacian laplacian_of(const Part_mesh& mesh, const Moved_vertices& moved)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(12 * mesh.triangles.cols()));
+  Laplacian result{System_matrix(moved.count, moved.count), Eigen::MatrixX3d::Zero(moved.count, 3)};
+  const auto connect = [&](int row, int to, double w) {
+    entries.emplace_back(row, row, -w);
+    if (moved[to] >= 0) {
+      entries.emplace_back(row, moved[to], w);
+    } else {
+      result.known.row(row) += w * mesh.points.col(to).transpose();
+    }
+  };
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = mesh.triangles(k, t), b = mesh.triangles((k + 1) % 3, t), c = mesh.triangles((k + 2) % 3, t);
+      const double w = clamped_cotangent(mesh.points.col(a), mesh.points.col(b), mesh.points.col(c));
+      for (const auto& [from, to] : {std::array<int, 2>{b, c}, std::array<int, 2>{c, b}}) {
+        if (moved[from] >= 0) {
+          connect(moved[from], to, w);
+        }
+      }
+    }
+  }
+  result.matrix.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+/// Adds to the normal equations what draws vertices to their old places and to their poles.
+inline void add_attraction(const Contracting_mesh& input, const Flow_weights& weights, const Moved_vertices& moved,
+                           System_matrix& normal_matrix, Eigen::MatrixX3d& right)
+{
+  const Inside_test is_inside(input.mesh);
+  Eigen::VectorXd diagonal(moved.count);
+  for (Eigen::Index v = 0; v < input.mesh.points.cols(); ++v) {
+    const int i = moved[v];
+    if (i < 0) {
+      continue;
+    }
+    const double place = weights.velocity * weights.velocity;
+    diagonal[i] = place;
+    right.row(i) += place * input.mesh.points.col(v).transpose();
+    const Point pole = input.poles.col(v);
+    if (pole.allFinite() && is_inside(pole)) {
+      const double medial = weights.medial * weights.medial;
+      diagonal[i] += medial;
+      right.row(i) += medial * pole.transpose();
+    }
+  }
+  for (int i = 0; i < moved.count; ++i) {
+    normal_matrix.coeffRef(i, i) += diagonal[i];
+  }
+}
+
+/// One implicit step of the flow: the vertices' new places minimise the squared Laplacians, with cotangent weights,
+/// plus the squared distances from their old places and from their poles, as long as those are inside. The library's
+/// own step gives the same but takes far longer: it computes poles by an exact Voronoi diagram and tests each twice a
+/// step.
+inline Points contracted(const Contracting_mesh& input, const Flow_weights& weights)
+{
+  Points result = input.mesh.points;
+  const Moved_vertices moved(input);
+  if (moved.count == 0) {
+    return result;
+  }
+  const Laplacian laplacian = laplacian_of(input.mesh, moved);
+  System_matrix normal_matrix = laplacian.matrix.transpose() * laplacian.matrix;
+  Eigen::MatrixX3d right = -(laplacian.matrix.transpose() * laplacian.known);
+  add_attraction(input, weights, moved, normal_matrix, right);
+  const Eigen::SimplicialLDLT<System_matrix> solver(normal_matrix);
+  const Eigen::MatrixX3d solution = solver.solve(right);
+  if (solver.info() != Eigen::Success || !solution.allFinite()) {
+    throw Flow_failure("the equations of the flow have no solution");
+  }
+  for (Eigen::Index v = 0; v < result.cols(); ++v) {
+    if (moved[v] >= 0) {
+      result.col(v) = solution.row(moved[v]).transpose();
+    }
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CONTRACTION_H

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CURVE_AND_SHEET_GEOMETRY_H
+#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CURVE_AND_SHEET_GEOMETRY_H
+
+#include <CGAL/Shape_correspondence/Part_abstraction.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// A cell of a uniform subdivision and the position in it, in [0, 1].
+struct Cell_position
+{
+  int cell;
+  double fraction;
+};
+
+inline Cell_position locate_cell(double parameter, int cells)
+{
+  const double x = std::clamp(parameter, 0., 1.) * cells;
+  const int cell = std::min(static_cast<int>(x), cells - 1);
+  return {cell, x - cell};
+}
+
+/// Number of segments of a curve; a closed one has a last segment back to its first point.
+inline Eigen::Index number_of_segments(const Curve& curve)
+{
+  return curve.closed ? curve.points.cols() : curve.points.cols() - 1;
+}
+
+inline Point segment_end(const Curve& curve, Eigen::Index segment)
+{
+  return curve.points.col((segment + 1) % curve.points.cols());
+}
+
+/// Arc length up to each control point; one entry more than there are segments.
+inline std::vector<double> arc_lengths(const Curve& curve)
+{
+  std::vector<double> result{0.};
+  for (Eigen::Index s = 0; s < number_of_segments(curve); ++s) {
+    result.push_back(result.back() + (segment_end(curve, s) - curve.points.col(s)).norm());
+  }
+  return result;
+}
+
+inline Point point_at_length(const Curve& curve, const std::vector<double>& lengths, double length)
+{
+  const auto after = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, length);
+  const auto segment = static_cast<std::size_t>(after - lengths.begin()) - 1;
+  const double extent = lengths[segment + 1] - lengths[segment];
+  const double f = extent > 0 ? std::clamp((length - lengths[segment]) / extent, 0., 1.) : 0.;
+  const auto s = static_cast<Eigen::Index>(segment);
+  return (1 - f) * curve.points.col(s) + f * segment_end(curve, s);
+}
+
+/// The fraction of a segment at which it is nearest to a point.
+inline double nearest_on_segment(const Point& a, const Point& b, const Point& p)
+{
+  const double squared_length = (b - a).squaredNorm();
+  return squared_length > 0 ? std::clamp((p - a).dot(b - a) / squared_length, 0., 1.) : 0.;
+}
+
+inline Eigen::Vector2d nearest_parameter_on_curve(const Curve& curve, const Point& p)
+{
+  const std::vector<double> lengths = arc_lengths(curve);
+  double best = std::numeric_limits<double>::infinity();
+  double length = 0;
+  for (Eigen::Index s = 0; s < number_of_segments(curve); ++s) {
+    const Point a = curve.points.col(s);
+    const Point b = segment_end(curve, s);
+    const double f = nearest_on_segment(a, b, p);
+    const double distance = ((1 - f) * a + f * b - p).squaredNorm();
+    if (distance < best) {
+      best = distance;
+      const auto i = static_cast<std::size_t>(s);
+      length = lengths[i] + f * (lengths[i + 1] - lengths[i]);
+    }
+  }
+  return {lengths.back() > 0 ? length / lengths.back() : 0., 0.};
+}
+
+/// Barycentric coordinates (along b - a, along c - a) of the point of a triangle nearest to p.
+inline Eigen::Vector2d nearest_on_triangle(const Point& a, const Point& b, const Point& c, const Point& p)
+{
+  Eigen::Matrix<double, 3, 2> edges;
+  edges << b - a, c - a;
+  const Eigen::Matrix2d gram = edges.transpose() * edges;
+  if (gram.determinant() > 1e-14 * gram.trace() * gram.trace()) {
+    const Eigen::Vector2d inside = gram.inverse() * (edges.transpose() * (p - a));
+    if (inside.minCoeff() >= 0 && inside.sum() <= 1) {
+      return inside;
+    }
+  }
+  const double ab = nearest_on_segment(a, b, p);
+  const double ac = nearest_on_segment(a, c, p);
+  const double bc = nearest_on_segment(b, c, p);
+  const Eigen::Vector2d candidates[] = {{ab, 0.}, {0., ac}, {1 - bc, bc}};
+  const auto distance = [&](const Eigen::Vector2d& x) { return (a + edges * x - p).squaredNorm(); };
+  return *std::min_element(std::begin(candidates), std::end(candidates),
+                           [&](const auto& x, const auto& y) { return distance(x) < distance(y); });
+}
+
+/// One Gauss-Newton step at a time towards the point of a sheet's cell nearest to p, from a good start.
+inline Eigen::Vector2d refine_in_cell(const Sheet& sheet, Eigen::Vector2d parameter, int row, int col, const Point& p)
+{
+  const Eigen::Array2d cells(sheet.rows - 1, sheet.cols - 1);
+  const Eigen::Array2d low = Eigen::Array2d(row, col) / cells;
+  const Eigen::Array2d high = Eigen::Array2d(row + 1, col + 1) / cells;
+  const auto corner = [&](int i, int j) -> Point { return sheet.points.col((row + i) * sheet.cols + col + j); };
+  const int most_rounds = 8;
+  for (int round = 0; round < most_rounds; ++round) {
+    const Eigen::Array2d f = (parameter.array() - low) * cells;
+    Eigen::Matrix<double, 3, 2> derivative;
+    derivative.col(0) = ((1 - f[1]) * (corner(1, 0) - corner(0, 0)) + f[1] * (corner(1, 1) - corner(0, 1))) * cells[0];
+    derivative.col(1) = ((1 - f[0]) * (corner(0, 1) - corner(0, 0)) + f[0] * (corner(1, 1) - corner(1, 0))) * cells[1];
+    const Eigen::Matrix2d gram = derivative.transpose() * derivative;
+    if (!(gram.determinant() > 1e-14 * gram.trace() * gram.trace())) {
+      return parameter;
+    }
+    const Point offset = p - sheet(parameter[0], parameter[1]);
+    const Eigen::Vector2d step = gram.inverse() * (derivative.transpose() * offset);
+    const auto stepped = [&](double fraction) -> Eigen::Vector2d {
+      return (parameter + fraction * step).array().max(low).min(high);
+    };
+    double reach = 1;
+    while (reach > 0.1 && !((p - sheet(stepped(reach)[0], stepped(reach)[1])).squaredNorm() < offset.squaredNorm())) {
+      reach *= 0.5;
+    }
+    if (reach < 0.1) {
+      return parameter;
+    }
+    parameter = stepped(reach);
+  }
+  return parameter;
+}
+
+/// The nearest point of a cell's two triangles, as a start.
+struct Cell_candidate
+{
+  double distance;
+  Eigen::Vector2d parameter;
+  int row, col;
+};
+
+inline std::vector<Cell_candidate> cell_candidates(const Sheet& sheet, const Point& p)
+{
+  std::vector<Cell_candidate> result;
+  const auto corner = [&](int i, int j) -> Point { return sheet.points.col(i * sheet.cols + j); };
+  for (int i = 0; i + 1 < sheet.rows; ++i) {
+    for (int j = 0; j + 1 < sheet.cols; ++j) {
+      for (const bool far_half : {false, true}) {
+        const int i0 = far_half ? i + 1 : i, j0 = far_half ? j + 1 : j;
+        const int sign = far_half ? -1 : 1;
+        const Eigen::Vector2d x = nearest_on_triangle(corner(i0, j0), corner(i0 + sign, j0), corner(i0, j0 + sign), p);
+        const Eigen::Vector2d at((i0 + sign * x[0]) / (sheet.rows - 1), (j0 + sign * x[1]) / (sheet.cols - 1));
+        result.push_back({(sheet(at[0], at[1]) - p).squaredNorm(), at, i, j});
+      }
+    }
+  }
+  return result;
+}
+
+/// Refines the best candidates: in a twisted cell the best start need not lead to the nearest point.
+inline Eigen::Vector2d nearest_parameter_on_sheet(const Sheet& sheet, const Point& p)
+{
+  const std::ptrdiff_t most_refined = 4;
+  std::vector<Cell_candidate> candidates = cell_candidates(sheet, p);
+  const auto end = candidates.begin() + std::min<std::ptrdiff_t>(most_refined, std::ptrdiff_t(candidates.size()));
+  std::partial_sort(candidates.begin(), end, candidates.end(), [](const Cell_candidate& a, const Cell_candidate& b) {
+    return std::tie(a.distance, a.row, a.col, a.parameter[0]) < std::tie(b.distance, b.row, b.col, b.parameter[0]);
+  });
+  for (auto c = candidates.begin(); c != end; ++c) {
+    c->parameter = refine_in_cell(sheet, c->parameter, c->row, c->col, p);
+    c->distance = (sheet(c->parameter[0], c->parameter[1]) - p).squaredNorm();
+  }
+  return std::min_element(candidates.begin(), end, [](const auto& a, const auto& b) { return a.distance < b.distance; })
+      ->parameter;
+}
+
+} // namespace internal
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CURVE_AND_SHEET_GEOMETRY_H

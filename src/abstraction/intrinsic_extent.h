@@ -1,0 +1,83 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_INTRINSIC_EXTENT_H
+#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_INTRINSIC_EXTENT_H
+
+#include "abstraction/spatial_graph.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// A layout of a graph in space that keeps its geodesic distances: what is bent becomes straight.
+struct Intrinsic_layout
+{
+  Points coordinates;      ///< a vertex a column, along the principal directions, longest first
+  Eigen::Vector3d extents; ///< root mean square along them
+};
+
+/// Vertices far from each other: each one is the farthest from those before, by geodesic distance.
+/// \return a landmark a column, the distances of all vertices from it
+inline Eigen::MatrixXd landmark_distances(const Spatial_graph_view& graph, int landmarks, std::vector<int>& chosen)
+{
+  Eigen::MatrixXd result(graph.size(), landmarks);
+  int next = graph.farthest(graph.distances_from(0));
+  Eigen::VectorXd nearest;
+  for (int k = 0; k < landmarks; ++k) {
+    chosen.push_back(next);
+    result.col(k) = graph.distances_from(next);
+    nearest = k == 0 ? Eigen::VectorXd(result.col(0)) : Eigen::VectorXd(nearest.cwiseMin(result.col(k)));
+    next = graph.farthest(nearest);
+  }
+  return result;
+}
+
+/// Landmark multidimensional scaling (de Silva and Tenenbaum 2004) in three dimensions.
+/// \pre the graph is connected
+inline Intrinsic_layout intrinsic_layout(const Spatial_graph_view& graph)
+{
+  const int landmarks = std::min(24, graph.size());
+  std::vector<int> chosen;
+  const Eigen::MatrixXd squared = landmark_distances(graph, landmarks, chosen).array().square();
+  Eigen::MatrixXd between(landmarks, landmarks);
+  for (int k = 0; k < landmarks; ++k) {
+    between.row(k) = squared.row(chosen[static_cast<std::size_t>(k)]);
+  }
+  between = (0.5 * (between + between.transpose())).eval();
+  const Eigen::VectorXd mean = between.colwise().mean();
+  Eigen::MatrixXd gram = between;
+  gram.colwise() -= mean;
+  gram.rowwise() -= mean.transpose();
+  gram.array() += mean.mean();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(-0.5 * gram);
+
+  Intrinsic_layout result;
+  result.coordinates = Points::Zero(3, graph.size());
+  for (int d = 0; d < std::min(3, landmarks); ++d) {
+    const double value = solver.eigenvalues()[landmarks - 1 - d];
+    if (value > 1e-12 * solver.eigenvalues()[landmarks - 1]) {
+      const Eigen::VectorXd direction = solver.eigenvectors().col(landmarks - 1 - d) / std::sqrt(value);
+      result.coordinates.row(d) = -0.5 * ((squared.rowwise() - mean.transpose()) * direction).transpose();
+    }
+  }
+  result.coordinates.colwise() -= result.coordinates.rowwise().mean().eval();
+  const Eigen::Matrix3d covariance = result.coordinates * result.coordinates.transpose() / graph.size();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(covariance);
+  result.coordinates = (principal.eigenvectors().rowwise().reverse().transpose() * result.coordinates).eval();
+  result.extents = principal.eigenvalues().reverse().cwiseMax(0.).cwiseSqrt();
+  return result;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_INTRINSIC_EXTENT_H

@@ -1,0 +1,333 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "abstraction/repair.h"
+#include "shape/meshes.h"
+
+#include <CGAL/Shape_correspondence/version.h>
+
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/alpha_wrap_3.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+/// Enclosed volume over area^1.5: 0.094 for a ball, 0.0035 for a plate a hundredth thick.
+double fullness(const Halfedge_mesh& mesh)
+{
+  const double area = PMP::area(mesh);
+  return area > 0 ? PMP::volume(mesh) / (area * std::sqrt(area)) : 0.;
+}
+
+Halfedge_mesh soup_to_mesh(const Part_mesh& part, bool& changed)
+{
+  Triangle_soup soup = to_soup(part);
+  const std::size_t points = soup.points.size(), triangles = soup.triangles.size();
+  PMP::repair_polygon_soup(soup.points, soup.triangles);
+  changed = soup.points.size() != points || soup.triangles.size() != triangles;
+  changed |= !PMP::orient_polygon_soup(soup.points, soup.triangles);
+  Halfedge_mesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
+  changed |= PMP::stitch_borders(mesh) > 0;
+  mesh.collect_garbage();
+  return mesh;
+}
+
+void turn_outwards(Halfedge_mesh& mesh)
+{
+  if (PMP::volume(mesh) < 0) {
+    PMP::reverse_face_orientations(mesh);
+  }
+}
+
+/// The mesh of some of a mesh's faces. \param vertex_map null for every vertex, before and after
+Halfedge_mesh submesh(const Halfedge_mesh& mesh, const std::vector<Halfedge_mesh::Face_index>& faces,
+                      std::vector<Halfedge_mesh::Vertex_index>& vertex_map)
+{
+  Halfedge_mesh result;
+  for (auto f : faces) {
+    std::vector<Halfedge_mesh::Vertex_index> corners;
+    for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
+      Halfedge_mesh::Vertex_index& image = vertex_map[v.idx()];
+      if (image == Halfedge_mesh::null_vertex()) {
+        image = result.add_vertex(mesh.point(v));
+      }
+      corners.push_back(image);
+    }
+    result.add_face(corners);
+  }
+  for (auto f : faces) {
+    for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
+      vertex_map[v.idx()] = Halfedge_mesh::null_vertex();
+    }
+  }
+  return result;
+}
+
+/// The connected components, the one of the largest area first. In linear time, also where there are thousands.
+/// \pre `mesh` has no garbage
+std::vector<Halfedge_mesh> components_by_area(const Halfedge_mesh& mesh)
+{
+  std::vector<std::size_t> component(mesh.number_of_faces());
+  const std::size_t n = PMP::connected_components(
+      mesh, boost::make_iterator_property_map(component.begin(), CGAL::get(boost::face_index, mesh)));
+  std::vector<std::vector<Halfedge_mesh::Face_index>> faces(n);
+  std::vector<double> areas(n, 0.);
+  for (auto f : mesh.faces()) {
+    faces[component[f.idx()]].push_back(f);
+    areas[component[f.idx()]] += PMP::face_area(f, mesh);
+  }
+  std::vector<std::size_t> order(n);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return areas[i] > areas[j]; });
+  std::vector<Halfedge_mesh::Vertex_index> vertex_map(mesh.number_of_vertices(), Halfedge_mesh::null_vertex());
+  std::vector<Halfedge_mesh> result;
+  for (std::size_t c : order) {
+    result.push_back(submesh(mesh, faces[c], vertex_map));
+  }
+  return result;
+}
+
+/// Closes all holes by flat or minimal patches.
+/// \return whether that gave a solid to rely on; `mesh` is unchanged if not
+/// \throw Out_of_time
+bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
+{
+  const double area = PMP::area(mesh);
+  // A longer border is not a hole but the rim of a surface; triangulating it takes cubic time.
+  const std::size_t longest_border = 400;
+  const double smallest_fullness = 1e-3;
+  Halfedge_mesh filled = mesh;
+  std::vector<Halfedge_mesh::Halfedge_index> borders;
+  PMP::extract_boundary_cycles(filled, std::back_inserter(borders));
+  for (auto h : borders) {
+    deadline.check();
+    if (halfedges_around_face(h, filled).size() > longest_border) {
+      return false;
+    }
+    std::vector<Halfedge_mesh::Face_index> patch;
+    PMP::triangulate_hole(filled, h, std::back_inserter(patch),
+                          CGAL::parameters::use_2d_constrained_delaunay_triangulation(true));
+  }
+  if (!CGAL::is_closed(filled) || PMP::does_self_intersect(filled)) {
+    return false;
+  }
+  turn_outwards(filled);
+  // Of a tyre that is open inside, the "holes" are larger than the surface.
+  if (fullness(filled) < smallest_fullness || PMP::area(filled) > 2.1 * area) {
+    return false;
+  }
+  mesh = std::move(filled);
+  return true;
+}
+
+bool is_solid(Halfedge_mesh& mesh)
+{
+  const double smallest_fullness = 1e-4;
+  if (!CGAL::is_closed(mesh)) {
+    return false;
+  }
+  turn_outwards(mesh);
+  return fullness(mesh) > smallest_fullness;
+}
+
+/// Ends a wrap that takes too long: what it throws leaves the algorithm.
+struct Wrap_watch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor
+{
+  explicit Wrap_watch(const Deadline& deadline) : deadline(&deadline) {}
+
+  template <typename Wrapper, typename Gate>
+  void before_facet_treatment(const Wrapper&, const Gate&)
+  {
+    deadline->check();
+  }
+
+  const Deadline* deadline;
+};
+
+/// A closed surface around everything, at a small distance. \throw Out_of_time
+Halfedge_mesh wrap(const Part_mesh& part, const Deadline& deadline)
+{
+  const double size = diagonal(part.points);
+  const double alpha = size / 20, offset = size / 600;
+  const Triangle_soup soup = to_soup(part);
+  Halfedge_mesh result;
+  Wrap_watch watch(deadline);
+  CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset, result, CGAL::parameters::default_values(),
+                     CGAL::parameters::visitor(std::ref(watch)));
+  turn_outwards(result);
+  return result;
+}
+
+/// Whether a component stands for its whole part: it spans the part and has about half of its area, as the tyre of a
+/// wheel with thin spokes.
+bool dominates(const Halfedge_mesh& component, const Part_mesh& part, double area)
+{
+  return diagonal(component) > 0.9 * diagonal(part.points) && PMP::area(component) > 0.45 * area;
+}
+
+} // namespace
+
+Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
+{
+  using Repair = Abstraction_report::Repair;
+  Repaired_part result;
+  bool soup_changed = false;
+  const Halfedge_mesh mesh = soup_to_mesh(part, soup_changed);
+  const double area = PMP::area(mesh);
+  std::vector<Halfedge_mesh> components = components_by_area(mesh);
+  result.several_components = components.size() > 1;
+  result.repair = soup_changed ? Repair::SOUP : Repair::NONE;
+
+  bool all_solid = true;
+  std::vector<bool> solid;
+  for (Halfedge_mesh& component : components) {
+    deadline.check();
+    const bool closed = CGAL::is_closed(component);
+    solid.push_back(closed ? is_solid(component) : fill_holes(component, deadline));
+    if (!closed && solid.back()) {
+      result.repair = Repair::HOLES;
+    }
+    result.volume += solid.back() ? PMP::volume(component) : 0.;
+    all_solid = all_solid && solid.back();
+    if (!solid[0]) {
+      break; // everything is going to be wrapped
+    }
+  }
+  const bool stands_alone = !components.empty() && dominates(components[0], part, area);
+  if (stands_alone && solid[0]) {
+    result.mesh = to_part_mesh(components[0]);
+    return result;
+  }
+  deadline.check();
+  // Spokes would close the ring that they are in.
+  const Halfedge_mesh wrapped = wrap(stands_alone ? to_part_mesh(components[0]) : part, deadline);
+  if (!all_solid) {
+    result.volume = PMP::volume(wrapped);
+  }
+  Halfedge_mesh outer = components_by_area(wrapped).at(0);
+  turn_outwards(outer);
+  result.mesh = to_part_mesh(outer);
+  result.repair = Repair::WRAP;
+  return result;
+}
+
+namespace {
+
+double squared_length(const Halfedge_mesh& mesh, Halfedge_mesh::Halfedge_index h)
+{
+  return CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+}
+
+/// Whether the surface hardly changes when the source of a halfedge moves to its target: it stays near the planes of
+/// its faces, and none of them turns much.
+bool hardly_changes(const Halfedge_mesh& mesh, Halfedge_mesh::Halfedge_index h, double tolerance)
+{
+  const double least_cosine = 0.5;
+  const Point from = to_point(mesh.point(mesh.source(h))), to = to_point(mesh.point(mesh.target(h)));
+  for (auto around : CGAL::halfedges_around_source(mesh.source(h), mesh)) {
+    const Halfedge_mesh::Vertex_index u = mesh.target(around), v = mesh.target(mesh.next(around));
+    if (u == mesh.target(h) || v == mesh.target(h)) {
+      continue; // its face vanishes
+    }
+    const Point a = to_point(mesh.point(u)), b = to_point(mesh.point(v));
+    const Point before = (a - from).cross(b - from), after = (a - to).cross(b - to);
+    if (!(std::abs(before.dot(to - from)) <= tolerance * before.norm()) ||
+        !(before.dot(after) > least_cosine * before.norm() * after.norm())) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Collapses the edges of a closed mesh that are shorter than a length, the shortest first, where that changes neither
+/// topology nor, by much, the surface. The remeshing does it, too, but after it has split the needles that such edges
+/// are the short sides of.
+/// \throw Out_of_time
+void collapse_edges_shorter_than(double length, Halfedge_mesh& mesh, const Deadline& deadline)
+{
+  const double thickness = 2 * std::abs(PMP::volume(mesh)) / PMP::area(mesh); // of a plate
+  const double tolerance = 0.1 * std::min(length, thickness);
+  using Entry = std::pair<double, Halfedge_mesh::Edge_index>;
+  std::set<Entry> queue;
+  const auto push = [&](Halfedge_mesh::Edge_index e) {
+    const double squared = squared_length(mesh, mesh.halfedge(e));
+    if (squared < length * length) {
+      queue.emplace(squared, e);
+    }
+  };
+  for (auto e : mesh.edges()) {
+    push(e);
+  }
+  while (!queue.empty()) {
+    deadline.check();
+    const auto [squared, e] = *queue.begin();
+    queue.erase(queue.begin());
+    if (mesh.is_removed(e) || squared_length(mesh, mesh.halfedge(e)) != squared ||
+        !CGAL::Euler::does_satisfy_link_condition(e, mesh)) {
+      continue;
+    }
+    Halfedge_mesh::Halfedge_index h = mesh.halfedge(e);
+    if (!hardly_changes(mesh, h, tolerance)) {
+      h = mesh.opposite(h);
+      if (!hardly_changes(mesh, h, tolerance)) {
+        continue;
+      }
+    }
+    const Mesh_point kept = mesh.point(mesh.target(h));
+    const Halfedge_mesh::Vertex_index v = CGAL::Euler::collapse_edge(e, mesh);
+    mesh.point(v) = kept;
+    for (auto around : CGAL::halfedges_around_target(v, mesh)) {
+      push(mesh.edge(around));
+    }
+  }
+  mesh.collect_garbage();
+}
+
+} // namespace
+
+Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& deadline)
+{
+  const int rounds = 3;
+  const double short_edge = 0.6;
+  Halfedge_mesh mesh = to_halfedge_mesh(solid);
+  collapse_edges_shorter_than(short_edge * edge_length, mesh, deadline);
+  for (int round = 0; round < rounds; ++round) {
+    deadline.check();
+    PMP::isotropic_remeshing(faces(mesh), edge_length, mesh, CGAL::parameters::number_of_iterations(1));
+    mesh.collect_garbage();
+  }
+  return to_part_mesh(mesh);
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPAIR_H
+#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPAIR_H
+
+#include "base/deadline.h"
+
+#include <CGAL/Shape_correspondence/Part_abstraction.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// A part made fit for the flow.
+struct Repaired_part
+{
+  Part_mesh mesh;    ///< closed, connected, oriented outwards
+  double volume = 0; ///< enclosed by the whole part, of all its components
+  Abstraction_report::Repair repair = Abstraction_report::Repair::NONE;
+  bool several_components = false;
+};
+
+/// Makes a closed and connected mesh of a part: its dominant component, holes filled, or a wrap around everything.
+/// \throw Flow_failure
+Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline);
+
+/// Triangles of one size, as the flow needs them: a leg of eight vertices would collapse to a point.
+/// \throw Flow_failure
+Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& deadline);
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPAIR_H

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPRODUCIBLE_FLOW_H
+#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPRODUCIBLE_FLOW_H
+
+#include "shape/meshes.h"
+
+#include <CGAL/Mean_curvature_flow_skeletonization.h>
+
+#include <functional>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// A kernel of our own, so that the mesh inside the flow has a type of our own, for which the order of its edges can be
+/// defined.
+struct Flow_traits : Mesh_kernel
+{};
+
+using Flow = CGAL::Mean_curvature_flow_skeletonization<Halfedge_mesh, Flow_traits>;
+using Flow_mesh = Flow::Meso_skeleton;
+using Flow_edge = boost::graph_traits<Flow_mesh>::edge_descriptor;
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+/// The flow collapses short edges in the order of a `std::set` of edges. By default that is the order of their
+/// addresses, which differs from run to run, and so does the skeleton. The flow numbers all halfedges before each
+/// collapse, in the order of its mesh; comparing numbers makes its result a function of the input.
+template <>
+struct std::less<CGAL::Shape_correspondence::internal::Flow_edge>
+{
+  using Edge = CGAL::Shape_correspondence::internal::Flow_edge;
+
+  bool operator()(const Edge& a, const Edge& b) const { return number(a) < number(b); }
+
+private:
+  // The two halfedges stand for one edge.
+  static std::size_t number(const Edge& edge)
+  {
+    return (std::min)(edge.halfedge()->id(), edge.halfedge()->opposite()->id());
+  }
+};
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPRODUCIBLE_FLOW_H

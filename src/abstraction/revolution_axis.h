@@ -1,0 +1,105 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REVOLUTION_AXIS_H
+#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REVOLUTION_AXIS_H
+
+#include "base/Nearest_points.h"
+
+#include <CGAL/Shape_correspondence/Part_abstraction.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// The axis of a body of revolution.
+struct Revolution_axis
+{
+  Point centre;
+  Point direction;
+  double height = 0;      ///< of most of the surface, without thin axles
+  double slenderness = 0; ///< the height over the diameter of most of the surface
+
+  /// The part of the axis that is inside the extents of points.
+  Curve curve(const Points& points, int control_points) const
+  {
+    const Eigen::RowVectorXd heights = direction.transpose() * (points.colwise() - centre);
+    Curve result;
+    result.points.resize(3, control_points);
+    for (int i = 0; i < control_points; ++i) {
+      const double t = i / (control_points - 1.);
+      result.points.col(i) = centre + ((1 - t) * heights.minCoeff() + t * heights.maxCoeff()) * direction;
+    }
+    return result;
+  }
+};
+
+inline double quantile(Eigen::RowVectorXd values, double fraction)
+{
+  std::sort(values.data(), values.data() + values.size());
+  return values[static_cast<Eigen::Index>(fraction * static_cast<double>(values.size() - 1))];
+}
+
+/// The directions that an axis of revolution can have: a coordinate axis, a principal axis, or, where those of a
+/// compact body mean nothing, that in which it is skew.
+inline std::vector<Point> axis_candidates(const Points& centred)
+{
+  std::vector<Point> result{Point::UnitY(), Point::UnitX(), Point::UnitZ()};
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred * centred.transpose());
+  for (int k = 0; k < 3; ++k) {
+    result.push_back(solver.eigenvectors().col(k));
+  }
+  const Point skewness = centred * centred.colwise().squaredNorm().transpose();
+  if (skewness.norm() > 0) {
+    result.push_back(skewness.normalized());
+  }
+  return result;
+}
+
+/// The axis about which turning a surface hardly changes it, if there is one. A hexagonal prism passes, a square one
+/// does not. \param surface its points, evenly spread \param spacing their distance
+inline std::optional<Revolution_axis> revolution_axis(const Points& surface, double spacing)
+{
+  const double tolerance = 0.16, gap = 0.6, clearly = 1e-3;
+  const double turns[] = {2 * EIGEN_PI / 5, 2 * EIGEN_PI / 4};
+  const Point centre = surface.rowwise().mean();
+  const Points centred = surface.colwise() - centre;
+  const Nearest_points points(centred);
+  std::optional<Revolution_axis> result;
+  double least = tolerance;
+  for (const Point& direction : axis_candidates(centred)) {
+    const Eigen::RowVectorXd heights = direction.transpose() * centred;
+    const Eigen::RowVectorXd radii = (centred - direction * heights).colwise().norm();
+    const double most = (least - clearly) * radii.maxCoeff() + gap * spacing;
+    double deviation = 0;
+    for (double turn : turns) {
+      const Eigen::Matrix3d rotation = Eigen::AngleAxisd(turn, direction).toRotationMatrix();
+      for (Eigen::Index i = 0; i < centred.cols() && deviation <= most; ++i) {
+        deviation = std::max(deviation, points.distance(rotation * centred.col(i)));
+      }
+    }
+    if (deviation <= most) {
+      least = std::max(0., deviation - gap * spacing) / radii.maxCoeff();
+      const double few = 0.1;
+      const double height = quantile(heights, 1 - few) - quantile(heights, few);
+      result = {centre, direction, height, height / (2 * quantile(radii, 1 - few))};
+    }
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REVOLUTION_AXIS_H

@@ -1,0 +1,187 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "abstraction/contraction.h"
+#include "abstraction/medial_poles.h"
+#include "abstraction/reproducible_flow.h"
+#include "abstraction/skeletonize.h"
+#include "shape/meshes.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace {
+
+struct Area_and_volume
+{
+  double area = 0;
+  double volume = 0;
+};
+
+Area_and_volume measure(const Part_mesh& mesh)
+{
+  Area_and_volume result;
+  const Point origin = mesh.points.rowwise().mean();
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Point a = mesh.points.col(mesh.triangles(0, t)) - origin, b = mesh.points.col(mesh.triangles(1, t)) - origin,
+                c = mesh.points.col(mesh.triangles(2, t)) - origin;
+    result.area += 0.5 * (b - a).cross(c - a).norm();
+    result.volume += a.dot(b.cross(c)) / 6;
+  }
+  result.volume = std::abs(result.volume);
+  return result;
+}
+
+/// The library's flow, whose mesh moves by our own step.
+} // namespace
+
+class Stepwise_flow::State
+{
+public:
+  State(const Part_mesh& mesh, int iterations, const Deadline& deadline)
+      : most_iterations_(iterations),
+        deadline_(&deadline),
+        flow_(to_halfedge_mesh(mesh)),
+        original_vertices_(static_cast<std::size_t>(mesh.points.cols())),
+        original_(measure(mesh)),
+        current_(original_)
+  {
+    const Points poles = medial_poles(mesh);
+    for (auto v : vertices(moving_mesh())) {
+      v->pole = to_mesh_point(poles.col(static_cast<Eigen::Index>(v->vertices.front().idx())));
+    }
+  }
+
+  void step()
+  {
+    if (iterations_ == most_iterations_) {
+      throw Flow_failure("the flow needs more iterations than allowed");
+    }
+    ++iterations_;
+    contract();
+    deadline_->check();
+    flow_.collapse_edges();
+    deadline_->check();
+    flow_.split_faces();
+    deadline_->check();
+    flow_.detect_degeneracies();
+    if (mesh().size_of_vertices() < 4) {
+      throw Flow_failure("the flow collapses the part to a point");
+    }
+    // As in the library's own convergence test
+    const double smallest_change = 1e-4;
+    const double last_area = current_.area;
+    current_ = measure(arrays().mesh);
+    converged_ = std::abs(current_.area - last_area) < smallest_change * original_.area;
+  }
+
+  bool converged() const { return converged_; }
+  int iterations() const { return iterations_; }
+  double area_kept() const { return current_.area / original_.area; }
+  double volume_kept() const { return original_.volume > 0 ? current_.volume / original_.volume : 0; }
+  const Flow_mesh& mesh() const { return flow_.meso_skeleton(); }
+
+  Spatial_graph curve_skeleton()
+  {
+    Flow::Skeleton skeleton;
+    flow_.convert_to_skeleton(skeleton);
+    Spatial_graph result;
+    result.points.resize(3, static_cast<Eigen::Index>(num_vertices(skeleton)));
+    for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
+      result.points.col(static_cast<Eigen::Index>(v)) = to_point(skeleton[v].point);
+    }
+    for (auto e : CGAL::make_range(edges(skeleton))) {
+      result.edges.emplace_back(static_cast<int>(source(e, skeleton)), static_cast<int>(target(e, skeleton)));
+    }
+    return result;
+  }
+
+private:
+  /// The flow shows its mesh for reading only, but every step between its own is ours.
+  Flow_mesh& moving_mesh() { return const_cast<Flow_mesh&>(flow_.meso_skeleton()); }
+
+  Contracting_mesh arrays() const
+  {
+    Contracting_mesh result;
+    const auto n = static_cast<Eigen::Index>(mesh().size_of_vertices());
+    result.mesh.points.resize(3, n);
+    result.mesh.triangles.resize(3, static_cast<Eigen::Index>(mesh().size_of_facets()));
+    result.poles.setConstant(3, n, std::numeric_limits<double>::quiet_NaN());
+    std::unordered_map<std::size_t, int> index;
+    for (auto v : vertices(mesh())) {
+      const auto i = static_cast<Eigen::Index>(index.size());
+      index[v->id()] = static_cast<int>(i);
+      result.mesh.points.col(i) = to_point(v->point());
+      result.fixed.push_back(v->is_fixed);
+      // Vertices that splits have made have no pole.
+      if (v->id() < original_vertices_) {
+        result.poles.col(i) = to_point(v->pole);
+      }
+    }
+    Eigen::Index t = 0;
+    for (auto f : faces(mesh())) {
+      int k = 0;
+      for (auto v : CGAL::vertices_around_face(halfedge(f, mesh()), mesh())) {
+        result.mesh.triangles(k++, t) = index.at(v->id());
+      }
+      ++t;
+    }
+    return result;
+  }
+
+  void contract()
+  {
+    const Points moved = contracted(arrays(), Flow_weights());
+    Eigen::Index i = 0;
+    for (auto v : vertices(moving_mesh())) {
+      v->point() = to_mesh_point(moved.col(i++));
+    }
+  }
+
+  int most_iterations_;
+  const Deadline* deadline_;
+  Flow flow_;
+  std::size_t original_vertices_;
+  Area_and_volume original_;
+  Area_and_volume current_;
+  int iterations_ = 0;
+  bool converged_ = false;
+};
+
+Stepwise_flow::Stepwise_flow(const Part_mesh& mesh, int iterations, const Deadline& deadline)
+    : state_(std::make_unique<State>(mesh, iterations, deadline))
+{}
+
+Stepwise_flow::~Stepwise_flow() = default;
+
+void Stepwise_flow::run_to_volume(double fraction)
+{
+  while (!state_->converged() && state_->volume_kept() > fraction) {
+    state_->step();
+  }
+}
+
+void Stepwise_flow::run_to_convergence()
+{
+  while (!state_->converged()) {
+    state_->step();
+  }
+}
+
+int Stepwise_flow::iterations() const { return state_->iterations(); }
+
+double Stepwise_flow::area_kept() const { return state_->area_kept(); }
+
+Spatial_graph Stepwise_flow::curve_skeleton() { return state_->curve_skeleton(); }
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SKELETONIZE_H
+#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SKELETONIZE_H
+
+#include "abstraction/spatial_graph.h"
+#include "base/deadline.h"
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/version.h>
+
+#include <memory>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// The mean curvature flow of one closed mesh (Tagliasacchi et al. 2012), run step by step.
+class Stepwise_flow
+{
+public:
+  /// \param iterations the flow fails that needs more
+  Stepwise_flow(const Part_mesh& mesh, int iterations, const Deadline& deadline);
+  ~Stepwise_flow();
+  Stepwise_flow(const Stepwise_flow&) = delete;
+  Stepwise_flow& operator=(const Stepwise_flow&) = delete;
+
+  /// Runs until the enclosed volume falls under a fraction of the original one, or until nothing changes any more.
+  /// \throw Flow_failure
+  void run_to_volume(double fraction);
+  /// Runs until nothing changes any more. \throw Flow_failure
+  void run_to_convergence();
+
+  int iterations() const;
+  /// Area of the meso-skeleton over that of the mesh.
+  double area_kept() const;
+  /// \pre the flow has converged
+  Spatial_graph curve_skeleton();
+
+private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SKELETONIZE_H

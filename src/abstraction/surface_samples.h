@@ -1,0 +1,135 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SURFACE_SAMPLES_H
+#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SURFACE_SAMPLES_H
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// Areas of triangles, summed up to each of them.
+inline std::vector<double> cumulative_areas(const Part_mesh& mesh)
+{
+  std::vector<double> result;
+  double sum = 0;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Point a = mesh.points.col(mesh.triangles(0, t));
+    const Point b = mesh.points.col(mesh.triangles(1, t));
+    const Point c = mesh.points.col(mesh.triangles(2, t));
+    sum += 0.5 * (b - a).cross(c - a).norm();
+    result.push_back(sum);
+  }
+  return result;
+}
+
+inline double surface_area(const Part_mesh& mesh)
+{
+  const std::vector<double> areas = cumulative_areas(mesh);
+  return areas.empty() ? 0. : areas.back();
+}
+
+/// Points by area, at a low-discrepancy sequence of parameters: no random numbers, no clumps.
+inline Points points_by_area(const Part_mesh& mesh, std::size_t n)
+{
+  // Powers of the plastic number's inverse in three dimensions (Roberts 2018).
+  const double step[] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
+  const std::vector<double> areas = cumulative_areas(mesh);
+  Points result(3, static_cast<Eigen::Index>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto fraction = [&](int k) { return std::fmod(0.5 + step[k] * static_cast<double>(i + 1), 1.); };
+    const auto found = std::upper_bound(areas.begin(), areas.end() - 1, fraction(0) * areas.back());
+    const auto t = static_cast<Eigen::Index>(found - areas.begin());
+    double u = fraction(1), v = fraction(2);
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    result.col(static_cast<Eigen::Index>(i)) = (1 - u - v) * mesh.points.col(mesh.triangles(0, t)) +
+                                               u * mesh.points.col(mesh.triangles(1, t)) +
+                                               v * mesh.points.col(mesh.triangles(2, t));
+  }
+  return result;
+}
+
+/// Vertices that a triangle uses, if they are no more than `limit`; none otherwise.
+inline std::vector<Eigen::Index> used_vertices(const Part_mesh& mesh, std::size_t limit)
+{
+  std::vector<char> used(static_cast<std::size_t>(mesh.points.cols()), 0);
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      used[static_cast<std::size_t>(mesh.triangles(k, t))] = 1;
+    }
+  }
+  std::vector<Eigen::Index> result;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v]) {
+      result.push_back(static_cast<Eigen::Index>(v));
+    }
+  }
+  if (result.size() > limit) {
+    result.clear();
+  }
+  return result;
+}
+
+/// Picks `n` of some points, each the farthest from those before.
+inline Points farthest_points(const Points& candidates, std::size_t n)
+{
+  // Rounding noise must not decide between equally far points: the first one wins.
+  const double nearly = 1 - 1e-9;
+  using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
+  const Row x = candidates.row(0), y = candidates.row(1), z = candidates.row(2); // contiguous, for the speed
+  const auto squared_distances = [&](const Point& p) {
+    return (x - p.x()).square() + (y - p.y()).square() + (z - p.z()).square();
+  };
+  Row squared = squared_distances(candidates.rowwise().mean());
+  Points result(3, static_cast<Eigen::Index>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    const double farthest = nearly * squared.maxCoeff();
+    Eigen::Index chosen = 0;
+    while (squared[chosen] < farthest) {
+      ++chosen;
+    }
+    const Point p = candidates.col(chosen);
+    result.col(static_cast<Eigen::Index>(i)) = p;
+    if (i == 0) {
+      squared = squared_distances(p);
+    } else {
+      squared = squared.min(squared_distances(p));
+    }
+  }
+  return result;
+}
+
+/// Points evenly spread over a surface. Vertices are candidates, too, where they are few, so that corners are among
+/// them.
+inline Points even_surface_points(const Part_mesh& mesh, std::size_t n)
+{
+  const std::size_t candidates_a_point = 8;
+  const Points by_area = points_by_area(mesh, candidates_a_point * n);
+  const std::vector<Eigen::Index> corners = used_vertices(mesh, candidates_a_point * n);
+  Points candidates(3, by_area.cols() + static_cast<Eigen::Index>(corners.size()));
+  candidates.leftCols(by_area.cols()) = by_area;
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    candidates.col(by_area.cols() + static_cast<Eigen::Index>(c)) = mesh.points.col(corners[c]);
+  }
+  return farthest_points(candidates, n);
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SURFACE_SAMPLES_H

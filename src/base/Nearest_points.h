@@ -1,0 +1,124 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_BASE_NEAREST_POINTS_H
+#define CGAL_SHAPE_CORRESPONDENCE_BASE_NEAREST_POINTS_H
+
+#include <CGAL/Shape_correspondence/Points.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// A static kd-tree, median split, in an array: distance from a query to the nearest of some points.
+class Nearest_points
+{
+public:
+  explicit Nearest_points(const Points& points) : points_(points), order_(static_cast<std::size_t>(points.cols()))
+  {
+    std::iota(order_.begin(), order_.end(), Eigen::Index(0));
+    split_axes_.resize(order_.size());
+    build(0, order_.size());
+  }
+
+  /// Distance to the nearest point but the one of index `ignored`.
+  double distance(const Point& query, Eigen::Index ignored = -1) const
+  {
+    return std::sqrt(found(query, ignored).squared);
+  }
+
+  /// Index of the nearest point but the one of index `ignored`; -1 if there is none.
+  Eigen::Index nearest(const Point& query, Eigen::Index ignored = -1) const { return found(query, ignored).index; }
+
+private:
+  static constexpr std::size_t leaf_size = 8;
+
+  struct Candidate
+  {
+    double squared = std::numeric_limits<double>::infinity();
+    Eigen::Index index = -1;
+  };
+
+  Candidate found(const Point& query, Eigen::Index ignored) const
+  {
+    Candidate best;
+    search(0, order_.size(), query, ignored, best);
+    return best;
+  }
+
+  void build(std::size_t begin, std::size_t end)
+  {
+    if (end - begin <= leaf_size) {
+      return;
+    }
+    Point low = points_.col(order_[begin]), high = low;
+    for (std::size_t i = begin; i < end; ++i) {
+      low = low.cwiseMin(points_.col(order_[i]));
+      high = high.cwiseMax(points_.col(order_[i]));
+    }
+    int axis = 0;
+    (high - low).maxCoeff(&axis);
+    const std::size_t middle = (begin + end) / 2;
+    using Difference = std::vector<Eigen::Index>::difference_type;
+    std::nth_element(order_.begin() + static_cast<Difference>(begin), order_.begin() + static_cast<Difference>(middle),
+                     order_.begin() + static_cast<Difference>(end), [&](Eigen::Index a, Eigen::Index b) {
+                       return points_(axis, a) != points_(axis, b) ? points_(axis, a) < points_(axis, b) : a < b;
+                     });
+    split_axes_[middle] = axis;
+    build(begin, middle);
+    build(middle + 1, end);
+  }
+
+  void visit(std::size_t position, const Point& query, Eigen::Index ignored, Candidate& best) const
+  {
+    const double squared = (points_.col(order_[position]) - query).squaredNorm();
+    if (order_[position] != ignored && squared < best.squared) {
+      best = {squared, order_[position]};
+    }
+  }
+
+  void search(std::size_t begin, std::size_t end, const Point& query, Eigen::Index ignored, Candidate& best) const
+  {
+    if (end - begin <= leaf_size) {
+      for (std::size_t i = begin; i < end; ++i) {
+        visit(i, query, ignored, best);
+      }
+      return;
+    }
+    const std::size_t middle = (begin + end) / 2;
+    const int axis = split_axes_[middle];
+    const double offset = query[axis] - points_(axis, order_[middle]);
+    visit(middle, query, ignored, best);
+    if (offset < 0) {
+      search(begin, middle, query, ignored, best);
+    } else {
+      search(middle + 1, end, query, ignored, best);
+    }
+    if (offset * offset < best.squared) {
+      if (offset < 0) {
+        search(middle + 1, end, query, ignored, best);
+      } else {
+        search(begin, middle, query, ignored, best);
+      }
+    }
+  }
+
+  Points points_;
+  std::vector<Eigen::Index> order_;
+  std::vector<int> split_axes_;
+};
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_BASE_NEAREST_POINTS_H

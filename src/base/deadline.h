@@ -1,0 +1,80 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_BASE_DEADLINE_H
+#define CGAL_SHAPE_CORRESPONDENCE_BASE_DEADLINE_H
+
+#include <chrono>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// Thrown inside the room only: the flow cannot treat a part, something else must stand in. The message says why.
+class Flow_failure : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A failure for want of time.
+class Out_of_time : public Flow_failure
+{
+public:
+  using Flow_failure::Flow_failure;
+};
+
+class Stop_watch
+{
+public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  /// Milliseconds since the last call, or the start.
+  double lap()
+  {
+    const Clock::time_point now = Clock::now();
+    const double result = std::chrono::duration<double, std::milli>(now - last_).count();
+    last_ = now;
+    return result;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_ = start_;
+};
+
+/// The time that a part may take. Steps that cannot be interrupted are bounded by the size of their input.
+class Deadline
+{
+public:
+  /// Seconds that have passed.
+  using Clock = std::function<double()>;
+
+  explicit Deadline(double seconds) : Deadline(seconds, [watch = Stop_watch()] { return watch.seconds(); }) {}
+  Deadline(double seconds, Clock clock) : seconds_(seconds), clock_(std::move(clock)) {}
+
+  void check() const
+  {
+    if (clock_() >= seconds_) {
+      throw Out_of_time("it needs more time than allowed");
+    }
+  }
+
+private:
+  double seconds_;
+  Clock clock_;
+};
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_BASE_DEADLINE_H

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_COLLECTION_SHARED_PROGRESS_H
+#define CGAL_SHAPE_CORRESPONDENCE_COLLECTION_SHARED_PROGRESS_H
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/energy_matrix.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+inline void check(const Energy_matrix_options& options)
+{
+  if (!(options.unmatched_energy >= 0) || !std::isfinite(options.unmatched_energy))
+    throw Invalid_input("energy_matrix: the energy of unmatched parts must be finite and not negative");
+}
+
+// Tells a callback of finished work, one thread at a time; remembers that it ended the work.
+class Shared_progress
+{
+public:
+  Shared_progress(const std::function<bool(std::size_t, std::size_t)>& callback, std::size_t total)
+      : callback_(callback), total_(total)
+  {}
+
+  bool is_ended() const { return ended_; }
+
+  void add_one()
+  {
+    if (!callback_) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!ended_ && !callback_(++done_, total_)) ended_ = true;
+  }
+
+private:
+  const std::function<bool(std::size_t, std::size_t)>& callback_;
+  std::size_t total_, done_ = 0;
+  std::atomic<bool> ended_{false};
+  std::mutex mutex_;
+};
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_COLLECTION_SHARED_PROGRESS_H

@@ -1,0 +1,113 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "base/for_each_index.h"
+#include "collection/Shared_progress.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/energy_matrix.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <set>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+double distance_energy(const Correspondence& correspondence, double unmatched_energy)
+{
+  const bool forward = correspondence.direction == Direction::SOURCE_TO_TARGET;
+  const std::vector<std::size_t>& unmatched =
+      forward ? correspondence.unmatched_source : correspondence.unmatched_target;
+  const auto is_unmatched = [&](std::size_t part) {
+    return std::binary_search(unmatched.begin(), unmatched.end(), part);
+  };
+  std::set<std::size_t> touching;
+  std::size_t broken = 0, counted = correspondence.contacts.size();
+  for (const Contact_energy& contact : correspondence.contacts) {
+    broken += is_unmatched(contact.parts[0]) || is_unmatched(contact.parts[1]);
+    touching.insert(contact.parts.begin(), contact.parts.end());
+  }
+  for (const Group_match& group : correspondence.groups)
+    for (std::size_t part : forward ? group.source : group.target) {
+      if (touching.count(part)) continue;
+      ++counted;
+      broken += is_unmatched(part);
+    }
+  const double charged = correspondence.terms.unmatched > 0 ? 0 : unmatched_energy * double(broken);
+  return (correspondence.energy + charged) / double(std::max<std::size_t>(1, counted));
+}
+
+template <typename ConcurrencyTag>
+std::vector<Rated_map> match_pairs(const std::vector<Structural_graph>& shapes,
+                                   const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
+                                   const Energy_matrix_options& options)
+{
+  check(options);
+  std::deque<Prepared_shape> prepared; // their addresses stay
+  for (const Structural_graph& shape : shapes)
+    prepared.emplace_back(shape);
+  std::vector<std::unique_ptr<const Correspondence_finder>> finders(shapes.size());
+  for_each_index<ConcurrencyTag>(shapes.size(), [&](std::size_t i) {
+    finders[i] = std::make_unique<Correspondence_finder>(prepared[i], options.search);
+  });
+
+  std::vector<Rated_map> result(pairs.size());
+  Shared_progress progress(options.progress, pairs.size());
+  for_each_index<ConcurrencyTag>(pairs.size(), [&](std::size_t k) {
+    if (progress.is_ended()) return;
+    const Correspondence correspondence = (*finders[pairs[k].first])(prepared[pairs[k].second]);
+    result[k] = {distance_energy(correspondence, options.unmatched_energy), part_map(correspondence)};
+    progress.add_one();
+  });
+  return result;
+}
+
+template <typename ConcurrencyTag>
+Energy_matrix energy_matrix(const std::vector<Structural_graph>& shapes, const Energy_matrix_options& options)
+{
+  const std::size_t n = shapes.size();
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      if (i != j) pairs.emplace_back(i, j);
+  std::vector<Rated_map> rated = match_pairs<ConcurrencyTag>(shapes, pairs, options);
+
+  Energy_matrix result;
+  result.energies = Eigen::MatrixXd::Zero(Eigen::Index(n), Eigen::Index(n));
+  result.maps.resize(n * n);
+  for (std::size_t i = 0; i < n; ++i)
+    result.maps[i * n + i] = identity_part_map(structure(shapes[i]).parts.size());
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto [i, j] = pairs[k];
+    result.energies(Eigen::Index(i), Eigen::Index(j)) = rated[k].energy;
+    result.complete = result.complete && !std::isnan(rated[k].energy);
+    result.maps[i * n + j] = std::move(rated[k].map);
+  }
+  return result;
+}
+
+Eigen::MatrixXd symmetric_distances(const Eigen::MatrixXd& energies) { return (energies + energies.transpose()) / 2; }
+
+template std::vector<Rated_map>
+match_pairs<CGAL::Sequential_tag>(const std::vector<Structural_graph>&,
+                                  const std::vector<std::pair<std::size_t, std::size_t>>&,
+                                  const Energy_matrix_options&);
+template std::vector<Rated_map> match_pairs<CGAL::Parallel_tag>(const std::vector<Structural_graph>&,
+                                                                const std::vector<std::pair<std::size_t, std::size_t>>&,
+                                                                const Energy_matrix_options&);
+
+template Energy_matrix energy_matrix<CGAL::Sequential_tag>(const std::vector<Structural_graph>&,
+                                                           const Energy_matrix_options&);
+template Energy_matrix energy_matrix<CGAL::Parallel_tag>(const std::vector<Structural_graph>&,
+                                                         const Energy_matrix_options&);
+
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,184 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/markov_clustering.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+namespace {
+
+using Flow_matrix = Eigen::SparseMatrix<double>; // column-stochastic
+
+void check(const Eigen::SparseMatrix<double>& weights, const Markov_clustering_options& options)
+{
+  if (!(options.inflation > 1) || !(options.expansion_limit >= 0 && options.expansion_limit < 1) ||
+      options.column_limit == 0 || options.entry_limit == 0 || !(options.tolerance > 0))
+    throw Invalid_input("markov_clustering: the inflation must be more than 1, the limits within their ranges");
+  for (Eigen::Index j = 0; j < weights.outerSize(); ++j)
+    for (Flow_matrix::InnerIterator entry(weights, j); entry; ++entry)
+      if (!(entry.value() >= 0) || std::isinf(entry.value()))
+        throw Invalid_input("markov_clustering: a weight is negative or not finite");
+}
+
+// The entries of a column in their order.
+using Column = std::vector<std::pair<Eigen::Index, double>>;
+
+double sum_of(const Column& column)
+{
+  double sum = 0;
+  for (const auto& entry : column)
+    sum += entry.second;
+  return sum;
+}
+
+/// Appends the next column to a flow, with the sum 1.
+void append_column(Column column, Flow_matrix& flow, Eigen::Index j)
+{
+  const double sum = sum_of(column);
+  std::sort(column.begin(), column.end());
+  flow.startVec(j);
+  for (const auto& [i, value] : column)
+    flow.insertBack(i, j) = value / sum;
+}
+
+Flow_matrix first_flow(const Eigen::SparseMatrix<double>& weights)
+{
+  Flow_matrix flow(weights.cols(), weights.cols());
+  for (Eigen::Index j = 0; j < weights.outerSize(); ++j) {
+    Column column;
+    double most = 0;
+    for (Flow_matrix::InnerIterator entry(weights, j); entry; ++entry) {
+      if (entry.row() == j || entry.value() == 0) continue;
+      column.emplace_back(entry.row(), entry.value());
+      most = std::max(most, entry.value());
+    }
+    column.emplace_back(j, most > 0 ? most : 1);
+    append_column(std::move(column), flow, j);
+  }
+  flow.finalize();
+  return flow;
+}
+
+std::size_t column_limit(const Markov_clustering_options& options, Eigen::Index columns)
+{
+  const auto all = std::max<std::size_t>(1, std::size_t(columns));
+  return std::min({std::max<std::size_t>(1, options.entry_limit / all), options.column_limit, all});
+}
+
+// Drops the small entries of a column, those after the largest ones, ties by index.
+void prune(const Markov_clustering_options& options, std::size_t column_limit, Column& column)
+{
+  double most = 0;
+  for (const auto& entry : column)
+    most = std::max(most, entry.second);
+  const double limit = std::min(options.expansion_limit, most);
+  column.erase(std::remove_if(column.begin(), column.end(), [&](const auto& entry) { return entry.second < limit; }),
+               column.end());
+  if (column.size() <= column_limit) return;
+  std::stable_sort(column.begin(), column.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  column.resize(column_limit);
+  std::sort(column.begin(), column.end());
+}
+
+/// Squares, prunes and inflates, some columns at a time: before they are pruned, columns may have very many entries.
+/// \return how far columns are from being all alike where they are not 0
+double step(const Markov_clustering_options& options, Flow_matrix& flow)
+{
+  constexpr Eigen::Index columns_at_a_time = 256;
+  const std::size_t limit = column_limit(options, flow.cols());
+  Flow_matrix result(flow.rows(), flow.cols());
+  result.reserve(Eigen::Index(limit) * flow.cols()); // or else it is copied to twice its size whenever it is full
+  double chaos = 0;
+  for (Eigen::Index first = 0; first < flow.cols(); first += columns_at_a_time) {
+    const Flow_matrix squared = flow * flow.middleCols(first, std::min(columns_at_a_time, flow.cols() - first));
+    for (Eigen::Index j = 0; j < squared.cols(); ++j) {
+      Column column;
+      for (Flow_matrix::InnerIterator entry(squared, j); entry; ++entry)
+        column.emplace_back(entry.row(), entry.value());
+      prune(options, limit, column);
+      const double sum = sum_of(column);
+      double most = 0, squares = 0;
+      for (auto& entry : column) {
+        const double share = entry.second / sum;
+        most = std::max(most, share);
+        squares += share * share;
+        entry.second = std::pow(share, options.inflation);
+      }
+      chaos = std::max(chaos, most - squares);
+      append_column(std::move(column), result, first + j);
+    }
+  }
+  result.finalize();
+  flow.swap(result);
+  return chaos;
+}
+
+// Attractors that share flow are one system; a node belongs to the one that gets most of its flow.
+std::vector<std::size_t> systems_of(const Flow_matrix& flow)
+{
+  const auto n = std::size_t(flow.cols());
+  std::vector<std::size_t> parent(n);
+  std::iota(parent.begin(), parent.end(), std::size_t(0));
+  const auto root = [&](std::size_t k) {
+    while (parent[k] != k)
+      k = parent[k];
+    return k;
+  };
+  constexpr double least_share = 1e-2; // of what is not about to vanish
+  std::vector<std::size_t> attractor(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    double most = 0;
+    for (Flow_matrix::InnerIterator entry(flow, Eigen::Index(j)); entry; ++entry)
+      if (entry.value() > most) most = entry.value(), attractor[j] = std::size_t(entry.row());
+  }
+  std::vector<char> is_attractor(n, 0);
+  for (std::size_t j = 0; j < n; ++j)
+    is_attractor[attractor[j]] = 1;
+  for (std::size_t j = 0; j < n; ++j) {
+    if (!is_attractor[j]) continue;
+    for (Flow_matrix::InnerIterator entry(flow, Eigen::Index(j)); entry; ++entry) {
+      if (entry.value() < least_share) continue;
+      const std::size_t a = root(j), b = root(std::size_t(entry.row()));
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<std::size_t> result(n);
+  for (std::size_t j = 0; j < n; ++j)
+    result[j] = root(attractor[j]);
+  return result;
+}
+
+} // namespace
+
+Markov_clustering markov_clustering(const Eigen::SparseMatrix<double>& weights,
+                                    const Markov_clustering_options& options)
+{
+  CGAL_precondition(weights.rows() == weights.cols());
+  check(weights, options);
+  Flow_matrix flow = first_flow(weights);
+  Markov_clustering result;
+  while (!result.converged && result.iterations < options.maximum_iterations) {
+    result.converged = step(options, flow) < options.tolerance;
+    ++result.iterations;
+  }
+  std::map<std::size_t, std::size_t> label_of;
+  for (std::size_t system : systems_of(flow))
+    result.labels.push_back(label_of.emplace(system, label_of.size()).first->second);
+  result.number_of_clusters = label_of.size();
+  return result;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "base/for_each_index.h"
+#include "collection/Shared_progress.h"
+
+#include <CGAL/Shape_correspondence/nearest_shapes.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+constexpr std::size_t evaluated_at_a_time = 4; // whatever the number of threads, so that as many are in every run
+
+} // namespace
+
+template <typename ConcurrencyTag>
+Nearest_shapes nearest_shapes(const Structural_graph& query, std::size_t number_of_shapes,
+                              const std::function<Structural_graph(std::size_t)>& graph, std::size_t k,
+                              const Energy_matrix_options& options)
+{
+  check(options);
+  const Prepared_shape prepared_query(query);
+  const Correspondence_finder from_query(prepared_query, options.search);
+  std::vector<double> bounds(number_of_shapes);
+  for_each_index<ConcurrencyTag>(number_of_shapes, [&](std::size_t i) {
+    const Structural_graph shape = graph(i);
+    const Prepared_shape prepared(shape);
+    const Correspondence_finder to_query(prepared, options.search);
+    bounds[i] = (from_query.lower_bound(prepared, options.unmatched_energy) +
+                 to_query.lower_bound(prepared_query, options.unmatched_energy)) /
+                2;
+  });
+  std::vector<std::size_t> order(number_of_shapes);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return bounds[i] < bounds[j]; });
+
+  Nearest_shapes result;
+  std::vector<Near_shape>& nearest = result.shapes;
+  while (result.evaluations < number_of_shapes && k > 0) {
+    const std::size_t begin = result.evaluations;
+    if (nearest.size() == k && bounds[order[begin]] > nearest.back().distance) break;
+    const std::size_t end = std::min(number_of_shapes, begin + evaluated_at_a_time);
+    std::vector<Near_shape> evaluated(end - begin);
+    for_each_index<ConcurrencyTag>(end - begin, [&](std::size_t e) {
+      const std::size_t i = order[begin + e];
+      const Structural_graph shape = graph(i);
+      const Prepared_shape prepared(shape);
+      const Correspondence there = from_query(prepared);
+      const Correspondence back = Correspondence_finder(prepared, options.search)(prepared_query);
+      evaluated[e] = {
+          i, (distance_energy(there, options.unmatched_energy) + distance_energy(back, options.unmatched_energy)) / 2,
+          part_map(there)};
+    });
+    nearest.insert(nearest.end(), evaluated.begin(), evaluated.end());
+    std::sort(nearest.begin(), nearest.end(), [](const Near_shape& a, const Near_shape& b) {
+      return a.distance < b.distance || (a.distance == b.distance && a.shape < b.shape);
+    });
+    if (nearest.size() > k) nearest.resize(k);
+    result.evaluations = end;
+  }
+  return result;
+}
+
+template Nearest_shapes nearest_shapes<CGAL::Sequential_tag>(const Structural_graph&, std::size_t,
+                                                             const std::function<Structural_graph(std::size_t)>&,
+                                                             std::size_t, const Energy_matrix_options&);
+template Nearest_shapes nearest_shapes<CGAL::Parallel_tag>(const Structural_graph&, std::size_t,
+                                                           const std::function<Structural_graph(std::size_t)>&,
+                                                           std::size_t, const Energy_matrix_options&);
+
+} // namespace Shape_correspondence
+} // namespace CGAL

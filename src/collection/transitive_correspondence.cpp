@@ -1,0 +1,169 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Shape_correspondence/transitive_correspondence.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+namespace {
+
+double energy_of(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target)
+{
+  return energies(Eigen::Index(source), Eigen::Index(target));
+}
+
+Shape_chain chain_of(const Eigen::MatrixXd& energies, std::vector<std::size_t> shapes)
+{
+  Shape_chain chain{std::move(shapes), 0};
+  for (std::size_t k = 1; k < chain.shapes.size(); ++k)
+    chain.energy += energy_of(energies, chain.shapes[k - 1], chain.shapes[k]);
+  return chain;
+}
+
+} // namespace
+
+std::vector<Shape_pair> minimum_spanning_tree(const Eigen::MatrixXd& distances)
+{
+  const auto n = std::size_t(distances.rows());
+  std::vector<Shape_pair> tree;
+  if (n == 0) return tree;
+  std::vector<double> distance(n, std::numeric_limits<double>::infinity()); // from the tree
+  std::vector<std::size_t> nearest(n, 0);                                   // in the tree
+  std::vector<char> is_in_tree(n, 0);
+  for (std::size_t last = 0; tree.size() + 1 < n;) {
+    is_in_tree[last] = 1;
+    std::size_t next = n;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (is_in_tree[i]) continue;
+      const double d = energy_of(distances, last, i);
+      if (d < distance[i]) distance[i] = d, nearest[i] = last;
+      if (next == n || distance[i] < distance[next]) next = i;
+    }
+    tree.emplace_back(std::min(nearest[next], next), std::max(nearest[next], next));
+    last = next;
+  }
+  return tree;
+}
+
+namespace {
+
+constexpr std::size_t no_shape = std::size_t(-1);
+
+// Of every shape, the next one on its way to the root; the root's is itself, `no_shape` that of shapes elsewhere.
+std::vector<std::size_t> towards(std::size_t root, const std::vector<Shape_pair>& tree)
+{
+  std::vector<std::vector<std::size_t>> neighbours(tree.size() + 1);
+  for (const auto& [a, b] : tree) {
+    neighbours[a].push_back(b);
+    neighbours[b].push_back(a);
+  }
+  std::vector<std::size_t> next(neighbours.size(), no_shape), found{root};
+  next[root] = root;
+  for (std::size_t k = 0; k < found.size(); ++k)
+    for (std::size_t neighbour : neighbours[found[k]])
+      if (next[neighbour] == no_shape) {
+        next[neighbour] = found[k];
+        found.push_back(neighbour);
+      }
+  return next;
+}
+
+std::vector<std::size_t> way(std::size_t from, const std::vector<std::size_t>& next)
+{
+  CGAL_precondition(next[from] != no_shape);
+  std::vector<std::size_t> path{from};
+  while (next[path.back()] != path.back())
+    path.push_back(next[path.back()]);
+  return path;
+}
+
+// The cheapest of a direct chain and others.
+Shape_chain cheapest(Shape_chain best, const std::vector<Shape_chain>& others)
+{
+  for (const Shape_chain& chain : others)
+    if (chain.energy < best.energy) best = chain;
+  return best;
+}
+
+} // namespace
+
+std::vector<std::size_t> tree_path(const std::vector<Shape_pair>& tree, std::size_t source, std::size_t target)
+{
+  return way(source, towards(target, tree));
+}
+
+Shape_chain direct_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target)
+{
+  return chain_of(energies, {source, target});
+}
+
+Shape_chain bridge_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target)
+{
+  std::size_t bridge = source;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < std::size_t(energies.rows()); ++i) {
+    if (i == source || i == target) continue;
+    const double sum = energy_of(energies, source, i) + energy_of(energies, i, target);
+    if (sum < least) least = sum, bridge = i;
+  }
+  if (bridge == source) return direct_chain(energies, source, target);
+  return chain_of(energies, {source, bridge, target});
+}
+
+Shape_chain tree_chain(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree, std::size_t source,
+                       std::size_t target)
+{
+  return chain_of(energies, tree_path(tree, source, target));
+}
+
+Shape_chain best_chain(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree, std::size_t source,
+                       std::size_t target)
+{
+  return cheapest(direct_chain(energies, source, target),
+                  {bridge_chain(energies, source, target), tree_chain(energies, tree, source, target)});
+}
+
+std::vector<Shape_chain> best_chains(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree,
+                                     std::size_t source)
+{
+  const std::vector<std::size_t> next = towards(source, tree);
+  std::vector<Shape_chain> result;
+  for (std::size_t target = 0; target < std::size_t(energies.rows()); ++target) {
+    if (target == source) {
+      result.push_back({{source}, 0});
+      continue;
+    }
+    std::vector<std::size_t> path = way(target, next);
+    std::reverse(path.begin(), path.end());
+    result.push_back(cheapest(direct_chain(energies, source, target),
+                              {bridge_chain(energies, source, target), chain_of(energies, std::move(path))}));
+  }
+  return result;
+}
+
+Transitive_correspondence transitive_correspondence(const Energy_matrix& matrix, const std::vector<Shape_pair>& tree,
+                                                    std::size_t source, std::size_t target)
+{
+  Transitive_correspondence result{
+      best_chain(matrix.energies, tree, source, target), energy_of(matrix.energies, source, target), {}};
+  const std::vector<std::size_t>& shapes = result.chain.shapes;
+  result.map = matrix.map(shapes[0], shapes[1]);
+  for (std::size_t k = 2; k < shapes.size(); ++k)
+    result.map = composed(result.map, matrix.map(shapes[k - 1], shapes[k]));
+  if (result.map.pairs.empty() && !result.chain.is_direct()) {
+    result.chain = direct_chain(matrix.energies, source, target);
+    result.map = matrix.map(source, target);
+  }
+  return result;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,107 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATCHING_PROBLEM_H
+#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATCHING_PROBLEM_H
+
+#include "energy/Fitted_pieces.h"
+#include "energy/Geotopo_transform.h"
+
+#include <CGAL/Shape_correspondence/Pairwise_energy.h>
+#include <CGAL/Shape_correspondence/Search_options.h>
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// The most target groups that a group may be matched to, which bounds time and memory for shapes of hundreds of
+/// groups.
+constexpr std::size_t maximum_labels = 64;
+
+/// The matching graph of a source and a target shape (paper, section 5) with its energies as tables. Once every group
+/// has a label, a matched part is its target part up to resampling, so that E is a sum over groups and over pairs of
+/// groups in contact of terms that depend on their labels alone; each is computed once. Labels are the target groups
+/// (the nearest `maximum_labels`) in their order, then those with cut curves, then, where allowed, none.
+class Matching_problem
+{
+public:
+  using Shared_shape = std::shared_ptr<const Aligned_shape>;
+
+  Matching_problem(Shared_shape source, Shared_shape target, const Matching_options& options = {});
+  Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options = {});
+  /// The same with given labels, by source group: to rate a mapping that was found in another way. Members of a group
+  /// may have no image; their contacts cost nothing. \pre at least one label a group, as many images as it has members
+  Matching_problem(Shared_shape source, Shared_shape target, std::vector<std::vector<Group_label>> labels,
+                   const Matching_options& options = {});
+
+  const Aligned_shape& source() const { return *source_; }
+  const Aligned_shape& target() const { return *target_; }
+  const Matching_options& options() const { return options_; }
+  std::size_t number_of_labels(std::size_t group) const { return labels_[group].size(); }
+  const Group_label& label(std::size_t group, std::size_t label) const { return labels_[group][label]; }
+  bool is_unmatched(std::size_t group, std::size_t label) const
+  {
+    return labels_[group][label].target_group == Group_label::no_group;
+  }
+  /// Whether the labels of a group are fewer than the target groups, so that no search proves an optimum.
+  bool has_shortlists() const { return has_shortlists_; }
+
+  /// E of Eq. 1 of complete assignments: a variable a source group.
+  const Pairwise_energy& energy() const { return energy_; }
+  /// Its terms.
+  Energy_terms terms(const Assignment& assignment) const;
+  /// The terms, given the energies of all contacts between matched groups (others are 0); `assignment` may be partial.
+  Energy_terms terms(const Assignment& assignment, const std::vector<Rod_energy>& contacts) const;
+
+  /// E_d and E_c of a contact whose two groups have labels; clones are paired with their nearest counterparts, and the
+  /// pairs averaged. A cut part counts with the segment that touches.
+  Rod_energy contact_energy(std::size_t contact, std::size_t first_label, std::size_t second_label) const
+  {
+    const std::size_t second = source_->group_of[source_->contacts[contact].parts[1]];
+    return contact_energies_[contact_begin_[contact] + first_label * number_of_labels(second) + second_label];
+  }
+  /// E_d and E_c, summed, between the segments of a group's cut parts.
+  Rod_energy cut_energy(std::size_t group, std::size_t label) const { return cut_energies_[group][label]; }
+
+  /// What source parts become, by label.
+  const internal::Fitted_pieces& fitted() const { return fitted_; }
+  /// What touches at a contact on a side when the part there has a label: all its clones, or the one segment.
+  internal::Fitted_range touching(std::size_t contact, int side, std::size_t label) const
+  {
+    const Aligned_shape::Contact& c = source_->contacts[contact];
+    return fitted_.touching(c.parts[std::size_t(side)], c.samples[std::size_t(side)], label);
+  }
+  /// The rods of a contact, of the whole parts; with a curve's samples lifted to a sheet's number or not.
+  const Structural_rods& rods(std::size_t contact, bool lift_first, bool lift_second) const
+  {
+    return (*source_->rods)[contact][2 * std::size_t(lift_first) + std::size_t(lift_second)];
+  }
+
+private:
+  class Contact_table;
+
+  void fill_contact_energies();
+  void fill_cut_energies();
+  void add_up_energy();
+
+  Shared_shape source_, target_;
+  Matching_options options_;
+  bool has_shortlists_ = false;
+  std::vector<std::vector<Group_label>> labels_; // by source group
+  internal::Fitted_pieces fitted_;
+  std::vector<std::size_t> contact_begin_;            // by contact, in `contact_energies_`
+  std::vector<Rod_energy> contact_energies_;          // by labels of either side
+  std::vector<std::vector<Rod_energy>> cut_energies_; // by group and label
+  Pairwise_energy energy_;
+};
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATCHING_PROBLEM_H

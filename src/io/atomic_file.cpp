@@ -1,0 +1,182 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/atomic_file.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <unistd.h>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& path, const std::string& why)
+{
+  const std::string name = path == "-" ? "standard output" : path;
+  throw Invalid_input(name + ": it cannot be written (" + why + "); choose another place for the output");
+}
+
+/// The file that a path leads to, past symbolic links.
+fs::path resolved(const std::string& path)
+{
+  std::error_code error;
+  const fs::path target = fs::canonical(path, error);
+  return error ? fs::path(path) : target;
+}
+
+bool is_device(const fs::path& file)
+{
+  std::error_code error;
+  return fs::exists(file, error) && !fs::is_regular_file(file, error) && !fs::is_directory(file, error);
+}
+
+/// What is made under a temporary name, for `path`; removed again unless it is renamed.
+class Temporary
+{
+public:
+  Temporary(const std::string& path, const std::string& name) : path_(path), name_(name) {}
+  ~Temporary()
+  {
+    std::error_code error;
+    if (!renamed_) fs::remove_all(name_, error);
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+  const std::string& name() const { return name_; }
+
+  void rename_to(const fs::path& place)
+  {
+    std::error_code error;
+    fs::rename(name_, place, error); // takes the place of a file, or of an empty folder
+    if (error) fail(path_, error.message());
+    renamed_ = true;
+  }
+
+private:
+  std::string path_, name_;
+  bool renamed_ = false;
+};
+
+/// Another name beside `place` each time; other processes may have made something of that name.
+std::string temporary_name(const fs::path& place)
+{
+  static std::atomic<unsigned> count{0};
+  return place.string() + ".tmp" + std::to_string(getpid()) + '_' + std::to_string(count++);
+}
+
+/// Makes a file of a new name beside `file`. \return its name
+std::string make_file_beside(const fs::path& file, const std::string& path)
+{
+  for (;;) {
+    const std::string name = temporary_name(file);
+    const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
+    if (descriptor >= 0) {
+      close(descriptor);
+      return name;
+    }
+    if (errno != EEXIST) fail(path, std::strerror(errno));
+  }
+}
+
+/// Makes a folder of a new name beside `folder`. \return its name
+std::string make_folder_beside(const fs::path& folder, const std::string& path)
+{
+  for (;;) {
+    const std::string name = temporary_name(folder);
+    std::error_code error;
+    if (fs::create_directory(name, error)) return name;
+    if (error) fail(path, error.message());
+  }
+}
+
+/// Without slashes at its end, which would be inside the folder.
+fs::path folder_path(const std::string& path)
+{
+  const std::size_t last = path.find_last_not_of('/');
+  return last == std::string::npos ? fs::path(path) : fs::path(path.substr(0, last + 1));
+}
+
+void write_directly(const std::string& path, std::ostream& out, const std::function<void(std::ostream&)>& write)
+{
+  errno = 0;
+  write(out);
+  out.flush();
+  if (!out) fail(path, errno ? std::strerror(errno) : "writing failed");
+}
+
+void check_existing(const std::string& path, const fs::path& file)
+{
+  std::error_code error;
+  if (fs::is_directory(file, error)) fail(path, "it is a folder");
+  if (fs::exists(file, error) && access(file.c_str(), W_OK) != 0) fail(path, std::strerror(errno));
+}
+
+} // namespace
+
+void check_writable(const std::string& path)
+{
+  if (path == "-") return;
+  const fs::path file = resolved(path);
+  check_existing(path, file);
+  if (!is_device(file)) Temporary(path, make_file_beside(file, path)); // gone again at once
+}
+
+void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write)
+{
+  if (path == "-") return write_directly(path, std::cout, write);
+  const fs::path file = resolved(path);
+  check_existing(path, file);
+  if (is_device(file)) {
+    std::ofstream out(file, std::ios::binary);
+    return write_directly(path, out, write);
+  }
+  Temporary temporary(path, make_file_beside(file, path));
+  std::ofstream out(temporary.name(), std::ios::binary);
+  write_directly(path, out, write);
+  out.close();
+  temporary.rename_to(file);
+}
+
+void check_new_folder(const std::string& path)
+{
+  const fs::path folder = folder_path(path);
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail(path, "it is a file");
+  if (fs::exists(folder, error) && !fs::is_empty(folder, error)) fail(path, "the folder is there and not empty");
+  Temporary(path, make_folder_beside(folder, path)); // gone again at once
+}
+
+void write_folder_atomically(const std::string& path, const std::function<void(const std::string&)>& write)
+{
+  const fs::path folder = folder_path(path);
+  Temporary temporary(path, make_folder_beside(folder, path));
+  write(temporary.name());
+  temporary.rename_to(folder);
+}
+
+void make_folder(const std::string& path, const std::string& use)
+{
+  std::error_code error, none;
+  fs::create_directories(path, error);
+  if (!fs::is_directory(path, none))
+    throw Invalid_input(path + ": it cannot be used as " + use + " (" + (error ? error.message() : "it is a file") +
+                        "); choose another folder");
+}
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL

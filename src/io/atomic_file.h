@@ -1,0 +1,42 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_ATOMIC_FILE_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_ATOMIC_FILE_H
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// Throws `Invalid_input` if `path` cannot be written; to be called before long work, leaves nothing behind.
+/// `-` is standard output.
+void check_writable(const std::string& path);
+
+/// Calls `write` and puts what it writes into the file `path`, all of it or nothing: under a temporary name in the same
+/// folder first, which is then renamed. Devices and pipes are written directly; `-` is standard output.
+/// \throw Invalid_input if that fails; names the file
+void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write);
+
+/// Throws `Invalid_input` if the folder `path` cannot be made: where there is anything of that name but an empty
+/// folder.
+void check_new_folder(const std::string& path);
+
+/// Calls `write` with a folder of a temporary name beside `path`, which is then renamed to `path`: all of it or
+/// nothing. \throw Invalid_input if that fails; names the folder
+void write_folder_atomically(const std::string& path, const std::function<void(const std::string&)>& write);
+
+/// Makes a folder if there is none. \param use what it is to be, "a store", for the user
+/// \throw Invalid_input if that fails; names the folder
+void make_folder(const std::string& path, const std::string& use);
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_ATOMIC_FILE_H

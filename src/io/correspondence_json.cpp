@@ -1,0 +1,180 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/json_field.h"
+#include "io/json_text.h"
+
+#include <CGAL/Shape_correspondence/IO/correspondence_json.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+namespace {
+
+constexpr const char* match_format = "shape_correspondence/match";
+
+const char* name_of(Direction direction)
+{
+  return direction == Direction::SOURCE_TO_TARGET ? "source_to_target" : "target_to_source";
+}
+
+Json names(const std::vector<std::size_t>& parts, const Structural_graph& graph)
+{
+  Json result = Json::array();
+  for (std::size_t part : parts)
+    result.push_back(structure(graph).parts[part].name);
+  return result;
+}
+
+Json pairs(const Correspondence& correspondence, const Structural_graph& source, const Structural_graph& target)
+{
+  Json result = Json::array();
+  for (const auto& [s, t] : correspondence.pairs)
+    result.push_back({structure(source).parts[s].name, structure(target).parts[t].name});
+  return result;
+}
+
+Json groups(const Correspondence& correspondence, const Structural_graph& source, const Structural_graph& target)
+{
+  Json result = Json::array();
+  for (const Group_match& group : correspondence.groups) {
+    result.push_back({{"source", names(group.source, source)},
+                      {"target", names(group.target, target)},
+                      {"operation", name_of(group.operation)},
+                      {"energy", group.energy},
+                      {"terms", {{"distortion", group.distortion}, {"connectedness", group.connectedness}}},
+                      {"solidity_ratio", group.solidity_ratio}});
+    // Not a number: not asked for; infinity, which JSON does not have, becomes null
+    if (!std::isnan(group.min_marginal)) result.back()["min_marginal"] = group.min_marginal;
+  }
+  return result;
+}
+
+Json contacts(const Correspondence& correspondence, const Structural_graph& deformed)
+{
+  Json result = Json::array();
+  for (const Contact_energy& contact : correspondence.contacts) {
+    result.push_back({{"parts", names({contact.parts[0], contact.parts[1]}, deformed)},
+                      {"distortion", contact.distortion},
+                      {"connectedness", contact.connectedness}});
+  }
+  return result;
+}
+
+Json terms(const Energy_terms& terms)
+{
+  Json result = {{"distortion", terms.distortion}, {"connectedness", terms.connectedness}, {"split", terms.split}};
+  if (terms.unmatched > 0) result["unmatched"] = terms.unmatched;
+  return result;
+}
+
+Json solutions(const std::vector<Correspondence>& ranked, const Structural_graph& source,
+               const Structural_graph& target)
+{
+  Json result = Json::array();
+  for (const Correspondence& c : ranked)
+    result.push_back({{"energy", c.energy}, {"terms", terms(c.terms)}, {"pairs", pairs(c, source, target)}});
+  return result;
+}
+
+} // namespace
+
+void write_correspondence_json(std::ostream& out, const Correspondence& c, const Structural_graph& source,
+                               const Structural_graph& target, const std::string& source_file,
+                               const std::string& target_file, const Match_seconds& seconds)
+{
+  write_correspondences_json(out, {c}, source, target, source_file, target_file, seconds);
+}
+
+void write_correspondences_json(std::ostream& out, const std::vector<Correspondence>& ranked,
+                                const Structural_graph& source, const Structural_graph& target,
+                                const std::string& source_file, const std::string& target_file,
+                                const Match_seconds& seconds)
+{
+  const Correspondence& c = ranked.front();
+  const bool forward = c.direction == Direction::SOURCE_TO_TARGET;
+  Json result;
+  result["format"] = match_format;
+  result["version"] = 1;
+  result["source"] = source_file;
+  result["target"] = target_file;
+  result["energy"] = c.energy;
+  result["terms"] = terms(c.terms);
+  result["direction"] = name_of(c.direction);
+  result["target_quarter_turns"] = c.target_quarter_turns;
+  result["complete"] = c.complete;
+  result["optimal"] = c.optimal;
+  result["pairs"] = pairs(c, source, target);
+  if (!c.confidences.empty()) result["confidences"] = c.confidences;
+  result["groups"] = groups(c, source, target);
+  result["contacts"] = contacts(c, forward ? source : target);
+  result["unmatched_source"] = names(c.unmatched_source, source);
+  result["unmatched_target"] = names(c.unmatched_target, target);
+  result["seconds"] = {{"read", seconds.read},
+                       {"abstraction", seconds.abstraction},
+                       {"structure", seconds.structure},
+                       {"search", seconds.search}};
+  result["search"] = {{"method", c.search.method},
+                      {"states", c.search.states},
+                      {"evaluations", c.search.evaluations},
+                      {"lower_bound", c.search.lower_bound}};
+  result["warnings"] = c.warnings;
+  if (ranked.size() > 1) result["solutions"] = solutions(ranked, source, target);
+  write_json(out, result);
+}
+
+Named_correspondence read_correspondence_json(const std::string& file)
+{
+  const nlohmann::json document = read_json_file(file);
+  const Json_field root(document, file);
+  if (root["format"].text() != match_format)
+    root["format"].fail("is '" + root["format"].text() + "', not '" + match_format + "'");
+  if (root["version"].integer() != 1) root["version"].fail("is not 1, the one that this program knows");
+  Named_correspondence result{root["source"].text(), root["target"].text(), {}, {}, root["complete"].boolean()};
+  for (const Json_field& pair : root["pairs"].elements()) {
+    const std::vector<Json_field> names = pair.elements(2, "a pair of part names");
+    result.pairs.emplace_back(names[0].text(), names[1].text());
+  }
+  if (root.has("target_quarter_turns")) result.target_quarter_turns = root["target_quarter_turns"].integer();
+  if (!root.has("confidences")) return result;
+  for (const Json_field& confidence : root["confidences"].elements(result.pairs.size(), "a confidence for each pair"))
+    result.confidences.push_back(confidence.number_at_least_0());
+  return result;
+}
+
+Correspondence correspondence_of(const Named_correspondence& named, const Structural_graph& source,
+                                 const Structural_graph& target, const std::string& file)
+{
+  const auto part = [&](const std::string& name, const Structural_graph& graph) {
+    const auto& parts = structure(graph).parts;
+    const auto found =
+        std::find_if(parts.begin(), parts.end(), [&](const Part_abstraction& p) { return p.name == name; });
+    if (found == parts.end())
+      throw Invalid_input(file + ": it matches part '" + name + "', which " + structure(graph).name +
+                          " does not have; give the shapes that were matched, in that order");
+    return static_cast<std::size_t>(found - parts.begin());
+  };
+  Correspondence result;
+  for (const auto& [s, t] : named.pairs)
+    result.pairs.emplace_back(part(s, source), part(t, target));
+  std::sort(result.pairs.begin(), result.pairs.end());
+  result.target_quarter_turns = named.target_quarter_turns;
+  result.complete = named.complete;
+  return result;
+}
+
+bool is_correspondence_json(const std::string& file)
+{
+  const nlohmann::json document = read_json_file(file);
+  return document.is_object() && document.value("format", nlohmann::json()) == match_format;
+}
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,225 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/glb_builder.h"
+
+#include <CGAL/Shape_correspondence/version.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <ostream>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+namespace {
+
+// Numbers of the glTF 2.0 specification
+constexpr int component_uint32 = 5125, component_float = 5126;
+constexpr int target_vertices = 34962, target_indices = 34963, no_target = 0;
+constexpr std::uint32_t magic = 0x46546C67, chunk_json = 0x4E4F534A, chunk_binary = 0x004E4942;
+
+void append_uint32(std::string& bytes, std::uint32_t value)
+{
+  for (int shift = 0; shift < 32; shift += 8)
+    bytes.push_back(static_cast<char>((value >> shift) & 0xFF));
+}
+
+void append_float(std::string& bytes, float value)
+{
+  std::uint32_t bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  append_uint32(bytes, bits);
+}
+
+void pad(std::string& bytes, char filler) { bytes.resize((bytes.size() + 3) / 4 * 4, filler); }
+
+void append_chunk(std::string& bytes, std::uint32_t type, const std::string& content)
+{
+  append_uint32(bytes, static_cast<std::uint32_t>(content.size()));
+  append_uint32(bytes, type);
+  bytes += content;
+}
+
+Json components(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
+
+} // namespace
+
+Glb_builder::Glb_builder()
+{
+  document_["asset"] = {{"version", "2.0"}, {"generator", "Shape_correspondence " CGAL_SHAPE_CORRESPONDENCE_VERSION}};
+  document_["scene"] = 0;
+  for (const char* list : {"scenes", "nodes", "meshes", "materials", "accessors", "bufferViews"})
+    document_[list] = Json::array();
+}
+
+int Glb_builder::add_material(const std::string& name, const Eigen::Vector3d& colour, double alpha)
+{
+  Json material;
+  material["name"] = name;
+  material["pbrMetallicRoughness"] = {{"baseColorFactor", {colour.x(), colour.y(), colour.z(), alpha}},
+                                      {"metallicFactor", 0.0},
+                                      {"roughnessFactor", 0.7}};
+  material["doubleSided"] = true;
+  if (alpha < 1) material["alphaMode"] = "BLEND";
+  document_["materials"].push_back(material);
+  return static_cast<int>(document_["materials"].size()) - 1;
+}
+
+int Glb_builder::add_node(const std::string& name, const std::vector<std::pair<Drawn_mesh, int>>& meshes)
+{
+  Json primitives = Json::array();
+  for (const auto& [mesh, material] : meshes) {
+    if (mesh.triangles.cols() > 0) primitives.push_back(primitive(mesh, material));
+  }
+  Json node = {{"name", name}};
+  if (!primitives.empty()) {
+    node["mesh"] = document_["meshes"].size();
+    document_["meshes"].push_back(Json{{"name", name}, {"primitives", primitives}});
+  }
+  document_["nodes"].push_back(node);
+  return static_cast<int>(document_["nodes"].size()) - 1;
+}
+
+int Glb_builder::add_node(const std::string& name, const std::vector<int>& children, const Point& translation)
+{
+  Json node = {{"name", name}};
+  if (!children.empty()) node["children"] = children;
+  node["translation"] = {translation.x(), translation.y(), translation.z()};
+  document_["nodes"].push_back(node);
+  return static_cast<int>(document_["nodes"].size()) - 1;
+}
+
+int Glb_builder::add_morphing_node(const std::string& name, const std::vector<Points>& shapes,
+                                   const Eigen::Matrix3Xi& triangles, int material)
+{
+  Json moving = {{"attributes", {{"POSITION", add_vectors(shapes[0], true)}}},
+                 {"indices", add_indices(triangles)},
+                 {"material", material}};
+  std::vector<double> weights;
+  for (std::size_t i = 1; i < shapes.size(); ++i) {
+    moving["targets"].push_back(Json{{"POSITION", add_vectors(shapes[i] - shapes[0], true)}});
+    weights.push_back(0);
+  }
+  const int node = add_node(name, {});
+  document_["nodes"].back()["mesh"] = document_["meshes"].size();
+  document_["meshes"].push_back(Json{{"name", name}, {"primitives", {moving}}});
+  if (!weights.empty()) document_["meshes"].back()["weights"] = weights;
+  return node;
+}
+
+void Glb_builder::animate_shapes(int node, const std::vector<double>& times)
+{
+  if (times.size() < 2) return;
+  std::vector<double> weights;
+  for (std::size_t key = 0; key < times.size(); ++key)
+    for (std::size_t shape = 1; shape < times.size(); ++shape)
+      weights.push_back(shape == key ? 1 : 0);
+  add_channel(node, "weights", "LINEAR", add_numbers(times, "SCALAR", 1, true),
+              add_numbers(weights, "SCALAR", 1, false));
+}
+
+void Glb_builder::animate_visibility(int node, double begin, double end)
+{
+  std::vector<double> times = {begin, end}, sizes = {1, 1, 1, 0, 0, 0};
+  if (begin > 0) {
+    times.insert(times.begin(), 0);
+    sizes.insert(sizes.begin(), 3, 0);
+    document_["nodes"][static_cast<std::size_t>(node)]["scale"] = {0, 0, 0};
+  }
+  add_channel(node, "scale", "STEP", add_numbers(times, "SCALAR", 1, true), add_numbers(sizes, "VEC3", 3, false));
+}
+
+void Glb_builder::add_channel(int node, const char* path, const char* interpolation, int times, int values)
+{
+  if (!document_.contains("animations"))
+    document_["animations"] = Json::array({Json{{"channels", Json::array()}, {"samplers", Json::array()}}});
+  Json& animation = document_["animations"][0];
+  animation["channels"].push_back(
+      Json{{"sampler", animation["samplers"].size()}, {"target", {{"node", node}, {"path", path}}}});
+  animation["samplers"].push_back(Json{{"input", times}, {"output", values}, {"interpolation", interpolation}});
+}
+
+Json Glb_builder::primitive(const Drawn_mesh& mesh, int material)
+{
+  const int positions = add_vectors(mesh.points, true);
+  const int normals = add_vectors(mesh.normals, false);
+  const int indices = add_indices(mesh.triangles);
+  return {{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}}, {"indices", indices}, {"material", material}};
+}
+
+int Glb_builder::add_vectors(const Points& vectors, bool with_bounds)
+{
+  const Eigen::Matrix3Xf values = vectors.cast<float>();
+  std::string bytes;
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    append_float(bytes, values.data()[i]);
+  Json accessor = {{"componentType", component_float}, {"count", values.cols()}, {"type", "VEC3"}};
+  if (with_bounds) {
+    accessor["min"] = components(values.rowwise().minCoeff());
+    accessor["max"] = components(values.rowwise().maxCoeff());
+  }
+  return add_accessor(bytes, target_vertices, accessor);
+}
+
+int Glb_builder::add_indices(const Eigen::Matrix3Xi& triangles)
+{
+  std::string bytes;
+  for (Eigen::Index i = 0; i < triangles.size(); ++i)
+    append_uint32(bytes, static_cast<std::uint32_t>(triangles.data()[i]));
+  return add_accessor(bytes, target_indices,
+                      {{"componentType", component_uint32}, {"count", triangles.size()}, {"type", "SCALAR"}});
+}
+
+int Glb_builder::add_numbers(const std::vector<double>& numbers, const char* type, int components, bool with_bounds)
+{
+  std::string bytes;
+  for (double number : numbers)
+    append_float(bytes, static_cast<float>(number));
+  Json accessor = {{"componentType", component_float},
+                   {"count", numbers.size() / static_cast<std::size_t>(components)},
+                   {"type", type}};
+  if (with_bounds) {
+    const auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());
+    accessor["min"] = {static_cast<float>(*least)};
+    accessor["max"] = {static_cast<float>(*greatest)};
+  }
+  return add_accessor(bytes, no_target, accessor);
+}
+
+int Glb_builder::add_accessor(const std::string& bytes, int target, Json accessor)
+{
+  accessor["bufferView"] = document_["bufferViews"].size();
+  document_["bufferViews"].push_back(Json{{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", bytes.size()}});
+  if (target != no_target) document_["bufferViews"].back()["target"] = target;
+  buffer_ += bytes;
+  document_["accessors"].push_back(accessor);
+  return static_cast<int>(document_["accessors"].size()) - 1;
+}
+
+void Glb_builder::write(std::ostream& out, const std::vector<int>& roots) const
+{
+  Json document = document_;
+  document["scenes"].push_back(Json{{"nodes", roots}});
+  if (!buffer_.empty()) document["buffers"] = Json::array({Json{{"byteLength", buffer_.size()}}});
+  for (const char* list : {"meshes", "materials", "accessors", "bufferViews"}) {
+    if (document[list].empty()) document.erase(list); // empty lists are not allowed
+  }
+  std::string json = json_line(document);
+  pad(json, ' ');
+  std::string chunks;
+  append_chunk(chunks, chunk_json, json);
+  if (!buffer_.empty()) append_chunk(chunks, chunk_binary, buffer_); // all of 4-byte numbers: needs no padding
+  std::string header;
+  append_uint32(header, magic);
+  append_uint32(header, 2);
+  append_uint32(header, static_cast<std::uint32_t>(12 + chunks.size()));
+  out << header << chunks;
+}
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL

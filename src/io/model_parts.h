@@ -1,0 +1,45 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_MODEL_PARTS_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_MODEL_PARTS_H
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// A part as the readers of the formats deliver it: a name and the corners of its triangles, three after three.
+struct Model_part
+{
+  std::string name;
+  std::vector<Point> corners;
+};
+
+/// The readers of the formats, one file each. They throw `Invalid_input`, and name the file. Part names may be empty.
+std::vector<Model_part> read_obj_parts(const std::string& file);
+std::vector<Model_part> read_soup_part(const std::string& file); ///< OFF and PLY, in double precision
+std::vector<Model_part> read_parts_with_assimp(const std::string& file);
+
+/// Whether there is a reader for files of a name like this, by its extension.
+bool is_model_file(const std::string& path);
+
+/// Adds the triangles of a polygon, concave ones included, to `corners`. Polygons of fewer than 3 corners add nothing.
+void add_polygon(const std::vector<Point>& polygon, std::vector<Point>& corners);
+
+/// The indexed mesh of triangles given by their corners: corners at the same place become one vertex, vertices are
+/// numbered as they first appear, triangles with two corners at the same place are left out.
+/// \pre all coordinates are finite
+Part_mesh weld(const std::vector<Point>& corners);
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_MODEL_PARTS_H

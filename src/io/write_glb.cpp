@@ -1,0 +1,69 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "viewer/colours.h"
+#include "viewer/drawn_shape.h"
+
+#include <CGAL/Shape_correspondence/IO/write_glb.h>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+namespace {
+
+constexpr double surface_alpha = 0.25;
+
+/// \param materials of the shape's parts, from here on
+int add_shape(Glb_builder& glb, const Drawn_shape& shape, const int* materials, const Point& translation)
+{
+  std::vector<int> nodes;
+  for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
+    nodes.push_back(glb.add_node(shape.part(part).name, {{shape.best_mesh(part), materials[part]}}));
+  return glb.add_node(shape.name(), nodes, translation);
+}
+
+} // namespace
+
+void write_correspondence_glb(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
+                              const Structural_graph& target, const Segmented_shape* source_shape,
+                              const Segmented_shape* target_shape)
+{
+  const Drawn_shape left(source, source_shape, 0);
+  const Drawn_shape right(target, target_shape, correspondence.target_quarter_turns);
+  Glb_builder glb;
+  const std::vector<int> materials =
+      add_match_materials(glb, correspondence, left.number_of_parts(), right.number_of_parts());
+  const std::array<Point, 2> places = side_by_side(left, right);
+  const int first = add_shape(glb, left, materials.data(), places[0]);
+  const int second = add_shape(glb, right, materials.data() + left.number_of_parts(), places[1]);
+  glb.write(out, {first, second});
+}
+
+void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph, const Segmented_shape* shape)
+{
+  const Drawn_shape drawn(graph, shape, 0);
+  const std::vector<std::size_t> group = group_of_parts(graph);
+  const std::vector<Colour> colours = distinct_colours(num_vertices(graph));
+  Glb_builder glb;
+  std::vector<int> solid, faint, nodes;
+  for (std::size_t v = 0; v < num_vertices(graph); ++v) {
+    const std::string name = "group_" + std::to_string(v + 1);
+    solid.push_back(glb.add_material(name, colours[v]));
+    if (drawn.has_mesh()) faint.push_back(glb.add_material(name + "_surface", colours[v], surface_alpha));
+  }
+  for (std::size_t part = 0; part < drawn.number_of_parts(); ++part) {
+    std::vector<std::pair<Drawn_mesh, int>> meshes{{drawn.abstraction(part), solid[group[part]]}};
+    if (drawn.has_mesh()) meshes.emplace_back(drawn.surface(part), faint[group[part]]);
+    nodes.push_back(glb.add_node(drawn.part(part).name, meshes));
+  }
+  const Drawn_mesh contacts = drawn.contacts();
+  if (contacts.triangles.cols() > 0)
+    nodes.push_back(glb.add_node("contacts", {{contacts, glb.add_material("contacts", Colour(0.02, 0.02, 0.02))}}));
+  glb.write(out, {glb.add_node(drawn.name(), nodes, Point::Zero())});
+}
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,258 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_MAP_PART_CUTTER_H
+#define CGAL_SHAPE_CORRESPONDENCE_MAP_PART_CUTTER_H
+
+#include "base/quantized.h"
+#include "map/Part_pair.h"
+#include "map/Subdivision.h"
+#include "map/fill_section.h"
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+/// Cuts parts into pieces, one side of the piece after the other.
+class Part_cutter
+{
+public:
+  Part_cutter(const Points& points, const Eigen::Matrix3Xi& triangles, const Part_chart& chart)
+      : chart_(chart), mesh_(points, triangles)
+  {
+    add_coordinates();
+  }
+
+  /// Removes what is beyond `at` in a coordinate and fills the section if it is closed. A part all of which is
+  /// beyond is shrunk to a speck at its nearest point.
+  void cut(int axis, double at, bool is_low)
+  {
+    const auto beyond = [&](int i) {
+      const double beyond_at = coordinates_[std::size_t(i)][axis] - at;
+      return is_low ? -beyond_at : beyond_at;
+    };
+    mesh_.split_edges([&](int a, int b) {
+      const double x = beyond(a), y = beyond(b);
+      return x * y < 0 && std::abs(x) > on_side && std::abs(y) > on_side ? x / (x - y) : -1;
+    });
+    for (std::size_t i = add_coordinates(); i < coordinates_.size(); ++i)
+      coordinates_[i][axis] = at;
+    const auto is_beyond = [&](const std::array<int, 3>& corners) {
+      return std::all_of(corners.begin(), corners.end(), [&](int corner) { return beyond(corner) >= -on_side; });
+    };
+    int nearest = mesh_.corners(0)[0];
+    bool all_beyond = true;
+    for (std::size_t t = 0; t < mesh_.number_of_triangles(); ++t) {
+      all_beyond = all_beyond && is_beyond(mesh_.corners(t));
+      for (int corner : mesh_.corners(t))
+        if (beyond(corner) < beyond(nearest)) nearest = corner;
+    }
+    if (all_beyond) {
+      shrink_to(nearest);
+      return;
+    }
+    mesh_.remove_triangles_if(is_beyond);
+    const auto is_on_side = [&](int i) { return beyond(i) >= -on_side; };
+    straighten(axis, at, is_on_side);
+    close(axis, at, is_on_side);
+  }
+
+  /// What is left.
+  Part_mesh mesh() const
+  {
+    const Points points = mesh_.points();
+    Part_mesh result{Points(3, points.cols()), mesh_.triangles()};
+    std::vector<int> number(std::size_t(points.cols()), -1);
+    int count = 0;
+    for (Eigen::Index t = 0; t < result.triangles.cols(); ++t)
+      for (int& corner : result.triangles.col(t)) {
+        int& own = number[std::size_t(corner)];
+        if (own < 0) {
+          own = count++;
+          result.points.col(own) = points.col(corner);
+        }
+        corner = own;
+      }
+    result.points.conservativeResize(3, count);
+    return result;
+  }
+
+private:
+  static constexpr double on_side = 1e-9;
+  static constexpr double straight = 1e-3; ///< how far an edge may stray from the chart, over the height
+  static constexpr int most_rounds = 8;    ///< of splitting edges that do
+
+  /// Returns the number of those that there were.
+  std::size_t add_coordinates()
+  {
+    const std::size_t before = coordinates_.size();
+    for (std::size_t i = before; i < mesh_.number_of_points(); ++i)
+      coordinates_.push_back(chart_.coordinates(mesh_.point(int(i))));
+    return before;
+  }
+
+  void shrink_to(int point)
+  {
+    constexpr double speck = 1e-3; // of the part's size
+    const Point to = mesh_.point(point);
+    for (int i = 0; i < int(coordinates_.size()); ++i) {
+      mesh_.move(i, to + speck * (mesh_.point(i) - to));
+      coordinates_[std::size_t(i)] = chart_.coordinates(mesh_.point(i));
+    }
+  }
+
+  /// Splits the sides of the section until they are straight in the chart, too.
+  template <typename Is_on_side>
+  void straighten(int axis, double at, const Is_on_side& is_on_side)
+  {
+    const auto where = [&](int a, int b) {
+      if (!is_on_side(a) || !is_on_side(b)) return -1.;
+      Point k = chart_.coordinates((mesh_.point(a) + mesh_.point(b)) / 2);
+      k[axis] = at;
+      const Point straight_on = (coordinates_[std::size_t(a)] + coordinates_[std::size_t(b)]) / 2;
+      return (chart_(k) - chart_(straight_on)).norm() > straight ? 0.5 : -1.;
+    };
+    for (int round = 0; round < most_rounds && mesh_.split_edges(where); ++round)
+      for (std::size_t i = add_coordinates(); i < coordinates_.size(); ++i)
+        coordinates_[i][axis] = at;
+  }
+
+  /// Fills the section, if it is closed.
+  template <typename Is_on_side>
+  void close(int axis, double at, const Is_on_side& is_on_side)
+  {
+    std::vector<int> points; // by vertex of the section
+    std::map<int, int> vertex;
+    const auto number = [&](int point) {
+      const auto [known, is_new] = vertex.try_emplace(point, int(points.size()));
+      if (is_new) points.push_back(point);
+      return known->second;
+    };
+    std::vector<Section_side> sides;
+    for (std::size_t t = 0; t < mesh_.number_of_triangles(); ++t)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int a = mesh_.corners(t)[i], b = mesh_.corners(t)[(i + 1) % 3];
+        if (is_on_side(a) && is_on_side(b)) sides.push_back({number(b), number(a)});
+      }
+    Planar_points vertices;
+    for (int point : points) {
+      const Point& k = coordinates_[std::size_t(point)];
+      vertices.emplace_back(k[(axis + 1) % 3], k[(axis + 2) % 3]);
+    }
+    if (sides.empty() || !is_closed(sides, vertices)) return;
+    add_filling(axis, at, points, sides, fill_section(vertices, sides));
+  }
+
+  /// \param points the first ones of the filling
+  void add_filling(int axis, double at, std::vector<int> points, const std::vector<Section_side>& sides,
+                   const Section_filling& filling)
+  {
+    const std::size_t given = points.size();
+    Points places(3, Eigen::Index(filling.vertices.size()));
+    std::vector<Point> coordinates;
+    for (std::size_t i = 0; i < filling.vertices.size(); ++i) {
+      Point k;
+      k[axis] = at;
+      k[(axis + 1) % 3] = filling.vertices[i].x();
+      k[(axis + 2) % 3] = filling.vertices[i].y();
+      places.col(Eigen::Index(i)) = i < given ? mesh_.point(points[i]) : chart_(k);
+      coordinates.push_back(k);
+    }
+    Subdivision section(places, triangles_of(filling));
+    bend(section, coordinates, sides);
+    for (std::size_t i = given; i < coordinates.size(); ++i) {
+      points.push_back(mesh_.add_point(section.point(int(i))));
+      coordinates_.push_back(coordinates[i]);
+    }
+    for (std::size_t t = 0; t < section.number_of_triangles(); ++t) {
+      const std::array<int, 3>& corners = section.corners(t);
+      mesh_.add_triangle(
+          {points[std::size_t(corners[0])], points[std::size_t(corners[1])], points[std::size_t(corners[2])]});
+    }
+  }
+
+  static Eigen::Matrix3Xi triangles_of(const Section_filling& filling)
+  {
+    Eigen::Matrix3Xi result(3, Eigen::Index(filling.triangles.size()));
+    for (Eigen::Index t = 0; t < result.cols(); ++t)
+      for (int i = 0; i < 3; ++i)
+        result(i, t) = filling.triangles[std::size_t(t)][std::size_t(i)];
+    return result;
+  }
+
+  /// Splits edges of a filling until it follows the chart: a long edge of a bent part would leave it. The sides stay.
+  void bend(Subdivision& section, std::vector<Point>& coordinates, const std::vector<Section_side>& sides) const
+  {
+    std::set<Section_side> kept;
+    for (const auto& [a, b] : sides)
+      kept.insert({std::min(a, b), std::max(a, b)});
+    const auto bend_of = [&](int a, int b) -> Point {
+      const Point &k = coordinates[std::size_t(a)], &l = coordinates[std::size_t(b)];
+      return chart_((k + l) / 2) - (chart_(k) + chart_(l)) / 2;
+    };
+    std::vector<Section_side> bent;
+    const auto error = [&](int i) { return (chart_(coordinates[std::size_t(i)]) - section.point(i)).norm(); };
+    const auto where = [&](int a, int b) {
+      const double by = bend_of(a, b).norm();
+      if (kept.count({a, b}) || by <= straight || by <= error(a) + error(b)) return -1.;
+      bent.push_back({a, b});
+      return 0.5;
+    };
+    for (int round = 0; round < most_rounds && section.split_edges(where); ++round) {
+      for (const auto& [a, b] : bent) {
+        const int middle = int(coordinates.size());
+        section.move(middle, section.point(middle) + bend_of(a, b));
+        coordinates.push_back((coordinates[std::size_t(a)] + coordinates[std::size_t(b)]) / 2);
+      }
+      bent.clear();
+    }
+  }
+
+  /// Whether as many sides end in every place as begin there.
+  static bool is_closed(const std::vector<Section_side>& sides, const Planar_points& vertices)
+  {
+    std::map<std::array<long, 2>, int> balance;
+    const auto place = [&](int vertex) {
+      const Eigen::Vector2d& p = vertices[std::size_t(vertex)];
+      return std::array<long, 2>{quantized(p.x()), quantized(p.y())};
+    };
+    for (const auto& [a, b] : sides)
+      --balance[place(a)], ++balance[place(b)];
+    return std::all_of(balance.begin(), balance.end(), [](const auto& place) { return place.second == 0; });
+  }
+
+  const Part_chart& chart_;
+  Subdivision mesh_;
+  std::vector<Point> coordinates_; ///< by point
+};
+
+/// The piece of a part that a box of its chart cuts out, closed if the part is. All of it for the whole chart.
+inline Part_mesh piece_of(const Points& points, const Eigen::Matrix3Xi& triangles, const Part_chart& chart,
+                          const Chart_box& box)
+{
+  if (is_whole(box)) return {points, triangles};
+  Part_cutter cutter(points, triangles, chart);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.min()[axis] > -1) cutter.cut(axis, box.min()[axis], true);
+    if (box.max()[axis] < 1) cutter.cut(axis, box.max()[axis], false);
+  }
+  return cutter.mesh();
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_MAP_PART_CUTTER_H

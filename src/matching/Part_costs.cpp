@@ -1,0 +1,186 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "matching/Compared_shape.h"
+#include "matching/Part_costs.h"
+#include "matching/box_costs.h"
+#include "matching/surface_distances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+constexpr double group_share = 0.3;      // of a group's cost in those of its parts
+constexpr double whole_group_charge = 1; // added to the cost of their union
+
+Eigen::MatrixXd shared_in_groups(const Eigen::MatrixXd& costs, const Aligned_shape& source, const Aligned_shape& target)
+{
+  Eigen::MatrixXd result(costs.rows(), costs.cols());
+  for (const Aligned_shape::Group& g : source.groups)
+    for (const Aligned_shape::Group& h : target.groups) {
+      const double group_cost = set_cost(costs, g.parts, h.parts);
+      for (std::size_t i : g.parts)
+        for (std::size_t j : h.parts) {
+          const auto row = Eigen::Index(i), column = Eigen::Index(j);
+          result(row, column) = (1 - group_share) * costs(row, column) + group_share * group_cost;
+        }
+    }
+  return result;
+}
+
+// What it costs that a part of `a` stands for a whole of `b`; infinite for parts in none.
+Eigen::MatrixXd costs_of_wholes(const Compared_shape& a, const Compared_shape& b, const Point_distances& a_from_b,
+                                const Point_distances& b_from_a, const Part_cost_weights& weights)
+{
+  Eigen::MatrixXd result = Eigen::MatrixXd::Constant(Eigen::Index(a.parts.size()), Eigen::Index(b.parts.size()),
+                                                     std::numeric_limits<double>::infinity());
+  const Eigen::MatrixXd boxes = costs_of_boxes(a.boxes, b.whole_boxes, weights);
+  for (std::size_t h = 0; h < b.wholes.size(); ++h)
+    for (std::size_t i = 0; i < a.parts.size(); ++i) {
+      const std::vector<std::size_t>& parts = b.wholes[h];
+      const double cost = cost_of_kind(a.parts[i], b.whole_parts[h], weights) +
+                          boxes(Eigen::Index(i), Eigen::Index(h)) +
+                          weights.chamfer * chamfer(a_from_b, b_from_a, i, parts) + whole_group_charge;
+      for (std::size_t j : parts) {
+        double& least = result(Eigen::Index(i), Eigen::Index(j));
+        least = std::min(least, cost);
+      }
+    }
+  return result;
+}
+
+double mean_of_best(const Eigen::ArrayXXd& likelihood, const std::vector<std::size_t>& rows,
+                    const std::vector<std::size_t>& columns)
+{
+  double sum = 0;
+  for (std::size_t i : rows) {
+    double best = 0;
+    for (std::size_t j : columns)
+      best = std::max(best, likelihood(Eigen::Index(i), Eigen::Index(j)));
+    sum += best;
+  }
+  return sum / double(rows.size());
+}
+
+// How well the parts that two parts touch stand for one another: the mean over those of either of how likely their best
+// counterpart among the other's is; geometric mean of the two.
+Eigen::ArrayXXd support_of_contacts(const Eigen::ArrayXXd& likelihood, const Aligned_shape& source,
+                                    const Aligned_shape& target)
+{
+  const Eigen::ArrayXXd transposed = likelihood.transpose();
+  const std::vector<std::vector<std::size_t>> of_source = touching_parts(source), of_target = touching_parts(target);
+  Eigen::ArrayXXd result = Eigen::ArrayXXd::Zero(likelihood.rows(), likelihood.cols());
+  for (std::size_t i = 0; i < of_source.size(); ++i)
+    for (std::size_t j = 0; j < of_target.size(); ++j)
+      if (!of_source[i].empty() && !of_target[j].empty())
+        result(Eigen::Index(i), Eigen::Index(j)) = std::sqrt(mean_of_best(likelihood, of_source[i], of_target[j]) *
+                                                             mean_of_best(transposed, of_target[j], of_source[i]));
+  return result;
+}
+
+// The costs that no warp changes.
+Eigen::MatrixXd costs_of_kind(const Compared_shape& a, const Compared_shape& b, const Point_distances& a_from_b,
+                              const Point_distances& b_from_a, const Part_cost_weights& weights)
+{
+  Eigen::MatrixXd result(Eigen::Index(a.parts.size()), Eigen::Index(b.parts.size()));
+  for (std::size_t i = 0; i < a.parts.size(); ++i)
+    for (std::size_t j = 0; j < b.parts.size(); ++j)
+      result(Eigen::Index(i), Eigen::Index(j)) =
+          cost_of_kind(a.parts[i], b.parts[j], weights) + weights.chamfer * chamfer(a_from_b, b_from_a, i, j);
+  return result;
+}
+
+} // namespace
+
+Eigen::MatrixXd rough_costs(const Compared_shape& a, const Compared_shape& b, const Part_cost_weights& weights)
+{
+  Eigen::MatrixXd result = costs_of_boxes(a.boxes, b.boxes, weights);
+  for (std::size_t i = 0; i < a.parts.size(); ++i)
+    for (std::size_t j = 0; j < b.parts.size(); ++j)
+      result(Eigen::Index(i), Eigen::Index(j)) += cost_of_kind(a.parts[i], b.parts[j], weights);
+  return result;
+}
+
+double set_cost(const Eigen::MatrixXd& costs, const std::vector<std::size_t>& rows,
+                const std::vector<std::size_t>& columns)
+{
+  double over_rows = 0, over_columns = 0;
+  for (std::size_t i : rows) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t j : columns)
+      least = std::min(least, costs(Eigen::Index(i), Eigen::Index(j)));
+    over_rows += least;
+  }
+  for (std::size_t j : columns) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i : rows)
+      least = std::min(least, costs(Eigen::Index(i), Eigen::Index(j)));
+    over_columns += least;
+  }
+  return (over_rows / double(rows.size()) + over_columns / double(columns.size())) / 2;
+}
+
+double mean_least_cost(const Eigen::MatrixXd& costs)
+{
+  return costs.rowwise().minCoeff().mean() + costs.colwise().minCoeff().mean();
+}
+
+Cost_matrices part_costs(const Compared_shape& a, const Aligned_shape& source, const Compared_shape& b,
+                         const Aligned_shape& target, const Part_cost_weights& weights)
+{
+  Point_distances a_from_b, b_from_a;
+  point_distances(a, b, a_from_b, b_from_a);
+
+  const Eigen::MatrixXd of_kind = costs_of_kind(a, b, a_from_b, b_from_a, weights);
+  const Eigen::MatrixXd alone = costs_after_warping(a.boxes, b.boxes, of_kind, weights);
+  Cost_matrices result;
+  result.of_parts = shared_in_groups(alone, source, target)
+                        .cwiseMin(costs_of_wholes(a, b, a_from_b, b_from_a, weights))
+                        .cwiseMin(costs_of_wholes(b, a, b_from_a, a_from_b, weights).transpose());
+  const Eigen::ArrayXXd support = support_of_contacts(mutual_softmax(result.of_parts), source, target);
+  result.all = result.of_parts + weights.contacts * (1 - support).matrix();
+  return result;
+}
+
+Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target, const Part_cost_weights& weights)
+{
+  const Compared_shape a = compared_shape(source, part_assemblies(source)),
+                       b = compared_shape(target, part_assemblies(target));
+  return part_costs(a, source, b, target, weights).all;
+}
+
+Eigen::MatrixXd own_part_costs(const Compared_shape& a, const std::vector<char>& is_chosen,
+                               const Part_cost_weights& weights)
+{
+  Eigen::MatrixXd result = costs_of_boxes(a.boxes, a.boxes, weights);
+  const std::vector<Point_lanes> lanes = lanes_of(a);
+  Eigen::ArrayXd i_from_j, j_from_i;
+  for (std::size_t i = 0; i < a.parts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!is_chosen[i] && !is_chosen[j]) continue;
+      nearest_distances(lanes[i], lanes[j], i_from_j, j_from_i);
+      const auto row = Eigen::Index(i), column = Eigen::Index(j);
+      result(row, column) +=
+          cost_of_kind(a.parts[i], a.parts[j], weights) + weights.chamfer * (i_from_j.mean() + j_from_i.mean()) / 2;
+      result(column, row) = result(row, column);
+    }
+  return result;
+}
+
+Eigen::MatrixXd part_costs(const Aligned_shape& shape, const Part_cost_weights& weights)
+{
+  return own_part_costs(compared_shape(shape, part_assemblies(shape)), std::vector<char>(shape.parts.size(), 1),
+                        weights);
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_PART_COSTS_H
+#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_PART_COSTS_H
+
+#include "matching/part_assemblies.h"
+#include "structure/align_shapes.h"
+
+#include <CGAL/Shape_correspondence/Search_options.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// The cost of every part of the source (row) standing for every part of the target (column), by index of the aligned
+/// shapes. Symmetric: with the shapes swapped, the transposed matrix.
+///
+/// The boxes are compared as they are and after either shape was warped towards the other, axis by axis, where the most
+/// alike parts ask for it; the three are averaged. A part shares in how alike its symmetry group is to the other's, and
+/// a group of `whole_group_size` parts or more, or a panel (`Part_assemblies`), may cost less as a whole (legs for a
+/// pedestal, slats for a board). How well the parts that two parts touch stand for one another goes by these costs.
+/// O(n m k²) for n and m parts with k = `surface_samples` points each.
+Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
+                           const Part_cost_weights& weights = {});
+
+/// How unlike the parts of one shape are among each other, by the same costs as they are.
+Eigen::MatrixXd part_costs(const Aligned_shape& shape, const Part_cost_weights& weights = {});
+
+namespace internal {
+struct Compared_shape;
+}
+
+struct Cost_matrices
+{
+  Eigen::MatrixXd of_parts, all; ///< without the cost of contacts, and with it
+};
+
+/// The same of shapes whose boxes and surfaces are known.
+Cost_matrices part_costs(const internal::Compared_shape& a, const Aligned_shape& source,
+                         const internal::Compared_shape& b, const Aligned_shape& target,
+                         const Part_cost_weights& weights);
+
+/// The costs without those of surfaces and contacts: for a first look.
+Eigen::MatrixXd rough_costs(const internal::Compared_shape& a, const internal::Compared_shape& b,
+                            const Part_cost_weights& weights);
+
+/// The costs of the parts of one shape among each other, as far as one of the two is chosen; of others some are
+/// missing.
+Eigen::MatrixXd own_part_costs(const internal::Compared_shape& a, const std::vector<char>& is_chosen,
+                               const Part_cost_weights& weights);
+
+/// The cost of two sets of parts: the mean of what every part costs with the one of the other set that it costs least
+/// with, averaged over both sets. \pre neither is empty
+double set_cost(const Eigen::MatrixXd& costs, const std::vector<std::size_t>& rows,
+                const std::vector<std::size_t>& columns);
+
+/// How badly two shapes go together: the mean of the least cost of every source part, and that of every target part,
+/// added. \pre the matrix has rows and columns
+double mean_least_cost(const Eigen::MatrixXd& costs);
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_PART_COSTS_H

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_ROW_FRAMER_H
+#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_ROW_FRAMER_H
+
+#include "matching/Shape_layout.h"
+#include "matching/part_assemblies.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+// Set on one half of the development set, by source family, and on the generated shapes
+constexpr double upright_limit = 0.7;   // the vertical component of an upright row's normal is less
+constexpr double planarity = 2;         // so much further than across its plane a row spreads in it, at least
+constexpr double frame_thickness = 5;   // of the row's: a row and its frame are no thicker
+constexpr double frame_allowance = 0.1; // of the height: or than this
+constexpr double frame_reach = 1.25;    // of the row's extents: by this a frame may be larger, in the plane
+
+inline bool is_row(const Aligned_shape::Group& group)
+{
+  return group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= whole_group_size;
+}
+
+// Finds what frames the rows of a shape.
+class Row_framer
+{
+public:
+  static constexpr std::size_t no_deck = std::size_t(-1);
+
+  // The deck: a part, or `no_deck`.
+  Row_framer(const Aligned_shape& shape, const Shape_layout& layout, std::size_t deck, const std::vector<char>& is_link)
+      : shape_(shape), layout_(layout), deck_(deck), is_link_(is_link)
+  {}
+
+  // The row and the connected parts in its plane, farther and farther away.
+  std::vector<std::size_t> framed(const std::vector<std::size_t>& row) const
+  {
+    std::vector<std::size_t> result = row;
+    const Eigen::Matrix3d axes = plane_of(row);
+    if (axes.isZero()) return result;
+    const auto box_in_plane = [&](std::size_t part) { return box_of(axes.transpose() * shape_.parts[part].surface); };
+    Axis_box of_row = box_in_plane(row[0]);
+    double middle = 0;
+    bool is_on_ground = false;
+    for (std::size_t part : row) {
+      of_row = joined(of_row, box_in_plane(part));
+      middle += layout_.boxes[part].middle() / double(row.size());
+      is_on_ground = is_on_ground || layout_.is_on_ground[part];
+    }
+    const bool is_above_deck = deck_ != no_deck && is_less(layout_.boxes[deck_].middle(), middle);
+    const Eigen::Array3d row_sides = of_row.sides(),
+                         most{std::max(frame_thickness * row_sides.x(), frame_allowance * layout_.whole.sides().y()),
+                              (1 + frame_reach) * row_sides.y(), (1 + frame_reach) * row_sides.z()};
+
+    std::vector<char> is_in(layout_.boxes.size(), 0);
+    for (std::size_t part : row)
+      is_in[part] = 1;
+    for (std::size_t k = 0; k < result.size(); ++k)
+      for (std::size_t part : layout_.neighbours[result[k]]) {
+        if (is_in[part] || !may_frame(part, is_on_ground, is_above_deck)) continue;
+        const Eigen::Array3d sides = joined(of_row, box_in_plane(part)).sides();
+        if (is_less(most.x(), sides.x()) || is_less(most.y(), sides.y()) || is_less(most.z(), sides.z())) continue;
+        is_in[part] = 1;
+        result.push_back(part);
+      }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+private:
+  // May a part frame a row, by its role? Knobs in a row do not frame the drawers that they are on.
+  bool may_frame(std::size_t part, bool row_is_on_ground, bool row_is_above_deck) const
+  {
+    if (is_link_[part] || is_row(shape_.groups[shape_.group_of[part]])) return false;
+    if (layout_.is_on_ground[part] && !row_is_on_ground) return false;
+    return !row_is_above_deck || is_less(layout_.boxes[deck_].middle(), layout_.boxes[part].middle());
+  }
+
+  // Normal, level and rising axis of an upright row's plane; zero if it is not upright, or not in a plane.
+  Eigen::Matrix3d plane_of(const std::vector<std::size_t>& row) const
+  {
+    Eigen::Index n = 0;
+    for (std::size_t part : row)
+      n += shape_.parts[part].surface.cols();
+    Points points(3, n);
+    for (std::size_t part : row) {
+      const Points& surface = shape_.parts[part].surface;
+      points.middleCols(points.cols() - n, surface.cols()) = surface;
+      n -= surface.cols();
+    }
+    points.colwise() -= points.rowwise().mean().eval();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(points * points.transpose() / double(points.cols()));
+    const Eigen::Vector3d spread = eigen.eigenvalues().cwiseMax(0).cwiseSqrt(), normal = eigen.eigenvectors().col(0);
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
+    if (is_less(std::abs(normal.y()), upright_limit) && is_less(planarity * spread[0], spread[1])) {
+      const Eigen::Vector3d level = normal.cross(Eigen::Vector3d::UnitY()).normalized();
+      axes << normal, level, normal.cross(level);
+    }
+    return axes;
+  }
+
+  const Aligned_shape& shape_;
+  const Shape_layout& layout_;
+  std::size_t deck_;
+  const std::vector<char>& is_link_;
+};
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_ROW_FRAMER_H

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_SHAPE_LAYOUT_H
+#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_SHAPE_LAYOUT_H
+
+#include "base/quantized.h"
+#include "structure/align_shapes.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+constexpr double ground_tolerance = 0.03; // of the height: a part that starts lower stands on the ground
+
+struct Axis_box
+{
+  Eigen::Array3d low, high;
+
+  Eigen::Array3d sides() const { return high - low; }
+  Eigen::Array3d centre() const { return (low + high) / 2; }
+  double middle() const { return (low.y() + high.y()) / 2; }
+};
+
+inline Axis_box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
+
+inline Axis_box joined(const Axis_box& a, const Axis_box& b) { return {a.low.min(b.low), a.high.max(b.high)}; }
+
+inline bool is_less(double a, double b) { return quantized(a) < quantized(b); }
+
+// Of every part, the parts that it touches.
+constexpr double wall_width = 0.7; // of the shape's: what is wider is a wall, not a leg
+
+inline std::vector<std::vector<std::size_t>> touching_parts(const Aligned_shape& shape)
+{
+  std::vector<std::vector<std::size_t>> result(shape.parts.size());
+  for (const Aligned_shape::Contact& contact : shape.contacts) {
+    result[contact.parts[0]].push_back(contact.parts[1]);
+    result[contact.parts[1]].push_back(contact.parts[0]);
+  }
+  return result;
+}
+
+// Where the parts of a shape are, and what touches what.
+struct Shape_layout
+{
+  std::vector<Axis_box> boxes;
+  Axis_box whole;
+  std::vector<char> is_on_ground;
+  std::vector<std::vector<std::size_t>> neighbours;
+
+  explicit Shape_layout(const Aligned_shape& shape) : neighbours(touching_parts(shape))
+  {
+    for (const Sampled_part& part : shape.parts)
+      boxes.push_back(box_of(part.surface));
+    whole = boxes.front();
+    for (const Axis_box& box : boxes)
+      whole = joined(whole, box);
+    for (const Axis_box& box : boxes)
+      is_on_ground.push_back(is_less(box.low.y() - whole.low.y(), ground_tolerance * whole.sides().y()));
+  }
+
+  // The part and what is connected to it by steps from one part to the next that are allowed, ascending.
+  template <typename Is_step>
+  std::vector<std::size_t> connected(std::size_t first, const Is_step& is_step) const
+  {
+    std::vector<char> is_reached(boxes.size(), 0);
+    std::vector<std::size_t> result{first};
+    is_reached[first] = 1;
+    for (std::size_t k = 0; k < result.size(); ++k)
+      for (std::size_t next : neighbours[result[k]])
+        if (!is_reached[next] && is_step(result[k], next)) {
+          is_reached[next] = 1;
+          result.push_back(next);
+        }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_SHAPE_LAYOUT_H

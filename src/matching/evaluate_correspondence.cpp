@@ -1,0 +1,225 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/evaluate_correspondence.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace {
+
+/// The parts with one coarse label, and their fine labels.
+struct Labelled_parts
+{
+  std::vector<std::size_t> parts;
+  std::set<std::string> fine;
+};
+
+std::map<std::string, Labelled_parts> parts_by_coarse_label(const std::vector<Part_label>& labels)
+{
+  std::map<std::string, Labelled_parts> result;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i].coarse.empty())
+      throw Invalid_input("part " + std::to_string(i) + " has no coarse label; every part needs one");
+    Labelled_parts& labelled = result[labels[i].coarse];
+    labelled.parts.push_back(i);
+    labelled.fine.insert(labels[i].fine);
+  }
+  return result;
+}
+
+/// Whether the fine labels decide: all parts have one, and they share at least half of the smaller set.
+bool share_fine_labels(const std::set<std::string>& a, const std::set<std::string>& b)
+{
+  if (a.count("") || b.count("")) return false;
+  const std::size_t shared =
+      std::count_if(a.begin(), a.end(), [&](const std::string& label) { return b.count(label) > 0; });
+  return 2 * shared >= std::min(a.size(), b.size());
+}
+
+std::size_t number_of_common(const Part_pairs& a, const Part_pairs& b)
+{
+  Part_pairs common;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+  return common.size();
+}
+
+double share(std::size_t part, std::size_t whole) { return whole ? double(part) / double(whole) : 0; }
+
+/// Precision, recall, F1, coarse precision.
+using Figures = std::array<double, 4>;
+
+Figures figures(const Correspondence_score& s) { return {s.precision(), s.recall(), s.f1(), s.coarse_precision()}; }
+
+void add(Figures& sum, const Figures& figures, double weight)
+{
+  for (std::size_t k = 0; k < sum.size(); ++k)
+    sum[k] += weight * figures[k];
+}
+
+/// The scores of one category, ready to be drawn from.
+class Category_bootstrap
+{
+public:
+  explicit Category_bootstrap(const std::vector<const Scored_correspondence*>& scores)
+  {
+    std::map<std::string, std::size_t> indices;
+    const auto index = [&](const std::string& shape) { return indices.emplace(shape, indices.size()).first->second; };
+    for (const Scored_correspondence* s : scores) {
+      const std::size_t source = index(s->source);
+      entries_.push_back({source, index(s->target), figures(s->score)});
+    }
+    shapes_ = indices.size();
+  }
+
+  /// The means where every shape is drawn once.
+  Figures mean() const { return *weighted_mean(std::vector<int>(shapes_, 1)); }
+
+  /// The means of shapes drawn with replacement, again until a correspondence has both of its shapes drawn.
+  Figures draw(std::mt19937_64& random) const
+  {
+    for (;;) {
+      std::vector<int> times(shapes_, 0);
+      for (std::size_t i = 0; i < shapes_; ++i)
+        ++times[random() % shapes_];
+      if (const std::optional<Figures> mean = weighted_mean(times)) return *mean;
+    }
+  }
+
+private:
+  struct Entry
+  {
+    std::size_t source, target;
+    Figures figures;
+  };
+
+  std::optional<Figures> weighted_mean(const std::vector<int>& times) const
+  {
+    Figures sum{};
+    double total = 0;
+    for (const Entry& entry : entries_) {
+      const double weight = double(times[entry.source]) * times[entry.target];
+      add(sum, entry.figures, weight);
+      total += weight;
+    }
+    if (total == 0) return std::nullopt;
+    for (double& value : sum)
+      value /= total;
+    return sum;
+  }
+
+  std::vector<Entry> entries_;
+  std::size_t shapes_ = 0;
+};
+
+Estimate estimate(double mean, const std::vector<Figures>& draws, std::size_t figure, double confidence)
+{
+  std::vector<double> values;
+  for (const Figures& draw : draws)
+    values.push_back(draw[figure]);
+  std::sort(values.begin(), values.end());
+  const std::size_t outside = std::size_t((1 - confidence) / 2 * double(values.size()));
+  return {mean, values[outside], values[values.size() - 1 - outside]};
+}
+
+void set_estimates(Mean_score& score, const Figures& mean, const std::vector<Figures>& draws, double confidence)
+{
+  Estimate* const estimates[] = {&score.precision, &score.recall, &score.f1, &score.coarse_precision};
+  for (std::size_t k = 0; k < mean.size(); ++k)
+    *estimates[k] = estimate(mean[k], draws, k, confidence);
+}
+
+void check(const std::vector<Scored_correspondence>& scores, const Evaluation_options& options)
+{
+  if (scores.empty()) throw Invalid_input("there are no scores to take means of");
+  if (options.resamples < 1) throw Invalid_input("the bootstrap needs at least one resample");
+  if (!(options.confidence > 0 && options.confidence < 1))
+    throw Invalid_input("the confidence of intervals must be between 0 and 1");
+}
+
+} // namespace
+
+Ground_truth ground_truth(const std::vector<Part_label>& source, const std::vector<Part_label>& target)
+{
+  const auto sources = parts_by_coarse_label(source), targets = parts_by_coarse_label(target);
+  Ground_truth truth;
+  for (const auto& [label, s] : sources) {
+    const auto found = targets.find(label);
+    if (found == targets.end()) continue;
+    const bool decide = share_fine_labels(s.fine, found->second.fine);
+    for (std::size_t i : s.parts)
+      for (std::size_t j : found->second.parts) {
+        truth.coarse_pairs.emplace_back(i, j);
+        if (!decide || source[i].fine == target[j].fine) truth.pairs.emplace_back(i, j);
+      }
+  }
+  std::sort(truth.pairs.begin(), truth.pairs.end());
+  std::sort(truth.coarse_pairs.begin(), truth.coarse_pairs.end());
+  return truth;
+}
+
+double Correspondence_score::precision() const { return share(right, matched); }
+
+double Correspondence_score::recall() const { return expected == 0 && matched == 0 ? 1 : share(right, expected); }
+
+double Correspondence_score::f1() const
+{
+  const double p = precision(), r = recall();
+  return p + r > 0 ? 2 * p * r / (p + r) : 0;
+}
+
+double Correspondence_score::coarse_precision() const { return share(right_coarse, matched); }
+
+Correspondence_score evaluate_correspondence(Part_pairs pairs, const Ground_truth& truth)
+{
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return {pairs.size(), truth.pairs.size(), number_of_common(pairs, truth.pairs),
+          number_of_common(pairs, truth.coarse_pairs)};
+}
+
+Evaluation mean_scores(const std::vector<Scored_correspondence>& scores, const Evaluation_options& options)
+{
+  check(scores, options);
+  std::map<std::string, std::vector<const Scored_correspondence*>> categories;
+  for (const Scored_correspondence& score : scores)
+    categories[score.category].push_back(&score);
+
+  Evaluation result;
+  std::mt19937_64 random(options.seed);
+  const double weight = 1. / double(categories.size());
+  Figures mean{};
+  std::vector<Figures> mean_draws(std::size_t(options.resamples), Figures{});
+  for (const auto& [name, of_category] : categories) {
+    const Category_bootstrap bootstrap(of_category);
+    std::vector<Figures> draws;
+    for (Figures& sum : mean_draws) {
+      draws.push_back(bootstrap.draw(random));
+      add(sum, draws.back(), weight);
+    }
+    add(mean, bootstrap.mean(), weight);
+    Mean_score score;
+    score.correspondences = of_category.size();
+    for (const Scored_correspondence* s : of_category)
+      score.empty += s->score.matched == 0;
+    set_estimates(score, bootstrap.mean(), draws, options.confidence);
+    result.mean.correspondences += score.correspondences;
+    result.mean.empty += score.empty;
+    result.categories.emplace_back(name, score);
+  }
+  set_estimates(result.mean, mean, mean_draws, options.confidence);
+  return result;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL

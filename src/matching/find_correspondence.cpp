@@ -1,0 +1,336 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "base/quantized.h"
+#include "matching/Search_run.h"
+#include "matching/match_parts.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+void check(const Search_options& options)
+{
+  const Energy_weights& weights = options.matching.weights;
+  if (weights.distortion < 0 || weights.connectedness < 0 || weights.split < 0)
+    throw Invalid_input("find_correspondence: the weights of E_d, E_c and E_s must not be negative");
+  if (!(options.matching.unmatched_cost >= 0))
+    throw Invalid_input("find_correspondence: the cost of leaving a part unmatched must not be negative");
+  if (options.maximum_parts < 0 || options.alignments < 0)
+    throw Invalid_input("find_correspondence: the numbers of parts and of alignments must not be negative");
+  if (!(options.min_confidence >= 0 && options.min_confidence <= 1))
+    throw Invalid_input("find_correspondence: the least confidence must be between 0 and 1");
+  if (options.solutions < 1) throw Invalid_input("find_correspondence: at least one solution must be asked for");
+}
+
+// What a part matching makes of the groups of the source. S_i is known where a group becomes a group, as a whole.
+std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching, const Aligned_shape& source,
+                                                   const Aligned_shape& target)
+{
+  std::vector<std::vector<std::size_t>> images(source.parts.size());
+  for (const Part_match& pair : matching.pairs)
+    images[pair.source].push_back(pair.target);
+
+  std::vector<std::vector<Group_label>> labels;
+  for (const Aligned_shape::Group& group : source.groups) {
+    Group_label label;
+    for (std::size_t part : group.parts) {
+      label.images.emplace_back();
+      for (std::size_t image : images[part])
+        label.images.back().push_back({{part}, {image}});
+    }
+    const std::vector<std::size_t> parts = image_parts(label);
+    if (!parts.empty()) {
+      label.target_group = target.group_of[parts[0]];
+      label.operation = topological_operation(group.parts.size(), parts.size());
+      if (target.groups[label.target_group].parts == parts)
+        label.solidity_ratio = solidity_ratio(group, target.groups[label.target_group]);
+    }
+    labels.push_back({std::move(label)});
+  }
+  return labels;
+}
+
+// The shape with a group for every part.
+Aligned_shape ungrouped(Aligned_shape shape)
+{
+  shape.groups.assign(shape.parts.size(), {});
+  for (std::size_t part = 0; part < shape.parts.size(); ++part)
+    shape.groups[part].parts = {part};
+  complete_groups(shape);
+  list_contacts(shape);
+  return shape;
+}
+
+// Pairs of connected parts, and parts that touch nothing.
+std::size_t number_of_counted_pairs(const Aligned_shape& shape)
+{
+  std::vector<char> touches(shape.parts.size(), 0);
+  for (const Aligned_shape::Contact& contact : shape.contacts)
+    touches[contact.parts[0]] = touches[contact.parts[1]] = 1;
+  const auto alone = std::size_t(std::count(touches.begin(), touches.end(), 0));
+  return std::max<std::size_t>(1, shape.contacts.size() + alone);
+}
+
+// What differing proportions count among alignments; set on one half of the development set, by source family, and on
+// the generated shapes.
+constexpr double proportion_weight = 1;
+
+// Log of the extent sideways over that to the front; 0 for what has neither.
+double log_proportion(const Aligned_shape& shape)
+{
+  Point low = shape.parts[0].surface.col(0), high = low;
+  for (const Sampled_part& part : shape.parts) {
+    low = low.cwiseMin(part.surface.rowwise().minCoeff());
+    high = high.cwiseMax(part.surface.rowwise().maxCoeff());
+  }
+  const Point extent = high - low;
+  return std::min(extent.x(), extent.z()) > comparison_grid ? std::log(extent.x() / extent.z()) : 0;
+}
+
+// How badly two shapes go together in an alignment. Parts are compared in unit boxes, which forget proportions.
+long alignment_cost(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& target)
+{
+  return quantized(mean_least_cost(matching.costs) +
+                   proportion_weight * std::abs(log_proportion(source) - log_proportion(target)));
+}
+
+// The confidences of pairs, in the order of the correspondence's pairs.
+std::vector<double> ordered_confidences(const Part_matching& matching, const Aligned_shape& source,
+                                        const Aligned_shape& target)
+{
+  std::vector<std::pair<std::pair<std::size_t, std::size_t>, double>> pairs;
+  for (const Part_match& pair : matching.pairs)
+    pairs.push_back({{source.original[pair.source], target.original[pair.target]}, pair.confidence});
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<double> result;
+  for (const auto& pair : pairs)
+    result.push_back(pair.second);
+  return result;
+}
+
+// Another alignment than the one nearest to the given orientation must cost less than this share of it: what is the
+// same from both sides has no cheaper side, and what the files say about the front is better than a hair's breadth. Set
+// on the development and the generated set.
+constexpr double clearly_cheaper = 0.95;
+
+// The turns of the target that are tried.
+std::vector<int> tried_turns(const Shape_frame& source, const Shape_frame& target, int alignments)
+{
+  std::vector<int> turns = alignment_turns(source, target);
+  if (alignments > 0 && turns.size() > std::size_t(alignments)) turns.resize(std::size_t(alignments));
+  return turns;
+}
+
+void mark_cancelled(std::size_t done, std::size_t runs, Correspondence& correspondence)
+{
+  correspondence.complete = correspondence.optimal = false;
+  correspondence.warnings.push_back("The search was cancelled after " + std::to_string(done) + " of " +
+                                    std::to_string(runs) + " runs; this is the best result up to then.");
+}
+
+// The shape as far as it takes part.
+std::shared_ptr<const Aligned_shape> participating(std::shared_ptr<const Aligned_shape> shape,
+                                                   const std::vector<std::size_t>& chosen, int maximum_parts)
+{
+  if (!chosen.empty()) {
+    std::vector<char> is_kept(shape->parts.size(), 0);
+    for (std::size_t part : chosen) {
+      const auto found = std::find(shape->original.begin(), shape->original.end(), part);
+      if (found == shape->original.end())
+        throw Invalid_input("find_correspondence: there is no part number " + std::to_string(part) +
+                            " to choose, the shape has " + std::to_string(shape->parts.size()) + " parts");
+      is_kept[std::size_t(found - shape->original.begin())] = 1;
+    }
+    shape = std::make_shared<Aligned_shape>(restricted(*shape, is_kept));
+  }
+  if (maximum_parts > 0)
+    shape =
+        std::make_shared<Aligned_shape>(restricted(*shape, most_prominent_parts(*shape, std::size_t(maximum_parts))));
+  return shape;
+}
+
+} // namespace
+
+std::shared_ptr<const Aligned_shape> Prepared_shape::aligned(int quarter_turns) const
+{
+  const std::size_t turn = std::size_t((quarter_turns % 4 + 4) % 4);
+  std::call_once(is_aligned_[turn],
+                 [&] { aligned_[turn] = std::make_shared<Aligned_shape>(align_shape(graph_, int(turn))); });
+  return aligned_[turn];
+}
+
+Correspondence_finder::Correspondence_finder(const Structural_graph& source, const Search_options& options)
+    : Correspondence_finder(Prepared_shape(source), options)
+{}
+
+Correspondence_finder::Correspondence_finder(const Prepared_shape& source, const Search_options& options)
+    : options_(options),
+      source_frame_(structure(source.graph()).frame),
+      number_of_parts_(structure(source.graph()).parts.size())
+{
+  check(options);
+  source_ = participating(source.aligned(0), options.source_parts, options.maximum_parts);
+}
+
+Correspondence Correspondence_finder::operator()(const Structural_graph& target) const
+{
+  return (*this)(Prepared_shape(target));
+}
+
+Correspondence Correspondence_finder::operator()(const Prepared_shape& target) const
+{
+  return std::move(ranked(target).front());
+}
+
+std::vector<Correspondence> Correspondence_finder::ranked(const Structural_graph& target) const
+{
+  return ranked(Prepared_shape(target));
+}
+
+std::vector<Correspondence> Correspondence_finder::ranked(const Prepared_shape& target) const
+{
+  std::vector<Correspondence> result;
+  if (options_.method == Search_method::PARTS)
+    result.push_back(matched_parts(target));
+  else
+    result = least_energy(target);
+  for (Correspondence& correspondence : result)
+    collect_unmatched(number_of_parts_, structure(target.graph()).parts.size(), correspondence);
+  return result;
+}
+
+std::shared_ptr<const Aligned_shape> Correspondence_finder::aligned(const Prepared_shape& target,
+                                                                    int quarter_turns) const
+{
+  return participating(target.aligned(quarter_turns), options_.target_parts, options_.maximum_parts);
+}
+
+Correspondence Correspondence_finder::matched_parts(const Prepared_shape& target) const
+{
+  const std::vector<int> turns = tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments);
+  Part_matching best;
+  Shared_shape best_shape;
+  int best_turn = turns.front();
+  double best_cost = std::numeric_limits<double>::infinity();
+  std::size_t done = 0;
+  for (int turn : turns) {
+    if (options_.progress && !options_.progress(double(done) / double(turns.size()))) break;
+    const Shared_shape shape = aligned(target, turn);
+    Part_matching matching = match_parts(*source_, *shape, options_.parts);
+    ++done;
+    const double preference = turn == turns.front() ? clearly_cheaper : 1;
+    const double cost = preference * double(alignment_cost(matching, *source_, *shape));
+    if (cost >= best_cost) continue;
+    best_cost = cost;
+    best_turn = turn;
+    best = std::move(matching);
+    best_shape = shape;
+  }
+  if (done == 0) best_shape = aligned(target, best_turn);
+  const auto unsure = [&](const Part_match& pair) { return pair.confidence < options_.min_confidence; };
+  best.pairs.erase(std::remove_if(best.pairs.begin(), best.pairs.end(), unsure), best.pairs.end());
+
+  const Search_run run(source_, best_shape, best_turn, group_labels(best, *source_, *best_shape), options_);
+  Correspondence result = correspondence_of(run, run.result.best(), {});
+  result.confidences = ordered_confidences(best, *source_, *best_shape);
+  if (done < turns.size()) mark_cancelled(done, turns.size(), result);
+  return result;
+}
+
+std::vector<Correspondence> Correspondence_finder::least_energy(const Prepared_shape& target) const
+{
+  const std::vector<int> turns = tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments);
+  std::vector<Direction> directions{Direction::SOURCE_TO_TARGET};
+  if (options_.both_directions) directions.push_back(Direction::TARGET_TO_SOURCE);
+
+  std::unique_ptr<const Search_run> best;
+  std::size_t states = 0, evaluations = 0, done = 0;
+  const std::size_t run_count = turns.size() * directions.size();
+  bool cancelled = false;
+  for (std::size_t t = 0; t < turns.size() && !cancelled; ++t) {
+    const Shared_shape shape = aligned(target, turns[t]);
+    for (Direction direction : directions) {
+      cancelled = cancelled || (options_.progress && !options_.progress(double(done) / double(run_count)));
+      if (cancelled) break;
+      auto run = std::make_unique<Search_run>(source_, shape, direction, turns[t], options_);
+      ++done;
+      states += run->result.summary.states;
+      evaluations += run->result.summary.evaluations;
+      if (!best || quantized(run->score()) < quantized(best->score())) best = std::move(run);
+    }
+  }
+
+  std::vector<Correspondence> result;
+  if (best) {
+    std::vector<double> min_marginals;
+    if (options_.min_marginals)
+      min_marginals = Exact_search(best->problem.energy(), options_.exact).min_marginals(best->result);
+    for (const Solution& solution : best->result.solutions)
+      result.push_back(correspondence_of(*best, solution, result.empty() ? min_marginals : std::vector<double>()));
+  } else {
+    result.emplace_back();
+  }
+  for (Correspondence& correspondence : result) {
+    correspondence.search.states = states;
+    correspondence.search.evaluations = evaluations;
+    if (cancelled) mark_cancelled(done, run_count, correspondence);
+  }
+  return result;
+}
+
+double Correspondence_finder::lower_bound(const Prepared_shape& target, double unmatched_energy) const
+{
+  const bool both_directions = options_.both_directions && options_.method != Search_method::PARTS;
+  double bound = std::numeric_limits<double>::infinity();
+  for (int turn : tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments)) {
+    const Shared_shape shape = aligned(target, turn);
+    bound = std::min(bound, lower_bound(source_, shape, unmatched_energy));
+    if (both_directions) bound = std::min(bound, lower_bound(shape, source_, unmatched_energy));
+  }
+  constexpr double rounding = 1e-9; // sums are added up in another order
+  return std::max(0., bound * (1 - rounding) - rounding);
+}
+
+double Correspondence_finder::lower_bound(const Shared_shape& deformed, const Shared_shape& other,
+                                          double unmatched_energy) const
+{
+  const double pairs = double(number_of_counted_pairs(*deformed));
+  if (options_.method != Search_method::PARTS)
+    return Matching_problem(deformed, other, options_.matching).energy().lower_bound() / pairs;
+  if (options_.matching.norm == Energy_norm::POOLED) return 0;
+  Matching_options matching = options_.matching;
+  matching.cut_curves = false;
+  matching.unmatched_cost = unmatched_energy;
+  const Matching_problem problem(ungrouped(*deformed), ungrouped(*other), matching);
+  return problem.has_shortlists() ? 0 : problem.energy().lower_bound() / pairs;
+}
+
+Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,
+                                   const Search_options& options)
+{
+  return Correspondence_finder(source, options)(target);
+}
+
+std::vector<Correspondence> find_correspondences(const Structural_graph& source, const Structural_graph& target,
+                                                 const Search_options& options)
+{
+  return Correspondence_finder(source, options).ranked(target);
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,294 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "base/quantized.h"
+#include "matching/Assembled_shape.h"
+#include "matching/match_parts.h"
+#include "matching/part_blocks.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+// Logistic model of how often a pair is right by the margin of its cost, set on one half of the development set, by
+// source family, and on the generated shapes, which weigh the same. Pairs of blocks may have any margin below 0.
+constexpr double confidence_offset = 0.37, confidence_slope = 0.52, least_margin = -0.5, largest_margin = 3;
+
+// Parts that pair one to one at no more cost are twins; set on the development set and the generated shapes.
+constexpr double twin_cost = 0.5;
+
+// Legs that pair one to one at no more cost are alike, and so many of them show that legs stand for legs, not a whole
+// for a whole; set on the generated shapes of given and of drawn styles.
+constexpr double alike_leg_cost = 4;
+constexpr std::size_t least_alike_legs = 2;
+
+void check(const Part_matching_options& options)
+{
+  const Part_cost_weights& w = options.weights;
+  for (double value : {w.overlap, w.extent, w.ground, w.side, w.front, w.orientation, w.chamfer, w.contacts, w.link,
+                       options.excess, options.sure_excess, options.sibling, options.upside_down})
+    if (!(value >= 0) || !std::isfinite(value))
+      throw Invalid_input("match_parts: the weights and bounds of costs must be finite and not negative");
+}
+
+// Pairs that cost least for one of their parts and, over both, at most so much more than least.
+Match_matrix pairs_within(const Eigen::MatrixXd& costs, double excess)
+{
+  const Eigen::VectorXd least_in_row = costs.rowwise().minCoeff(), least_in_column = costs.colwise().minCoeff();
+  Match_matrix result(costs.rows(), costs.cols());
+  for (Eigen::Index i = 0; i < costs.rows(); ++i)
+    for (Eigen::Index j = 0; j < costs.cols(); ++j) {
+      const long over_row = quantized(costs(i, j) - least_in_row[i]);
+      const long over_column = quantized(costs(i, j) - least_in_column[j]);
+      result(i, j) = (over_row == 0 || over_column == 0) && over_row + over_column <= quantized(excess);
+    }
+  return result;
+}
+
+// How many of the pairs each of the rows is in.
+std::vector<std::size_t> number_of_pairs(const Match_matrix& pairs, const std::vector<std::size_t>& rows,
+                                         const std::vector<std::size_t>& columns)
+{
+  std::vector<std::size_t> result;
+  for (std::size_t i : rows)
+    result.push_back(std::size_t(std::count_if(
+        columns.begin(), columns.end(), [&](std::size_t j) { return pairs(Eigen::Index(i), Eigen::Index(j)); })));
+  return result;
+}
+
+bool are_all(const std::vector<std::size_t>& counts, std::size_t count)
+{
+  return std::all_of(counts.begin(), counts.end(), [&](std::size_t c) { return c == count; });
+}
+
+// Parts of a block that pair one to one and are as good as equal.
+bool are_twins(const Block& block, const Match_matrix& sure, const Eigen::MatrixXd& costs)
+{
+  const std::vector<std::size_t> of_source = number_of_pairs(sure, block.source, block.target),
+                                 of_target = number_of_pairs(sure.transpose(), block.target, block.source);
+  if (!are_all(of_source, 1) || !are_all(of_target, 1)) return false;
+  for (std::size_t i : block.source)
+    for (std::size_t j : block.target)
+      if (sure(Eigen::Index(i), Eigen::Index(j)) &&
+          quantized(costs(Eigen::Index(i), Eigen::Index(j))) > quantized(twin_cost))
+        return false;
+  return true;
+}
+
+std::vector<char> flags(const std::vector<std::size_t>& parts, std::size_t count)
+{
+  std::vector<char> result(count, 0);
+  for (std::size_t part : parts)
+    result[part] = 1;
+  return result;
+}
+
+std::vector<char> is_in_panel(const Assembled_shape& assembled)
+{
+  std::vector<std::size_t> parts;
+  for (const std::vector<std::size_t>& panel : assembled.assemblies.panels)
+    append(parts, panel);
+  return flags(parts, assembled.size());
+}
+
+void match_all(const std::vector<std::size_t>& source, const std::vector<std::size_t>& target, Match_matrix& pairs)
+{
+  for (std::size_t i : source)
+    for (std::size_t j : target)
+      pairs(Eigen::Index(i), Eigen::Index(j)) = true;
+}
+
+// Every part of a block with every other where they differ in number, or are in panels.
+void fill_blocks(const std::vector<Block>& blocks, const Match_matrix& sure, const Eigen::MatrixXd& costs,
+                 const Assembled_shape& source, const Assembled_shape& target, Match_matrix& pairs)
+{
+  const std::vector<char> source_panels = is_in_panel(source), target_panels = is_in_panel(target);
+  const auto has_panel = [](const std::vector<std::size_t>& parts, const std::vector<char>& is_in_panel) {
+    return std::any_of(parts.begin(), parts.end(), [&](std::size_t part) { return bool(is_in_panel[part]); });
+  };
+  for (const Block& block : blocks)
+    if (block.source.size() != block.target.size() ||
+        ((has_panel(block.source, source_panels) || has_panel(block.target, target_panels)) &&
+         !are_twins(block, sure, costs)))
+      match_all(block.source, block.target, pairs);
+}
+
+// Does every part that carries the shape with fewer of them pair with one of its own, and stand what is left over on
+// the ground?
+bool carry_one_by_one(const Match_matrix& sure, const Part_assemblies& fewer, const Part_assemblies& more)
+{
+  const std::vector<std::size_t> of_fewer = number_of_pairs(sure, fewer.legs, more.legs),
+                                 of_more = number_of_pairs(sure.transpose(), more.legs, fewer.legs);
+  if (!are_all(of_fewer, 1)) return false;
+  for (std::size_t k = 0; k < of_more.size(); ++k)
+    if (of_more[k] > 1 || (of_more[k] == 0 && !more.is_on_ground[more.legs[k]])) return false;
+  return true;
+}
+
+// Legs of either shape that pair with one of the other's each, and are alike.
+std::size_t number_of_alike_legs(const Match_matrix& sure, const Eigen::MatrixXd& costs,
+                                 const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
+{
+  const std::vector<std::size_t> of_a = number_of_pairs(sure, a, b), of_b = number_of_pairs(sure.transpose(), b, a);
+  std::size_t result = 0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    for (std::size_t l = 0; l < b.size(); ++l) {
+      const auto i = Eigen::Index(a[k]), j = Eigen::Index(b[l]);
+      result += sure(i, j) && of_a[k] == 1 && of_b[l] == 1 && quantized(costs(i, j)) <= quantized(alike_leg_cost);
+    }
+  return result;
+}
+
+// How what carries one shape stands for what carries the other.
+enum class Carrying {
+  BY_BLOCKS,  // as other parts do
+  ALIKE_LEGS, // legs only for those that pair with them: on either side are some that have no counterpart
+  AS_WHOLES   // all for all
+};
+
+Carrying carrying(const Match_matrix& sure, const Eigen::MatrixXd& costs, const Part_assemblies& a,
+                  const Part_assemblies& b, bool alike_legs)
+{
+  if (a.support.empty() || b.support.empty()) return Carrying::BY_BLOCKS;
+  if (a.legs.size() <= b.legs.size() ? carry_one_by_one(sure, a, b) : carry_one_by_one(sure.transpose(), b, a))
+    return Carrying::BY_BLOCKS;
+  return alike_legs && number_of_alike_legs(sure, costs, a.legs, b.legs) >= least_alike_legs ? Carrying::ALIKE_LEGS
+                                                                                             : Carrying::AS_WHOLES;
+}
+
+void leave_out(const std::vector<std::size_t>& left_out, std::vector<std::size_t>& parts)
+{
+  const auto is_left_out = [&](std::size_t part) { return std::binary_search(left_out.begin(), left_out.end(), part); };
+  parts.erase(std::remove_if(parts.begin(), parts.end(), is_left_out), parts.end());
+}
+
+// What carries a shape stands for nothing but what carries the other.
+void part_support(const Assembled_shape& source, const Assembled_shape& target, Match_matrix& pairs)
+{
+  const std::vector<char> a = flags(source.assemblies.support, source.size()),
+                          b = flags(target.assemblies.support, target.size());
+  for (std::size_t i : source.assemblies.legs)
+    for (std::size_t j = 0; j < target.size(); ++j)
+      if (!b[j]) pairs(Eigen::Index(i), Eigen::Index(j)) = false;
+  for (std::size_t j : target.assemblies.legs)
+    for (std::size_t i = 0; i < source.size(); ++i)
+      if (!a[i]) pairs(Eigen::Index(i), Eigen::Index(j)) = false;
+}
+
+Match_matrix matched(const Cost_matrices& costs, const Assembled_shape& source, const Assembled_shape& target,
+                     const Part_matching_options& options)
+{
+  Match_matrix sure = pairs_within(costs.all, options.sure_excess), pairs = pairs_within(costs.all, options.excess);
+  const Part_assemblies &a = source.assemblies, &b = target.assemblies;
+  const Carrying carried = carrying(sure, costs.of_parts, a, b, options.alike_legs);
+  if (carried == Carrying::AS_WHOLES) part_support(source, target, sure);
+  std::vector<Block> blocks = joined_blocks(sure, source, target, options);
+  if (carried == Carrying::ALIKE_LEGS)
+    for (Block& block : blocks) {
+      leave_out(a.legs, block.source);
+      leave_out(b.legs, block.target);
+    }
+  fill_blocks(blocks, sure, costs.of_parts, source, target, pairs);
+  if (carried == Carrying::AS_WHOLES) {
+    part_support(source, target, pairs);
+    match_all(a.legs, b.legs, pairs);
+  }
+  return pairs;
+}
+
+// Mirrored at a level plane, so that left and right, front and back stay.
+Aligned_shape turned_over(Aligned_shape shape)
+{
+  for (Sampled_part& part : shape.parts)
+    part.surface.row(1) *= -1;
+  return shape;
+}
+
+// A chain carries nothing that stands on it.
+bool hangs(const Assembled_shape& assembled)
+{
+  const std::vector<char>& is_link = assembled.assemblies.is_link;
+  return std::any_of(is_link.begin(), is_link.end(), [](char link) { return bool(link); });
+}
+
+// By how much the best pair that was not taken costs more, of either part.
+double margin(const Eigen::MatrixXd& costs, const Match_matrix& pairs, Eigen::Index i, Eigen::Index j)
+{
+  double alternative = std::numeric_limits<double>::infinity();
+  for (Eigen::Index k = 0; k < costs.cols(); ++k)
+    if (!pairs(i, k)) alternative = std::min(alternative, costs(i, k));
+  for (Eigen::Index k = 0; k < costs.rows(); ++k)
+    if (!pairs(k, j)) alternative = std::min(alternative, costs(k, j));
+  return std::clamp(alternative - costs(i, j), least_margin, largest_margin);
+}
+
+double confidence(double margin) { return 1 / (1 + std::exp(-(confidence_offset + confidence_slope * margin))); }
+
+Cost_matrices costs_of(const Assembled_shape& a, const Assembled_shape& b, const Part_matching_options& options)
+{
+  return part_costs(a.compared, a.shape, b.compared, b.shape, options.weights);
+}
+
+// Without surfaces: enough to tell whether a closer look may pay.
+long rough_cost(const Assembled_shape& a, const Assembled_shape& b, const Part_matching_options& options)
+{
+  return quantized(mean_least_cost(rough_costs(a.compared, b.compared, options.weights)));
+}
+
+Part_matching matching_of(Cost_matrices costs, const Assembled_shape& source, const Assembled_shape& target,
+                          const Part_matching_options& options)
+{
+  const Match_matrix pairs = matched(costs, source, target, options);
+  Part_matching result;
+  for (Eigen::Index i = 0; i < pairs.rows(); ++i)
+    for (Eigen::Index j = 0; j < pairs.cols(); ++j)
+      if (pairs(i, j))
+        result.pairs.push_back({std::size_t(i), std::size_t(j), confidence(margin(costs.all, pairs, i, j))});
+  result.costs = std::move(costs.all);
+  return result;
+}
+
+} // namespace
+
+Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
+                          const Part_matching_options& options)
+{
+  using namespace internal;
+  check(options);
+  const Assembled_shape a(source, options), b(target, options);
+  Cost_matrices costs = costs_of(a, b, options);
+  const bool one_hangs = hangs(a) != hangs(b);
+  if (!one_hangs && (a.assemblies.has_deck || b.assemblies.has_deck || hangs(a)))
+    return matching_of(std::move(costs), a, b, options);
+
+  const Aligned_shape source_over = turned_over(source), target_over = turned_over(target);
+  const Assembled_shape a_over(source_over, options), b_over(target_over, options);
+  const long rough = rough_cost(a, b, options);
+  long least =
+      one_hangs ? std::numeric_limits<long>::max() : quantized(mean_least_cost(costs.all) - options.upside_down);
+  std::pair<const Assembled_shape*, const Assembled_shape*> best{&a, &b};
+  for (const auto& turned : {std::make_pair(&a, &b_over), std::make_pair(&a_over, &b)}) {
+    if (!one_hangs && rough_cost(*turned.first, *turned.second, options) >= rough) continue;
+    Cost_matrices costs_over = costs_of(*turned.first, *turned.second, options);
+    if (quantized(mean_least_cost(costs_over.all)) >= least) continue;
+    least = quantized(mean_least_cost(costs_over.all));
+    costs = std::move(costs_over);
+    best = turned;
+  }
+  Part_matching result = matching_of(std::move(costs), *best.first, *best.second, options);
+  result.upside_down = best.first != &a || best.second != &b;
+  return result;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL

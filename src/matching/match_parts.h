@@ -1,0 +1,58 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_MATCH_PARTS_H
+#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_MATCH_PARTS_H
+
+#include "matching/Part_costs.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// Two parts that correspond, by index of the aligned shapes.
+struct Part_match
+{
+  std::size_t source, target;
+  double confidence; ///< how probable it is, between 0 and 1
+};
+
+/// A part-to-part correspondence. What has no counterpart is in no pair.
+struct Part_matching
+{
+  std::vector<Part_match> pairs; ///< by source, then target
+  Eigen::MatrixXd costs;         ///< source part × target part, by index of the aligned shapes
+  bool upside_down = false;      ///< one shape was turned over, as a hanging lamp for one that stands
+};
+
+/// Matches parts by their costs alone, without deforming a shape.
+///
+/// A pair is judged by how much more it costs than the best one of either part, so that no cost is too high for parts
+/// that have nothing better. Sure pairs join parts and groups of both shapes to blocks. A part that is in no sure pair
+/// joins the block of the parts it resembles most. A block with as many parts on either side keeps its pairs (four legs
+/// and four legs); of one with different numbers, every part corresponds to every other (a back of five slats and one
+/// of seven; a pedestal and four legs). So it does in a block with a row, whose parts have no places of their own,
+/// unless both shapes have the very same one.
+///
+/// What carries the shapes (`Part_assemblies::support`) is matched as a whole, and with nothing else, unless its parts
+/// pair one to one, but for some that stand on the ground apart from the others (a ladder beside the legs of a bed).
+/// Where some legs of either shape are alike and others have no counterpart (a table and a desk with a cabinet on one
+/// side), legs stand for those that pair with them only.
+///
+/// Where neither shape has a deck, one is turned over if the parts cost less then (a hanging lamp and one that stands).
+///
+/// Deterministic; the source and the target have the same standing. O(n m k²) as `part_costs()`, and O(b³) for b
+/// blocks. \throw Invalid_input if a weight or an option is negative or not finite
+Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
+                          const Part_matching_options& options = {});
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_MATCH_PARTS_H

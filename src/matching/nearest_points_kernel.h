@@ -1,0 +1,132 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_NEAREST_POINTS_KERNEL_H
+#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_NEAREST_POINTS_KERNEL_H
+
+#include "base/vector_functions.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+// Nearest points of two sets in vectors as wide as the machine has. A squared distance is x² + y² + z² in that order,
+// without fused operations, and a least one is the same in any order: every width gives the same bits.
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+// Points, coordinate by coordinate, and padding that is near to nothing.
+class Point_lanes
+{
+public:
+  static constexpr Eigen::Index widest = 8;
+
+  explicit Point_lanes(const Eigen::ArrayX3d& points)
+      : count_(points.rows()), coordinates_((points.rows() + widest - 1) / widest * widest, 3)
+  {
+    coordinates_.setConstant(std::numeric_limits<double>::infinity());
+    coordinates_.topRows(count_) = points;
+  }
+
+  Eigen::Index count() const { return count_; }
+  Eigen::Index padded() const { return coordinates_.rows(); }
+  const double* operator[](int axis) const { return coordinates_.col(axis).data(); }
+
+private:
+  Eigen::Index count_;
+  Eigen::ArrayX3d coordinates_;
+};
+
+template <int Width>
+struct Double_vector
+{
+#ifdef __GNUC__
+  typedef double type __attribute__((vector_size(Width * sizeof(double)), aligned(8), may_alias));
+#else
+  static_assert(Width == 1, "vector types need GCC or Clang");
+  using type = double;
+#endif
+};
+
+// The least squared distance of every point of `p` from `q`, and of every point of `q` from `p`; both at once, since
+// they need the same distances. There is room for the padding.
+template <int Width>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void nearest_squared(const Point_lanes& p, const Point_lanes& q,
+                                                             double* p_from_q, double* q_from_p)
+{
+#ifdef __clang__
+#pragma STDC FP_CONTRACT OFF
+#endif
+  using Vector = typename Double_vector<Width>::type;
+  constexpr int at_once = 4; // points of p
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::fill_n(q_from_p, q.padded(), infinity);
+  for (Eigen::Index k = 0; k < p.count(); k += at_once) {
+    Vector least[at_once];
+    for (Vector& v : least)
+      v = Vector{} + infinity;
+    for (Eigen::Index j = 0; j < q.padded(); j += Width) {
+      const Vector x = *reinterpret_cast<const Vector*>(q[0] + j), y = *reinterpret_cast<const Vector*>(q[1] + j);
+      const Vector z = *reinterpret_cast<const Vector*>(q[2] + j);
+      Vector& nearest = *reinterpret_cast<Vector*>(q_from_p + j);
+      for (int i = 0; i < at_once; ++i) {
+        const Vector dx = x - p[0][k + i], dy = y - p[1][k + i], dz = z - p[2][k + i];
+        const Vector squared = dx * dx + dy * dy + dz * dz;
+        least[i] = squared < least[i] ? squared : least[i]; // not for padding, where it is not a number
+        nearest = squared < nearest ? squared : nearest;
+      }
+    }
+    for (int i = 0; i < at_once; ++i) {
+      const double* lanes = reinterpret_cast<const double*>(&least[i]);
+      p_from_q[k + i] = *std::min_element(lanes, lanes + Width);
+    }
+  }
+}
+
+#define CGAL_SHAPE_CORRESPONDENCE_NEAREST(name, instructions, width)                                                   \
+  CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
+  void nearest_squared_##name(const Point_lanes& p, const Point_lanes& q, double* p_from_q, double* q_from_p)          \
+  {                                                                                                                    \
+    nearest_squared<width>(p, q, p_from_q, q_from_p);                                                                  \
+  }
+#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
+CGAL_SHAPE_CORRESPONDENCE_NEAREST(sse2, "sse2", 2)
+CGAL_SHAPE_CORRESPONDENCE_NEAREST(avx2, "avx2", 4)
+CGAL_SHAPE_CORRESPONDENCE_NEAREST(avx512, "avx512f", 8)
+#else
+CGAL_SHAPE_CORRESPONDENCE_NEAREST(plain, "", 1)
+#endif
+#undef CGAL_SHAPE_CORRESPONDENCE_NEAREST
+
+using Nearest_squared_kernel = void (*)(const Point_lanes&, const Point_lanes&, double*, double*);
+
+// The kernels that this machine can run, the fastest one last.
+inline std::vector<Nearest_squared_kernel> available_nearest_squared_kernels()
+{
+#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
+  std::vector<Nearest_squared_kernel> kernels{nearest_squared_sse2};
+  if (__builtin_cpu_supports("avx2")) kernels.push_back(nearest_squared_avx2);
+  if (__builtin_cpu_supports("avx512f")) kernels.push_back(nearest_squared_avx512);
+  return kernels;
+#else
+  return {nearest_squared_plain};
+#endif
+}
+
+inline Nearest_squared_kernel nearest_squared_kernel()
+{
+  static const Nearest_squared_kernel fastest = available_nearest_squared_kernels().back();
+  return fastest;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_NEAREST_POINTS_KERNEL_H

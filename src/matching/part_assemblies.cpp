@@ -1,0 +1,187 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "matching/Row_framer.h"
+#include "matching/chains.h"
+#include "matching/part_assemblies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+// All set on one half of the development set, by source family, and on the generated shapes
+constexpr double deck_cover = 0.3;    // of the shape as seen from above, that a deck covers
+constexpr double deck_flatness = 0.3; // its height, over its shorter side
+
+constexpr double side_depth = 0.1; // of the shape's: by this a part in one of its sides is thick, and off it
+
+// The sets of the shape's parts, one after the other.
+class Assembly_finder
+{
+public:
+  explicit Assembly_finder(const Aligned_shape& shape)
+      : shape_(shape),
+        layout_(shape),
+        deck_(deck()),
+        chains_(chains_of(shape, layout_)),
+        is_link_(shape.parts.size(), 0)
+  {
+    for (const std::vector<std::size_t>& chain : chains_)
+      for (std::size_t link : chain)
+        is_link_[link] = 1;
+  }
+
+  Part_assemblies run() const
+  {
+    Part_assemblies result;
+    result.has_deck = deck_ != none;
+    if (result.has_deck) result.support = support();
+    result.legs = legs(result.support);
+    result.is_on_ground = layout_.is_on_ground;
+    result.is_link = is_link_;
+    const Row_framer framer(shape_, layout_, deck_, is_link_);
+    for (const Aligned_shape::Group& group : shape_.groups)
+      if (is_row(group) && !is_link_[group.parts[0]]) add_panel(framer.framed(group.parts), result.panels);
+    for (const std::vector<std::size_t>& chain : chains_)
+      add_panel(chain, result.panels);
+    if (result.has_deck) add_side_panels(result.support, result.panels);
+    return result;
+  }
+
+private:
+  static constexpr std::size_t none = Row_framer::no_deck;
+
+  // The lowest flat part that covers much of the shape. A rim or a ring does not, however wide it is.
+  std::size_t deck() const
+  {
+    std::size_t lowest = none;
+    const double whole_cover = layout_.whole.sides().x() * layout_.whole.sides().z();
+    for (std::size_t part = 0; part < layout_.boxes.size(); ++part) {
+      const Eigen::Array3d sides = layout_.boxes[part].sides();
+      const double cover = sides.x() * sides.z();
+      if (shape_.parts[part].kind == Sampled_part::Kind::CLOSED_CURVE) continue;
+      if (layout_.is_on_ground[part] || !is_less(0, cover) || is_less(cover, deck_cover * whole_cover) ||
+          is_less(deck_flatness * std::min(sides.x(), sides.z()), sides.y()))
+        continue;
+      if (lowest == none || is_less(layout_.boxes[part].low.y(), layout_.boxes[lowest].low.y())) lowest = part;
+    }
+    return lowest;
+  }
+
+  // By part, whether it is connected to the deck by other parts than the one left out.
+  std::vector<char> connected_to_deck(std::size_t left_out = none) const
+  {
+    std::vector<char> result(layout_.boxes.size(), 0);
+    for (std::size_t part : layout_.connected(deck_, [&](std::size_t, std::size_t next) { return next != left_out; }))
+      result[part] = 1;
+    return result;
+  }
+
+  bool carries(std::size_t part, const std::vector<char>& is_connected) const
+  {
+    if (layout_.is_on_ground[part]) return true;
+    if (part == deck_ || is_less(layout_.boxes[deck_].middle(), layout_.boxes[part].middle())) return false;
+    const std::vector<char> without = connected_to_deck(part);
+    for (std::size_t other = 0; other < layout_.boxes.size(); ++other)
+      if (layout_.is_on_ground[other] && is_connected[other] && !without[other]) return true;
+    return false;
+  }
+
+  std::vector<std::size_t> support() const
+  {
+    const std::vector<char> is_connected = connected_to_deck();
+    std::vector<std::size_t> result;
+    for (std::size_t part = 0; part < layout_.boxes.size(); ++part)
+      if (carries(part, is_connected)) result.push_back(part);
+    return result;
+  }
+
+  bool is_wall(std::size_t part) const
+  {
+    const Eigen::Array3d sides = layout_.boxes[part].sides(), all = layout_.whole.sides();
+    return layout_.is_on_ground[part] &&
+           (is_less(wall_width * all.x(), sides.x()) || is_less(wall_width * all.z(), sides.z()));
+  }
+
+  std::vector<std::size_t> legs(const std::vector<std::size_t>& support) const
+  {
+    std::vector<std::size_t> result;
+    for (std::size_t part : support)
+      if (!is_wall(part)) result.push_back(part);
+    const bool has_legs =
+        std::any_of(result.begin(), result.end(), [&](std::size_t part) { return bool(layout_.is_on_ground[part]); });
+    return has_legs ? result : support;
+  }
+
+  // Panels that share parts are one.
+  static void add_panel(std::vector<std::size_t> panel, std::vector<std::vector<std::size_t>>& panels)
+  {
+    for (std::size_t k = panels.size(); k-- > 0;) {
+      std::vector<std::size_t> both;
+      std::set_union(panel.begin(), panel.end(), panels[k].begin(), panels[k].end(), std::back_inserter(both));
+      if (both.size() == panel.size() + panels[k].size()) continue;
+      panel = std::move(both);
+      panels.erase(panels.begin() + std::ptrdiff_t(k));
+    }
+    panels.push_back(std::move(panel));
+  }
+
+  bool is_in_side(std::size_t part, Eigen::Index axis, double side) const
+  {
+    const double depth = side_depth * layout_.whole.sides()[axis];
+    return !is_less(depth, layout_.boxes[part].sides()[axis]) &&
+           !is_less(depth, std::abs(layout_.boxes[part].centre()[axis] - side));
+  }
+
+  // By part, whether it is a flat one in this side of the shape, above the deck.
+  std::vector<char> parts_in_side(Eigen::Index axis, double side) const
+  {
+    std::vector<char> result(layout_.boxes.size(), 0);
+    for (std::size_t part = 0; part < layout_.boxes.size(); ++part)
+      result[part] = part != deck_ && !layout_.is_on_ground[part] && is_in_side(part, axis, side) &&
+                     is_less(layout_.boxes[deck_].low.y(), layout_.boxes[part].middle());
+    return result;
+  }
+
+  void add_side_panels(const std::vector<std::size_t>& support, std::vector<std::vector<std::size_t>>& panels) const
+  {
+    for (Eigen::Index axis : {0, 2})
+      for (double side : {layout_.whole.low[axis], layout_.whole.high[axis]}) {
+        std::vector<char> is_in = parts_in_side(axis, side), may_connect = is_in;
+        for (std::size_t part : support)
+          may_connect[part] = 1;
+        for (std::size_t first = 0; first < layout_.boxes.size(); ++first) {
+          if (!is_in[first]) continue;
+          std::vector<std::size_t> panel;
+          for (std::size_t part :
+               layout_.connected(first, [&](std::size_t, std::size_t next) { return may_connect[next]; }))
+            if (is_in[part]) {
+              panel.push_back(part);
+              is_in[part] = 0;
+            }
+          if (panel.size() > 1) add_panel(std::move(panel), panels);
+        }
+      }
+  }
+
+  const Aligned_shape& shape_;
+  Shape_layout layout_;
+  std::size_t deck_;
+  std::vector<std::vector<std::size_t>> chains_;
+  std::vector<char> is_link_; // by part, whether it is in a chain
+};
+
+} // namespace
+
+Part_assemblies part_assemblies(const Aligned_shape& shape) { return Assembly_finder(shape).run(); }
+
+} // namespace Shape_correspondence
+} // namespace CGAL

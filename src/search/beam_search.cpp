@@ -1,0 +1,262 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "base/quantized.h"
+#include "search/beam_search.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+// The order of assignment: the group with most contacts first, then always the one with most contacts to those before.
+std::vector<std::size_t> assignment_order(const Aligned_shape& shape)
+{
+  const Eigen::Index n = Eigen::Index(shape.groups.size());
+  Eigen::MatrixXi contacts = Eigen::MatrixXi::Zero(n, n);
+  for (const Aligned_shape::Contact& contact : shape.contacts) {
+    const Eigen::Index g = Eigen::Index(shape.group_of[contact.parts[0]]),
+                       h = Eigen::Index(shape.group_of[contact.parts[1]]);
+    if (g != h) ++contacts(g, h), ++contacts(h, g);
+  }
+  const Eigen::VectorXi degree = contacts.rowwise().sum();
+
+  std::vector<std::size_t> order;
+  std::vector<char> placed(std::size_t(n), 0);
+  Eigen::VectorXi to_placed = Eigen::VectorXi::Zero(n);
+  while (order.size() < std::size_t(n)) {
+    Eigen::Index best = n;
+    for (Eigen::Index g = 0; g < n; ++g) {
+      if (placed[std::size_t(g)]) continue;
+      if (best == n || std::make_pair(to_placed[g], degree[g]) > std::make_pair(to_placed[best], degree[best]))
+        best = g;
+    }
+    order.push_back(std::size_t(best));
+    placed[std::size_t(best)] = 1;
+    to_placed += contacts.col(best);
+  }
+  return order;
+}
+
+// Rates partial solutions: contacts between assigned groups by the tables, others by rods with propagated parts. What
+// an expansion leaves alone keeps the energy that it has in the parent.
+class Partial_energy
+{
+public:
+  explicit Partial_energy(const Matching_problem& problem)
+      : problem_(problem),
+        shape_(problem.source()),
+        propagation_(shape_),
+        displacement_(Points::Zero(3, Eigen::Index(shape_.parts.size()))),
+        contact_displacement_(shape_.contacts.size()),
+        matched_(shape_.groups.size()),
+        energies_(shape_.contacts.size()),
+        moved_by_(displacement_)
+  {
+    for (const Sampled_part& part : shape_.parts)
+      moved_.emplace_back(part.samples);
+    for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
+      for (std::size_t side : {0, 1}) {
+        const std::size_t group = shape_.group_of[shape_.contacts[contact].parts[side]];
+        contact_movement_.emplace_back();
+        for (std::size_t label = 0; label < problem.number_of_labels(group); ++label)
+          contact_movement_.back().push_back(contact_movement(contact, int(side), label));
+      }
+  }
+
+  // The solution whose expansions are rated next.
+  void set_parent(const Assignment& assignment)
+  {
+    (*this)(assignment); // the parent before has most of it
+    has_parent_ = true;
+    parent_ = assignment;
+    parent_displacement_ = displacement_;
+    parent_energies_ = energies_;
+  }
+
+  double operator()(const Assignment& assignment)
+  {
+    for (std::size_t g = 0; g < matched_.size(); ++g)
+      matched_[g] = assignment[g] != unassigned && !problem_.is_unmatched(g, std::size_t(assignment[g]));
+    for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
+      for (std::size_t side : {0, 1}) {
+        const std::size_t group = shape_.group_of[shape_.contacts[contact].parts[side]];
+        if (matched_[group])
+          contact_displacement_[contact][side] = contact_movement_[2 * contact + side][std::size_t(assignment[group])];
+      }
+    propagation_(matched_, contact_displacement_, displacement_);
+    for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
+      energies_[contact] =
+          same_as_parent(contact, assignment) ? parent_energies_[contact] : contact_energy(contact, assignment);
+    return deformation_energy(problem_.terms(assignment, energies_), problem_.options().weights);
+  }
+
+private:
+  // How far the contact point of a matched part moves; that of a part with clones by their mean.
+  Point contact_movement(std::size_t contact, int side, std::size_t label) const
+  {
+    const Points& samples = shape_.parts[shape_.contacts[contact].parts[std::size_t(side)]].samples;
+    const std::size_t at = shape_.contacts[contact].samples[std::size_t(side)];
+    const Fitted_range clones = problem_.touching(contact, side, label);
+    if (clones.empty()) return Point::Zero();
+    Point sum = Point::Zero();
+    for (std::size_t clone : clones) {
+      const Fitted_piece& fitted = problem_.fitted()[clone];
+      const Points& target = problem_.fitted().target_piece(fitted.target_index).samples;
+      const std::size_t count = fitted.order->size();
+      const std::size_t on_piece =
+          at * std::size_t(fitted.source.count) - std::size_t(fitted.source.index) * (samples_per_side - 1);
+      const std::size_t from = on_piece * (count / std::size_t(samples.cols()));
+      sum += target.col((*fitted.order)[from] / int(count / std::size_t(target.cols())));
+    }
+    return sum / double(clones.size()) - samples.col(Eigen::Index(at));
+  }
+
+  bool same_as_parent(std::size_t contact, const Assignment& assignment) const
+  {
+    if (!has_parent_) return false;
+    for (std::size_t part : shape_.contacts[contact].parts) {
+      const std::size_t group = shape_.group_of[part];
+      if (assignment[group] != parent_[group]) return false;
+      if (!matched_[group] && displacement_.col(Eigen::Index(part)) != parent_displacement_.col(Eigen::Index(part)))
+        return false;
+    }
+    return true;
+  }
+
+  // The samples of an unmatched part, moved; often they were moved like that before.
+  const Sample_lanes& moved(std::size_t part)
+  {
+    const Eigen::Index column = Eigen::Index(part);
+    if (moved_by_.col(column) == displacement_.col(column)) return moved_[part];
+    const Points& samples = shape_.parts[part].samples;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      for (Eigen::Index i = 0; i < samples.cols(); ++i)
+        moved_[part].coordinates[axis][i] = float(samples(axis, i) + displacement_(axis, column));
+    moved_by_.col(column) = displacement_.col(column);
+    return moved_[part];
+  }
+
+  Rod_energy contact_energy(std::size_t contact, const Assignment& assignment)
+  {
+    const auto& parts = shape_.contacts[contact].parts;
+    const std::size_t g = shape_.group_of[parts[0]], h = shape_.group_of[parts[1]];
+    if (matched_[g] && matched_[h])
+      return problem_.contact_energy(contact, std::size_t(assignment[g]), std::size_t(assignment[h]));
+    for (std::size_t group : {g, h})
+      if (!matched_[group] && assignment[group] != unassigned) return {}; // left unmatched, has its own cost
+
+    if (!matched_[g] && !matched_[h]) {
+      // Parts that move alike keep their rods
+      const Point difference = displacement_.col(Eigen::Index(parts[0])) - displacement_.col(Eigen::Index(parts[1]));
+      if (difference.squaredNorm() < zero_rod) return {};
+      return problem_.rods(contact, false, false).energy(moved(parts[0]), moved(parts[1]));
+    }
+
+    // One side is assigned: the propagated part keeps to the nearest of its clones
+    const int side = matched_[g] ? 0 : 1;
+    const std::size_t matched_part = parts[std::size_t(side)], moved_part = parts[std::size_t(1 - side)];
+    const Eigen::Index own = shape_.parts[matched_part].samples.cols();
+    const Sample_lanes& other = moved(moved_part);
+    Rod_energy best;
+    double best_cost = std::numeric_limits<double>::infinity();
+    const Energy_weights& weights = problem_.options().weights;
+    for (std::size_t clone : problem_.touching(contact, side, std::size_t(assignment[shape_.group_of[matched_part]]))) {
+      const Fitted_piece& fitted = problem_.fitted()[clone];
+      const bool lift = Eigen::Index(fitted.order->size()) != own && fitted.source.count == 1;
+      const Sample_lanes& taken = problem_.fitted().samples(fitted);
+      const Rod_energy energy = side == 0 ? problem_.rods(contact, lift, false).energy(taken, other)
+                                          : problem_.rods(contact, false, lift).energy(other, taken);
+      const double cost = weights.distortion * energy.distortion + weights.connectedness * energy.connectedness;
+      if (cost < best_cost) best = energy, best_cost = cost;
+    }
+    return best;
+  }
+
+  const Matching_problem& problem_;
+  const Aligned_shape& shape_;
+  Propagation propagation_;
+  std::vector<std::vector<Point>> contact_movement_; // by side of contact and label
+  Points displacement_;
+  std::vector<std::array<Point, 2>> contact_displacement_;
+  std::vector<char> matched_;
+  std::vector<Rod_energy> energies_;
+  std::vector<Sample_lanes> moved_; // by part, its samples moved by
+  Points moved_by_;
+  bool has_parent_ = false;
+  Assignment parent_;
+  Points parent_displacement_;
+  std::vector<Rod_energy> parent_energies_;
+};
+
+struct Expansion
+{
+  long energy; // quantized, so that ties are settled by the indices
+  std::size_t parent;
+  int label;
+
+  bool operator<(const Expansion& other) const
+  {
+    return std::tie(energy, parent, label) < std::tie(other.energy, other.parent, other.label);
+  }
+};
+
+// Drops all but the `count` best of the expansions from `begin` on, which are sorted.
+void keep_best(std::vector<Expansion>& expansions, std::size_t begin, std::size_t count)
+{
+  std::sort(expansions.begin() + std::ptrdiff_t(begin), expansions.end());
+  expansions.resize(std::min(expansions.size(), begin + count));
+}
+
+} // namespace
+
+Search_result beam_search(const Matching_problem& problem, const Beam_options& options)
+{
+  if (options.beam_width < 1 || options.expansions < 1)
+    throw Invalid_input("beam search: the beam width K and the number of expansions k must be at least 1");
+
+  Search_result result;
+  Partial_energy partial_energy(problem);
+  std::vector<Assignment> beam{Assignment(problem.source().groups.size(), unassigned)}, next;
+  std::vector<Expansion> level;
+  for (std::size_t group : assignment_order(problem.source())) {
+    level.clear();
+    for (std::size_t parent = 0; parent < beam.size(); ++parent) {
+      partial_energy.set_parent(beam[parent]);
+      const std::size_t begin = level.size();
+      for (int label = 0; label < int(problem.number_of_labels(group)); ++label) {
+        beam[parent][group] = label;
+        level.push_back({quantized(partial_energy(beam[parent])), parent, label});
+      }
+      beam[parent][group] = unassigned;
+      result.summary.evaluations += level.size() - begin;
+      keep_best(level, begin, std::size_t(options.expansions));
+    }
+    keep_best(level, 0, std::size_t(options.beam_width));
+    result.summary.states += level.size();
+    next.resize(level.size());
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      next[i] = beam[level[i].parent];
+      next[i][group] = level[i].label;
+    }
+    beam.swap(next);
+  }
+  for (Assignment& assignment : beam)
+    result.solutions.push_back({problem.energy()(assignment), std::move(assignment)});
+  result.summary.lower_bound = std::min(problem.energy().lower_bound(), result.best().energy);
+  result.optimal = result.best().energy <= result.summary.lower_bound;
+  return result;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,275 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "base/quantized.h"
+#include "search/Tangents.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/exact_search.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+// Energies closer than this are equal: the first solution found stays.
+constexpr double energy_tolerance = 1e-9;
+
+constexpr std::size_t patience = 1u << 16;       // nodes without a proof, after which the bound gets larger tables:
+constexpr std::size_t table_growth = 16;         // so many times as large,
+constexpr std::size_t largest_tables = 1u << 20; // up to so many entries
+
+} // namespace
+
+class Exact_search::Impl
+{
+public:
+  Impl(const Pairwise_energy& energy, const Exact_options& options)
+      : energy_(energy),
+        options_(options),
+        order_(elimination_order(energy)),
+        table_limit_(options.table_limit),
+        tangents_(std::make_unique<Tangents>(energy, order_, table_limit_)),
+        tangent_(tangents_->make())
+  {
+    if (options.solutions < 1) throw Invalid_input("exact search: at least one solution must be asked for");
+    for (std::size_t v = 0; v < energy.number_of_variables(); ++v)
+      maximum_labels_ = std::max(maximum_labels_, energy.number_of_labels(v));
+    const std::size_t n = order_.size();
+    labels_.assign(n, 0);
+    assignment_.assign(n, unassigned);
+    costs_.resize(n * maximum_labels_);
+    bounds_.resize(n * maximum_labels_);
+    children_.resize(n * maximum_labels_);
+    choose_tangent();
+  }
+
+  Search_result run()
+  {
+    wanted_ = options_.solutions;
+    begin_ = std::chrono::steady_clock::now();
+    std::size_t nodes = 0;
+    for (bool more = true; more;) {
+      const std::size_t left = options_.node_limit - nodes;
+      start(can_refine() ? std::min(left, patience) : left);
+      descend(0, tangent_.offset);
+      nodes += nodes_;
+      more = stopped_ && nodes_ >= node_limit_ && nodes < options_.node_limit && !is_late();
+      if (more) refine();
+    }
+    Search_result result;
+    result.summary.method = "exact";
+    result.solutions = solutions_;
+    result.optimal = !stopped_;
+    // Rounding in the bound must not put it above the energy it proves
+    result.summary.lower_bound =
+        result.optimal ? result.best().energy
+                       : std::min(result.best().energy, std::max(energy_.lower_bound(), tangent_.bound()));
+    result.summary.states = result.summary.evaluations = nodes;
+    return result;
+  }
+
+  std::vector<double> min_marginals(const Search_result& result)
+  {
+    std::vector<double> rises(order_.size(), std::numeric_limits<double>::infinity());
+    wanted_ = 1;
+    for (std::size_t level = 0; level < order_.size(); ++level) {
+      const std::size_t variable = order_[level];
+      if (energy_.number_of_labels(variable) < 2) continue;
+      forbidden_level_ = level;
+      forbidden_label_ = result.best().assignment[variable];
+      solutions_.clear();
+      begin_ = std::chrono::steady_clock::now();
+      start(options_.node_limit / order_.size());
+      descend(0, tangent_.offset);
+      rises[variable] = std::max(0.0, solutions_.front().energy - result.best().energy);
+    }
+    forbidden_level_ = order_.size();
+    return rises;
+  }
+
+private:
+  // Each tangent touches at the solution that the one before led to; the first at the greatest sums. The one with the
+  // greatest bound is kept.
+  void choose_tangent()
+  {
+    constexpr int maximum_tangents = 5;
+    wanted_ = options_.solutions;
+    std::vector<double> touched;
+    for (const Pairwise_energy::Root_term& term : energy_.root_terms)
+      touched.push_back(term.count);
+    Tangent_bound tangent = tangents_->make();
+    for (int i = 0; i < maximum_tangents; ++i) {
+      tangents_->touch(touched, tangent);
+      start(options_.node_limit);
+      current_ = &tangent.tables;
+      first_leaf_only_ = true;
+      descend(0, tangent.offset);
+      first_leaf_only_ = false;
+      if (i == 0 || tangent.bound() > tangent_.bound()) std::swap(tangent, tangent_);
+      if (!tangents_->exact()) improve();
+      keep();
+      bool moved = false;
+      for (std::size_t r = 0; r < touched.size(); ++r) {
+        const double sum = energy_.root_sum(energy_.root_terms[r], assignment_);
+        moved = moved || (std::abs(sum - touched[r]) > energy_tolerance && sum > 0);
+        if (sum > 0) touched[r] = sum;
+      }
+      if (!moved) break;
+    }
+  }
+
+  void start(std::size_t node_limit)
+  {
+    current_ = &tangent_.tables;
+    nodes_ = 0;
+    node_limit_ = node_limit;
+    stopped_ = false;
+  }
+
+  bool can_refine() const { return !tangents_->exact() && table_limit_ * table_growth <= largest_tables; }
+
+  // Goes over to the next larger tables that split fewer buckets, if there are any.
+  void refine()
+  {
+    while (can_refine()) {
+      table_limit_ *= table_growth;
+      auto finer = std::make_unique<Tangents>(energy_, order_, table_limit_);
+      if (finer->number_of_tables() == tangents_->number_of_tables()) continue;
+      tangents_ = std::move(finer);
+      tangent_ = tangents_->make();
+      return choose_tangent();
+    }
+  }
+
+  void descend(std::size_t level, double cost)
+  {
+    if (level == order_.size()) {
+      keep();
+      stopped_ = stopped_ || first_leaf_only_;
+      return;
+    }
+    const std::size_t variable = order_[level], count = energy_.number_of_labels(variable);
+    double* costs = costs_.data() + level * maximum_labels_;
+    double* bounds = bounds_.data() + level * maximum_labels_;
+    int* children = children_.data() + level * maximum_labels_;
+    current_->extend(level, labels_, cost, costs, bounds);
+    int* end = children;
+    for (int l = 0; l < int(count); ++l)
+      if (bounds[l] < limit() && !(level == forbidden_level_ && l == forbidden_label_)) *end++ = l;
+    std::sort(children, end, [bounds](int a, int b) {
+      const long first = quantized(bounds[a]), second = quantized(bounds[b]);
+      return first != second ? first < second : a < b;
+    });
+    for (const int* child = children; child != end && !stopped_; ++child) {
+      if (bounds[*child] >= limit()) continue;
+      ++nodes_;
+      check_limits();
+      labels_[level] = assignment_[variable] = *child;
+      descend(level + 1, costs[*child]);
+    }
+  }
+
+  // A limit counts once there is a solution.
+  void check_limits()
+  {
+    if (solutions_.empty() || first_leaf_only_) return;
+    constexpr std::size_t interval = 1024; // nodes between two looks at the clock
+    stopped_ = stopped_ || nodes_ >= node_limit_;
+    stopped_ = stopped_ || (nodes_ % interval == 0 && is_late());
+  }
+
+  bool is_late() const
+  {
+    if (options_.time_limit <= 0) return false;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+    return elapsed.count() > options_.time_limit;
+  }
+
+  // Changes labels one at a time while the energy falls.
+  void improve()
+  {
+    double least = energy_(assignment_);
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t v = 0; v < assignment_.size(); ++v) {
+        int best = assignment_[v];
+        for (int l = 0; l < int(energy_.number_of_labels(v)); ++l) {
+          assignment_[v] = l;
+          const double energy = energy_(assignment_);
+          if (energy < least - energy_tolerance) least = energy, best = l, changed = true;
+        }
+        assignment_[v] = best;
+      }
+    }
+  }
+
+  // Puts the current assignment among the best ones, in their order; among equals, the first found comes first.
+  void keep()
+  {
+    const double energy = energy_(assignment_);
+    if (solutions_.size() == wanted_ && energy >= solutions_.back().energy - energy_tolerance) return;
+    for (const Solution& solution : solutions_)
+      if (solution.assignment == assignment_) return;
+    if (solutions_.size() < wanted_) solutions_.emplace_back();
+    solutions_.back().energy = energy;
+    solutions_.back().assignment = assignment_;
+    for (std::size_t i = solutions_.size() - 1; i > 0 && energy < solutions_[i - 1].energy - energy_tolerance; --i)
+      std::swap(solutions_[i], solutions_[i - 1]);
+  }
+
+  double limit() const
+  {
+    return solutions_.size() < wanted_ || first_leaf_only_ ? std::numeric_limits<double>::infinity()
+                                                           : solutions_.back().energy - energy_tolerance;
+  }
+
+  const Pairwise_energy& energy_;
+  const Exact_options options_;
+  const std::vector<std::size_t> order_;
+  std::size_t table_limit_;
+  std::unique_ptr<Tangents> tangents_;
+  Tangent_bound tangent_; // the best one
+  const Mini_bucket_bound* current_ = nullptr;
+
+  std::size_t maximum_labels_ = 0;
+  std::vector<double> costs_, bounds_; // by level and label
+  std::vector<int> children_;
+  std::vector<int> labels_; // by level
+  Assignment assignment_;
+  std::vector<Solution> solutions_; // the best `wanted_` so far
+  std::size_t wanted_ = 1;
+  std::size_t forbidden_level_ = std::size_t(-1);
+  int forbidden_label_ = unassigned;
+  std::size_t nodes_ = 0, node_limit_ = 0;
+  bool first_leaf_only_ = false, stopped_ = false;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+Exact_search::Exact_search(const Pairwise_energy& energy, const Exact_options& options)
+    : impl_(std::make_unique<Impl>(energy, options))
+{}
+
+Exact_search::~Exact_search() = default;
+
+Search_result Exact_search::run() { return impl_->run(); }
+
+std::vector<double> Exact_search::min_marginals(const Search_result& result) { return impl_->min_marginals(result); }
+
+Search_result exact_search(const Pairwise_energy& energy, const Exact_options& options)
+{
+  return Exact_search(energy, options).run();
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "shape/has_area.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+std::string part_message(const std::string& name, const std::string& what) { return "part '" + name + "': " + what; }
+
+void check_coordinates(const std::string& name, const Points& points)
+{
+  // Past this, squares and cubes of lengths would leave the range of double.
+  const double largest = 1e90;
+  for (Eigen::Index v = 0; v < points.cols(); ++v) {
+    if (!points.col(v).allFinite()) {
+      throw Invalid_input(part_message(name, "vertex " + std::to_string(v) +
+                                                 " has a coordinate that is not a finite number; "
+                                                 "repair or remove it"));
+    }
+    if (points.col(v).cwiseAbs().maxCoeff() > largest) {
+      throw Invalid_input(
+          part_message(name, "vertex " + std::to_string(v) + " has a coordinate beyond 1e90; scale the model down"));
+    }
+  }
+}
+
+void check_indices(const std::string& name, const Part_mesh& mesh)
+{
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int v = mesh.triangles(k, t);
+      if (v < 0 || v >= mesh.points.cols()) {
+        throw Invalid_input(part_message(name, "triangle " + std::to_string(t) + " refers to vertex " +
+                                                   std::to_string(v) + " of " + std::to_string(mesh.points.cols()) +
+                                                   "; correct the index or remove the triangle"));
+      }
+    }
+  }
+}
+
+void check_mesh(const std::string& name, const Part_mesh& mesh)
+{
+  if (mesh.triangles.cols() == 0) {
+    throw Invalid_input(part_message(name, "no triangles; remove the part or give it a surface"));
+  }
+  check_coordinates(name, mesh.points);
+  check_indices(name, mesh);
+  if (!has_area(mesh)) {
+    throw Invalid_input(part_message(name, "all triangles have zero area; remove the part or give it a surface"));
+  }
+}
+
+} // namespace
+
+Segmented_shape::Segmented_shape(std::string name, const Point& up) : name_(std::move(name)) { set_up(up); }
+
+void Segmented_shape::set_up(const Point& up)
+{
+  up_ = up.normalized();
+  if (!(up_.norm() > 0.5)) {
+    throw Invalid_input("shape '" + name_ + "': the up direction is zero or not finite; give a unit vector");
+  }
+}
+
+void Segmented_shape::add_part(std::string name, Part_mesh mesh)
+{
+  if (name.empty()) {
+    throw Invalid_input("part number " + std::to_string(parts_.size()) + " of shape '" + name_ +
+                        "': the name is empty; give every part a name");
+  }
+  const auto same_name = [&name](const Shape_part& part) { return part.name == name; };
+  if (std::any_of(parts_.begin(), parts_.end(), same_name)) {
+    throw Invalid_input(part_message(name, "shape '" + name_ + "' has another part of that name; rename one of them"));
+  }
+  check_mesh(name, mesh);
+  parts_.push_back({std::move(name), std::move(mesh)});
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,337 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "base/Nearest_points.h"
+#include "base/planar_hull.h"
+
+#include <CGAL/Shape_correspondence/Shape_frame.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+/// A vertical mirror plane that a shape may have: points p with normal . (x, z) = offset.
+struct Mirror_plane
+{
+  Eigen::Vector2d normal = Eigen::Vector2d::UnitX();
+  double offset = 0;
+  double residual = std::numeric_limits<double>::infinity();
+};
+
+Eigen::Vector2d quarter_turn(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
+
+/// Finds the vertical mirror planes of points of which y is up.
+class Mirror_plane_finder
+{
+public:
+  explicit Mirror_plane_finder(const Points& points) : points_(points), nearest_(points), queries_(thinned(points))
+  {
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      footprint_.emplace_back(points(0, i), points(2, i));
+    }
+    hull_ = planar_hull(footprint_);
+    extent_ = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+    for (Eigen::Index i = 0; i < queries_.size(); ++i) {
+      spacing_ += nearest_.distance(points.col(queries_[i]), queries_[i]) / static_cast<double>(queries_.size());
+    }
+  }
+
+  Eigen::Vector2d rectangle_direction() const
+  {
+    return hull_.size() < 2 ? Eigen::Vector2d(1, 0) : least_rectangle_direction(hull_);
+  }
+
+  /// The best plane of all candidates; of equally good ones the first.
+  Mirror_plane best() const
+  {
+    const double clearly = 0.9;
+    Mirror_plane result;
+    for (const Eigen::Vector2d& direction : candidate_normals()) {
+      const Mirror_plane plane = score(direction);
+      if (plane.residual < clearly * result.residual) {
+        result = plane;
+      }
+    }
+    return refined(tightest_alternative(result));
+  }
+
+  /// The best plane of a given normal: through the middle of the extent along it or through the centroid.
+  Mirror_plane score(const Eigen::Vector2d& normal) const
+  {
+    double low = std::numeric_limits<double>::infinity(), high = -low, sum = 0;
+    for (const Eigen::Vector2d& p : footprint_) {
+      const double x = normal.dot(p);
+      low = std::min(low, x);
+      high = std::max(high, x);
+      sum += x;
+    }
+    const Mirror_plane middle = scored({normal, 0.5 * (low + high)});
+    const Mirror_plane centroid = scored({normal, sum / static_cast<double>(footprint_.size())});
+    return centroid.residual < 0.8 * middle.residual ? centroid : middle;
+  }
+
+  /// A mirror image of points that are spread evenly but independently lies about one spacing away.
+  bool is_mirror(const Mirror_plane& plane) const { return plane.residual < spacing_ + 0.01 * extent_; }
+
+private:
+  static std::vector<Eigen::Index> sorted_indices(Eigen::Index n, Eigen::Index limit)
+  {
+    std::vector<Eigen::Index> result;
+    for (Eigen::Index i = 0; i < std::min(n, limit); ++i) {
+      result.push_back(n <= limit ? i : i * n / limit);
+    }
+    return result;
+  }
+
+  static Eigen::Array<Eigen::Index, Eigen::Dynamic, 1> thinned(const Points& points)
+  {
+    const Eigen::Index most_queries = 600;
+    const auto indices = sorted_indices(points.cols(), most_queries);
+    return Eigen::Map<const Eigen::Array<Eigen::Index, Eigen::Dynamic, 1>>(indices.data(),
+                                                                           static_cast<Eigen::Index>(indices.size()));
+  }
+
+  Mirror_plane scored(Mirror_plane plane) const
+  {
+    const Point normal(plane.normal.x(), 0, plane.normal.y());
+    plane.residual = 0;
+    for (Eigen::Index i = 0; i < queries_.size(); ++i) {
+      const Point p = points_.col(queries_[i]);
+      plane.residual += nearest_.distance(p - 2 * (normal.dot(p) - plane.offset) * normal);
+    }
+    // Exact symmetry up to rounding noise is no better than exact symmetry.
+    const double noise = 0.02;
+    plane.residual = std::max(plane.residual / static_cast<double>(queries_.size()), noise * spacing_);
+    return plane;
+  }
+
+  /// Directions that come from the points only, so that they turn with them: the least rectangle around the footprint,
+  /// its principal axes, and those of long chords of its hull, which a mirror plane may bisect.
+  std::vector<Eigen::Vector2d> candidate_normals() const
+  {
+    std::vector<Eigen::Vector2d> result{rectangle_direction(), quarter_turn(rectangle_direction())};
+    Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& p : footprint_) {
+      centroid += p / static_cast<double>(footprint_.size());
+    }
+    Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
+    for (const Eigen::Vector2d& p : footprint_) {
+      moments += (p - centroid) * (p - centroid).transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(moments);
+    result.push_back(solver.eigenvectors().col(1));
+    result.push_back(solver.eigenvectors().col(0));
+    add_chords(result);
+    return result;
+  }
+
+  void add_chords(std::vector<Eigen::Vector2d>& directions) const
+  {
+    const std::size_t most_chords = 24;
+    std::vector<Eigen::Vector2d> chords;
+    for (std::size_t i = 0; i < hull_.size(); ++i) {
+      for (std::size_t j = i + 1; j < hull_.size(); ++j) {
+        chords.push_back(hull_[j] - hull_[i]);
+      }
+    }
+    std::stable_sort(chords.begin(), chords.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+      return a.squaredNorm() > b.squaredNorm() * (1 + 1e-9);
+    });
+    std::size_t count = 0;
+    for (const Eigen::Vector2d& chord : chords) {
+      const double smallest_sine = 0.01;
+      const auto known = [&](const Eigen::Vector2d& d) {
+        return std::abs(cross(d, chord)) < smallest_sine * chord.norm();
+      };
+      if (count < most_chords && chord.norm() > 0 && std::none_of(directions.begin(), directions.end(), known)) {
+        directions.push_back(chord.normalized());
+        ++count;
+      }
+    }
+  }
+
+  double rectangle_area(const Eigen::Vector2d& side) const
+  {
+    Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const Eigen::Vector2d& p : hull_) {
+      const Eigen::Array2d x(side.dot(p), quarter_turn(side).dot(p));
+      low = low.min(x);
+      high = high.max(x);
+    }
+    return (high - low).prod();
+  }
+
+  /// How far the points lie into the corners of a rectangle whose sides are along the plane and across it.
+  double cornering(const Mirror_plane& plane) const
+  {
+    const Mirror_plane crossing = score(quarter_turn(plane.normal));
+    double sum = 0;
+    for (const Eigen::Vector2d& p : footprint_) {
+      sum += std::abs((plane.normal.dot(p) - plane.offset) * (crossing.normal.dot(p) - crossing.offset));
+    }
+    return sum;
+  }
+
+  /// What has two mirror planes along its sides and two along its diagonals, like a square table, is seen along its
+  /// sides; what is round from above but for that, like a disc on four legs, with the legs in the corners.
+  Mirror_plane tightest_alternative(const Mirror_plane& plane) const
+  {
+    const double as_good = 1.3, tighter = 0.99, clearly = 0.8;
+    const Mirror_plane diagonal = score(Eigen::Rotation2Dd(0.25 * EIGEN_PI) * plane.normal);
+    if (!is_mirror(plane) || !(diagonal.residual < as_good * plane.residual)) {
+      return plane;
+    }
+    const double area = rectangle_area(plane.normal), diagonal_area = rectangle_area(diagonal.normal);
+    const bool is_round = diagonal_area > tighter * area && area > tighter * diagonal_area;
+    const bool better = is_round ? cornering(plane) < clearly * cornering(diagonal) : diagonal_area < tighter * area;
+    return better ? diagonal : plane;
+  }
+
+  /// Searches nearby directions if a plane is no good as it is.
+  Mirror_plane refined(Mirror_plane plane) const
+  {
+    const double clearly = 0.98;
+    if (plane.residual < 0.5 * spacing_) {
+      return plane;
+    }
+    for (double step = 0.08; step > 0.002; step *= 0.5) {
+      const Mirror_plane start = plane;
+      for (const double angle : {-step, step}) {
+        const Mirror_plane turned = score(Eigen::Rotation2Dd(angle) * start.normal);
+        if (turned.residual < clearly * plane.residual) {
+          plane = turned;
+        }
+      }
+    }
+    return plane;
+  }
+
+  Points points_;
+  Nearest_points nearest_;
+  Eigen::Array<Eigen::Index, Eigen::Dynamic, 1> queries_;
+  Planar_points footprint_;
+  Planar_points hull_;
+  double extent_ = 0;
+  double spacing_ = 0;
+};
+
+/// The least rotation that turns `up` to y.
+Eigen::Matrix3d upright_rotation(const Point& up)
+{
+  return Eigen::Quaterniond::FromTwoVectors(up, Point::UnitY()).toRotationMatrix();
+}
+
+/// A rotation about y whose x axis is a horizontal direction.
+Eigen::Matrix3d axes_of_side(const Eigen::Vector2d& side)
+{
+  Eigen::Matrix3d result;
+  result.col(0) = Point(side.x(), 0, side.y()).normalized();
+  result.col(1) = Point::UnitY();
+  result.col(2) = result.col(0).cross(result.col(1));
+  return result;
+}
+
+/// Of four quarter turns the one nearest to the given orientation.
+Eigen::Vector2d side_nearest_to_x(const Eigen::Vector2d& direction)
+{
+  const double clearly = 1e-6;
+  Eigen::Vector2d result = direction, candidate = direction;
+  for (int turn = 1; turn < 4; ++turn) {
+    candidate = quarter_turn(candidate);
+    if (candidate.x() > result.x() + clearly) {
+      result = candidate;
+    }
+  }
+  return result;
+}
+
+/// Of two opposite sides the one that has the front towards positive z.
+Eigen::Vector2d side_with_front(const Eigen::Vector2d& direction)
+{
+  const double front = axes_of_side(direction)(2, 2);
+  const double clearly = 1e-6;
+  const bool keep = std::abs(front) > clearly ? front > 0 : direction.x() > 0;
+  return keep ? direction : Eigen::Vector2d(-direction);
+}
+
+/// Sets the axes and mirror flags; y is up.
+void orient(Shape_frame& frame, const Points& points, Eigen::Vector2d& offset_along_mirror)
+{
+  const Mirror_plane_finder finder(points);
+  const Mirror_plane best = finder.best();
+  const Mirror_plane crossing = finder.score(quarter_turn(best.normal));
+  Eigen::Vector2d side;
+  if (!finder.is_mirror(best)) {
+    side = side_nearest_to_x(finder.rectangle_direction());
+  } else if (finder.is_mirror(crossing)) {
+    side = side_nearest_to_x(best.normal);
+    frame.mirror_x = frame.mirror_z = true;
+  } else {
+    side = side_with_front(best.normal);
+    frame.mirror_x = true;
+  }
+  frame.axes = axes_of_side(side);
+  const auto along = [&](const Mirror_plane& plane, int axis) {
+    const Eigen::Vector2d direction(frame.axes(0, axis), frame.axes(2, axis));
+    return plane.offset * plane.normal.dot(direction);
+  };
+  const bool x_is_best = std::abs(side.dot(best.normal)) > 0.5;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  offset_along_mirror = Eigen::Vector2d(frame.mirror_x ? along(x_is_best ? best : crossing, 0) : none,
+                                        frame.mirror_z ? along(x_is_best ? crossing : best, 2) : none);
+}
+
+/// Puts the origin on the ground, on mirror planes or in the middle of the extent, and takes the height.
+void place(Shape_frame& frame, const Points& points, const Eigen::Vector2d& offset_along_mirror)
+{
+  const double flattest = 1e-3;
+  const Points turned = frame.axes.transpose() * points;
+  const Point low = turned.rowwise().minCoeff(), high = turned.rowwise().maxCoeff();
+  Point origin(0.5 * (low.x() + high.x()), low.y(), 0.5 * (low.z() + high.z()));
+  for (int k = 0; k < 2; ++k) {
+    if (std::isfinite(offset_along_mirror[k])) {
+      origin[2 * k] = offset_along_mirror[k];
+    }
+  }
+  const double largest = (high - low).maxCoeff();
+  frame.origin = frame.axes * origin;
+  frame.height = high.y() - low.y() > flattest * largest ? high.y() - low.y() : largest;
+  if (!(frame.height > 0)) {
+    frame.height = 1;
+  }
+}
+
+} // namespace
+
+Shape_frame compute_shape_frame(const Points& surface, const Point& up)
+{
+  CGAL_precondition(surface.cols() > 0);
+  const Eigen::Matrix3d upright = upright_rotation(up);
+  // About the middle, so that the distance from the world's origin costs no digits.
+  const Point middle = 0.5 * (surface.rowwise().minCoeff() + surface.rowwise().maxCoeff());
+  const Points points = upright * (surface.colwise() - middle);
+  Shape_frame result;
+  Eigen::Vector2d offset_along_mirror;
+  orient(result, points, offset_along_mirror);
+  place(result, points, offset_along_mirror);
+  result.axes = upright.transpose() * result.axes;
+  result.origin = upright.transpose() * result.origin + middle;
+  return result;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL

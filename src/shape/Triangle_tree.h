@@ -1,0 +1,370 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SHAPE_TRIANGLE_TREE_H
+#define CGAL_SHAPE_CORRESPONDENCE_SHAPE_TRIANGLE_TREE_H
+
+#include "shape/triangle_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace contacts {
+
+using Box = Eigen::AlignedBox3d;
+
+inline Box box_of(const Triangle& t)
+{
+  return Box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));
+}
+
+/// Triangles of two trees, by their numbers there.
+struct Triangle_pair
+{
+  std::size_t first = 0, second = 0;
+};
+
+/// A tree of boxes around triangles, for distances between whole surfaces, which CGAL's AABB tree does not have.
+class Triangle_tree
+{
+public:
+  explicit Triangle_tree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)), given_(triangles_.size())
+  {
+    nodes_.reserve(2 * triangles_.size() + 1);
+    std::iota(given_.begin(), given_.end(), std::size_t(0));
+    build(0, triangles_.size());
+    std::vector<Triangle> in_order;
+    in_order.reserve(triangles_.size());
+    for (std::size_t t : given_)
+      in_order.push_back(triangles_[t]);
+    triangles_.swap(in_order);
+  }
+
+  /// The same triangles elsewhere, `place(t)` the one that was given with number t: much faster than a new tree and as
+  /// good where neighbours stay neighbours.
+  template <typename Place>
+  void move(const Place& place)
+  {
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      triangles_[t] = place(given_[t]);
+    for (std::size_t node = nodes_.size(); node-- > 0;) { // children come after their parents
+      Box& box = nodes_[node].box;
+      box.setEmpty();
+      if (!is_leaf(node)) {
+        box = nodes_[node + 1].box.merged(nodes_[nodes_[node].right].box);
+        continue;
+      }
+      for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t)
+        box.extend(box_of(triangles_[t]));
+    }
+  }
+
+  /// The triangles, in the order of the tree.
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  /// The number that a triangle of the tree was given with.
+  std::size_t given_number(std::size_t t) const { return given_[t]; }
+  const Box& box() const { return nodes_[0].box; }
+
+  /// The point nearest to `p`, if it is nearer than the root of `squared`, which is set to the squared distance.
+  /// \param triangle the one of the tree that it is on
+  bool improve_nearest(const Point& p, Point& nearest, double& squared, std::size_t& triangle) const
+  {
+    return improve_nearest(0, p, nearest, squared, triangle);
+  }
+
+  /// The point nearest to `p`.
+  /// \param triangle one of the tree that is likely to be near, which saves time and changes nothing; then the one that
+  /// the point is on
+  Point nearest(const Point& p, std::size_t& triangle) const
+  {
+    constexpr double rounding = 1 + 1e-9, some = 1e-30;
+    double squared = (nearest_on_triangle(p, triangles_[triangle]) - p).squaredNorm() * rounding + some;
+    Point result = p;
+    improve_nearest(p, result, squared, triangle);
+    return result;
+  }
+
+  /// The closest points of two surfaces, where they are closer than `best`.
+  void improve_closest(const Triangle_tree& other, Closest_pair& best) const
+  {
+    Closest_search search(best, 0, 1);
+    improve_closest(0, other, 0, search);
+  }
+
+  /// Points of two surfaces that are closest but for a tenth of what their distance is over `enough`, or any within
+  /// that: much faster between faces that lie flat on each other.
+  Closest_pair nearly_closest(const Triangle_tree& other, double enough = 0) const
+  {
+    Closest_pair best;
+    Closest_search search(best, enough, nearly);
+    improve_closest(0, other, 0, search);
+    return best;
+  }
+
+  /// The same.
+  /// \param near triangles of either tree that are likely to be near each other, which saves time; then those of the
+  /// points
+  Closest_pair nearly_closest(const Triangle_tree& other, double enough, Triangle_pair& near) const
+  {
+    Closest_pair best;
+    improve_by_triangles(triangles_[near.first], other.triangles_[near.second], best);
+    Closest_search search(best, enough, nearly, &near);
+    improve_closest(0, other, 0, search);
+    return best;
+  }
+
+  /// Whether two surfaces are within the root of `squared` of each other.
+  bool is_within(const Triangle_tree& other, double squared) const { return is_within(0, other, 0, squared); }
+
+  /// Whether `p` is nearer than the root of `squared`.
+  bool is_near(const Point& p, double squared) const
+  {
+    return any_triangle([&](const Box& box) { return box.squaredExteriorDistance(p); },
+                        [&](const Triangle& t) { return (nearest_on_triangle(p, t) - p).squaredNorm() < squared; },
+                        squared);
+  }
+
+  /// For every triangle, whether it is within the root of `squared` of a triangle of the other tree.
+  std::vector<char> near_triangles(const Triangle_tree& other, double squared) const
+  {
+    std::vector<char> result(triangles_.size(), 0);
+    mark_near(0, other, squared, result);
+    return result;
+  }
+
+  /// The number of triangles that a ray goes through.
+  int crossings(const Point& from, const Point& direction) const { return crossings(0, from, direction); }
+
+private:
+  static constexpr std::size_t LEAF = 2;
+  static constexpr double nearly = 0.9;
+
+  struct Node
+  {
+    Box box;
+    std::size_t begin, end; ///< triangles
+    std::size_t right = 0;  ///< the second child; the first comes next; 0 for a leaf
+  };
+
+  bool is_leaf(std::size_t node) const { return nodes_[node].right == 0; }
+
+  /// Splits at the median of the middles along the longest side.
+  void build(std::size_t begin, std::size_t end)
+  {
+    const std::size_t node = nodes_.size();
+    nodes_.push_back({{}, begin, end});
+    Box middles;
+    for (std::size_t t = begin; t < end; ++t) {
+      nodes_[node].box.extend(box_of(triangles_[given_[t]]));
+      middles.extend(middle(triangles_[given_[t]]));
+    }
+    if (end - begin <= LEAF) return;
+    Eigen::Index axis;
+    middles.sizes().maxCoeff(&axis);
+    const std::size_t half = (begin + end) / 2;
+    const auto first = given_.begin();
+    std::nth_element(
+        first + std::ptrdiff_t(begin), first + std::ptrdiff_t(half), first + std::ptrdiff_t(end),
+        [&](std::size_t a, std::size_t b) { return middle(triangles_[a])[axis] < middle(triangles_[b])[axis]; });
+    build(begin, half);
+    nodes_[node].right = nodes_.size();
+    build(half, end);
+  }
+
+  static Point middle(const Triangle& t) { return t[0] + t[1] + t[2]; } // three times the middle
+
+  bool improve_nearest(std::size_t node, const Point& p, Point& nearest, double& squared, std::size_t& triangle) const
+  {
+    bool improved = false;
+    if (is_leaf(node)) {
+      for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t) {
+        const Point candidate = nearest_on_triangle(p, triangles_[t]);
+        if ((candidate - p).squaredNorm() >= squared) continue;
+        squared = (candidate - p).squaredNorm();
+        nearest = candidate;
+        triangle = t;
+        improved = true;
+      }
+      return improved;
+    }
+    std::array<std::pair<double, std::size_t>, 2> children;
+    children[0] = {nodes_[node + 1].box.squaredExteriorDistance(p), node + 1};
+    children[1] = {nodes_[nodes_[node].right].box.squaredExteriorDistance(p), nodes_[node].right};
+    if (children[1].first < children[0].first) std::swap(children[0], children[1]);
+    for (const auto& [bound, child] : children)
+      if (bound < squared) improved = improve_nearest(child, p, nearest, squared, triangle) || improved;
+    return improved;
+  }
+
+  /// The pairs of nodes that a pair is split into: the larger of the two is.
+  std::array<std::pair<std::size_t, std::size_t>, 2> split(std::size_t node, const Triangle_tree& other,
+                                                           std::size_t other_node) const
+  {
+    const Node &a = nodes_[node], &b = other.nodes_[other_node];
+    const bool split_own =
+        b.right == 0 || (a.right != 0 && a.box.diagonal().squaredNorm() > b.box.diagonal().squaredNorm());
+    if (split_own) return {{{node + 1, other_node}, {a.right, other_node}}};
+    return {{{node, other_node + 1}, {node, b.right}}};
+  }
+
+  double squared_distance(std::size_t node, const Triangle_tree& other, std::size_t other_node) const
+  {
+    return nodes_[node].box.squaredExteriorDistance(other.nodes_[other_node].box);
+  }
+
+  /// A search for the closest points of two trees.
+  class Closest_search
+  {
+  public:
+    /// \param enough the distance that is good enough
+    /// \param share how much of a distance over that what is closer has of it, at most
+    /// \param triangles set to those of the best
+    Closest_search(Closest_pair& best, double enough, double share, Triangle_pair* triangles = nullptr)
+        : best_(best), enough_(enough), share_(share), triangles_(triangles)
+    {
+      set_limit();
+    }
+
+    /// The squared distance under which it is worth while to look.
+    double limit() const { return limit_; }
+
+    void compare(const Triangle_tree& a, std::size_t t, const Triangle_tree& b, std::size_t u)
+    {
+      const Triangle &first = a.triangles_[t], &second = b.triangles_[u];
+      if (box_of(first).squaredExteriorDistance(box_of(second)) >= limit_) return;
+      const double before = best_.squared;
+      improve_by_triangles(first, second, best_, limit_);
+      if (!(best_.squared < before)) return;
+      if (triangles_) *triangles_ = {t, u};
+      set_limit();
+    }
+
+  private:
+    void set_limit()
+    {
+      const double distance = std::sqrt(best_.squared);
+      const double share = share_ + (1 - share_) * enough_ / distance;
+      limit_ = distance > enough_ ? share * share * best_.squared : 0;
+    }
+
+    Closest_pair& best_;
+    double enough_, share_, limit_ = 0;
+    Triangle_pair* triangles_;
+  };
+
+  void improve_closest(std::size_t node, const Triangle_tree& other, std::size_t other_node,
+                       Closest_search& search) const
+  {
+    if (is_leaf(node) && other.is_leaf(other_node)) {
+      for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t)
+        for (std::size_t u = other.nodes_[other_node].begin; u < other.nodes_[other_node].end; ++u)
+          search.compare(*this, t, other, u);
+      return;
+    }
+    auto pairs = split(node, other, other_node);
+    std::array<double, 2> bounds;
+    for (int i = 0; i < 2; ++i)
+      bounds[i] = squared_distance(pairs[i].first, other, pairs[i].second);
+    if (bounds[1] < bounds[0]) {
+      std::swap(pairs[0], pairs[1]);
+      std::swap(bounds[0], bounds[1]);
+    }
+    for (int i = 0; i < 2; ++i)
+      if (bounds[i] < search.limit()) improve_closest(pairs[i].first, other, pairs[i].second, search);
+  }
+
+  bool is_within(std::size_t node, const Triangle_tree& other, std::size_t other_node, double squared) const
+  {
+    if (squared_distance(node, other, other_node) > squared) return false;
+    if (is_leaf(node) && other.is_leaf(other_node)) {
+      for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t)
+        for (std::size_t u = other.nodes_[other_node].begin; u < other.nodes_[other_node].end; ++u)
+          if (box_of(triangles_[t]).squaredExteriorDistance(box_of(other.triangles_[u])) <= squared &&
+              are_within(triangles_[t], other.triangles_[u], squared))
+            return true;
+      return false;
+    }
+    const auto pairs = split(node, other, other_node);
+    const bool second_is_nearer = squared_distance(pairs[1].first, other, pairs[1].second) <
+                                  squared_distance(pairs[0].first, other, pairs[0].second);
+    const auto& near = pairs[second_is_nearer ? 1 : 0];
+    const auto& far = pairs[second_is_nearer ? 0 : 1];
+    return is_within(near.first, other, near.second, squared) || is_within(far.first, other, far.second, squared);
+  }
+
+  // Whether a triangle passes a test; nodes farther than the root of `squared` have none. The nearer node first.
+  template <typename SquaredDistance, typename Test>
+  bool any_triangle(const SquaredDistance& squared_distance, const Test& test, double squared,
+                    std::size_t node = 0) const
+  {
+    if (is_leaf(node))
+      return std::any_of(triangles_.begin() + nodes_[node].begin, triangles_.begin() + nodes_[node].end, test);
+    std::array<std::pair<double, std::size_t>, 2> children;
+    children[0] = {squared_distance(nodes_[node + 1].box), node + 1};
+    children[1] = {squared_distance(nodes_[nodes_[node].right].box), nodes_[node].right};
+    if (children[1].first < children[0].first) std::swap(children[0], children[1]);
+    for (const auto& [bound, child] : children)
+      if (bound <= squared && any_triangle(squared_distance, test, squared, child)) return true;
+    return false;
+  }
+
+  void mark_near(std::size_t node, const Triangle_tree& other, double squared, std::vector<char>& result) const
+  {
+    if (nodes_[node].box.squaredExteriorDistance(other.box()) > squared) return;
+    if (!is_leaf(node)) {
+      mark_near(node + 1, other, squared, result);
+      mark_near(nodes_[node].right, other, squared, result);
+      return;
+    }
+    for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t) {
+      const Box box = box_of(triangles_[t]);
+      result[t] = other.any_triangle([&](const Box& node_box) { return node_box.squaredExteriorDistance(box); },
+                                     [&](const Triangle& u) {
+                                       return box.squaredExteriorDistance(box_of(u)) <= squared &&
+                                              are_within(triangles_[t], u, squared);
+                                     },
+                                     squared);
+    }
+  }
+
+  int crossings(std::size_t node, const Point& from, const Point& direction) const
+  {
+    if (!is_crossed(nodes_[node].box, from, direction)) return 0;
+    if (!is_leaf(node)) return crossings(node + 1, from, direction) + crossings(nodes_[node].right, from, direction);
+    int result = 0;
+    for (std::size_t t = nodes_[node].begin; t < nodes_[node].end; ++t) {
+      const std::optional<double> at = crossing(from, direction, triangles_[t]);
+      result += at && *at > 0;
+    }
+    return result;
+  }
+
+  /// \pre no coordinate of the direction is 0
+  static bool is_crossed(const Box& box, const Point& from, const Point& direction)
+  {
+    const Eigen::Array3d a = (box.min() - from).array() / direction.array();
+    const Eigen::Array3d b = (box.max() - from).array() / direction.array();
+    return std::max(0.0, a.min(b).maxCoeff()) <= a.max(b).minCoeff();
+  }
+
+  std::vector<Triangle> triangles_;
+  std::vector<std::size_t> given_; ///< by triangle of the tree
+  std::vector<Node> nodes_;
+};
+
+} // namespace contacts
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SHAPE_TRIANGLE_TREE_H

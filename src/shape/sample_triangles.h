@@ -1,0 +1,64 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SHAPE_SAMPLE_TRIANGLES_H
+#define CGAL_SHAPE_CORRESPONDENCE_SHAPE_SAMPLE_TRIANGLES_H
+
+#include <CGAL/Shape_correspondence/Points.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace contacts {
+
+/// Points on a piece of surface and the area that each stands for.
+struct Surface_samples
+{
+  std::vector<Point> points;
+  std::vector<double> areas;
+};
+
+/// A triangle by its corner and two sides, with its area.
+struct Sampled_triangle
+{
+  Point corner, side_1, side_2;
+  double area;
+};
+
+/// `n` points, evenly spread by area; the k-th takes its place in its triangle from a low-discrepancy sequence.
+inline Surface_samples sample_triangles(const std::vector<Sampled_triangle>& triangles, int n)
+{
+  constexpr double STEP_1 = 0.7548776662466927, STEP_2 = 0.5698402909980532; // powers of the plastic number
+  double total = 0;
+  for (const Sampled_triangle& t : triangles)
+    total += t.area;
+  Surface_samples samples;
+  std::size_t current = 0;
+  double passed = 0;
+  for (int k = 0; k < n && !triangles.empty(); ++k) {
+    const double target = (k + 0.5) / n * total;
+    while (current + 1 < triangles.size() && passed + triangles[current].area < target)
+      passed += triangles[current++].area;
+    double u = std::fmod((k + 1) * STEP_1, 1.0), v = std::fmod((k + 1) * STEP_2, 1.0);
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    const Sampled_triangle& t = triangles[current];
+    samples.points.push_back(t.corner + u * t.side_1 + v * t.side_2);
+    samples.areas.push_back(total / n);
+  }
+  return samples;
+}
+
+} // namespace contacts
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SHAPE_SAMPLE_TRIANGLES_H

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "shape/has_area.h"
+#include "shape/meshes.h"
+
+#include <CGAL/Shape_correspondence/segment_mesh.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/mesh_segmentation.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+/// A manifold mesh of a soup's triangles; where they make no manifold, vertices are doubled.
+Halfedge_mesh welded_surface(const Part_mesh& mesh)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  Triangle_soup soup = to_soup(mesh);
+  PMP::repair_polygon_soup(soup.points, soup.triangles);
+  PMP::orient_polygon_soup(soup.points, soup.triangles);
+  Halfedge_mesh result;
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, result);
+  return result;
+}
+
+/// Segment ids of a closed connected mesh, from 0 on.
+std::vector<std::size_t> sdf_segments(const Halfedge_mesh& mesh, const Segmentation_options& options)
+{
+  std::vector<double> sdf(mesh.number_of_faces());
+  std::vector<std::size_t> segments(mesh.number_of_faces());
+  const auto id = CGAL::get(boost::face_index, mesh);
+  const auto sdf_map = boost::make_iterator_property_map(sdf.begin(), id);
+  CGAL::sdf_values(mesh, sdf_map);
+  CGAL::segmentation_from_sdf_values(mesh, sdf_map, boost::make_iterator_property_map(segments.begin(), id),
+                                     static_cast<std::size_t>(options.clusters), options.smoothness);
+  return segments;
+}
+
+} // namespace
+
+Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options, std::string name,
+                               const Point& up)
+{
+  Halfedge_mesh surface = welded_surface(mesh);
+  std::vector<Halfedge_mesh> components;
+  CGAL::Polygon_mesh_processing::split_connected_components(surface, components);
+  Mesh_segmentation result{Segmented_shape(std::move(name), up)};
+  for (Halfedge_mesh& component : components) {
+    component.collect_garbage();
+    if (!has_area(to_part_mesh(component))) {
+      ++result.pieces_left_out;
+      continue;
+    }
+    std::vector<std::size_t> segments(component.number_of_faces(), 0);
+    if (CGAL::is_closed(component)) {
+      CGAL::Polygon_mesh_processing::orient_to_bound_a_volume(component); // its inside is what is measured
+      segments = sdf_segments(component, options);
+    }
+    std::map<std::size_t, Part_mesh_builder<Halfedge_mesh>> builders;
+    for (auto face : component.faces()) {
+      builders.try_emplace(segments[face.idx()], component).first->second.add_face(face);
+    }
+    for (const auto& [segment, builder] : builders) {
+      Part_mesh part = builder.build();
+      if (has_area(part)) {
+        result.shape.add_part("segment_" + std::to_string(result.shape.parts().size()), std::move(part));
+      } else {
+        ++result.pieces_left_out;
+      }
+    }
+  }
+  return result;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,158 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SHAPE_TRIANGLE_DISTANCE_H
+#define CGAL_SHAPE_CORRESPONDENCE_SHAPE_TRIANGLE_DISTANCE_H
+
+#include <CGAL/Shape_correspondence/Points.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace contacts {
+
+using Triangle = std::array<Point, 3>;
+
+/// Two points, one on either of two sets, and their squared distance.
+struct Closest_pair
+{
+  double squared = std::numeric_limits<double>::infinity();
+  Point first = Point::Zero(), second = Point::Zero();
+
+  void improve(const Point& p, const Point& q)
+  {
+    const double candidate = (p - q).squaredNorm();
+    if (candidate < squared) *this = {candidate, p, q};
+  }
+};
+
+inline double clamped(double x) { return std::min(1.0, std::max(0.0, x)); }
+
+/// The point of the segment from `a` to `b` nearest to `p`.
+inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b)
+{
+  const double length = (b - a).squaredNorm();
+  return length > 0 ? Point(a + clamped((p - a).dot(b - a) / length) * (b - a)) : a;
+}
+
+constexpr double flat = 1e-24; // squared sine of an angle that rounding alone can make of none
+
+/// The point of the triangle nearest to `p`.
+inline Point nearest_on_triangle(const Point& p, const Triangle& t)
+{
+  const Point u = t[1] - t[0], v = t[2] - t[0], normal = u.cross(v);
+  bool inside = normal.squaredNorm() > flat * u.squaredNorm() * v.squaredNorm();
+  for (int i = 0; i < 3 && inside; ++i)
+    inside = normal.dot((t[(i + 1) % 3] - t[i]).cross(p - t[i])) >= 0;
+  if (inside) return p - normal.dot(p - t[0]) / normal.squaredNorm() * normal;
+  Point best = nearest_on_segment(p, t[0], t[1]);
+  for (int i = 1; i < 3; ++i) {
+    const Point candidate = nearest_on_segment(p, t[i], t[(i + 1) % 3]);
+    if ((candidate - p).squaredNorm() < (best - p).squaredNorm()) best = candidate;
+  }
+  return best;
+}
+
+/// The closest points of two segments.
+inline void improve_by_segments(const Point& a, const Point& b, const Point& c, const Point& d, Closest_pair& best)
+{
+  const Point u = b - a, v = d - c, w = a - c;
+  const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), uw = u.dot(w), vw = v.dot(w);
+  const double determinant = uu * vv - uv * uv;
+  const double s = determinant > 0 ? clamped((uv * vw - vv * uw) / determinant) : 0;
+  const Point q = nearest_on_segment(a + s * u, c, d);
+  best.improve(nearest_on_segment(q, a, b), q);
+}
+
+/// Where the line from `from` along `direction` goes through the triangle, as a multiple of `direction`; nowhere if it
+/// runs in the triangle's plane, or if the triangle is a needle.
+inline std::optional<double> crossing(const Point& from, const Point& direction, const Triangle& t)
+{
+  const Point u = t[1] - t[0], v = t[2] - t[0], across = direction.cross(v);
+  const double determinant = u.dot(across);
+  if (determinant * determinant <= flat * u.squaredNorm() * v.squaredNorm() * direction.squaredNorm())
+    return std::nullopt;
+  const Point to = from - t[0], turned = to.cross(u);
+  const double x = to.dot(across) / determinant, y = direction.dot(turned) / determinant;
+  if (x < 0 || y < 0 || x + y > 1) return std::nullopt;
+  return v.dot(turned) / determinant;
+}
+
+/// Whether an edge of `a` goes through `b`, and where.
+inline bool improve_by_crossing(const Triangle& a, const Triangle& b, Closest_pair& best)
+{
+  for (int i = 0; i < 3; ++i) {
+    const Point side = a[(i + 1) % 3] - a[i];
+    const std::optional<double> at = crossing(a[i], side, b);
+    if (!at || *at < 0 || *at > 1) continue;
+    const Point p = a[i] + *at * side;
+    best = {0, p, p};
+    return true;
+  }
+  return false;
+}
+
+/// Whether the plane of one triangle alone keeps another farther than the root of `squared`: much cheaper than
+/// distances.
+inline bool is_off_plane(const Triangle& plane, const Triangle& t, double squared)
+{
+  constexpr double ROUNDING = 1 + 1e-9;
+  const Point normal = (plane[1] - plane[0]).cross(plane[2] - plane[0]);
+  const double a = normal.dot(t[0] - plane[0]), b = normal.dot(t[1] - plane[0]), c = normal.dot(t[2] - plane[0]);
+  const double least = std::max(std::min({a, b, c}), -std::max({a, b, c}));
+  return least > 0 && least * least > ROUNDING * squared * normal.squaredNorm();
+}
+
+/// The closest points of two triangles, where they are closer than `best`.
+/// \param limit a squared distance, over which it need not be improved
+inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_pair& best, double limit)
+{
+  if (is_off_plane(a, b, limit) || is_off_plane(b, a, limit)) return;
+  if (improve_by_crossing(a, b, best) || improve_by_crossing(b, a, best)) return;
+  for (int i = 0; i < 3; ++i) {
+    best.improve(a[i], nearest_on_triangle(a[i], b));
+    best.improve(nearest_on_triangle(b[i], a), b[i]);
+    for (int j = 0; j < 3; ++j)
+      improve_by_segments(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3], best);
+  }
+}
+
+/// The same, without a limit.
+inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_pair& best)
+{
+  improve_by_triangles(a, b, best, best.squared);
+}
+
+/// Whether two triangles are within the root of `squared` of each other.
+inline bool are_within(const Triangle& a, const Triangle& b, double squared)
+{
+  if (is_off_plane(a, b, squared) || is_off_plane(b, a, squared)) return false;
+  Closest_pair best;
+  for (int i = 0; i < 3; ++i) {
+    best.improve(a[i], nearest_on_triangle(a[i], b));
+    best.improve(nearest_on_triangle(b[i], a), b[i]);
+    if (best.squared <= squared) return true;
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      improve_by_segments(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3], best);
+      if (best.squared <= squared) return true;
+    }
+  return improve_by_crossing(a, b, best) || improve_by_crossing(b, a, best);
+}
+
+} // namespace contacts
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SHAPE_TRIANGLE_DISTANCE_H

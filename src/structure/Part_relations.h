@@ -1,0 +1,282 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_RELATIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_RELATIONS_H
+
+#include "structure/Part_signature.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace symmetry {
+
+constexpr double POSITION_TOLERANCE = 0.01; ///< over the shape's height; for parts that are small
+constexpr double NOISE = 0.003;             ///< mean deviation of hulls that noise explains, over the diagonal
+constexpr double ELONGATED = 1.5;           ///< length over width of a shape whose ends differ in meaning
+constexpr double PLANE_TOLERANCE = 0.02;    ///< how far from a mirror plane a pair may be centred, over the height
+constexpr double MAIN_PLANE_SUPPORT = 0.4;  ///< share of the surface that must be mirrored, for the better plane
+constexpr double OTHER_PLANE_SUPPORT = 0.7; ///< and for the other one
+
+/// The motions whose linear part every pair is tested for.
+enum Basic_map { TRANSLATED = 0, MIRRORED_X = 1, MIRRORED_Z = 2 };
+
+inline int axis_of(Basic_map map) { return map == MIRRORED_X ? 0 : 2; }
+
+inline Eigen::Matrix3d matrix_of(Basic_map map)
+{
+  Eigen::Matrix3d result = Eigen::Matrix3d::Identity();
+  if (map != TRANSLATED) result(axis_of(map), axis_of(map)) = -1;
+  return result;
+}
+
+inline Eigen::Matrix3d mirror_matrix(const Point& normal)
+{
+  return Eigen::Matrix3d::Identity() - 2 * normal * normal.transpose();
+}
+
+/// Which parts are congruent under which motions, of parts in a canonical order. What is asked for all pairs is judged
+/// by hulls; `confirm()` looks at the surfaces.
+class Part_relations
+{
+public:
+  Part_relations(std::vector<Part_signature> parts, const Shape_frame& frame, double tolerance)
+      : parts_(std::move(parts)), frame_(frame), tolerance_(tolerance)
+  {
+    const std::size_t n = parts_.size();
+    Eigen::AlignedBox3d box;
+    for (const Part_signature& part : parts_) {
+      boxes_.push_back(box_of(part));
+      box.extend(boxes_.back());
+    }
+    noise_ = NOISE * box.diagonal().norm();
+    extent_ = box.sizes();
+    for (Basic_map map : {TRANSLATED, MIRRORED_X, MIRRORED_Z}) {
+      related_[map].assign(n * n, 0);
+      compute(map);
+    }
+    find_planes();
+  }
+
+  std::size_t size() const { return parts_.size(); }
+  const Part_signature& operator[](std::size_t i) const { return parts_[i]; }
+
+  /// How far apart, on average, the surface of one part and the image of another's may be.
+  double deviation_limit(std::size_t i, std::size_t j) const
+  {
+    return std::max(tolerance_ * std::max(parts_[i].diagonal, parts_[j].diagonal), noise_);
+  }
+
+  double noise() const { return noise_; }
+
+  /// How far a part may be from where it should be.
+  double position_tolerance(std::size_t i) const
+  {
+    return std::max(POSITION_TOLERANCE, tolerance_ * parts_[i].diagonal);
+  }
+
+  bool related(std::size_t i, std::size_t j, Basic_map map) const { return related_[map][i * size() + j] != 0; }
+
+  /// Root mean square deviation of the hull of the image of part i from that of part j, in heights; infinite if they
+  /// are not congruent.
+  double deviation(std::size_t i, std::size_t j, const Eigen::Matrix3d& map) const
+  {
+    if (!same_size(i, j)) return std::numeric_limits<double>::infinity();
+    return support_deviation(moved_support(parts_[i], map), parts_[j].support, deviation_limit(i, j));
+  }
+
+  bool same_size(std::size_t i, std::size_t j) const { return have_same_size(parts_[i], parts_[j], tolerance_); }
+
+  /// Compares surfaces; what fails is not related any more.
+  bool confirm(std::size_t i, std::size_t j, const Eigen::Matrix3d& map)
+  {
+    if (surfaces_agree(parts_[i], parts_[j], map, deviation_limit(i, j))) return true;
+    for (Basic_map basic : {TRANSLATED, MIRRORED_X, MIRRORED_Z})
+      if (matrix_of(basic).isApprox(map)) related_[basic][i * size() + j] = related_[basic][j * size() + i] = 0;
+    return false;
+  }
+
+  /// Whether two parts are displaced from each other along one axis alone. Parts that cross each other are not
+  /// displaced at all, but mirror images of each other and not of themselves.
+  bool displaced_along(std::size_t i, std::size_t j, Basic_map mirror) const
+  {
+    Point d = parts_[i].centre - parts_[j].centre;
+    const double along = std::abs(d[axis_of(mirror)]);
+    d[axis_of(mirror)] = 0;
+    const double across = d.norm();
+    if (across > position_tolerance(i)) return false;
+    const bool cross = std::hypot(along, across) <= noise_ && !related(i, i, mirror);
+    return along > std::max(POSITION_TOLERANCE, across) || cross;
+  }
+
+  /// The mirror map that explains more of the shape than the other: the one of left and right.
+  Basic_map main_mirror() const { return main_mirror_; }
+  Basic_map other_mirror() const { return main_mirror_ == MIRRORED_X ? MIRRORED_Z : MIRRORED_X; }
+
+  /// The mirror plane x = offset or z = offset that explains most of the shape, if it explains enough.
+  const std::optional<double>& plane(Basic_map map) const { return planes_[map]; }
+
+  /// A shape that is longer than wide has two ends: a bed's head and foot, a bicycle's front and rear. Whether two
+  /// parts are at both ends, and nothing that they carry together says that these are alike, as a table's top does.
+  /// A shape whose only mirror plane is across its length has two sides instead, like an aeroplane of wide span.
+  bool are_at_different_ends(std::size_t i, std::size_t j) const
+  {
+    const int length = extent_.x() > extent_.z() ? 0 : 2, width = 2 - length;
+    if (extent_[length] < ELONGATED * extent_[width]) return false;
+    const Basic_map across = length == 0 ? MIRRORED_X : MIRRORED_Z, along = length == 0 ? MIRRORED_Z : MIRRORED_X;
+    if (is_whole_mirrored(across) && !plane(along)) return false;
+    if (std::abs(parts_[i].centre[length] - parts_[j].centre[length]) < extent_[length] / 2) return false;
+    return !are_covered(i, j) && !is_wheel(i);
+  }
+
+  /// Whether a part is an upright disc or ring, which looks the same when it is turned about its axis. It may have an
+  /// axle, a hub or a sprocket.
+  bool is_wheel(std::size_t i) const
+  {
+    const Point size = boxes_[i].sizes();
+    const int axis = size.x() < size.z() ? 0 : 2;
+    if (2 * size[axis] > size.y()) return false;
+    const double eighth = std::atan(1.0);
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(eighth, Point::Unit(axis)).toRotationMatrix();
+    return std::isfinite(deviation(i, i, turn)) && std::isfinite(deviation(i, i, turn * turn));
+  }
+
+private:
+  bool is_whole_mirrored(Basic_map map) const { return map == MIRRORED_X ? frame_.mirror_x : frame_.mirror_z; }
+
+  static Eigen::AlignedBox3d box_of(const Part_signature& part)
+  {
+    return Eigen::AlignedBox3d(part.centre + part.extremes.rowwise().minCoeff(),
+                               part.centre + part.extremes.rowwise().maxCoeff());
+  }
+
+  /// Whether one part lies above the middles of both.
+  bool are_covered(std::size_t i, std::size_t j) const
+  {
+    const double top = std::max(boxes_[i].max().y(), boxes_[j].max().y());
+    for (std::size_t k = 0; k < size(); ++k) {
+      const Eigen::AlignedBox3d& box = boxes_[k];
+      const auto covers = [&](const Point& p) {
+        return box.min().x() <= p.x() && p.x() <= box.max().x() && box.min().z() <= p.z() && p.z() <= box.max().z();
+      };
+      if (k != i && k != j && box.max().y() >= top && covers(parts_[i].centre) && covers(parts_[j].centre)) return true;
+    }
+    return false;
+  }
+
+  void compute(Basic_map map)
+  {
+    std::vector<Eigen::Index> permutation;
+    if (map != TRANSLATED) permutation = support_directions().mirrored(axis_of(map));
+    for (std::size_t i = 0; i < size(); ++i) {
+      Eigen::VectorXd image = parts_[i].support;
+      for (std::size_t d = 0; d < permutation.size(); ++d)
+        image[d] = parts_[i].support[permutation[d]];
+      for (std::size_t j = i; j < size(); ++j) {
+        if (!same_size(i, j)) continue;
+        const bool fits = std::isfinite(support_deviation(image, parts_[j].support, deviation_limit(i, j)));
+        related_[map][i * size() + j] = related_[map][j * size() + i] = fits;
+      }
+    }
+  }
+
+  double weight(std::size_t i) const
+  {
+    return parts_[i].area > 0 ? parts_[i].area : parts_[i].diagonal * parts_[i].diagonal;
+  }
+
+  /// The share of the surface mirrored by some plane of an axis, and the plane.
+  struct Supported_plane
+  {
+    double support = 0;
+    double offset = 0;
+  };
+
+  /// Every pair and every part of its own votes for a plane; the offset with most surface behind it wins.
+  Supported_plane best_plane(Basic_map map, const std::optional<double>& wanted) const
+  {
+    const int axis = axis_of(map);
+    std::vector<std::pair<double, std::size_t>> votes; // offset, part
+    double total = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      total += weight(i);
+      if (related(i, i, map)) votes.emplace_back(parts_[i].centre[axis], i);
+      for (std::size_t j = 0; j < size(); ++j)
+        if (j != i && related(i, j, map) && displaced_along(i, j, map))
+          votes.emplace_back((parts_[i].centre[axis] + parts_[j].centre[axis]) / 2, i);
+    }
+    if (wanted) {
+      const auto is_far = [&](const auto& vote) { return std::abs(vote.first - *wanted) > PLANE_TOLERANCE; };
+      votes.erase(std::remove_if(votes.begin(), votes.end(), is_far), votes.end());
+    }
+    std::sort(votes.begin(), votes.end());
+    return best_window(votes, total);
+  }
+
+  /// The window of offsets, as wide as the plane's tolerance, whose parts have most surface.
+  Supported_plane best_window(const std::vector<std::pair<double, std::size_t>>& votes, double total) const
+  {
+    Supported_plane best;
+    std::vector<int> uses(size(), 0);
+    double support = 0;
+    std::size_t first = 0;
+    for (std::size_t last = 0; last < votes.size(); ++last) {
+      if (uses[votes[last].second]++ == 0) support += weight(votes[last].second);
+      for (; votes[last].first - votes[first].first > PLANE_TOLERANCE; ++first)
+        if (--uses[votes[first].second] == 0) support -= weight(votes[first].second);
+      if (support > best.support * total * (1 + 1e-9)) {
+        double sum = 0, weights = 0;
+        for (std::size_t v = first; v <= last; ++v) {
+          sum += weight(votes[v].second) * votes[v].first;
+          weights += weight(votes[v].second);
+        }
+        best = {support / total, sum / weights};
+      }
+    }
+    return best;
+  }
+
+  /// Of two mirror planes that explain the shape equally well, the one across its length is the main one.
+  void find_planes()
+  {
+    constexpr double CLEARLY = 0.01;
+    const std::optional<double> at_origin = 0.0, anywhere;
+    std::array<Supported_plane, 3> found;
+    for (Basic_map map : {MIRRORED_X, MIRRORED_Z})
+      found[map] = best_plane(map, is_whole_mirrored(map) ? at_origin : anywhere);
+    const double advantage = found[MIRRORED_X].support - found[MIRRORED_Z].support;
+    const bool x_is_main = std::abs(advantage) > CLEARLY ? advantage > 0 : extent_.x() >= extent_.z() * (1 - CLEARLY);
+    main_mirror_ = x_is_main ? MIRRORED_X : MIRRORED_Z;
+    for (Basic_map map : {MIRRORED_X, MIRRORED_Z}) {
+      const bool is_main = map == main_mirror_;
+      if ((is_whole_mirrored(map) && is_main) ||
+          found[map].support >= (is_main ? MAIN_PLANE_SUPPORT : OTHER_PLANE_SUPPORT))
+        planes_[map] = found[map].offset;
+    }
+  }
+
+  std::vector<Part_signature> parts_;
+  std::vector<Eigen::AlignedBox3d> boxes_; ///< of the parts
+  const Shape_frame& frame_;
+  double tolerance_;
+  double noise_;
+  Point extent_; ///< of the shape
+  std::array<std::vector<char>, 3> related_;
+  std::array<std::optional<double>, 3> planes_;
+  Basic_map main_mirror_ = MIRRORED_X;
+};
+
+} // namespace symmetry
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_RELATIONS_H

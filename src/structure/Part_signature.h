@@ -1,0 +1,218 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_SIGNATURE_H
+#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_SIGNATURE_H
+
+#include <CGAL/Shape_correspondence/Part_abstraction.h>
+#include <CGAL/Shape_correspondence/Shape_frame.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace symmetry {
+
+constexpr int SHEET_SAMPLES = 16;      ///< along each side, of a sheet that stands for its part's surface
+constexpr int CURVE_SAMPLES = 64;      ///< of a curve that stands for its part's surface
+constexpr double AREA_RATIO = 1.35;    ///< how much the areas of congruent parts may differ
+constexpr double VOLUME_RATIO = 1.5;   ///< the same of volumes, which open meshes do not fix well
+constexpr double MAXIMUM_FACTOR = 2.5; ///< the largest deviation allowed, over the mean one allowed
+
+/// Directions to measure supports in: the points of a cubic lattice on the surface of a cube, so that mirroring in a
+/// coordinate plane permutes them.
+class Directions
+{
+public:
+  explicit Directions(int half_size)
+  {
+    for (int x = -half_size; x <= half_size; ++x)
+      for (int y = -half_size; y <= half_size; ++y)
+        for (int z = -half_size; z <= half_size; ++z)
+          if (std::max({std::abs(x), std::abs(y), std::abs(z)}) == half_size) lattice_.emplace_back(x, y, z);
+    vectors_.resize(lattice_.size(), 3);
+    weights_.resize(lattice_.size());
+    for (std::size_t i = 0; i < lattice_.size(); ++i) {
+      const double length = lattice_[i].cast<double>().norm();
+      vectors_.row(i) = lattice_[i].cast<double>() / length;
+      weights_[i] = 1 / (length * length * length); // the solid angle of a cell of the cube
+    }
+    weights_ /= weights_.sum();
+  }
+
+  Eigen::Index size() const { return vectors_.rows(); }
+  const Eigen::MatrixX3d& vectors() const { return vectors_; }
+  const Eigen::VectorXd& weights() const { return weights_; }
+
+  /// Which direction is the opposite one: the lattice is symmetric, and its points are in lexicographic order.
+  Eigen::Index opposite(Eigen::Index i) const { return size() - 1 - i; }
+
+  /// Where mirroring along an axis takes the directions.
+  std::vector<Eigen::Index> mirrored(int axis) const
+  {
+    std::vector<Eigen::Index> result;
+    for (Eigen::Vector3i v : lattice_) {
+      v[axis] = -v[axis];
+      result.push_back(std::find(lattice_.begin(), lattice_.end(), v) - lattice_.begin());
+    }
+    return result;
+  }
+
+private:
+  std::vector<Eigen::Vector3i> lattice_;
+  Eigen::MatrixX3d vectors_;
+  Eigen::VectorXd weights_;
+};
+
+inline const Directions& support_directions()
+{
+  static const Directions directions(2);
+  return directions;
+}
+
+/// Mean distance of every point from the nearest other one of the set.
+inline double spacing(const Points& points)
+{
+  double sum = 0;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    Eigen::ArrayXd squared = (points.colwise() - points.col(i)).colwise().squaredNorm().array();
+    squared[i] = std::numeric_limits<double>::infinity();
+    sum += std::sqrt(squared.minCoeff());
+  }
+  return points.cols() > 1 ? sum / points.cols() : 0;
+}
+
+/// What congruence is judged by, in frame coordinates. Points are relative to `centre`, the Steiner point of the
+/// part's convex hull, which moves with the part and does not depend on its mesh.
+struct Part_signature
+{
+  Point centre = Point::Zero();
+  Points extremes;         ///< vertices of the hull
+  Points surface;          ///< points spread over the surface
+  Eigen::VectorXd support; ///< of the hull in `support_directions()`
+  double spacing = 0;      ///< of `surface`
+  double width = 0;        ///< mean half width
+  double diagonal = 0;     ///< of the bounding box
+  double volume = 0;
+  double area = 0;
+};
+
+/// The points that are extreme in one of many directions.
+inline Points extreme_points(const Points& points)
+{
+  static const Directions directions(4);
+  if (points.cols() <= directions.size()) return points;
+  std::vector<Eigen::Index> chosen;
+  for (Eigen::Index d = 0; d < directions.size(); ++d) {
+    Eigen::Index best;
+    (directions.vectors().row(d) * points).maxCoeff(&best);
+    chosen.push_back(best);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  Points result(3, chosen.size());
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    result.col(i) = points.col(chosen[i]);
+  return result;
+}
+
+inline Part_signature make_signature(const Part_abstraction& part, const Shape_frame& frame)
+{
+  const Directions& directions = support_directions();
+  Part_signature result;
+  const bool has_surface = part.surface.cols() > 0;
+  const Points samples = has_surface ? part.surface : sample(part, part.is_sheet() ? SHEET_SAMPLES : CURVE_SAMPLES);
+  result.surface = frame.to_frame(samples);
+  result.extremes = extreme_points(part.hull.cols() > 0 ? frame.to_frame(part.hull) : result.surface);
+  result.support = (directions.vectors() * result.extremes).rowwise().maxCoeff();
+  result.centre = 3 * directions.vectors().transpose() * directions.weights().cwiseProduct(result.support);
+  result.support -= directions.vectors() * result.centre;
+  result.surface.colwise() -= result.centre;
+  result.extremes.colwise() -= result.centre;
+  result.spacing = spacing(result.surface);
+  result.width = directions.weights().dot(result.support);
+  result.diagonal = (result.extremes.rowwise().maxCoeff() - result.extremes.rowwise().minCoeff()).norm();
+  const double scale = frame.height;
+  result.volume = part.volume / (scale * scale * scale);
+  result.area = part.area / (scale * scale);
+  return result;
+}
+
+inline bool ratio_within(double a, double b, double limit)
+{
+  if (!(a > 0) || !(b > 0)) return true; // unknown
+  return std::max(a, b) <= limit * std::min(a, b);
+}
+
+/// Whether a motion could carry one part into the other, by what no motion changes.
+inline bool have_same_size(const Part_signature& a, const Part_signature& b, double tolerance)
+{
+  return std::abs(a.width - b.width) <= tolerance * std::max(a.width, b.width) * 2 &&
+         ratio_within(a.area, b.area, AREA_RATIO) && ratio_within(a.volume, b.volume, VOLUME_RATIO);
+}
+
+/// The ratios of two bodies' widths by direction, ascending; noise explains a part of them.
+inline std::vector<double> width_ratios(const Eigen::VectorXd& support_a, const Eigen::VectorXd& support_b,
+                                        double noise)
+{
+  const Directions& directions = support_directions();
+  std::vector<double> result;
+  for (Eigen::Index i = 0; i < directions.size(); ++i) {
+    const double a = support_a[i] + support_a[directions.opposite(i)] + noise;
+    const double b = support_b[i] + support_b[directions.opposite(i)] + noise;
+    result.push_back(std::max(a, b) / std::min(a, b));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// Root mean square difference of two supports; infinite if they differ too much for a tolerance.
+/// \param maximum_factor the largest difference allowed, over the tolerance
+inline double support_deviation(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double tolerance,
+                                double maximum_factor = MAXIMUM_FACTOR)
+{
+  const Eigen::VectorXd difference = (a - b).cwiseAbs();
+  const double mean = std::sqrt(support_directions().weights().dot(difference.cwiseAbs2()));
+  const bool fits = mean <= tolerance && difference.maxCoeff() <= maximum_factor * tolerance;
+  return fits ? mean : std::numeric_limits<double>::infinity();
+}
+
+inline Eigen::VectorXd moved_support(const Part_signature& part, const Eigen::Matrix3d& map)
+{
+  return (support_directions().vectors() * map * part.extremes).rowwise().maxCoeff();
+}
+
+/// Whether most of the points are near the others.
+inline bool lie_on(const Points& points, const Points& others, double tolerance, double spacing)
+{
+  Eigen::ArrayXd distances(points.cols());
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    distances[i] = std::sqrt((others.colwise() - points.col(i)).colwise().squaredNorm().minCoeff());
+  const double mean = distances.mean();
+  auto* const percentile = distances.data() + distances.size() * 95 / 100;
+  std::nth_element(distances.data(), percentile, distances.data() + distances.size());
+  return mean <= tolerance + spacing && *percentile <= MAXIMUM_FACTOR * (tolerance + spacing);
+}
+
+/// Whether the surfaces agree after the map, not their hulls alone. \param limit the mean distance allowed
+inline bool surfaces_agree(const Part_signature& a, const Part_signature& b, const Eigen::Matrix3d& map, double limit)
+{
+  const double spacing = std::max(a.spacing, b.spacing);
+  const Points image = map * a.surface;
+  return lie_on(image, b.surface, limit, spacing) && lie_on(b.surface, image, limit, spacing);
+}
+
+} // namespace symmetry
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_SIGNATURE_H

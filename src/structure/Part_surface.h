@@ -1,0 +1,139 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_SURFACE_H
+#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_SURFACE_H
+
+#include "shape/Triangle_tree.h"
+#include "shape/sample_triangles.h"
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace contacts {
+
+inline Box widened(const Box& box, double by)
+{
+  return Box(box.min() - Point::Constant(by), box.max() + Point::Constant(by));
+}
+
+/// A convex polygon, as clipping a triangle makes them.
+using Polygon = std::vector<Point>;
+
+/// The part of the polygon on the side of `bound` where `sign` * coordinate is smaller.
+inline Polygon clipped(const Polygon& polygon, int axis, double bound, double sign)
+{
+  Polygon result;
+  result.reserve(polygon.size() + 1);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const double a = sign * (bound - p[axis]), b = sign * (bound - q[axis]);
+    if (a >= 0) result.push_back(p);
+    if ((a > 0 && b < 0) || (a < 0 && b > 0)) result.push_back(p + (a / (a - b)) * (q - p));
+  }
+  return result;
+}
+
+inline Polygon clipped(Polygon polygon, const Box& box)
+{
+  for (int axis = 0; axis < 3 && !polygon.empty(); ++axis) {
+    polygon = clipped(polygon, axis, box.max()[axis], 1);
+    polygon = clipped(polygon, axis, box.min()[axis], -1);
+  }
+  return polygon;
+}
+
+inline void add_fan(const Polygon& polygon, std::vector<Sampled_triangle>& triangles)
+{
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Point u = polygon[i - 1] - polygon[0], v = polygon[i] - polygon[0];
+    const double area = u.cross(v).norm() / 2;
+    if (area > 0) triangles.push_back({polygon[0], u, v, area});
+  }
+}
+
+/// The surface of a part, ready for distance queries.
+class Part_surface
+{
+public:
+  /// \param points of the mesh, in the coordinates that queries come in
+  Part_surface(const Points& points, const Eigen::Matrix3Xi& triangles) : tree_(proper_triangles(points, triangles)) {}
+
+  const Box& box() const { return tree_.box(); }
+  const Triangle_tree& tree() const { return tree_; }
+
+  /// Whether the other is inside, by the majority of three rays, so that a small hole does no harm.
+  bool encloses(const Part_surface& other) const
+  {
+    if (other.tree_.triangles().empty() || !box().contains(other.box())) return false;
+    const Point& p = other.tree_.triangles().front()[0];
+    const std::array<Point, 3> directions = {Point(1, 0.1234, 0.0567), Point(-0.0891, 1, 0.1417),
+                                             Point(0.1031, -0.0713, 1)};
+    int odd = 0;
+    for (const Point& direction : directions)
+      odd += tree_.crossings(p, direction) % 2;
+    return odd >= 2;
+  }
+
+  /// About `n` points on the marked triangles inside `region`; where these have few corners, those, too, at no area.
+  Surface_samples sample(const std::vector<char>& marked, const Box& region, int n) const
+  {
+    std::vector<Sampled_triangle> pieces;
+    std::vector<Point> vertices;
+    for (std::size_t t = 0; t < marked.size(); ++t) {
+      if (!marked[t]) continue;
+      const Triangle& triangle = tree_.triangles()[t];
+      Polygon polygon(triangle.begin(), triangle.end());
+      if (!region.contains(box_of(triangle))) polygon = clipped(std::move(polygon), region);
+      add_fan(polygon, pieces);
+      vertices.insert(vertices.end(), polygon.begin(), polygon.end());
+    }
+    Surface_samples samples = sample_triangles(pieces, n);
+    if (vertices.size() <= static_cast<std::size_t>(n)) {
+      samples.points.insert(samples.points.end(), vertices.begin(), vertices.end());
+      samples.areas.resize(samples.points.size(), 0.0);
+    }
+    return samples;
+  }
+
+  /// The box of the marked triangles.
+  Box box_of_marked(const std::vector<char>& marked) const
+  {
+    Box result;
+    for (std::size_t t = 0; t < marked.size(); ++t)
+      if (marked[t]) result.extend(box_of(tree_.triangles()[t]));
+    return result;
+  }
+
+private:
+  /// The triangles that are not degenerate.
+  static std::vector<Triangle> proper_triangles(const Points& points, const Eigen::Matrix3Xi& triangles)
+  {
+    constexpr double FLAT = 1e-12; // twice the area over the square of the longest side
+    std::vector<Triangle> result;
+    for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+      const Triangle corners = {points.col(triangles(0, t)), points.col(triangles(1, t)), points.col(triangles(2, t))};
+      const Point u = corners[1] - corners[0], v = corners[2] - corners[0];
+      const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+      if (u.cross(v).norm() > FLAT * longest) result.push_back(corners);
+    }
+    return result;
+  }
+
+  Triangle_tree tree_;
+};
+
+} // namespace contacts
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_SURFACE_H

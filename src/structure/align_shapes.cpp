@@ -1,0 +1,340 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "base/quantized.h"
+#include "base/quarter_turn.h"
+#include "structure/align_shapes.h"
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+Point frame_point(const Shape_frame& frame, const Point& world)
+{
+  return frame.axes.transpose() * (world - frame.origin) / frame.height;
+}
+
+Sampled_part sampled_part(const Part_abstraction& part, const Shape_frame& frame, const Eigen::Matrix3d& turn)
+{
+  Sampled_part result;
+  result.kind = part.is_sheet()          ? Sampled_part::Kind::SHEET
+                : part.is_closed_curve() ? Sampled_part::Kind::CLOSED_CURVE
+                                         : Sampled_part::Kind::CURVE;
+  result.samples = turn * frame.to_frame(sample(part, samples_per_side));
+  result.centroid = result.samples.rowwise().mean();
+  const Eigen::Index n = std::min<Eigen::Index>(part.surface.cols(), surface_samples);
+  result.surface = n > 0 ? Points(turn * frame.to_frame(part.surface.leftCols(n))) : result.samples;
+  return result;
+}
+
+// The part's volume, or that of its bounding box scaled down where the file has none.
+double prominence(const Part_abstraction& part, const Sampled_part& sampled)
+{
+  if (part.volume > 0) return part.volume;
+  if (part.hull_volume > 0) return part.hull_volume;
+  constexpr double assumed_thickness = 0.02; // of the shape's height
+  const Point extent = sampled.samples.rowwise().maxCoeff() - sampled.samples.rowwise().minCoeff();
+  return (extent.array() + assumed_thickness).prod();
+}
+
+Symmetry in_common_frame(const Symmetry& symmetry, const Shape_frame& frame, const Eigen::Matrix3d& turn)
+{
+  Symmetry result = symmetry;
+  result.point = turn * frame_point(frame, symmetry.point);
+  result.direction = turn * (frame.axes.transpose() * symmetry.direction);
+  if (symmetry.type == Symmetry_type::TRANSLATION) result.direction /= frame.height;
+  return result;
+}
+
+// The order that sorts the keys, ties by index.
+template <typename Key>
+std::vector<std::size_t> sorting_order(const std::vector<Key>& keys)
+{
+  std::vector<std::size_t> order(keys.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+  return order;
+}
+
+std::size_t nearest_sample(const Points& samples, const Point& p)
+{
+  Eigen::Index nearest;
+  (samples.colwise() - p).colwise().squaredNorm().minCoeff(&nearest);
+  return std::size_t(nearest);
+}
+
+// Samples in their own number, or a curve's repeated in a sheet's.
+Eigen::Index lifted_count(const Sampled_part& part, bool lift)
+{
+  return lift ? samples_per_side * samples_per_side : part.samples.cols();
+}
+
+Aligned_shape::Contact_rods contact_rods(const Sampled_part& first, const Sampled_part& second)
+{
+  using Kind = Sampled_part::Kind;
+  Aligned_shape::Contact_rods rods;
+  for (bool lift_first : {false, true})
+    for (bool lift_second : {false, true}) {
+      if ((lift_first && first.kind == Kind::SHEET) || (lift_second && second.kind == Kind::SHEET)) continue;
+      rods[2 * std::size_t(lift_first) + std::size_t(lift_second)] =
+          Structural_rods(lifted_samples(first, lifted_count(first, lift_first)),
+                          lifted_samples(second, lifted_count(second, lift_second)));
+    }
+  return rods;
+}
+
+} // namespace
+
+void complete_groups(Aligned_shape& shape)
+{
+  shape.group_of.resize(shape.parts.size());
+  for (std::size_t g = 0; g < shape.groups.size(); ++g) {
+    Eigen::AlignedBox3d& box = shape.groups[g].box;
+    box.setEmpty();
+    for (std::size_t part : shape.groups[g].parts) {
+      shape.group_of[part] = g;
+      box.extend(Point(shape.parts[part].samples.rowwise().minCoeff()));
+      box.extend(Point(shape.parts[part].samples.rowwise().maxCoeff()));
+    }
+  }
+}
+
+void list_contacts(Aligned_shape& shape)
+{
+  for (std::size_t c = 0; c < shape.contacts.size(); ++c) {
+    const std::size_t g = shape.group_of[shape.contacts[c].parts[0]], h = shape.group_of[shape.contacts[c].parts[1]];
+    shape.groups[g].contacts.push_back(c);
+    if (h != g) shape.groups[h].contacts.push_back(c);
+  }
+}
+
+Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is_kept)
+{
+  Aligned_shape result;
+  std::vector<std::size_t> index(shape.parts.size());
+  std::vector<Eigen::Index> kept;
+  for (std::size_t part = 0; part < shape.parts.size(); ++part) {
+    if (!is_kept[part]) continue;
+    index[part] = result.parts.size();
+    kept.push_back(Eigen::Index(part));
+    result.parts.push_back(shape.parts[part]);
+    result.original.push_back(shape.original[part]);
+    result.prominence.push_back(shape.prominence[part]);
+  }
+  for (const Aligned_shape::Group& group : shape.groups) {
+    Aligned_shape::Group smaller = group;
+    smaller.parts.clear();
+    smaller.contacts.clear();
+    for (std::size_t part : group.parts)
+      if (is_kept[part]) smaller.parts.push_back(index[part]);
+    if (!smaller.parts.empty()) result.groups.push_back(std::move(smaller));
+  }
+  auto rods = std::make_shared<std::vector<Aligned_shape::Contact_rods>>();
+  for (std::size_t c = 0; c < shape.contacts.size(); ++c) {
+    Aligned_shape::Contact contact = shape.contacts[c];
+    if (!is_kept[contact.parts[0]] || !is_kept[contact.parts[1]]) continue;
+    rods->push_back((*shape.rods)[c]);
+    contact.parts = {index[contact.parts[0]], index[contact.parts[1]]};
+    result.contacts.push_back(contact);
+  }
+  complete_groups(result);
+  list_contacts(result);
+  result.distance = shape.distance(kept, kept);
+  result.rods = std::move(rods);
+  return result;
+}
+
+std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t count)
+{
+  const auto prominence = [&](std::size_t group) {
+    double most = 0;
+    for (std::size_t part : shape.groups[group].parts)
+      most = std::max(most, shape.prominence[part]);
+    return most;
+  };
+  std::vector<std::size_t> order(shape.groups.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return prominence(a) > prominence(b); });
+  std::vector<char> is_kept(shape.parts.size(), 0);
+  std::size_t kept = 0;
+  for (std::size_t group : order) {
+    const auto& parts = shape.groups[group].parts;
+    if (kept > 0 && kept + parts.size() > count) break;
+    for (std::size_t part : parts)
+      is_kept[part] = 1;
+    kept += parts.size();
+  }
+  return is_kept;
+}
+
+Points lifted_samples(const Sampled_part& part, Eigen::Index count)
+{
+  if (part.samples.cols() == count) return part.samples;
+  Points result(3, count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    result.col(i) = part.samples.col(i / samples_per_side);
+  return result;
+}
+
+Sampled_part segment(const Sampled_part& curve, int index, int count)
+{
+  CGAL_precondition(curve.kind == Sampled_part::Kind::CURVE && 0 <= index && index < count);
+  // Samples are equally spaced along the curve
+  Sampled_part result;
+  result.samples.resize(3, samples_per_side);
+  for (int i = 0; i < samples_per_side; ++i) {
+    const double at = (index * (samples_per_side - 1) + i) / double(count);
+    const int before = std::min(int(at), samples_per_side - 2);
+    result.samples.col(i) =
+        curve.samples.col(before) + (at - before) * (curve.samples.col(before + 1) - curve.samples.col(before));
+  }
+  result.centroid = result.samples.rowwise().mean();
+  return result;
+}
+
+namespace {
+
+// Adds the parts in an order that does not depend on the file's. Returns the place in it of each part of the file.
+std::vector<std::size_t> add_parts(const Shape_structure& shape, const Eigen::Matrix3d& turn, Aligned_shape& result)
+{
+  std::vector<Sampled_part> sampled;
+  std::vector<std::array<long, 6>> keys;
+  for (const Part_abstraction& part : shape.parts) {
+    sampled.push_back(sampled_part(part, shape.frame, turn));
+    const Points& s = sampled.back().samples;
+    const Point c = sampled.back().centroid, extent = s.rowwise().maxCoeff() - s.rowwise().minCoeff();
+    keys.push_back({quantized(c.y()), quantized(c.x()), quantized(c.z()), quantized(extent.y()), quantized(extent.x()),
+                    quantized(extent.z())});
+  }
+  result.original = sorting_order(keys);
+  std::vector<std::size_t> rank(sampled.size());
+  for (std::size_t i = 0; i < rank.size(); ++i) {
+    const std::size_t part = result.original[i];
+    rank[part] = i;
+    result.parts.push_back(std::move(sampled[part]));
+    result.prominence.push_back(prominence(shape.parts[part], result.parts.back()));
+  }
+  return rank;
+}
+
+void add_groups(const Structural_graph& graph, const Eigen::Matrix3d& turn, const std::vector<std::size_t>& rank,
+                Aligned_shape& result)
+{
+  for (std::size_t v = 0; v < num_vertices(graph); ++v) {
+    Aligned_shape::Group group;
+    for (std::size_t part : graph[v].parts)
+      group.parts.push_back(rank[part]);
+    std::sort(group.parts.begin(), group.parts.end());
+    group.symmetry = in_common_frame(graph[v].symmetry, structure(graph).frame, turn);
+    group.solidity = solidity(graph[v].volume, graph[v].hull_volume);
+    result.groups.push_back(std::move(group));
+  }
+  std::sort(result.groups.begin(), result.groups.end(),
+            [](const Aligned_shape::Group& a, const Aligned_shape::Group& b) { return a.parts[0] < b.parts[0]; });
+  complete_groups(result);
+}
+
+// One contact a pair of parts.
+void add_contacts(const Shape_structure& shape, const Eigen::Matrix3d& turn, const std::vector<std::size_t>& rank,
+                  Aligned_shape& result)
+{
+  for (const Contact& contact : shape.contacts) {
+    Aligned_shape::Contact c;
+    const bool swap = rank[contact.parts[0]] > rank[contact.parts[1]];
+    for (int side = 0; side < 2; ++side) {
+      const std::size_t part = contact.parts[side];
+      const Point p = turn * frame_point(shape.frame, evaluate(shape.parts[part], contact.parameters[side]));
+      c.parts[side ^ int(swap)] = rank[part];
+      c.samples[side ^ int(swap)] = nearest_sample(result.parts[rank[part]].samples, p);
+    }
+    result.contacts.push_back(c);
+  }
+  std::sort(result.contacts.begin(), result.contacts.end(),
+            [](const Aligned_shape::Contact& a, const Aligned_shape::Contact& b) {
+              return std::tie(a.parts, a.samples) < std::tie(b.parts, b.samples);
+            });
+  const auto same_parts = [](const Aligned_shape::Contact& a, const Aligned_shape::Contact& b) {
+    return a.parts == b.parts;
+  };
+  result.contacts.erase(std::unique(result.contacts.begin(), result.contacts.end(), same_parts), result.contacts.end());
+  list_contacts(result);
+}
+
+Eigen::MatrixXd least_distances(const std::vector<Sampled_part>& parts)
+{
+  const Eigen::Index n = Eigen::Index(parts.size());
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < i; ++j)
+      result(i, j) = result(j, i) = least_distance(parts[std::size_t(i)].samples, parts[std::size_t(j)].samples);
+  return result;
+}
+
+} // namespace
+
+Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns)
+{
+  using namespace internal;
+  const Shape_structure& shape = structure(graph);
+  const Eigen::Matrix3d turn = quarter_turn(quarter_turns);
+  Aligned_shape result;
+  const std::vector<std::size_t> rank = add_parts(shape, turn, result);
+  add_groups(graph, turn, rank, result);
+  add_contacts(shape, turn, rank, result);
+  result.distance = least_distances(result.parts);
+  auto rods = std::make_shared<std::vector<Aligned_shape::Contact_rods>>();
+  for (const Aligned_shape::Contact& contact : result.contacts)
+    rods->push_back(contact_rods(result.parts[contact.parts[0]], result.parts[contact.parts[1]]));
+  result.rods = std::move(rods);
+  return result;
+}
+
+namespace {
+
+// How far the frame is turned about up from the orientation that the shape was given in: x to the right, or as near to
+// it as up allows.
+double given_turn(const Shape_frame& frame)
+{
+  const Point up = frame.axes.col(1);
+  const Point sideways = std::abs(up.x()) < 0.9 ? Point::UnitX() : Point::UnitY();
+  const Point right = (sideways - sideways.dot(up) * up).normalized(), front = right.cross(up);
+  return std::atan2(-front.dot(frame.axes.col(0)), right.dot(frame.axes.col(0)));
+}
+
+} // namespace
+
+std::vector<int> alignment_turns(const Shape_frame& source, const Shape_frame& target)
+{
+  // Either frame is off by a turn of its own and by quarter turns that its finding left open
+  const double from = given_turn(source), to = given_turn(target), quarter = EIGEN_PI / 2;
+  const double given = quarter * (std::round(to / quarter) - std::round(from / quarter));
+  const auto off = [&](double angle, int q) {
+    return quantized(std::abs(std::remainder(angle - q * quarter, 2 * EIGEN_PI)));
+  };
+  const bool half_turns = source.mirror_x != source.mirror_z && target.mirror_x != target.mirror_z;
+  std::vector<std::tuple<long, long, int>> turns;
+  for (int q = 0; q < 4; q += half_turns ? 2 : 1)
+    turns.emplace_back(off(given, q), off(to - from, q), q);
+  std::sort(turns.begin(), turns.end());
+  std::vector<int> result;
+  for (const auto& turn : turns)
+    result.push_back(std::get<2>(turn));
+  return result;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL

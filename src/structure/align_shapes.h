@@ -1,0 +1,106 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_ALIGN_SHAPES_H
+#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_ALIGN_SHAPES_H
+
+#include "energy/Structural_rods.h"
+
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// The paper's e: a curve has e samples, a sheet e × e (the authors' value).
+constexpr int samples_per_side = 6;
+
+/// How many points of a part's surface the matching looks at.
+constexpr int surface_samples = 32;
+
+/// A part as the search sees it: the samples of its abstraction in the common frame.
+struct Sampled_part
+{
+  enum class Kind { CURVE, CLOSED_CURVE, SHEET };
+
+  Kind kind = Kind::CURVE;
+  Points samples; ///< e, or e × e row by row
+  Point centroid; ///< mean of the samples
+  Points surface; ///< at most `surface_samples` points spread over the surface; the samples where it is unknown
+};
+
+/// The `index`-th of `count` equally long pieces of a curve, sampled like a part (paper, section 5: cutting).
+/// \pre the part is an open curve
+Sampled_part segment(const Sampled_part& curve, int index, int count);
+
+/// A shape in the common frame (paper, section 5, "Initial alignment"): it stands on the ground, centred, has height 1.
+/// Parts, groups and contacts are in an order that depends on their places alone, not on the file, so that whatever is
+/// settled by an index is settled alike for a shape that was moved or shuffled.
+struct Aligned_shape
+{
+  struct Group
+  {
+    std::vector<std::size_t> parts;
+    Eigen::AlignedBox3d box;           ///< of its parts' samples
+    Symmetry symmetry;                 ///< in the common frame
+    double solidity = 1;               ///< summed volumes over the volume of the common hull
+    std::vector<std::size_t> contacts; ///< those of its parts, ascending
+  };
+  /// A pair of connected parts, once however many regions they touch in.
+  struct Contact
+  {
+    std::array<std::size_t, 2> parts;   ///< ascending
+    std::array<std::size_t, 2> samples; ///< the sample of either part nearest to the (first) contact
+  };
+
+  std::vector<Sampled_part> parts;
+  std::vector<std::size_t> original; ///< of every part, its index in the structural graph
+  std::vector<double> prominence;    ///< of every part, its volume (an estimate where unknown)
+  std::vector<Group> groups;
+  std::vector<std::size_t> group_of; ///< of every part
+  /// The structural rods of a contact, with the samples of its parts, or those of a curve lifted to a sheet's number,
+  /// at 2 (first is lifted) + (second is lifted); empty where a sheet would be lifted.
+  using Contact_rods = std::array<Structural_rods, 4>;
+
+  std::vector<Contact> contacts;
+  Eigen::MatrixXd distance;                              ///< least distance between the samples of two parts
+  std::shared_ptr<const std::vector<Contact_rods>> rods; ///< by contact; shared by copies of the shape
+};
+
+/// The part's samples, those of a curve repeated e times each when `count` asks for a sheet's: a sheet of equal
+/// columns.
+Points lifted_samples(const Sampled_part& part, Eigen::Index count);
+
+/// Samples a shape in its own frame, turned by quarter turns about the up axis (counter-clockwise seen from above).
+Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns = 0);
+
+/// Fills in what follows from the groups' parts: their boxes and `group_of`.
+void complete_groups(Aligned_shape& shape);
+
+/// Fills in the contacts of every group.
+void list_contacts(Aligned_shape& shape);
+
+/// The shape with fewer parts: those kept, their groups as far as kept, their contacts.
+Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is_kept);
+
+/// By part, whether it belongs to the most prominent groups of at most `count` parts in all; at least one group does
+/// (the paper's coarse correspondence, Figure 11).
+std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t count);
+
+/// The quarter turns of the target that bring it into the source's frame, best guess first: the ones nearest to the
+/// orientation that the shapes were given in, so that turning either by less than 45° as it was given changes nothing.
+/// Where both shapes have one mirror plane, half turns only.
+std::vector<int> alignment_turns(const Shape_frame& source, const Shape_frame& target);
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_ALIGN_SHAPES_H

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "shape/sample_triangles.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/build_structural_graph.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+constexpr int FRAME_SAMPLES = 4096;    ///< of a whole shape, to find its frame
+constexpr int LEAST_FRAME_SAMPLES = 4; ///< of every part, however small
+
+void check_number_of_parts(const std::string& name, std::size_t parts)
+{
+  if (parts < 2)
+    throw Invalid_input("shape '" + name + "': has " + (parts == 0 ? "no part" : "only one part") +
+                        "; correspondences need a shape that is segmented into two parts or more");
+}
+
+std::vector<contacts::Sampled_triangle> triangles_of(const Part_mesh& mesh)
+{
+  std::vector<contacts::Sampled_triangle> result;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Point p = mesh.points.col(mesh.triangles(0, t));
+    const Point u = mesh.points.col(mesh.triangles(1, t)) - p, v = mesh.points.col(mesh.triangles(2, t)) - p;
+    result.push_back({p, u, v, u.cross(v).norm() / 2});
+  }
+  return result;
+}
+
+double total_area(const std::vector<contacts::Sampled_triangle>& triangles)
+{
+  double sum = 0;
+  for (const contacts::Sampled_triangle& t : triangles)
+    sum += t.area;
+  return sum;
+}
+
+/// A part's surface, to be sampled.
+struct Part_triangles
+{
+  explicit Part_triangles(const Part_mesh& mesh) : triangles(triangles_of(mesh)), area(total_area(triangles)) {}
+
+  /// An order that does not depend on that of the file: by size, copies by place.
+  bool operator<(const Part_triangles& other) const
+  {
+    const auto key = [](const Part_triangles& part) {
+      const Point& p = part.triangles.front().corner;
+      return std::make_tuple(part.area, p.x(), p.y(), p.z());
+    };
+    return key(*this) < key(other);
+  }
+
+  std::vector<contacts::Sampled_triangle> triangles;
+  double area;
+};
+
+/// Points spread over the whole shape, each part with its share of the area, the same to the bit whatever the order of
+/// the parts.
+Points sample_shape(const Segmented_shape& shape)
+{
+  std::vector<Part_triangles> parts;
+  for (const Shape_part& part : shape.parts())
+    parts.emplace_back(part.mesh);
+  std::sort(parts.begin(), parts.end());
+  double total = 0;
+  for (const Part_triangles& part : parts)
+    total += part.area;
+  std::vector<Point> points;
+  for (const Part_triangles& part : parts) {
+    const int share = static_cast<int>(std::lround(FRAME_SAMPLES * part.area / total));
+    const auto samples = contacts::sample_triangles(part.triangles, std::max(LEAST_FRAME_SAMPLES, share)).points;
+    points.insert(points.end(), samples.begin(), samples.end());
+  }
+  Points result(3, points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result.col(i) = points[i];
+  return result;
+}
+
+/// Says which parts got their bounding box in place of a skeleton.
+void warn_of_fallbacks(const std::vector<Part_abstraction>& parts, std::vector<std::string>& warnings)
+{
+  for (const Part_abstraction& part : parts) {
+    const Abstraction_report& report = part.report;
+    if (!report.is_fallback()) continue;
+    warnings.push_back("Part '" + part.name + "' is abstracted by its bounding box: " +
+                       (report.copy_of.empty() ? "" : "it is a copy of part '" + report.copy_of + "', and ") +
+                       report.fallback + ".");
+  }
+}
+
+/// Groups, unless given, and the graph.
+Structural_graph assemble(Shape_structure shape, std::vector<Part_group> groups, const Structure_options& options)
+{
+  if (groups.empty()) groups = detect_symmetry_groups(shape.parts, shape.frame, options.symmetry);
+  return make_structural_graph(std::move(shape), std::move(groups));
+}
+
+} // namespace
+
+template <typename ConcurrencyTag>
+Structural_graph build_structural_graph(const Segmented_shape& shape, const Structure_options& options,
+                                        Structure_times* times)
+{
+  check_number_of_parts(shape.name(), shape.parts().size());
+  CGAL::Real_timer timer;
+  timer.start();
+  Shape_structure result;
+  result.name = shape.name();
+  result.frame = compute_shape_frame(sample_shape(shape), shape.up());
+  const double before = timer.time();
+  result.parts = abstract_parts<ConcurrencyTag>(shape, result.frame, options.abstraction);
+  const double abstraction = timer.time() - before;
+  warn_of_fallbacks(result.parts, result.warnings);
+  result.contacts =
+      detect_contacts<ConcurrencyTag>(shape, result.parts, result.frame, options.contacts, result.warnings);
+  Structural_graph graph = assemble(std::move(result), {}, options);
+  if (times) *times = {abstraction, timer.time() - abstraction};
+  return graph;
+}
+
+Structural_graph complete_structural_graph(Shape_structure shape, std::vector<Part_group> groups,
+                                           const Structure_options& options)
+{
+  check_number_of_parts(shape.name, shape.parts.size());
+  if (shape.contacts.empty())
+    shape.contacts = detect_contacts(shape.parts, shape.frame, options.contacts, shape.warnings);
+  return assemble(std::move(shape), std::move(groups), options);
+}
+
+template Structural_graph build_structural_graph<CGAL::Sequential_tag>(const Segmented_shape&, const Structure_options&,
+                                                                       Structure_times*);
+template Structural_graph build_structural_graph<CGAL::Parallel_tag>(const Segmented_shape&, const Structure_options&,
+                                                                     Structure_times*);
+
+} // namespace Shape_correspondence
+} // namespace CGAL

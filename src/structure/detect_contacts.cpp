@@ -1,0 +1,360 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "base/for_each_index.h"
+#include "structure/Part_surface.h"
+#include "structure/join_pieces.h"
+
+#include <CGAL/Shape_correspondence/detect_contacts.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+using namespace internal::contacts;
+
+namespace {
+
+constexpr double SLACK = 1 + 1e-9; ///< so that a gap of exactly the tolerance is a contact in every pose
+constexpr double NEAR_BAND = 0.5;  ///< over the tolerance: what is this much farther than the least distance is near
+constexpr double APART = 1.0 / 6;  ///< over the size of all near regions: samples farther apart are in different ones
+constexpr int REGION_SAMPLES = 64; ///< on either part, to find the regions of a contact and their middles
+constexpr int ABSTRACTION_SAMPLES = 16; ///< of a curve, or along each side of a sheet
+
+/// Samples where two surfaces are near each other, on both.
+struct Near_samples
+{
+  std::vector<Point> points;
+  std::vector<double> areas;
+  std::vector<char> is_first; ///< on which of the two
+};
+
+/// Where two surfaces touch: the middle, and how much of their area is near.
+struct Region
+{
+  Point middle;
+  double area;
+};
+
+/// Adds the samples of `from` that are within `limit` of `to`.
+void add_near_samples(const Part_surface& from, const std::vector<char>& marked, const Box& box, const Part_surface& to,
+                      double limit, bool is_first, Near_samples& result)
+{
+  const Surface_samples samples = from.sample(marked, box, REGION_SAMPLES);
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    if (!to.tree().is_near(samples.points[i], limit * limit)) continue;
+    result.points.push_back(samples.points[i]);
+    result.areas.push_back(samples.areas[i]);
+    result.is_first.push_back(is_first);
+  }
+}
+
+/// Samples within `limit` of the other surface, the closest points of both first.
+Near_samples near_samples(const Part_surface& a, const Part_surface& b, const Closest_pair& closest, double limit)
+{
+  const std::vector<char> near_a = a.tree().near_triangles(b.tree(), limit * limit);
+  const std::vector<char> near_b = b.tree().near_triangles(a.tree(), limit * limit);
+  const Box box_a = widened(a.box_of_marked(near_a), limit), box_b = widened(b.box_of_marked(near_b), limit);
+  Near_samples result{{closest.first, closest.second}, {0, 0}, {1, 0}};
+  add_near_samples(a, near_a, box_b, b, limit, true, result);
+  add_near_samples(b, near_b, box_a, a, limit, false, result);
+  return result;
+}
+
+/// The regions that the samples make up, by single linkage.
+Pieces linked(const std::vector<Point>& points, double tolerance)
+{
+  Box box;
+  for (const Point& p : points)
+    box.extend(p);
+  const double limit = std::max(tolerance, APART * box.diagonal().norm());
+  Pieces pieces(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = i + 1; j < points.size(); ++j)
+      if ((points[i] - points[j]).squaredNorm() <= limit * limit) pieces.join(i, j);
+  return pieces;
+}
+
+/// The middle of the samples of one piece on both surfaces, by area; where they have none, of the samples alone.
+Region region_of(const Near_samples& samples, Pieces& pieces, std::size_t piece)
+{
+  std::array<Point, 2> sums = {Point::Zero(), Point::Zero()};
+  std::array<double, 2> areas = {0, 0};
+  Point sum = Point::Zero();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    if (pieces.find(i) != piece) continue;
+    sums[samples.is_first[i]] += samples.areas[i] * samples.points[i];
+    areas[samples.is_first[i]] += samples.areas[i];
+    sum += samples.points[i];
+    ++count;
+  }
+  Point middle = Point::Zero();
+  int sides = 0;
+  for (int side = 0; side < 2; ++side)
+    if (areas[side] > 0) {
+      middle += sums[side] / areas[side];
+      ++sides;
+    }
+  return {sides > 0 ? Point(middle / sides) : Point(sum / count), areas[0] + areas[1]};
+}
+
+/// Where two surfaces touch, the largest region first. Specks of area, of corners alone, are regions only if there is
+/// nothing else.
+std::vector<Region> regions(const Near_samples& samples, double tolerance)
+{
+  constexpr double SPECK = 0.05; // of the largest region's area
+  Pieces pieces = linked(samples.points, tolerance);
+  std::vector<Region> result;
+  for (std::size_t i = 0; i < samples.points.size(); ++i)
+    if (pieces.find(i) == i) result.push_back(region_of(samples, pieces, i));
+  std::stable_sort(result.begin(), result.end(), [](const Region& a, const Region& b) { return a.area > b.area; });
+  const double least = SPECK * result.front().area;
+  const auto is_speck = [least](const Region& region) { return region.area <= least; };
+  result.erase(std::remove_if(result.begin() + 1, result.end(), is_speck), result.end());
+  return result;
+}
+
+/// Finds the contacts of parts with meshes, in the coordinates of a frame.
+class Mesh_contacts
+{
+public:
+  Mesh_contacts(const Segmented_shape& shape, const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
+                const Contact_options& options)
+      : parts_(parts), frame_(frame)
+  {
+    Box box;
+    surfaces_.reserve(parts.size());
+    for (const Shape_part& part : shape.parts()) {
+      surfaces_.emplace_back(frame.to_frame(part.mesh.points), part.mesh.triangles);
+      box.extend(surfaces_.back().box());
+    }
+    diagonal_ = box.diagonal().norm();
+    tolerance_ = options.tolerance * diagonal_;
+  }
+
+  template <typename ConcurrencyTag>
+  std::vector<Contact> detect(std::vector<std::string>& warnings)
+  {
+    std::vector<Near_pair> near = touching_pairs<ConcurrencyTag>();
+    join_pieces(
+        parts_, diagonal_, [this](std::size_t a, std::size_t b) { return box_distance(a, b); },
+        [this](std::size_t a, std::size_t b) { return numbered(a, b, closest(a, b)); }, near, warnings);
+    sort_by_parts(near);
+    std::vector<Contact> contacts(near.size());
+    for_each_index<ConcurrencyTag>(near.size(), [&](std::size_t k) { contacts[k] = contact(near[k]); });
+    return contacts;
+  }
+
+private:
+  double box_distance(std::size_t a, std::size_t b) const
+  {
+    return surfaces_[a].box().exteriorDistance(surfaces_[b].box());
+  }
+
+  Contact contact(const Near_pair& pair) const
+  {
+    const auto [a, b] = pair.parts;
+    const Near_samples samples =
+        near_samples(surfaces_[a], surfaces_[b], closest_[pair.region], pair.distance + NEAR_BAND * tolerance_);
+    Contact result{pair.parts, {}, {}};
+    for (const Region& region : regions(samples, tolerance_)) {
+      const Point p = frame_.to_world(region.middle);
+      result.further.push_back({nearest_parameter(parts_[a], p), nearest_parameter(parts_[b], p)});
+    }
+    result.parameters = result.further.front();
+    result.further.erase(result.further.begin());
+    return result;
+  }
+
+  /// The closest points of two parts, where they are nearer than `limit`.
+  Closest_pair closest(std::size_t a, std::size_t b, double limit = std::numeric_limits<double>::infinity()) const
+  {
+    Closest_pair result;
+    result.squared = limit * limit;
+    surfaces_[a].tree().improve_closest(surfaces_[b].tree(), result);
+    return result;
+  }
+
+  Near_pair numbered(std::size_t a, std::size_t b, const Closest_pair& closest)
+  {
+    closest_.push_back(closest);
+    return {{a, b}, std::sqrt(closest.squared), closest_.size() - 1};
+  }
+
+  std::optional<Closest_pair> touch(std::size_t a, std::size_t b) const
+  {
+    const double limit = tolerance_ * SLACK;
+    const Closest_pair pair = closest(a, b, limit);
+    if (std::sqrt(pair.squared) < limit) return pair;
+    if (surfaces_[a].encloses(surfaces_[b]) || surfaces_[b].encloses(surfaces_[a])) return closest(a, b);
+    return std::nullopt;
+  }
+
+  template <typename ConcurrencyTag>
+  std::vector<Near_pair> touching_pairs()
+  {
+    std::vector<std::array<std::size_t, 2>> pairs;
+    for (std::size_t a = 0; a < parts_.size(); ++a)
+      for (std::size_t b = a + 1; b < parts_.size(); ++b)
+        if (box_distance(a, b) <= tolerance_ * SLACK) pairs.push_back({a, b});
+    std::vector<std::optional<Closest_pair>> closest(pairs.size());
+    for_each_index<ConcurrencyTag>(pairs.size(), [&](std::size_t k) { closest[k] = touch(pairs[k][0], pairs[k][1]); });
+    std::vector<Near_pair> result;
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+      if (closest[k]) result.push_back(numbered(pairs[k][0], pairs[k][1], *closest[k]));
+    return result;
+  }
+
+  const std::vector<Part_abstraction>& parts_;
+  const Shape_frame& frame_;
+  std::vector<Part_surface> surfaces_;
+  std::vector<Closest_pair> closest_; ///< of the near pairs
+  double diagonal_;
+  double tolerance_;
+};
+
+/// The length of a curve.
+double length(const Curve& curve)
+{
+  const Eigen::Index n = curve.points.cols();
+  double sum = curve.closed ? (curve.points.col(0) - curve.points.col(n - 1)).norm() : 0;
+  for (Eigen::Index i = 0; i + 1 < n; ++i)
+    sum += (curve.points.col(i + 1) - curve.points.col(i)).norm();
+  return sum;
+}
+
+/// The area of a sheet.
+double area(const Sheet& sheet)
+{
+  double sum = 0;
+  for (int i = 0; i + 1 < sheet.rows; ++i)
+    for (int j = 0; j + 1 < sheet.cols; ++j) {
+      const Point p = sheet.points.col(i * sheet.cols + j), q = sheet.points.col((i + 1) * sheet.cols + j + 1);
+      const Point r = sheet.points.col(i * sheet.cols + j + 1), s = sheet.points.col((i + 1) * sheet.cols + j);
+      sum += (q - p).cross(s - r).norm() / 2;
+    }
+  return sum;
+}
+
+/// How far the surface is from the abstraction, of a part of even thickness: the radius of a rod, half the thickness
+/// of a plate.
+double half_thickness(const Part_abstraction& part)
+{
+  constexpr double PI = 3.14159265358979323846;
+  const double extent =
+      part.is_sheet() ? 2 * area(std::get<Sheet>(part.geometry)) : PI * length(std::get<Curve>(part.geometry));
+  if (!(extent > 0) || !(part.volume > 0)) return 0;
+  return part.is_sheet() ? part.volume / extent : std::sqrt(part.volume / extent);
+}
+
+/// Finds the contacts of parts without meshes.
+class Abstraction_contacts
+{
+public:
+  Abstraction_contacts(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
+                       const Contact_options& options)
+      : parts_(parts)
+  {
+    Box box;
+    for (const Part_abstraction& part : parts) {
+      samples_.push_back(sample(part, ABSTRACTION_SAMPLES));
+      radii_.push_back(half_thickness(part));
+      const Points local = frame.to_frame(samples_.back());
+      for (Eigen::Index i = 0; i < local.cols(); ++i)
+        box.extend(Point(local.col(i)));
+    }
+    diagonal_ = box.diagonal().norm() * frame.height;
+    tolerance_ = options.tolerance * diagonal_;
+  }
+
+  std::vector<Contact> operator()(std::vector<std::string>& warnings)
+  {
+    std::vector<Near_pair> near;
+    for (std::size_t a = 0; a < parts_.size(); ++a)
+      for (std::size_t b = a + 1; b < parts_.size(); ++b) {
+        const Near_pair pair = near_pair(a, b);
+        if (pair.distance <= tolerance_ * SLACK) near.push_back(pair);
+      }
+    join_pieces(
+        parts_, diagonal_, [](std::size_t, std::size_t) { return 0.0; },
+        [this](std::size_t a, std::size_t b) { return near_pair(a, b); }, near, warnings);
+    sort_by_parts(near);
+    std::vector<Contact> contacts;
+    for (const Near_pair& pair : near)
+      contacts.push_back(contact(pair));
+    return contacts;
+  }
+
+private:
+  /// The sample of `from` nearest to the abstraction of `to`, and its distance.
+  std::pair<double, Point> nearest_sample(std::size_t from, std::size_t to) const
+  {
+    std::pair<double, Point> best{std::numeric_limits<double>::infinity(), Point::Zero()};
+    for (const auto& column : samples_[from].colwise()) {
+      const Point p = column;
+      const double distance = (evaluate(parts_[to], nearest_parameter(parts_[to], p)) - p).norm();
+      if (distance < best.first) best = {distance, p};
+    }
+    return best;
+  }
+
+  Contact contact(const Near_pair& pair) const
+  {
+    const auto [a, b] = pair.parts;
+    const Point& p = witnesses_[pair.region];
+    return {pair.parts, {nearest_parameter(parts_[a], p), nearest_parameter(parts_[b], p)}, {}};
+  }
+
+  Near_pair near_pair(std::size_t a, std::size_t b)
+  {
+    const auto from_a = nearest_sample(a, b), from_b = nearest_sample(b, a);
+    const auto& nearest = from_a.first <= from_b.first ? from_a : from_b;
+    witnesses_.push_back(nearest.second);
+    return {{a, b}, std::max(0.0, nearest.first - radii_[a] - radii_[b]), witnesses_.size() - 1};
+  }
+
+  const std::vector<Part_abstraction>& parts_;
+  std::vector<Points> samples_;
+  std::vector<double> radii_;
+  std::vector<Point> witnesses_;
+  double diagonal_;
+  double tolerance_;
+};
+
+} // namespace
+
+template <typename ConcurrencyTag>
+std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::vector<Part_abstraction>& parts,
+                                     const Shape_frame& frame, const Contact_options& options,
+                                     std::vector<std::string>& warnings)
+{
+  CGAL_precondition(shape.parts().size() == parts.size());
+  return Mesh_contacts(shape, parts, frame, options).detect<ConcurrencyTag>(warnings);
+}
+
+std::vector<Contact> detect_contacts(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
+                                     const Contact_options& options, std::vector<std::string>& warnings)
+{
+  return Abstraction_contacts(parts, frame, options)(warnings);
+}
+
+template std::vector<Contact> detect_contacts<CGAL::Sequential_tag>(const Segmented_shape&,
+                                                                    const std::vector<Part_abstraction>&,
+                                                                    const Shape_frame&, const Contact_options&,
+                                                                    std::vector<std::string>&);
+template std::vector<Contact> detect_contacts<CGAL::Parallel_tag>(const Segmented_shape&,
+                                                                  const std::vector<Part_abstraction>&,
+                                                                  const Shape_frame&, const Contact_options&,
+                                                                  std::vector<std::string>&);
+
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,203 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "structure/reflections.h"
+#include "structure/rings.h"
+#include "structure/rows.h"
+
+#include <CGAL/Shape_correspondence/abstract_part.h>
+#include <CGAL/Shape_correspondence/detect_symmetry_groups.h>
+
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+using namespace internal::symmetry;
+
+namespace {
+
+/// Takes the best explanations one after the other until every part is explained.
+class Group_finder
+{
+public:
+  Group_finder(Part_relations& parts, const Symmetry_options& options) : parts_(parts), options_(options)
+  {
+    free_.resize(parts.size());
+    std::iota(free_.begin(), free_.end(), 0);
+  }
+
+  std::vector<Explanation> operator()()
+  {
+    take_while_found([this](std::vector<Explanation>& found) { add_sets(found); });
+    take_while_found([this](std::vector<Explanation>& found) { add_pairs(found); });
+    for (std::size_t part : free_) {
+      Explanation single;
+      single.members = {part};
+      single.symmetry = self_symmetry(parts_, part);
+      groups_.push_back(single);
+    }
+    return std::move(groups_);
+  }
+
+private:
+  void add_sets(std::vector<Explanation>& found) const
+  {
+    if (options_.rotation) add_rings(parts_, free_, found);
+    if (options_.reflection) add_orbits_of_four(parts_, free_, found);
+    if (options_.translation) add_rows(parts_, free_, found);
+  }
+
+  void add_pairs(std::vector<Explanation>& found) const
+  {
+    for (std::size_t i : free_)
+      for (std::size_t j : free_) {
+        if (j <= i || parts_.are_at_different_ends(i, j)) continue;
+        for (const Basic_map map : {MIRRORED_X, MIRRORED_Z}) {
+          if (options_.reflection) add_pair_in_plane(parts_, i, j, map, found);
+          if (options_.rotation) add_turned_pair(parts_, i, j, map, found);
+        }
+        if (options_.translation) add_translated_pair(parts_, i, j, found);
+        if (options_.reflection) add_pair_half_way(parts_, i, j, found);
+      }
+  }
+
+  bool is_free(const Explanation& explanation) const
+  {
+    return std::all_of(explanation.members.begin(), explanation.members.end(),
+                       [this](std::size_t i) { return std::binary_search(free_.begin(), free_.end(), i); });
+  }
+
+  void take(Explanation explanation)
+  {
+    explanation.symmetry.residual = link_residual(parts_, explanation);
+    for (std::size_t member : explanation.members)
+      free_.erase(std::lower_bound(free_.begin(), free_.end(), member));
+    groups_.push_back(std::move(explanation));
+  }
+
+  /// Collects explanations of what is left and takes the best of them, until there is none. After the largest ones of a
+  /// round the rest is collected anew: of a row that lost members to a better one, a shorter row may be left.
+  template <typename Collect>
+  void take_while_found(const Collect& collect)
+  {
+    while (true) {
+      std::vector<Explanation> found;
+      collect(found);
+      found.erase(std::remove_if(found.begin(), found.end(), [this](const auto& e) { return rejected_.count(key(e)); }),
+                  found.end());
+      if (found.empty()) return;
+      std::sort(found.begin(), found.end());
+      const std::size_t largest = found.front().members.size();
+      for (const Explanation& explanation : found) {
+        if (explanation.members.size() < largest) break;
+        if (!is_free(explanation)) continue;
+        if (confirm(parts_, explanation))
+          take(explanation);
+        else
+          rejected_.insert(key(explanation));
+      }
+    }
+  }
+
+  using Key = std::pair<Preference, std::vector<std::size_t>>;
+  static Key key(const Explanation& explanation) { return {explanation.preference, explanation.members}; }
+
+  Part_relations& parts_;
+  Symmetry_options options_;
+  std::vector<std::size_t> free_; ///< ascending
+  std::vector<Explanation> groups_;
+  std::set<Key> rejected_; ///< what the surfaces do not bear out
+};
+
+/// An order of the parts that does not depend on the input's: by their place in the frame, rounded.
+std::vector<std::size_t> canonical_order(const std::vector<Part_signature>& signatures)
+{
+  constexpr double QUANTUM = 1e-6;
+  const auto key = [&](std::size_t i) {
+    const Part_signature& s = signatures[i];
+    std::array<double, 5> result = {s.centre.y(), s.centre.x(), s.centre.z(), s.width, s.diagonal};
+    for (double& x : result)
+      x = std::round(x / QUANTUM);
+    return result;
+  };
+  std::vector<std::size_t> order(signatures.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  return order;
+}
+
+Symmetry to_world(Symmetry symmetry, const Shape_frame& frame)
+{
+  symmetry.point = frame.to_world(symmetry.point);
+  symmetry.direction = frame.axes * symmetry.direction;
+  if (symmetry.type == Symmetry_type::TRANSLATION) symmetry.direction *= frame.height;
+  return symmetry;
+}
+
+/// The volume of the hull of several parts' union.
+double hull_volume_of_union(const std::vector<Part_abstraction>& parts, const std::vector<std::size_t>& members)
+{
+  if (members.size() == 1 && parts[members[0]].hull_volume > 0) return parts[members[0]].hull_volume;
+  Points all(3, 0);
+  for (std::size_t member : members) {
+    const Part_abstraction& part = parts[member];
+    const Points& points = part.hull.cols() > 0 ? part.hull : part.control_points();
+    const Eigen::Index before = all.cols();
+    all.conservativeResize(3, before + points.cols());
+    all.rightCols(points.cols()) = points;
+  }
+  return convex_hull_volume(all);
+}
+
+Part_group make_group(const std::vector<Part_abstraction>& parts, std::vector<std::size_t> members,
+                      const Symmetry& symmetry)
+{
+  Part_group group;
+  group.parts = std::move(members);
+  group.symmetry = symmetry;
+  for (std::size_t member : group.parts)
+    group.volume += parts[member].volume;
+  group.hull_volume = hull_volume_of_union(parts, group.parts);
+  return group;
+}
+
+void sort_by_first_part(std::vector<Part_group>& groups)
+{
+  const auto first = [](const Part_group& group) { return *std::min_element(group.parts.begin(), group.parts.end()); };
+  std::sort(groups.begin(), groups.end(),
+            [&](const Part_group& a, const Part_group& b) { return first(a) < first(b); });
+}
+
+} // namespace
+
+std::vector<Part_group> detect_symmetry_groups(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
+                                               const Symmetry_options& options)
+{
+  std::vector<Part_signature> signatures;
+  for (const Part_abstraction& part : parts)
+    signatures.push_back(make_signature(part, frame));
+  const std::vector<std::size_t> order = canonical_order(signatures);
+  std::vector<Part_signature> sorted;
+  for (std::size_t part : order)
+    sorted.push_back(std::move(signatures[part]));
+  Symmetry_options kinds = options;
+  if (!options.enabled) kinds.reflection = kinds.rotation = kinds.translation = false;
+
+  Part_relations relations(std::move(sorted), frame, options.tolerance);
+  std::vector<Part_group> groups;
+  for (Explanation& explanation : Group_finder(relations, kinds)()) {
+    for (std::size_t& member : explanation.members)
+      member = order[member];
+    groups.push_back(make_group(parts, std::move(explanation.members), to_world(explanation.symmetry, frame)));
+  }
+  sort_by_first_part(groups);
+  return groups;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL

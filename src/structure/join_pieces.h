@@ -1,0 +1,118 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_JOIN_PIECES_H
+#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_JOIN_PIECES_H
+
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <queue>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace contacts {
+
+/// The sets that parts joined so far make up.
+class Pieces
+{
+public:
+  explicit Pieces(std::size_t n) : parent_(n), count_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  std::size_t find(std::size_t part)
+  {
+    while (parent_[part] != part)
+      part = parent_[part] = parent_[parent_[part]];
+    return part;
+  }
+
+  /// \return whether they were apart
+  bool join(std::size_t a, std::size_t b)
+  {
+    a = find(a), b = find(b);
+    if (a == b) return false;
+    parent_[std::max(a, b)] = std::min(a, b);
+    --count_;
+    return true;
+  }
+
+  std::size_t count() const { return count_; }
+
+private:
+  std::vector<std::size_t> parent_;
+  std::size_t count_;
+};
+
+/// Two parts and how near they are, 0 where they overlap.
+struct Near_pair
+{
+  std::array<std::size_t, 2> parts;
+  double distance;
+  std::size_t region; ///< where; an index that means something to who made it
+};
+
+inline std::string join_warning(const std::vector<Part_abstraction>& parts, const Near_pair& pair, double diagonal)
+{
+  const double percent = std::round(1000 * pair.distance / diagonal) / 10;
+  std::string digits = std::to_string(percent);
+  digits.resize(digits.find_first_of(".,") + 2);
+  return "Parts '" + parts[pair.parts[0]].name + "' and '" + parts[pair.parts[1]].name +
+         "' are taken to be in contact across a gap of " + digits +
+         " % of the shape's diagonal, since the shape would fall into pieces otherwise.";
+}
+
+/// Joins what the near pairs leave in pieces by the closest pairs (Kruskal's minimum spanning forest). Distances are
+/// computed only where the lower bound asks for it.
+/// \tparam LowerBound (part, part) to a bound of their distance
+/// \tparam Measure (part, part) to a `Near_pair`
+template <typename LowerBound, typename Measure>
+void join_pieces(const std::vector<Part_abstraction>& parts, double diagonal, const LowerBound& lower_bound,
+                 const Measure& measure, std::vector<Near_pair>& near, std::vector<std::string>& warnings)
+{
+  Pieces pieces(parts.size());
+  for (const Near_pair& pair : near)
+    pieces.join(pair.parts[0], pair.parts[1]);
+  if (pieces.count() == 1) return;
+
+  // (distance or its bound, the two parts, whether measured); the smallest first
+  using Entry = std::tuple<double, std::size_t, std::size_t, bool>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  for (std::size_t a = 0; a < parts.size(); ++a)
+    for (std::size_t b = a + 1; b < parts.size(); ++b)
+      if (pieces.find(a) != pieces.find(b)) queue.emplace(lower_bound(a, b), a, b, false);
+  while (pieces.count() > 1 && !queue.empty()) {
+    const auto [distance, a, b, measured] = queue.top();
+    queue.pop();
+    if (pieces.find(a) == pieces.find(b)) continue;
+    const Near_pair pair = measure(a, b);
+    if (!measured && pair.distance > distance) {
+      queue.emplace(pair.distance, a, b, true);
+      continue;
+    }
+    pieces.join(a, b);
+    near.push_back(pair);
+    warnings.push_back(join_warning(parts, pair, diagonal));
+  }
+}
+
+inline void sort_by_parts(std::vector<Near_pair>& near)
+{
+  std::sort(near.begin(), near.end(), [](const Near_pair& a, const Near_pair& b) { return a.parts < b.parts; });
+}
+
+} // namespace contacts
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_JOIN_PIECES_H

@@ -1,0 +1,194 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_REFLECTIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_REFLECTIONS_H
+
+#include "structure/Explanation.h"
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace symmetry {
+
+constexpr double OBLIQUE = 0.2;     ///< least sine of the angles of what is between a turned pair with plane and normal
+constexpr double PLANE_SHARE = 0.1; ///< how far from a mirror plane a pair may be centred, over its distance
+
+inline Symmetry mirror(const Point& point, const Point& normal)
+{
+  Symmetry result;
+  result.type = Symmetry_type::REFLECTION;
+  result.point = point;
+  result.direction = normal;
+  return result;
+}
+
+/// Of two opposite directions the one that points up, or to the front.
+inline Point upward(const Point& direction)
+{
+  constexpr double LEVEL = 1e-9;
+  const bool level = std::abs(direction.y()) <= LEVEL;
+  const bool keep = level ? direction.z() > LEVEL || (direction.z() >= -LEVEL && direction.x() > 0) : direction.y() > 0;
+  return keep ? direction : Point(-direction);
+}
+
+/// How far a plane through a point is from the shape's own one of that direction.
+inline double plane_distance(const Part_relations& parts, Basic_map map, const Point& middle)
+{
+  return parts.plane(map) ? std::abs(middle[axis_of(map)] - *parts.plane(map)) : 1;
+}
+
+/// Completes an orbit of two orthogonal mirror planes from a corner i, its image j in the main plane and its image k in
+/// the other one.
+inline void add_four(const Part_relations& parts, std::size_t i, std::size_t j, std::size_t k,
+                     const std::vector<std::size_t>& free, std::vector<Explanation>& result)
+{
+  const Basic_map main = parts.main_mirror(), other = parts.other_mirror();
+  const Point expected = parts[j].centre + parts[k].centre - parts[i].centre;
+  for (std::size_t l : free) {
+    if (l == i || l == j || l == k || !parts.related(k, l, main) || !parts.related(j, l, other)) continue;
+    if ((parts[l].centre - expected).norm() > 2 * parts.position_tolerance(i)) continue;
+    Explanation four;
+    four.members = {i, j, k, l};
+    four.preference = Preference::FOUR_MIRRORED;
+    const Point middle = (parts[i].centre + parts[j].centre + parts[k].centre + parts[l].centre) / 4;
+    four.symmetry = mirror(middle, Point::Unit(axis_of(main)));
+    const double spread = (parts[i].centre - parts[l].centre).norm();
+    four.cost =
+        rounded(plane_distance(parts, main, middle) + plane_distance(parts, other, middle) + 0.01 / (1 + spread));
+    four.links = {{0, 1, matrix_of(main), false}, {2, 3, matrix_of(main), false}, {0, 2, matrix_of(other), true}};
+    result.push_back(four);
+  }
+}
+
+/// Orbits of four under mirroring in two orthogonal planes, such as the legs of a chair.
+inline void add_orbits_of_four(const Part_relations& parts, const std::vector<std::size_t>& free,
+                               std::vector<Explanation>& result)
+{
+  const auto is_pair = [&](std::size_t i, std::size_t j, Basic_map map) {
+    return parts[i].centre[axis_of(map)] > parts[j].centre[axis_of(map)] && parts.related(i, j, map) &&
+           parts.displaced_along(i, j, map);
+  };
+  for (std::size_t i : free)
+    for (std::size_t j : free) {
+      if (!is_pair(i, j, parts.main_mirror())) continue;
+      for (std::size_t k : free)
+        if (is_pair(i, k, parts.other_mirror())) add_four(parts, i, j, k, free, result);
+    }
+}
+
+/// A pair mirrored in one of the shape's mirror planes.
+inline void add_pair_in_plane(const Part_relations& parts, std::size_t i, std::size_t j, Basic_map map,
+                              std::vector<Explanation>& result)
+{
+  const int axis = axis_of(map);
+  if (!parts.plane(map) || !parts.related(i, j, map) || !parts.displaced_along(i, j, map)) return;
+  const Point middle = (parts[i].centre + parts[j].centre) / 2;
+  const double apart = std::abs(parts[i].centre[axis] - parts[j].centre[axis]);
+  if (std::abs(middle[axis] - *parts.plane(map)) > std::max(PLANE_TOLERANCE, PLANE_SHARE * apart)) return;
+  Explanation pair;
+  pair.members = {i, j};
+  if (parts[i].centre[axis] < parts[j].centre[axis]) std::swap(pair.members[0], pair.members[1]);
+  pair.preference = Preference::MIRRORED_IN_SHAPE;
+  Point point = Point::Zero(), normal = Point::Zero();
+  point[axis] = middle[axis];
+  normal[axis] = 1;
+  pair.symmetry = mirror(point, normal);
+  const Point across = parts[i].centre - parts[j].centre;
+  pair.cost = rounded(std::abs(middle[axis] - *parts.plane(map)) + across.norm() - std::abs(across[axis]));
+  pair.links = {{0, 1, matrix_of(map), map != parts.main_mirror()}};
+  result.push_back(pair);
+}
+
+/// A pair that half a turn carries into each other about an axis in one of the shape's mirror planes, at right angles
+/// to what is between the two.
+inline void add_turned_pair(const Part_relations& parts, std::size_t i, std::size_t j, Basic_map map,
+                            std::vector<Explanation>& result)
+{
+  const int normal = axis_of(map);
+  const Point middle = (parts[i].centre + parts[j].centre) / 2, between = parts[i].centre - parts[j].centre;
+  if (!parts.plane(map) || std::abs(middle[normal] - *parts.plane(map)) > PLANE_TOLERANCE) return;
+  const Point axis = between.cross(Point::Unit(normal));
+  const double oblique = std::max(POSITION_TOLERANCE, OBLIQUE * between.norm());
+  if (std::min(std::abs(between[normal]), axis.norm()) <= oblique) return;
+  Explanation pair;
+  pair.members = {i, j};
+  if (between[normal] < 0) std::swap(pair.members[0], pair.members[1]);
+  pair.preference = Preference::TURNED;
+  pair.symmetry.type = Symmetry_type::ROTATION;
+  pair.symmetry.point = middle;
+  pair.symmetry.direction = upward(axis.normalized());
+  pair.symmetry.order = 2;
+  pair.cost = rounded(between.norm() - pair.symmetry.direction.y());
+  const Eigen::Matrix3d half_turn = -mirror_matrix(pair.symmetry.direction);
+  if (!std::isfinite(parts.deviation(i, j, half_turn))) return;
+  pair.links = {{0, 1, half_turn, true}};
+  result.push_back(pair);
+}
+
+inline void add_translated_pair(const Part_relations& parts, std::size_t i, std::size_t j,
+                                std::vector<Explanation>& result)
+{
+  Point vector = parts[j].centre - parts[i].centre;
+  if (!parts.related(i, j, TRANSLATED) || vector.norm() <= POSITION_TOLERANCE) return;
+  Explanation pair;
+  pair.members = {i, j};
+  Eigen::Index largest;
+  vector.cwiseAbs().maxCoeff(&largest);
+  if (vector[largest] < 0) {
+    std::swap(pair.members[0], pair.members[1]);
+    vector = -vector;
+  }
+  pair.preference = Preference::TRANSLATED;
+  pair.symmetry.type = Symmetry_type::TRANSLATION;
+  pair.symmetry.point = parts[pair.members[0]].centre;
+  pair.symmetry.direction = vector;
+  pair.cost = rounded(vector.norm());
+  pair.links = {{0, 1, matrix_of(TRANSLATED), !(parts.is_wheel(i) && parts.is_wheel(j))}};
+  result.push_back(pair);
+}
+
+/// A pair mirrored in the vertical plane half-way between its centres.
+inline void add_pair_half_way(const Part_relations& parts, std::size_t i, std::size_t j,
+                              std::vector<Explanation>& result)
+{
+  Point across = parts[i].centre - parts[j].centre;
+  const double height = std::abs(across.y());
+  across.y() = 0;
+  if (height > parts.position_tolerance(i) || across.norm() <= std::max(POSITION_TOLERANCE, height)) return;
+  Point normal = across.normalized();
+  if (normal.x() < -1e-9 || (std::abs(normal.x()) <= 1e-9 && normal.z() < 0)) normal = -normal;
+  if (!std::isfinite(parts.deviation(i, j, mirror_matrix(normal)))) return;
+  Explanation pair;
+  pair.members = {i, j};
+  if (normal.dot(across) < 0) std::swap(pair.members[0], pair.members[1]);
+  pair.preference = Preference::MIRRORED_ANYHOW;
+  pair.symmetry = mirror((parts[i].centre + parts[j].centre) / 2, normal);
+  pair.cost = rounded(across.norm());
+  pair.links = {{0, 1, mirror_matrix(normal), true}};
+  result.push_back(pair);
+}
+
+/// The mirror plane of a part by itself, for what no other part is like.
+inline Symmetry self_symmetry(Part_relations& parts, std::size_t i)
+{
+  for (const Basic_map map : {parts.main_mirror(), parts.other_mirror()}) {
+    if (!parts.related(i, i, map) || !parts.confirm(i, i, matrix_of(map))) continue;
+    Symmetry result = mirror(parts[i].centre, map == MIRRORED_X ? Point::UnitX() : Point::UnitZ());
+    result.type = Symmetry_type::SELF;
+    result.residual = parts.deviation(i, i, matrix_of(map));
+    return result;
+  }
+  Symmetry none;
+  none.point = parts[i].centre;
+  return none;
+}
+
+} // namespace symmetry
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_REFLECTIONS_H

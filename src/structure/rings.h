@@ -1,0 +1,208 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_RINGS_H
+#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_RINGS_H
+
+#include "structure/Explanation.h"
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace symmetry {
+
+constexpr double TWO_PI = 6.283185307179586;
+constexpr double UNEVEN_ANGLE = 0.15; ///< how far a ring's angle may be from the even one, over the latter
+constexpr double STAR_CORE = 0.4;     ///< a star's members reach inwards to this fraction of their outer radius
+constexpr double HORIZONTAL = 0.1;    ///< the largest vertical component of an axis that is taken to be horizontal
+constexpr std::size_t LEAST_HORIZONTAL_RING = 5; ///< fewer about a horizontal axis must be a star: a frame is no ring
+
+struct Axis
+{
+  Point point;
+  Point direction; ///< unit
+};
+
+/// Where a part is about an axis.
+struct Ring_place
+{
+  std::size_t part;
+  double height, radius, angle;
+};
+
+inline std::vector<Ring_place> places_about(const Part_relations& parts, const std::vector<std::size_t>& candidates,
+                                            const Axis& axis)
+{
+  Point zero = axis.direction.cross(Point::UnitX());
+  if (zero.norm() < 0.5) zero = axis.direction.cross(Point::UnitZ());
+  zero.normalize();
+  const Point quarter = axis.direction.cross(zero);
+  std::vector<Ring_place> result;
+  for (std::size_t part : candidates) {
+    const Point d = parts[part].centre - axis.point;
+    const double x = d.dot(zero), y = d.dot(quarter);
+    result.push_back({part, d.dot(axis.direction), std::hypot(x, y), std::atan2(y, x)});
+  }
+  std::sort(result.begin(), result.end(), [](const Ring_place& a, const Ring_place& b) { return a.angle < b.angle; });
+  return result;
+}
+
+inline bool is_evenly_turned(const std::vector<Ring_place>& ring)
+{
+  const double even = TWO_PI / ring.size();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const bool wraps = i + 1 == ring.size();
+    const double angle = ring[wraps ? 0 : i + 1].angle - ring[i].angle + (wraps ? TWO_PI : 0);
+    if (std::abs(angle - even) > UNEVEN_ANGLE * even) return false;
+  }
+  return true;
+}
+
+/// Whether a part reaches in to the axis.
+inline bool comes_from_axis(const Part_signature& part, const Axis& axis)
+{
+  double inner = std::numeric_limits<double>::infinity(), outer = 0;
+  for (Eigen::Index i = 0; i < part.extremes.cols(); ++i) {
+    const Point d = part.extremes.col(i) + part.centre - axis.point;
+    const double radius = (d - d.dot(axis.direction) * axis.direction).norm();
+    inner = std::min(inner, radius);
+    outer = std::max(outer, radius);
+  }
+  return inner <= STAR_CORE * outer;
+}
+
+/// Tests one set of places for a ring.
+inline std::optional<Explanation> make_ring(const Part_relations& parts, const std::vector<Ring_place>& places,
+                                            const Axis& axis)
+{
+  const std::size_t n = places.size();
+  if (n < 3 || !is_evenly_turned(places)) return std::nullopt;
+  const bool star = comes_from_axis(parts[places[0].part], axis);
+  const bool vertical = std::abs(axis.direction.y()) > 0.5;
+  if (!vertical && n < LEAST_HORIZONTAL_RING && !star) return std::nullopt;
+  Explanation ring;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(TWO_PI / n, axis.direction).toRotationMatrix();
+  for (std::size_t i = 0; i < n; ++i) {
+    ring.members.push_back(places[i].part);
+    ring.links.push_back({i, (i + 1) % n, turn, true});
+    if (!std::isfinite(parts.deviation(places[i].part, places[(i + 1) % n].part, turn))) return std::nullopt;
+  }
+  ring.preference = star ? Preference::STAR : Preference::RING;
+  ring.symmetry.type = Symmetry_type::ROTATION;
+  ring.symmetry.point = axis.point;
+  ring.symmetry.direction = axis.direction;
+  ring.symmetry.order = static_cast<int>(n);
+  return ring;
+}
+
+/// The rings about one axis: candidates at one height and one radius.
+inline bool add_rings_about(const Part_relations& parts, const std::vector<std::size_t>& candidates, const Axis& axis,
+                            std::vector<Explanation>& result)
+{
+  bool found = false;
+  const std::vector<Ring_place> places = places_about(parts, candidates, axis);
+  std::vector<char> used(places.size(), 0);
+  for (std::size_t seed = 0; seed < places.size(); ++seed) {
+    const double tolerance = parts.position_tolerance(places[seed].part);
+    if (used[seed] || places[seed].radius <= 1.5 * tolerance) continue;
+    std::vector<Ring_place> same;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (std::abs(places[i].height - places[seed].height) <= tolerance &&
+          std::abs(places[i].radius - places[seed].radius) <= tolerance) {
+        same.push_back(places[i]);
+        used[i] = 1;
+      }
+    if (auto ring = make_ring(parts, same, axis)) {
+      result.push_back(*ring);
+      found = true;
+    }
+  }
+  return found;
+}
+
+inline Point mean_centre(const Part_relations& parts, const std::vector<std::size_t>& set)
+{
+  Point sum = Point::Zero();
+  for (std::size_t i : set)
+    sum += parts[i].centre;
+  return sum / set.size();
+}
+
+/// The directions in which the centres of a set spread least and most.
+struct Spread
+{
+  Point least, most;
+};
+
+inline Spread spread(const Part_relations& parts, const std::vector<std::size_t>& set, const Point& mean)
+{
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (std::size_t i : set) {
+    const Point d = parts[i].centre - mean;
+    covariance += d * d.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  return {solver.eigenvectors().col(0), solver.eigenvectors().col(2)};
+}
+
+/// Splits a set where its centres leave the widest gap along a direction.
+inline std::array<std::vector<std::size_t>, 2> split_at_gap(const Part_relations& parts, std::vector<std::size_t> set,
+                                                            const Point& direction)
+{
+  const auto along = [&](std::size_t i) { return parts[i].centre.dot(direction); };
+  std::stable_sort(set.begin(), set.end(), [&](std::size_t a, std::size_t b) { return along(a) < along(b); });
+  std::size_t cut = 1;
+  for (std::size_t i = 1; i < set.size(); ++i)
+    if (along(set[i]) - along(set[i - 1]) > along(set[cut]) - along(set[cut - 1]) + 1e-9) cut = i;
+  return {{{set.begin(), set.begin() + cut}, {set.begin() + cut, set.end()}}};
+}
+
+/// Looks for rings among parts of one size: about the vertical axis and a horizontal one through their middle, then in
+/// the halves that the widest gap leaves.
+inline void add_rings_among(const Part_relations& parts, const std::vector<std::size_t>& set, int splits,
+                            std::vector<Explanation>& result)
+{
+  if (set.size() < 3) return;
+  const Point mean = mean_centre(parts, set);
+  bool found = add_rings_about(parts, set, {mean, Point::UnitY()}, result);
+  const Spread directions = spread(parts, set, mean);
+  Point normal = directions.least;
+  if (std::abs(normal.y()) <= HORIZONTAL) {
+    normal.y() = 0;
+    normal.normalize();
+    if (normal.x() < -1e-9 || (std::abs(normal.x()) <= 1e-9 && normal.z() < 0)) normal = -normal;
+    found = add_rings_about(parts, set, {mean, normal}, result) || found;
+  }
+  if (found || splits == 0) return;
+  for (const auto& half : split_at_gap(parts, set, directions.most))
+    add_rings_among(parts, half, splits - 1, result);
+}
+
+/// Complete rings of three parts or more.
+inline void add_rings(const Part_relations& parts, const std::vector<std::size_t>& free,
+                      std::vector<Explanation>& result)
+{
+  constexpr int SPLITS = 3;
+  std::vector<char> used(parts.size(), 0);
+  for (std::size_t seed : free) {
+    if (used[seed]) continue;
+    std::vector<std::size_t> same;
+    for (std::size_t i : free)
+      if (parts.same_size(seed, i)) {
+        same.push_back(i);
+        used[i] = 1;
+      }
+    add_rings_among(parts, same, SPLITS, result);
+    const double x = parts.plane(MIRRORED_X).value_or(0), z = parts.plane(MIRRORED_Z).value_or(0);
+    add_rings_about(parts, same, {Point(x, 0, z), Point::UnitY()}, result);
+  }
+}
+
+} // namespace symmetry
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_RINGS_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_ROWS_H
+#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_ROWS_H
+
+#include "structure/Explanation.h"
+
+#include <set>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace symmetry {
+
+constexpr double UNEVEN_SPACING = 0.3; ///< how far a step of a row may be from the mean step, over the latter
+constexpr double CROOKEDNESS = 0.1;    ///< how far off its line a row's member may be, over the row's length
+
+/// The part of `candidates` that comes next in a row, if one is near enough to its place.
+inline std::optional<std::size_t> next_in_row(const Part_relations& parts, std::size_t last, const Point& step,
+                                              const std::vector<std::size_t>& candidates)
+{
+  std::optional<std::size_t> best;
+  double least = UNEVEN_SPACING * step.norm();
+  for (std::size_t k : candidates) {
+    const double distance = (parts[k].centre - parts[last].centre - step).norm();
+    if (distance <= least && parts.related(last, k, TRANSLATED)) {
+      least = distance;
+      best = k;
+    }
+  }
+  return best;
+}
+
+inline bool is_even_and_straight(const Part_relations& parts, const std::vector<std::size_t>& row, const Point& step)
+{
+  const double gap = step.norm();
+  const Point direction = step / gap;
+  for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+    const double along = (parts[row[i + 1]].centre - parts[row[i]].centre).dot(direction);
+    if (std::abs(along - gap) > UNEVEN_SPACING * gap) return false;
+  }
+  for (std::size_t member : row) {
+    const Point d = parts[member].centre - parts[row.front()].centre;
+    const double off = (d - d.dot(direction) * direction).norm();
+    if (off > std::max(CROOKEDNESS * gap * (row.size() - 1.0), parts.position_tolerance(member))) return false;
+  }
+  return true;
+}
+
+/// Follows a row from its first two parts on.
+inline std::vector<std::size_t> follow_row(const Part_relations& parts, std::size_t first, std::size_t second,
+                                           const std::vector<std::size_t>& free)
+{
+  std::vector<std::size_t> row = {first, second};
+  while (true) {
+    const Point mean_step = (parts[row.back()].centre - parts[first].centre) / (row.size() - 1.0);
+    const auto next = next_in_row(parts, row.back(), mean_step, free);
+    if (!next || std::find(row.begin(), row.end(), *next) != row.end()) return row;
+    row.push_back(*next);
+  }
+}
+
+/// Rows of three or more parts that a translation carries each into the next.
+inline void add_rows(const Part_relations& parts, const std::vector<std::size_t>& free,
+                     std::vector<Explanation>& result)
+{
+  std::set<std::vector<std::size_t>> seen;
+  for (std::size_t i : free)
+    for (std::size_t j : free) {
+      if (i == j || !parts.related(i, j, TRANSLATED)) continue;
+      const Point first_step = parts[j].centre - parts[i].centre;
+      if (first_step.norm() <= POSITION_TOLERANCE) continue;
+      Eigen::Index largest;
+      first_step.cwiseAbs().maxCoeff(&largest);
+      if (first_step[largest] < 0) continue;
+      Explanation row;
+      row.members = follow_row(parts, i, j, free);
+      if (row.members.size() < 3 || !seen.insert(row.members).second) continue;
+      const Point step =
+          (parts[row.members.back()].centre - parts[row.members.front()].centre) / (row.members.size() - 1.0);
+      if (!is_even_and_straight(parts, row.members, step)) continue;
+      row.preference = Preference::ROW;
+      row.symmetry.type = Symmetry_type::TRANSLATION;
+      row.symmetry.point = parts[row.members.front()].centre;
+      row.symmetry.direction = step;
+      row.cost = rounded(step.norm());
+      for (std::size_t k = 0; k + 1 < row.members.size(); ++k)
+        row.links.push_back({k, k + 1, matrix_of(TRANSLATED), true});
+      result.push_back(row);
+    }
+}
+
+} // namespace symmetry
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_ROWS_H
