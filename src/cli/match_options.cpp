@@ -47,7 +47,10 @@ Energy_weights parse_weights(const std::string& text)
 {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) throw Usage_error("--weights takes two numbers, w_c,w_s, not '" + text + "'");
-  return {parse_weight(text.substr(0, comma)), parse_weight(text.substr(comma + 1))};
+  Energy_weights weights;
+  weights.connectedness = parse_weight(text.substr(0, comma));
+  weights.split = parse_weight(text.substr(comma + 1));
+  return weights;
 }
 
 void switch_off(const std::string& term, Energy_weights& weights)
