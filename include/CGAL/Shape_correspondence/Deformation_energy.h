@@ -11,6 +11,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// The three terms of the deformation energy (paper, Eq. 1), before weighting.
 struct Energy_terms
 {
@@ -20,6 +21,7 @@ struct Energy_terms
   double unmatched = 0;     ///< cost of groups left unmatched, where the caller allowed it
 };
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// Weights of Eq. 1 with the paper's values. A term with weight 0 is switched off (the paper's Figure 4).
 struct Energy_weights
 {
@@ -28,9 +30,11 @@ struct Energy_weights
   double split = 0.4;         ///< w_s
 };
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// E = E_d + w_c E_c + w_s E_s (Eq. 1), and the cost of what is left unmatched.
 double deformation_energy(const Energy_terms& terms, const Energy_weights& weights = {});
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// E_s (Eq. 5) of the vector S of solidity ratios, an entry a group of parts; 0 of no groups.
 double split_energy(const std::vector<double>& solidity_ratios);
 
