@@ -114,8 +114,7 @@ Options options_from(const NamedParameters& np)
 } // namespace parameters
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// Builds the structural graph of a segmented shape, with named parameters; see
-/// `build_structural_graph(const Segmented_shape&, const Structure_options&, Structure_times*)`.
+/// Builds the structural graph of a segmented shape; named parameters take the place of `Structure_options`.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same to the bit
 /// \param shape the shape
 /// \param np an optional sequence of named parameters among the ones listed below
@@ -186,8 +185,7 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 }
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// Finds the part correspondence of two shapes, with named parameters; see
-/// `find_correspondence(const Structural_graph&, const Structural_graph&, const Search_options&)`.
+/// Finds the part correspondence of two shapes; named parameters take the place of `Search_options`.
 /// \param source,target the structural graphs of the shapes
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
