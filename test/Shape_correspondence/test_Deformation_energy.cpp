@@ -3,6 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "energy/Structural_rods.h"
 #include "hand_made_graphs.h"
 
 #include <CGAL/Shape_correspondence/Deformation_energy.h>

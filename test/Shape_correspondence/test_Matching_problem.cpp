@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/Matching_problem.h"
+#include "energy/Structural_rods.h"
 #include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
