@@ -7,6 +7,10 @@
 // and the paper's beam, the searches with both directions. Prints medians and 95th percentiles in milliseconds, how far
 // the beam is from the optimum, the speed of the rod kernel against the machine's best loop, and synthetic problems.
 //   benchmark_search GRAPH.json GRAPH.json ...     all pairs of the graphs given that are in one folder
+#include "energy/Structural_rods.h"
+#include "matching/match_parts.h"
+#include "search/beam_search.h"
+
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 

@@ -5,6 +5,7 @@
 
 #include "deformed_parts.h"
 #include "energy/Matching_problem.h"
+#include "energy/Structural_rods.h"
 #include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
