@@ -1,5 +1,6 @@
 # Pages of concepts are called so, and say no header, as in CGAL's manuals; doxygen takes concepts for classes.
 # cmake -D html=FOLDER -P name_concept_pages.cmake
+cmake_minimum_required(VERSION 3.18)
 file(GLOB pages ${html}/class*.html)
 foreach(page ${pages})
   file(READ ${page} text)

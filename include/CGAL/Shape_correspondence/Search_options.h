@@ -20,14 +20,14 @@ namespace Shape_correspondence {
 /// \ingroup PkgShapeCorrespondenceOptions
 /// How a correspondence is found.
 enum class Search_method {
-  PARTS, ///< by costs of pairs of parts, without deformation; agrees best with people
+  PARTS, ///< least costs of corresponding parts, no deformation; agrees best with people
   BEAM,  ///< least deformation energy by the paper's beam search
   EXACT  ///< least deformation energy, with a proof
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// Weights of the terms of a part cost, what it costs that two parts correspond. Lengths are in the unit box of either
-/// shape: each axis of the common frame runs from 0 to 1 over the shape, so that a low chair and a high one compare.
+/// What it costs that one part corresponds to another. Lengths are in the unit box of either shape: each axis of the
+/// common frame runs from 0 to 1 over the shape, so that a low chair and a high one compare.
 struct Part_cost_weights
 {
   double overlap = 2;  ///< the share of the smaller part's box that lies outside of the other one's
@@ -37,25 +37,25 @@ struct Part_cost_weights
   double front = 3.5;  ///< the same, to the front
   double orientation = 1.5; ///< Frobenius distance of the normalized square roots of the surfaces' covariances
   double chamfer = 2;       ///< mean distance of a point of either surface from the other surface
-  double contacts = 2;      ///< the share of the parts that they touch which do not stand for one another
-  double link = 50;         ///< one part is a link of a chain and the other is not
+  double contacts = 2;      ///< the share of the parts that they touch which do not correspond
+  double chain = 50;        ///< one is a ring of a chain and the other is not
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// Options of `Search_method::PARTS`. Numbers are part costs, as `Part_cost_weights` make them.
+/// Options of `Search_method::PARTS`; bounds are of costs by `Part_cost_weights`.
 struct Part_matching_options
 {
   Part_cost_weights weights; ///< weights of the terms of a cost
   /// A pair is matched if it costs least for one of its parts and, over both parts, at most so much more than least.
-  /// Less of it: fewer and surer pairs.
+  /// Less of it: fewer pairs, of which more are right.
   double excess = 1.5;
-  double sure_excess = 0.5; ///< the same, for pairs that decide which sets of parts stand for one another
-  double sibling = 3.5;     ///< parts of one shape that cost less among each other may share a counterpart
-  double upside_down = 1;   ///< a shape is turned over where that lowers the mean least cost of its parts by so much
-  bool panels = true;       ///< match panels (a row of slats with its frame, the head of a bed) as wholes
-  bool support = true;      ///< match the support, what connects seat or table top to the ground, as a whole
-  bool alike_legs = true;   ///< where only some legs are alike, match them one to one, not the support as a whole
-  bool chains = true;       ///< a shape with a chain hangs, and links of chains correspond to links only
+  double confident_excess = 0.5;   ///< the same, for pairs that decide which sets of parts correspond
+  double shared_counterpart = 3.5; ///< parts of one shape that cost less among each other may share a counterpart
+  double upside_down = 1; ///< a shape is turned over where that makes the mean least cost of its parts so much less
+  bool panels = true;     ///< match panels as sets: rows with their frames, boards in one side of the shape
+  bool support = true;    ///< match the parts that support a seat or top as a set
+  bool alike_legs = true; ///< where only some legs are alike, match them one to one, not the supports as sets
+  bool chains = true;     ///< a shape with a chain hangs from it, and rings of chains correspond to each other only
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
@@ -101,9 +101,9 @@ struct Search_options
   int maximum_parts = 0;       ///< coarse correspondence: only the most prominent parts of either shape; 0 takes all
   std::vector<std::size_t> source_parts; ///< only these parts of the source, by their index; empty: all parts
   std::vector<std::size_t> target_parts; ///< only these parts of the target, by their index; empty: all parts
-  /// How many quarter turns of the target about the up axis are tried, those nearest to the given orientation first; 0
-  /// tries all that the symmetry of the shapes leaves. The best result is taken, by `Search_method::PARTS` only if it
-  /// is clearly better than the first.
+  /// How many alignments are tried, turns of the target about the up axis by 90° or 180°. The one that scores best is
+  /// taken, by `Search_method::PARTS` only if it is clearly better than the first; 1 is the first, the one nearest to
+  /// the given orientation, 0 all of them.
   int alignments = 1;
   int solutions = 1;          ///< how many `find_correspondences()` returns at most
   bool min_marginals = false; ///< compute `Group_match::min_marginal`, by exact searches whatever the method

@@ -10,35 +10,30 @@
 #include <CGAL/Shape_correspondence/Search_options.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
-#include <array>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 
-struct Aligned_shape;
-
 /// \ingroup PkgShapeCorrespondenceFunctions
 /// A shape that is matched many times: it is aligned once for every quarter turn that a match asks for. Threads may
-/// share it.
+/// share it; copies share what was computed.
 class Prepared_shape
 {
 public:
   /// Keeps the graph by reference.
-  explicit Prepared_shape(const Structural_graph& graph) : graph_(graph) {}
+  explicit Prepared_shape(const Structural_graph& graph);
 
   /// The graph that the object was made of.
   const Structural_graph& graph() const { return graph_; }
-  /// \cond SKIP_IN_MANUAL
-  std::shared_ptr<const Aligned_shape> aligned(int quarter_turns) const;
-  /// \endcond
 
 private:
+  friend class Correspondence_finder;
+  struct Alignments;
+
   const Structural_graph& graph_;
-  mutable std::array<std::once_flag, 4> is_aligned_;
-  mutable std::array<std::shared_ptr<const Aligned_shape>, 4> aligned_;
+  std::shared_ptr<Alignments> alignments_;
 };
 
 /// \ingroup PkgShapeCorrespondenceFunctions
@@ -66,17 +61,9 @@ public:
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
 private:
-  using Shared_shape = std::shared_ptr<const Aligned_shape>;
+  class Impl;
 
-  std::vector<Correspondence> least_energy(const Prepared_shape& target) const;
-  Correspondence matched_parts(const Prepared_shape& target) const;
-  Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const;
-  double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;
-
-  Search_options options_;
-  Shape_frame source_frame_;
-  std::size_t number_of_parts_;
-  Shared_shape source_;
+  std::shared_ptr<const Impl> impl_;
 };
 
 /// \ingroup PkgShapeCorrespondenceFunctions

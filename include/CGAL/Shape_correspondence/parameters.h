@@ -20,7 +20,6 @@ namespace Shape_correspondence {
 /// what is not named keeps its default. Chain them: `parameters::beam_width(40).expansions(8)`.
 namespace parameters {
 
-/// \ingroup PkgShapeCorrespondenceFunctions
 /// \cond SKIP_IN_MANUAL
 
 /// A parameter pack of CGAL that can be chained with the parameters of this package.
@@ -88,7 +87,6 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(CGAL_SHAPE_CORRESPONDENCE_START)
 #undef CGAL_SHAPE_CORRESPONDENCE_START
 
-/// \ingroup PkgShapeCorrespondenceFunctions
 /// The option structure (`Search_options` or `Structure_options`) that a parameter pack describes.
 template <typename Options, typename NamedParameters>
 Options options_from(const NamedParameters& np)
