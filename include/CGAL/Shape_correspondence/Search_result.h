@@ -15,6 +15,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// How the search went.
 struct Search_summary
 {
@@ -24,20 +25,23 @@ struct Search_summary
   double lower_bound = 0;      ///< no correspondence in the direction of the result costs less
 };
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// A complete assignment and its energy.
 struct Solution
 {
-  double energy = 0;
-  Assignment assignment;
+  double energy = 0;     ///< the energy of the assignment
+  Assignment assignment; ///< a label for every variable
 };
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// What a search found.
 struct Search_result
 {
   std::vector<Solution> solutions; ///< the best first; at least one
   bool optimal = false;            ///< no assignments have lower energies than these
-  Search_summary summary;
+  Search_summary summary;          ///< how the search went
 
+  /// The first solution.
   const Solution& best() const { return solutions.front(); }
 };
 
