@@ -6,6 +6,8 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H
 #define CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H
 
+#include <CGAL/Shape_correspondence/Part_correspondence.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -21,9 +23,6 @@ struct Part_label
   std::string coarse;
   std::string fine; ///< empty: none
 };
-
-/// Pairs of a source part and a target part, by index.
-using Part_pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// Which parts of two labelled shapes correspond.
 struct Ground_truth
@@ -52,7 +51,7 @@ struct Correspondence_score
   double coarse_precision() const; ///< right_coarse / matched; 0 if nothing is matched
 };
 
-/// Scores a correspondence; a pair that is listed twice counts once.
+/// Scores a correspondence, given its `part_pairs()`; a pair that is listed twice counts once.
 Correspondence_score evaluate_correspondence(Part_pairs pairs, const Ground_truth& truth);
 
 /// The score of a correspondence of two shapes of a category.

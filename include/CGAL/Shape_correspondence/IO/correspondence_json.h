@@ -10,8 +10,8 @@
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <iosfwd>
+#include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -40,12 +40,18 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
                                 const std::string& source_file, const std::string& target_file,
                                 const Match_seconds& seconds);
 
+/// Two parts that correspond, by their names.
+struct Named_part_correspondence
+{
+  std::string source, target;
+  double confidence = std::numeric_limits<double>::quiet_NaN(); ///< not a number where the method does not tell
+};
+
 /// What a result file says of its parts, by their names.
 struct Named_correspondence
 {
-  std::string source, target;                             ///< the inputs as the user named them
-  std::vector<std::pair<std::string, std::string>> pairs; ///< (source part, target part)
-  std::vector<double> confidences;                        ///< by pair; empty where the method has none
+  std::string source, target; ///< the inputs as the user named them
+  std::vector<Named_part_correspondence> pairs;
   bool complete = false;
   int target_quarter_turns = 0; ///< of the target about up, into the source's frame
 };
