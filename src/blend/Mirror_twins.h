@@ -7,6 +7,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_BLEND_MIRROR_TWINS_H
 
 #include "map/Charted_mesh.h"
+#include "map/piece_of.h"
 
 namespace CGAL {
 namespace Shape_correspondence {

@@ -6,6 +6,7 @@
 #include "map/Charted_mesh.h"
 #include "map/Part_pair.h"
 #include "map/check_model.h"
+#include "map/piece_of.h"
 
 #include <CGAL/Shape_correspondence/Correspondence_map.h>
 

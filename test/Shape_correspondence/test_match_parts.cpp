@@ -116,8 +116,8 @@ TEST_CASE("Eight legs in two groups match four, every one every one")
 
   // the second group is in the block only because it resembles the first
   Part_matching_options strangers;
-  strangers.sibling = 0;
-  strangers.excess = strangers.sure_excess;
+  strangers.shared_counterpart = 0;
+  strangers.excess = strangers.confident_excess;
   CHECK(pairs(table_with_double_legs(), hand_made::table(), strangers) == identity(5));
 }
 
@@ -139,7 +139,7 @@ TEST_CASE("Rows match all to all, unless they are the very same")
   CHECK(pairs(slats, other, one_by_one) == identity(8));
 }
 
-TEST_CASE("What carries one table carries the other, as a whole")
+TEST_CASE("The supports of two tables correspond as sets")
 {
   // a column on a plate: two parts for four legs
   Shape_structure shape = structure(hand_made::pedestal_table());
@@ -243,7 +243,7 @@ TEST_CASE("A hanging lamp is turned over, whichever it is")
   CHECK_FALSE(matching(lamp(true), lamp(false), as_it_is).upside_down);
 }
 
-TEST_CASE("What has a chain hangs; links stand for links or nothing")
+TEST_CASE("What has a chain hangs; rings of chains correspond to such rings or to nothing")
 {
   const auto lantern = [](std::size_t links, double link) {
     Shape_structure shape;
@@ -269,6 +269,7 @@ TEST_CASE("What has a chain hangs; links stand for links or nothing")
   for (const bool swap : {false, true}) {
     const Part_matching found = swap ? matching(standing, hanging, options) : matching(hanging, standing, options);
     CHECK(found.upside_down);
+    CHECK(found.pairs.size() >= 2); // light, arm or mount of either
     for (const auto& [i, j] : pairs(found)) {
       const std::size_t part = swap ? j : i;
       CHECK((part < 2 || part > 5));
@@ -276,8 +277,13 @@ TEST_CASE("What has a chain hangs; links stand for links or nothing")
   }
   const Part_matching both = matching(hanging, longer, options);
   CHECK_FALSE(both.upside_down);
-  for (const auto& [i, j] : pairs(both))
+  std::size_t rings = 0;
+  for (const auto& [i, j] : pairs(both)) {
     CHECK((i >= 2 && i <= 5) == (j >= 2 && j <= 7));
+    rings += i >= 2 && i <= 5;
+  }
+  CHECK(rings >= 6); // every ring of either chain is in a pair
+  CHECK(both.pairs.size() > rings);
   options.chains = false;
   CHECK_FALSE(matching(hanging, standing, options).upside_down);
 }
@@ -287,6 +293,7 @@ TEST_CASE("Source and target have the same standing, to the bit")
   const Part_matching there = matching(hand_made::chair(), hand_made::slatted_chair());
   const Part_matching back = matching(hand_made::slatted_chair(), hand_made::chair());
   CHECK(there.costs == back.costs.transpose());
+  REQUIRE_FALSE(there.pairs.empty());
   REQUIRE(there.pairs.size() == back.pairs.size());
   for (const Part_correspondence& pair : there.pairs) {
     const auto same = std::find_if(back.pairs.begin(), back.pairs.end(), [&](const Part_correspondence& other) {
@@ -314,7 +321,7 @@ TEST_CASE("Matches do not depend on position, scale, turning and part order")
 TEST_CASE("Less excess leaves fewer pairs, all of them among the others'")
 {
   Part_matching_options strict;
-  strict.excess = strict.sure_excess = strict.sibling = 0;
+  strict.excess = strict.confident_excess = strict.shared_counterpart = 0;
   const Pairs few = pairs(table_with_double_legs(), hand_made::table(), strict);
   const Pairs many = pairs(table_with_double_legs(), hand_made::table());
   CHECK(few.size() < many.size());
@@ -329,12 +336,13 @@ TEST_CASE("Confidence: a probability, high where there is no doubt and lower whe
     return 0.;
   };
   const Part_matching same = matching(hand_made::chair(), hand_made::chair());
+  REQUIRE(same.pairs.size() == structure(hand_made::chair()).parts.size());
   for (const Part_correspondence& pair : same.pairs) {
     CHECK(pair.confidence > 0.8);
     CHECK(pair.confidence < 1);
   }
   Part_matching_options strict; // either of two legs side by side would do, but only one top
-  strict.excess = strict.sure_excess = strict.sibling = 0;
+  strict.excess = strict.confident_excess = strict.shared_counterpart = 0;
   const Part_matching doubtful = matching(table_with_double_legs(), hand_made::table(), strict);
   CHECK(confidence(doubtful, 1, 1) > 0);
   CHECK(confidence(doubtful, 1, 1) < confidence(doubtful, 0, 0));

@@ -14,20 +14,23 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// A complete assignment and its energy.
 struct Solution
 {
-  double energy = 0;
-  Assignment assignment;
+  double energy = 0;     ///< the energy of the assignment
+  Assignment assignment; ///< a label for every variable
 };
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// What a search found.
 struct Search_result
 {
   std::vector<Solution> solutions; ///< the best first; at least one
   bool optimal = false;            ///< no assignments have lower energies than these
-  Search_summary summary;
+  Search_summary summary;          ///< how the search went
 
+  /// The first solution.
   const Solution& best() const { return solutions.front(); }
 };
 

@@ -12,6 +12,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// How the search went.
 struct Search_summary
 {
