@@ -45,10 +45,12 @@ struct Sampled_medoid
 /// interval of the difference their mean distance is not the least (successive elimination as in BanditPAM; Tiwari et
 /// al. 2020). All distances of those that remain are evaluated. With a failure probability of 0, each one set aside is
 /// then refuted: the sum of some of its distances exceeds the sum of all distances of the best one. So the result is
-/// that of `topological_medoid()`. Deterministic; O(n²) memory. \param n the number of shapes \param distance symmetric
-/// and not negative; called at most once for a pair, the smaller index first \param options the probability of failure,
-/// and how shapes are drawn \pre `n > 0` \throw Invalid_input if a distance is negative or not a number, or an option
-/// is out of its range
+/// that of `topological_medoid()`. Deterministic; O(n²) memory.
+/// \param n the number of shapes
+/// \param distance symmetric and not negative; called at most once for a pair, the smaller index first
+/// \param options the probability of failure, and how shapes are drawn
+/// \pre `n > 0`
+/// \throw Invalid_input if a distance is negative or not a number, or an option is out of its range
 Sampled_medoid sampled_medoid(std::size_t n, const std::function<double(std::size_t, std::size_t)>& distance,
                               const Sampled_medoid_options& options = {});
 
