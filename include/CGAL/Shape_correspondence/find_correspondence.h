@@ -56,7 +56,7 @@ public:
   std::vector<Correspondence> ranked(const Prepared_shape& target) const;
 
   /// A lower bound of the `distance_energy()` (energy_matrix.h) of what is found, without a search: the least values of
-  /// the terms of one group and of two, added up. Of `Search_method::PARTS`, where every part may stand for every
+  /// the terms of one group and of two, added up. Of `Search_method::PARTS`, where every part may match every
   /// other, it takes terms of parts. 0 where none is known.
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
