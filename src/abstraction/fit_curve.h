@@ -32,7 +32,7 @@ struct Fitted_curve
   double residual = 0; ///< root mean square distance of the skeleton from it, before it is centred
 };
 
-/// From a leaf to the first vertex that is no link of a chain.
+/// From a leaf to the first vertex whose degree is not 2.
 inline std::vector<int> leaf_chain(const Spatial_graph_view& graph, int leaf)
 {
   std::vector<int> chain{leaf};

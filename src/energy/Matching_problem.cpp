@@ -141,6 +141,8 @@ void Matching_problem::fill_cut_energies()
   }
 }
 
+// Eq. 1 as a sum over labels of groups and pairs of groups. The root terms are w_s E_s (`split_energy()`, Eq. 5), and a
+// pooled E_d (`distortion_energy()`, Eq. 3).
 void Matching_problem::add_up_energy()
 {
   const Energy_weights& weights = options_.weights;

@@ -14,9 +14,12 @@
 #include <cstring>
 #include <vector>
 
-// Almost all of the search's time goes here. Rods are in single precision, whose error of 1e-7 is far below what any
-// comparison sees, and in lanes, each with a sum of its own: the widest vector instructions of the machine give the
-// same bits as the narrowest. Contraction to fused operations would not.
+// Eq. 2: the squared cosines of the angles by which structural rods turn, summed. Almost all of the search's time goes
+// here. Rods are in single precision, whose error of 1e-7 is far below what any comparison sees, and in lanes, each
+// with a sum of its own: the widest vector instructions of the machine give the same bits as the narrowest. Contraction
+// to fused operations would not. By hand, since a library is compiled for one set of instructions: 5.1 rods a
+// nanosecond with AVX-512, 4.8 with AVX2, 1.4 with SSE2 and 0.4 with none, against 1.7 of the same sums by Eigen's
+// arrays (on an AVX-512 machine).
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -103,7 +106,8 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void find_squared_along(const Rod_block&
 }
 
 // What is asked about rods: how far they keep their directions, compared with those of `Sources` pairs of parts before,
-// as a sum over all rods that have a direction, 0 beyond a right angle; and how short the shortest is.
+// as a sum of squared cosines (Eq. 2, 0 beyond a right angle) over all rods that have a direction; and how short the
+// shortest is.
 template <int Sources>
 struct Rod_answer
 {

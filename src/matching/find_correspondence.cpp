@@ -39,7 +39,7 @@ void check(const Search_options& options)
   if (options.solutions < 1) throw Invalid_input("find_correspondence: at least one solution must be asked for");
 }
 
-// What a part matching makes of the groups of the source. S_i is known where a group becomes a group, as a whole.
+// What the groups of the source become by a part matching. S_i is known where a group becomes all of another group.
 std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching, const Aligned_shape& source,
                                                    const Aligned_shape& target)
 {
@@ -77,8 +77,8 @@ std::size_t number_of_counted_pairs(const Aligned_shape& shape)
   return std::max<std::size_t>(1, shape.contacts.size() + alone);
 }
 
-// What differing proportions count among alignments; set on one half of the development set, by source family, and on
-// the generated shapes.
+// Weight of a difference in proportions where alignments are compared; set on one half of the development set, by
+// source family, and on the generated shapes.
 constexpr double proportion_weight = 1;
 
 // Log of the extent sideways over that to the front; 0 for what has neither.
@@ -93,7 +93,7 @@ double log_proportion(const Aligned_shape& shape)
   return std::min(extent.x(), extent.z()) > comparison_grid ? std::log(extent.x() / extent.z()) : 0;
 }
 
-// How badly two shapes go together in an alignment. Parts are compared in unit boxes, which forget proportions.
+// How unlike two shapes are in an alignment. Parts are compared in unit boxes, so that proportions are added.
 long alignment_cost(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& target)
 {
   return quantized(mean_least_cost(matching.costs) +
@@ -113,8 +113,8 @@ std::vector<Part_correspondence> original_pairs(const Part_matching& matching, c
   return result;
 }
 
-// Another alignment than the one nearest to the given orientation must cost less than this share of it: what is the
-// same from both sides has no cheaper side, and what the files say about the front is better than a hair's breadth. Set
+// Another alignment than the one nearest to the given orientation must cost less than this share of it: a shape that is
+// alike from both sides costs about the same either way, and then the orientation of the file is the better guess. Set
 // on the development and the generated set.
 constexpr double clearly_cheaper = 0.95;
 

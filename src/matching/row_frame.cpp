@@ -19,11 +19,11 @@ namespace internal {
 namespace {
 
 // Set on one half of the development set, by source family, and on the generated shapes
-constexpr double upright_limit = 0.7;   // the vertical component of an upright row's normal is less
-constexpr double planarity = 2;         // so much further than across its plane a row spreads in it, at least
-constexpr double frame_thickness = 5;   // of the row's: a row and its frame are no thicker
-constexpr double frame_allowance = 0.1; // of the height: or than this
-constexpr double frame_reach = 1.25;    // of the row's extents: by this a frame may be larger, in the plane
+constexpr double upright_limit = 0.7;   // an upright row: the vertical component of its plane's normal is less
+constexpr double planarity = 2;         // least ratio of a row's spreads in its plane and across it
+constexpr double frame_thickness = 5;   // of a row with its frame, over that of the row, at most;
+constexpr double frame_allowance = 0.1; // or over the height of the shape
+constexpr double frame_reach = 1.25;    // by so much of a row's extents its frame may exceed it in the plane
 
 class Row_frame_finder
 {

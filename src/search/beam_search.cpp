@@ -3,9 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "search/beam_search.h"
 #include "base/quantized.h"
 #include "energy/Structure_preservation.h"
-#include "search/beam_search.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

@@ -23,9 +23,9 @@ using namespace internal;
 
 namespace {
 
-constexpr double base_height = 0.02;      // what is so near to the lowest point carries, over the largest extent
+constexpr double base_height = 0.02;      // over the largest extent: vertices so near to the lowest one are the base
 constexpr double horizontal_cosine = 0.9; // of a normal with the axis
-constexpr double least_firmness = -0.2;   // falling over is falling over
+constexpr double least_stability = -0.2;  // of a shape that falls over, however far its centre is off the base
 constexpr double weight_of_horizontal = 0.5;
 
 // What a choice of the upright axis is judged by, in units of the shape's largest extent.
@@ -90,12 +90,12 @@ double depth_inside(const Eigen::Vector2d& point, const Planar_points& hull)
 double uprightness(const Surface_summary& surface, int axis)
 {
   const int side = (axis + 1) % 3, front = (axis + 2) % 3;
-  Planar_points carrying;
+  Planar_points base;
   for (Eigen::Index v = 0; v < surface.vertices.cols(); ++v)
     if (surface.vertices(axis, v) < base_height)
-      carrying.emplace_back(surface.vertices(side, v), surface.vertices(front, v));
-  const double firmness = depth_inside({surface.centre[side], surface.centre[front]}, planar_hull(std::move(carrying)));
-  return std::max(firmness, least_firmness) + weight_of_horizontal * surface.horizontal[axis];
+      base.emplace_back(surface.vertices(side, v), surface.vertices(front, v));
+  const double stability = depth_inside({surface.centre[side], surface.centre[front]}, planar_hull(std::move(base)));
+  return std::max(stability, least_stability) + weight_of_horizontal * surface.horizontal[axis];
 }
 
 } // namespace

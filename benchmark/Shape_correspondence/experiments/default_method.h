@@ -45,8 +45,8 @@ inline void ablation(const Dataset& dataset)
   constexpr double never = 1e6;
   const std::tuple<const char*, double Part_matching_options::*, double> rules[] = {
       {"best pairs of parts only", &Part_matching_options::excess, 0},
-      {"no sure pairs, so no blocks", &Part_matching_options::confident_excess, 0},
-      {"no siblings", &Part_matching_options::shared_counterpart, 0},
+      {"no confident pairs, so no blocks", &Part_matching_options::confident_excess, 0},
+      {"no shared counterparts", &Part_matching_options::shared_counterpart, 0},
       {"nothing turned over", &Part_matching_options::upside_down, never}};
   for (const auto& [name, rule, value] : rules) {
     Search_options options;
@@ -69,7 +69,7 @@ inline void ablation(const Dataset& dataset)
   methods.emplace_back("nothing turned over, no panels, support or chains", ours(plain));
   plain.parts.excess = 2;
   plain.parts.shared_counterpart = 4;
-  methods.emplace_back("nor their bounds: excess 2, sibling 4", ours(plain));
+  methods.emplace_back("nor their bounds: excess 2, shared counterpart 4", ours(plain));
   methods.emplace_back("no symmetry groups", without_symmetry(ours(default_options())));
   compare_by_halves(dataset, methods, "costs and rules");
 }

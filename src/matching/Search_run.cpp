@@ -1,0 +1,191 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "matching/Search_run.h"
+#include "search/beam_search.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+namespace {
+
+Matching_options without_cost_of_unmatched(Matching_options options)
+{
+  options.unmatched_cost = 0;
+  return options;
+}
+
+} // namespace
+
+Search_run::Search_run(const Shared_shape& source, const Shared_shape& target, Direction direction, int turns,
+                       const Search_options& options)
+    : problem(direction == Direction::SOURCE_TO_TARGET ? source : target,
+              direction == Direction::SOURCE_TO_TARGET ? target : source, options.matching),
+      direction(direction),
+      turns(turns)
+{
+  if (options.method == Search_method::EXACT) {
+    Exact_options exact = options.exact;
+    exact.solutions = std::size_t(options.solutions);
+    result = exact_search(problem.energy(), exact);
+  } else {
+    result = beam_search(problem, options.beam);
+  }
+  if (result.solutions.size() > std::size_t(options.solutions)) result.solutions.resize(std::size_t(options.solutions));
+  result.optimal = result.optimal && !problem.has_shortlists();
+}
+
+Search_run::Search_run(const Shared_shape& source, const Shared_shape& target, int turns,
+                       std::vector<std::vector<Group_label>> labels, const Search_options& options)
+    : problem(source, target, std::move(labels), without_cost_of_unmatched(options.matching)),
+      direction(Direction::SOURCE_TO_TARGET),
+      turns(turns)
+{
+  const Assignment assignment(source->groups.size(), 0);
+  result.solutions = {{problem.energy()(assignment), assignment}};
+  result.summary.method = "parts";
+  result.summary.states = result.summary.evaluations = 1;
+}
+
+double Search_run::score() const
+{
+  return result.best().energy / double(std::max<std::size_t>(1, problem.source().contacts.size()));
+}
+
+std::vector<std::size_t> image_parts(const Group_label& label)
+{
+  std::vector<std::size_t> parts;
+  for (const auto& images : label.images)
+    for (const Image& image : images)
+      parts.push_back(image.target.part);
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  return parts;
+}
+
+void collect_unmatched(std::size_t source_parts, std::size_t target_parts, Correspondence& correspondence)
+{
+  std::vector<char> source(source_parts, 0), target(target_parts, 0);
+  for (const Part_correspondence& pair : correspondence.pairs)
+    source[pair.source] = 1, target[pair.target] = 1;
+  const auto zeros = [](const std::vector<char>& is_matched) {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < is_matched.size(); ++i)
+      if (!is_matched[i]) result.push_back(i);
+    return result;
+  };
+  correspondence.unmatched_source = zeros(source);
+  correspondence.unmatched_target = zeros(target);
+}
+
+namespace {
+
+std::vector<std::size_t> original_parts(const Aligned_shape& shape, const std::vector<std::size_t>& parts)
+{
+  std::vector<std::size_t> result;
+  for (std::size_t part : parts)
+    result.push_back(shape.original[part]);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// The energy of every contact, and half of it for either of its groups.
+std::vector<Rod_energy> share_energy(const Matching_problem& problem, const Assignment& assignment,
+                                     Correspondence& correspondence)
+{
+  const Aligned_shape& shape = problem.source();
+  std::vector<Rod_energy> group_energy;
+  for (std::size_t g = 0; g < shape.groups.size(); ++g)
+    group_energy.push_back(problem.cut_energy(g, std::size_t(assignment[g])));
+  for (std::size_t contact = 0; contact < shape.contacts.size(); ++contact) {
+    const auto& parts = shape.contacts[contact].parts;
+    const std::size_t g = shape.group_of[parts[0]], h = shape.group_of[parts[1]];
+    const Rod_energy energy = problem.contact_energy(contact, std::size_t(assignment[g]), std::size_t(assignment[h]));
+    for (std::size_t group : {g, h}) {
+      group_energy[group].distortion += energy.distortion / 2;
+      group_energy[group].connectedness += energy.connectedness / 2;
+    }
+    Contact_energy report{
+        {shape.original[parts[0]], shape.original[parts[1]]}, energy.distortion, energy.connectedness};
+    std::sort(report.parts.begin(), report.parts.end());
+    correspondence.contacts.push_back(report);
+  }
+  std::sort(correspondence.contacts.begin(), correspondence.contacts.end(),
+            [](const Contact_energy& a, const Contact_energy& b) { return a.parts < b.parts; });
+  return group_energy;
+}
+
+Curve_segment segment_of(const Piece& piece) { return {short(piece.index), short(piece.count)}; }
+
+// What the parts of the deformed shape become.
+void collect_pairs(const Group_label& label, const Aligned_shape& shape, const Aligned_shape& other,
+                   Correspondence& correspondence)
+{
+  for (const auto& images : label.images)
+    for (const Image& image : images) {
+      Part_correspondence pair{shape.original[image.source.part], other.original[image.target.part]};
+      pair.source_segment = segment_of(image.source);
+      pair.target_segment = segment_of(image.target);
+      correspondence.pairs.push_back(correspondence.direction == Direction::SOURCE_TO_TARGET ? pair : inverse(pair));
+    }
+}
+
+void collect_groups(const Matching_problem& problem, const Assignment& assignment,
+                    const std::vector<double>& min_marginals, Correspondence& correspondence)
+{
+  const Aligned_shape &shape = problem.source(), &other = problem.target();
+  const Energy_weights& weights = problem.options().weights;
+  const bool forward = correspondence.direction == Direction::SOURCE_TO_TARGET;
+  const std::vector<Rod_energy> group_energy = share_energy(problem, assignment, correspondence);
+  for (std::size_t g = 0; g < shape.groups.size(); ++g) {
+    const Group_label& label = problem.label(g, std::size_t(assignment[g]));
+    Group_match match;
+    match.source = original_parts(shape, shape.groups[g].parts);
+    match.target = original_parts(other, image_parts(label));
+    match.operation = label.operation;
+    match.distortion = group_energy[g].distortion;
+    match.connectedness = group_energy[g].connectedness;
+    match.energy = weights.distortion * match.distortion + weights.connectedness * match.connectedness;
+    match.solidity_ratio = label.solidity_ratio;
+    if (!min_marginals.empty()) match.min_marginal = min_marginals[g];
+    collect_pairs(label, shape, other, correspondence);
+    if (!forward) std::swap(match.source, match.target);
+    correspondence.groups.push_back(std::move(match));
+  }
+  const auto deformed_parts = [&](const Group_match& match) { return forward ? match.source : match.target; };
+  std::sort(correspondence.groups.begin(), correspondence.groups.end(),
+            [&](const Group_match& a, const Group_match& b) { return deformed_parts(a) < deformed_parts(b); });
+  std::sort(correspondence.pairs.begin(), correspondence.pairs.end(), is_before);
+}
+
+} // namespace
+
+Correspondence correspondence_of(const Search_run& run, const Solution& solution,
+                                 const std::vector<double>& min_marginals)
+{
+  Correspondence correspondence;
+  correspondence.direction = run.direction;
+  correspondence.target_quarter_turns = run.turns;
+  correspondence.energy = solution.energy;
+  correspondence.terms = run.problem.terms(solution.assignment);
+  correspondence.complete = true;
+  correspondence.optimal = run.result.optimal;
+  correspondence.search = run.result.summary;
+  if (run.problem.has_shortlists())
+    correspondence.warnings.push_back("There are " + std::to_string(run.problem.target().groups.size()) +
+                                      " groups to choose from; each was given the " + std::to_string(maximum_labels) +
+                                      " nearest in place and size to choose from.");
+  collect_groups(run.problem, solution.assignment, min_marginals, correspondence);
+  return correspondence;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
