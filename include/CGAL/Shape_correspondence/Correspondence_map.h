@@ -28,8 +28,8 @@ struct Part_parameter
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// The continuous map between the curves and sheets of two shapes that a part correspondence stands for (paper, section
-/// 1: "fine-grained and piecewise continuous").
+/// The piecewise continuous map between the curves and sheets of two shapes that extends their part correspondence
+/// (paper, section 1).
 ///
 /// Parts that correspond one to one are mapped as wholes, in the direction in which they are fitted to each other. A
 /// part that corresponds to many is divided among them as they lie: a curve into intervals of its parameter, a sheet
@@ -89,7 +89,9 @@ struct Surface_place
 class Surface_map
 {
 public:
-  /// \param source_shape, target_shape the models that the graphs were built from
+  /// \param source,target the structural graphs
+  /// \param source_shape,target_shape the models that the graphs were built from
+  /// \param correspondence of the graphs
   /// \throw Invalid_input if a model does not have the parts of its graph
   Surface_map(const Structural_graph& source, const Segmented_shape& source_shape, const Structural_graph& target,
               const Segmented_shape& target_shape, const Correspondence& correspondence);
@@ -100,8 +102,10 @@ public:
   std::optional<Surface_place> target_of(std::size_t source_part, Eigen::Index vertex) const;
 
   /// Values for the vertices of the target: those of the source, interpolated over triangles; labels (integral and
-  /// enumerated types) are taken from the nearest corner. \param values by source part and vertex \param none where
-  /// there is no counterpart \pre a value that is no label has + and multiplication by a number
+  /// enumerated types) are taken from the nearest corner.
+  /// \param values by source part and vertex
+  /// \param none where there is no counterpart
+  /// \pre a value that is no label has + and multiplication by a number
   template <typename Value>
   std::vector<std::vector<Value>> transferred(const std::vector<std::vector<Value>>& values, const Value& none) const;
 
@@ -116,6 +120,7 @@ private:
 /// The places of the vertices of a target part, as a property map: a model of `ReadablePropertyMap` with integers as
 /// keys (the vertices of the part's mesh; `CGAL::Surface_mesh` descriptors convert to them) and
 /// `std::optional<Surface_place>` as values.
+/// \cgalModels `ReadablePropertyMap`
 class Source_place_map
 {
 public:

@@ -34,7 +34,8 @@ struct Pairwise_energy
     Eigen::MatrixXd cost; ///< label of first × label of second
   };
 
-  /// w (1 - sqrt(Q / n)). \pre 0 <= Q <= n for every assignment
+  /// w (1 - sqrt(Q / n)).
+  /// \pre 0 <= Q <= n for every assignment
   struct Root_term
   {
     double weight = 0;                  ///< w, not negative

@@ -73,7 +73,7 @@ struct Abstraction_report
 
   Method method = Method::GIVEN;   ///< what the curve or sheet was fitted to
   Repair repair = Repair::NONE;    ///< how the surface was closed
-  bool tube = false;               ///< a hollow tube: its axis of revolution, or a sheet across it, stands for it
+  bool tube = false;               ///< a hollow tube, abstracted by its axis of revolution or a sheet across it
   bool blob = false;               ///< neither elongated nor flat: a curve along its axis, or through it
   bool branching = false;          ///< a curve that leaves more than a fifth of the skeleton out
   bool several_components = false; ///< the part's surface is not connected

@@ -63,7 +63,8 @@ public:
   template <typename TriangleMesh>
   void add_mesh(std::string name, const TriangleMesh& mesh);
 
-  /// Says which way is up. \throw Invalid_input if the direction is zero or not finite
+  /// Says which way is up.
+  /// \throw Invalid_input if the direction is zero or not finite
   void set_up(const Point& up);
 
   /// The name of the shape.

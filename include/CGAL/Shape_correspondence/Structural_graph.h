@@ -109,9 +109,11 @@ Structural_graph make_structural_graph(Shape_structure shape, std::vector<Part_g
 bool is_valid_structural_graph(const Structural_graph& graph, bool verbose = false);
 
 /// \ingroup PkgShapeCorrespondenceGraph
-/// Whether two graphs are of the same shape but for its pose and the order of parts, groups and contacts: a similarity
-/// carries the abstractions of parts of the same name into each other, and with them the groups' symmetries, the order
-/// of their members, and the contacts. \param tolerance on positions, over the shape's height
+/// Whether two graphs are of the same shape up to its pose and the order of parts, groups and contacts: a similarity
+/// maps the abstractions of parts of the same name onto each other, and with them the symmetries of the groups, the
+/// order of their members, and the contacts.
+/// \param a,b the graphs
+/// \param tolerance on positions, over the shape's height
 bool are_same_structural_graphs(const Structural_graph& a, const Structural_graph& b, double tolerance = 1e-6);
 
 } // namespace Shape_correspondence

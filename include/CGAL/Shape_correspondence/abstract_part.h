@@ -79,15 +79,21 @@ struct Abstraction_options
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Finds the curve or sheet of one part by the options' abstractor, and its hull, area and surface samples. Never fails
-/// on a part that `Segmented_shape` accepts with the abstractors of this package. Deterministic.
+/// Finds the curve or sheet of one part by the abstractor of the options, and its hull, area and surface samples. The
+/// abstractors of this package succeed on every part that `Segmented_shape` accepts. Deterministic.
+/// \param part the part
+/// \param options of the abstraction
 /// \throw Invalid_input if the abstractor returns an invalid curve or sheet
 Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
 /// Finds the abstractions of all parts of a shape, in the frame `frame` (so that turning the shape changes nothing), in
 /// world coordinates. Of parts that are copies of each other by a rigid motion or a reflection, one is abstracted, the
-/// others get it moved. The same bits with `Sequential_tag` and `Parallel_tag`.
+/// others get it moved.
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same to the bit
+/// \param shape the shape
+/// \param frame its frame
+/// \param options of the abstraction
 /// \throw Invalid_input if the abstractor returns an invalid curve or sheet
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 std::vector<Part_abstraction> abstract_parts(const Segmented_shape& shape, const Shape_frame& frame,

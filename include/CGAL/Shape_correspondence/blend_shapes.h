@@ -115,9 +115,13 @@ public:
   static constexpr double symmetry_tolerance = 0.005; ///< of `Blend_quality::asymmetry`, over that of the ends
   static constexpr double ground_tolerance = 0.005;   ///< of `Blend_quality::ground`
 
-  /// \param source_shape, target_shape the models that the graphs were built from
-  /// \throw Invalid_input if a model does not have the parts of its graph. O(v log v) for v vertices of the models and
-  /// what their subdivision adds (a box of 8 vertices becomes one of some hundreds)
+  /// Prepares a blend. O(v log v) for v vertices of the models and of their subdivision (a box of 8 vertices becomes
+  /// one of some hundreds).
+  /// \param source,target the structural graphs
+  /// \param source_shape,target_shape the models that the graphs were built from
+  /// \param correspondence of the graphs
+  /// \param options the tolerance of contacts, and how schedules are judged
+  /// \throw Invalid_input if a model does not have the parts of its graph
   Shape_blend(const Structural_graph& source, const Segmented_shape& source_shape, const Structural_graph& target,
               const Segmented_shape& target_shape, const Correspondence& correspondence,
               const Blend_options& options = {});

@@ -50,6 +50,8 @@ struct Part_matrix
 /// that too few confirm are left out (cycle consistency). O(m d) time for m pairs of parts that have up to d
 /// counterparts; 100 bytes a pair besides the maps.
 /// \param part_counts by shape, the number of its parts
+/// \param maps part maps of pairs of shapes
+/// \param least_cycle_support see `Co_analysis_options::least_cycle_support`
 /// \throw Invalid_input if a map has a part or a shape that is not there
 Part_matrix part_matrix(const std::vector<std::size_t>& part_counts, const std::vector<Shape_pair_map>& maps,
                         double least_cycle_support);

@@ -30,8 +30,12 @@ struct Contact_options
 /// contact a pair of parts, with a region for every place where the two come as near as within half the tolerance of
 /// their least distance. A shape that falls into pieces is joined by its closest pairs; every such pair adds a sentence
 /// to `warnings`. Contacts are sorted by part indices. Distances of surfaces are exact up to rounding.
-/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same to the bit
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same to the bit
+/// \param shape the shape
+/// \param parts the abstractions of its parts, for the parameters of contacts
 /// \param frame of the shape; measuring in it makes the result independent of the shape's pose
+/// \param options the tolerance
+/// \param warnings gets the sentences
 /// \pre `parts` are the abstractions of `shape.parts()`
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::vector<Part_abstraction>& parts,
@@ -39,7 +43,7 @@ std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::ve
                                      std::vector<std::string>& warnings);
 
 /// \ingroup PkgShapeCorrespondenceGraph
-/// As above for parts without a mesh: surfaces are estimated by the abstractions and the parts' volumes.
+/// As above for parts without a mesh: surfaces are estimated from the abstractions and the volumes of the parts.
 std::vector<Contact> detect_contacts(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
                                      const Contact_options& options, std::vector<std::string>& warnings);
 

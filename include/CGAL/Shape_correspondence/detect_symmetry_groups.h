@@ -23,32 +23,34 @@ struct Symmetry_options
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph
-/// Gathers parts into symmetry groups (paper, section 3): congruent parts that one symmetry carries into each other.
-/// Parts are congruent if hull, surface points, area and volume of one's image and the other agree within the
-/// tolerance; their meshes need not. What rings, rows and turned or translated pairs consist of must agree more
-/// closely, in the widths in all directions, too: these are copies (but for wheels, whose hubs may differ). Noise of
-/// 0.5 % of the shape's diagonal on the vertices is no difference. Where several explanations overlap, the one that
-/// covers most parts wins; of those that cover as many, the first in this list:
+/// Detects the symmetry groups of parts (paper, section 3): congruent parts that are images of each other under one
+/// symmetry. Two parts are congruent if hull, surface points, area and volume of the image of one and of the other
+/// agree within the tolerance; their meshes may differ. In rings, rows, and pairs under a rotation or translation, the
+/// widths in all directions must agree, too, except for wheels, whose hubs may differ. Noise of 0.5 % of the shape's
+/// diagonal on the vertices does not matter. Where several groups overlap, the one with most parts is taken; of equally
+/// many, the first in this list:
 /// 1. a star: a complete ring of 3 parts or more about a vertical or horizontal axis that reach in to the axis
 ///    (the feet of an office chair, the blades of a propeller);
-/// 2. four parts that two orthogonal vertical mirror planes carry into each other (the legs of a table): a reflection
+/// 2. four parts that are images of each other in two orthogonal vertical planes (the legs of a table): a reflection
 ///    in the plane that explains more of the shape, each of the pairs of that plane in a row, the front pair first;
 /// 3. any other complete ring of 3 parts or more about a vertical axis, of 5 or more about a horizontal one;
 /// 4. a row: 3 parts or more in a line, their steps within 30 % of the mean one: a translation;
 /// 5. a pair mirrored in a vertical plane that mirrors most of the shape (the arms of a chair);
-/// 6. a pair that half a turn carries into each other about an axis in such a plane (the cranks of a bicycle): a
-///    rotation of order 2;
-/// 7. a pair that a translation carries into each other (the wheels of a bicycle, one drawer above another);
+/// 6. a pair under half a turn about an axis in such a plane (the cranks of a bicycle): a rotation of order 2;
+/// 7. a pair under a translation (the wheels of a bicycle, one drawer above another);
 /// 8. a pair mirrored in the vertical plane half-way.
 ///
 /// A shape longer than 1.5 times its width has two ends that differ in meaning (the head and the foot of a bed). Two
 /// parts at different ends are a pair only if they are wheels, or if a third part lies above both (the aprons under a
 /// table's top), or if the plane half-way is the shape's only mirror plane (the wings of an aeroplane).
 ///
-/// What is left is alone: `SELF`, its direction the normal of its own mirror plane, or zero if it has none. Members
+/// Any other part is a group of its own, `SELF`, with the normal of its own mirror plane as direction, or zero. Members
 /// come in the order along the generator: of a pair, the one with the larger x (z) in the frame first; of a ring, by
 /// angle; of a row, along the vector. Groups come in the order of their first part, volumes and hulls filled in. The
-/// result does not depend on the order of the parts, nor on the shape's pose. O(parts²) tests of hulls.
+/// result does not depend on the order of the parts, nor on the shape's pose. O(n²) comparisons of hulls for n parts.
+/// \param parts the abstractions of the shape's parts
+/// \param frame the frame of the shape
+/// \param options which symmetries are looked for, and the tolerance
 std::vector<Part_group> detect_symmetry_groups(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
                                                const Symmetry_options& options = {});
 

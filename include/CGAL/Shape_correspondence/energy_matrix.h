@@ -51,7 +51,8 @@ double distance_energy(const Correspondence& correspondence, double unmatched_en
 /// \ingroup PkgShapeCorrespondenceSets
 /// Matches ordered pairs of shapes (source, target), in this order. Every shape is aligned once. The same to the bit
 /// sequentially and in parallel (`CGAL::Parallel_tag`, with TBB).
-/// \pre the graphs are valid \throw Invalid_input if an option is out of its range
+/// \pre the graphs are valid
+/// \throw Invalid_input if an option is out of its range
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 std::vector<Rated_map> match_pairs(const std::vector<Structural_graph>& shapes,
                                    const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
@@ -74,7 +75,8 @@ struct Energy_matrix
 
 /// \ingroup PkgShapeCorrespondenceSets
 /// Matches all ordered pairs of shapes: n (n - 1) matches and O(n²) memory.
-/// \pre the graphs are valid \throw Invalid_input if an option is out of its range
+/// \pre the graphs are valid
+/// \throw Invalid_input if an option is out of its range
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Energy_matrix energy_matrix(const std::vector<Structural_graph>& shapes, const Energy_matrix_options& options = {});
 

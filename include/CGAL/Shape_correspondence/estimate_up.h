@@ -16,7 +16,8 @@ namespace Shape_correspondence {
 /// far its centre is inside of what it stands on, and has the most horizontal surface. A guess, since things that lie
 /// are like things that stand; a model that is upside down or aslant has no right answer. Of equal axes the first of
 /// y, z, x. O(n log n) in the number of vertices.
-/// \return a unit vector \pre the shape has a part
+/// \return a unit vector
+/// \pre the shape has a part
 Point estimate_up(const Segmented_shape& shape);
 
 } // namespace Shape_correspondence

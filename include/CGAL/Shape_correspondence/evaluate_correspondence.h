@@ -36,8 +36,8 @@ struct Ground_truth
 /// \ingroup PkgShapeCorrespondenceEvaluation
 /// The pairs of parts that correspond according to their labels, by part. Parts correspond when their coarse labels are
 /// equal and, where every part on both sides with that coarse label has a fine one and the two sets of fine labels
-/// share at least half of the smaller, the fine labels are equal, too. O(n m). \throw Invalid_input if a coarse label
-/// is empty
+/// share at least half of the smaller, the fine labels are equal, too. O(n m).
+/// \throw Invalid_input if a coarse label is empty
 Ground_truth ground_truth(const std::vector<Part_label>& source, const std::vector<Part_label>& target);
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
@@ -113,8 +113,8 @@ struct Evaluation
 /// The intervals are those of a bootstrap over shapes: correspondences that share a shape are not independent, so
 /// shapes are drawn with replacement, and a correspondence counts as often as its two shapes' draws multiply to (A.
 /// Owen, *The pigeonhole bootstrap*, 2007). Of two shapes there is but one mean, and the interval is that point. The
-/// same seed gives the same bits. O(resamples × correspondences). \throw Invalid_input if there are no scores, or
-/// options are out of range
+/// same seed gives the same bits. O(resamples × correspondences).
+/// \throw Invalid_input if there are no scores, or options are out of range
 Evaluation mean_scores(const std::vector<Scored_correspondence>& scores, const Evaluation_options& options = {});
 
 } // namespace Shape_correspondence

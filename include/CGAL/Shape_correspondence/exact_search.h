@@ -43,11 +43,13 @@ public:
   explicit Exact_search(const Pairwise_energy& energy, const Exact_options& options = {});
   ~Exact_search();
 
-  /// The assignment of least energy, and the next best ones. \throw Invalid_input if no solution is asked for
+  /// The assignment of least energy, and the next best ones.
+  /// \throw Invalid_input if no solution is asked for
   Search_result run();
 
-  /// By variable, by how much the least energy rises if the label it has in `result` is forbidden: how sure the label
-  /// is. Infinite for a variable with one label. Where a limit ends a search, the rise to the best solution found.
+  /// The min-marginals, by variable: by how much the least energy rises if the variable may not have the label it has
+  /// in `result`. Infinite for a variable with one label. Where a limit ends a search, the rise to the best solution
+  /// found.
   std::vector<double> min_marginals(const Search_result& result);
 
 private:

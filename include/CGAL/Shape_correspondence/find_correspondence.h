@@ -41,7 +41,8 @@ private:
 class Correspondence_finder
 {
 public:
-  /// \pre the graph is valid (`is_valid_structural_graph()`) \throw Invalid_input if an option is out of its range
+  /// \pre the graph is valid (`is_valid_structural_graph()`)
+  /// \throw Invalid_input if an option is out of its range
   explicit Correspondence_finder(const Structural_graph& source, const Search_options& options = {});
   /// The same with a shape that is aligned already where other matches asked for it.
   explicit Correspondence_finder(const Prepared_shape& source, const Search_options& options = {});
@@ -55,9 +56,9 @@ public:
   /// Like `find_correspondences()`.
   std::vector<Correspondence> ranked(const Prepared_shape& target) const;
 
-  /// A lower bound of the `distance_energy()` (energy_matrix.h) of what is found, without a search: the least values of
-  /// the terms of one group and of two, added up. Of `Search_method::PARTS`, where every part may match every
-  /// other, it takes terms of parts. 0 where none is known.
+  /// A lower bound of the `distance_energy()` of what is found, without a search: the sum of the least values of the
+  /// terms of one and of two groups; of `Search_method::PARTS`, where every part may correspond to every other, those
+  /// of parts. 0 where no bound is known.
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
 private:
@@ -69,7 +70,7 @@ private:
 /// \ingroup PkgShapeCorrespondenceFunctions
 /// Finds the part correspondence of two shapes.
 ///
-/// By default, parts are matched by what they cost standing for one another, and the result is rated by the deformation
+/// By default, parts are matched by their costs (`Part_cost_weights`), and the result is rated by the deformation
 /// energy of the source under the paper's GeoTopo transform (sections 4 and 5). With `Search_method::BEAM` or `EXACT`,
 /// the correspondence of least deformation energy is searched for: the source is deformed into the target and, by
 /// default, the target into the source; the direction with the lower energy per pair of connected parts is taken, so
@@ -77,15 +78,21 @@ private:
 /// Deterministic; no result depends on part order, position, scale or a turn of less than 45° about the up axis.
 /// If `Search_options::progress` ends the search, the result is the best so far, `complete` is false and a warning
 /// says so.
+/// \param source,target the structural graphs of the shapes
+/// \param options of the method, the search and the energy
 /// \pre both graphs are valid (`is_valid_structural_graph()`)
 /// \throw Invalid_input if an option is out of its range
 Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,
                                    const Search_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// The best correspondences, `Search_options::solutions` of them as far as there are so many (`Search_method::PARTS`
-/// has one): those of the direction and alignment that the best one is in. Proven to be the best ones by
-/// `Search_method::EXACT`; the beam's last level else.
+/// Finds the best correspondences, at most `Search_options::solutions` of them, in ascending order of their energies:
+/// those of the direction and alignment of the best one. `Search_method::EXACT` proves that they are the best ones,
+/// `Search_method::BEAM` takes the last level of the beam, and `Search_method::PARTS` finds one only.
+/// \param source,target the structural graphs of the shapes
+/// \param options of the method, the search and the energy
+/// \pre both graphs are valid (`is_valid_structural_graph()`)
+/// \throw Invalid_input if an option is out of its range
 std::vector<Correspondence> find_correspondences(const Structural_graph& source, const Structural_graph& target,
                                                  const Search_options& options);
 

@@ -45,6 +45,7 @@ struct Markov_clustering
 /// Memory: 24 bytes for each of `entry_limit` entries, and as much for some columns before they are pruned: less than
 /// 1 GB by default, whatever the number of nodes.
 /// \param weights symmetric; the diagonal is ignored
+/// \param options of the flow, and limits of memory
 /// \throw Invalid_input if a weight is negative or not finite, or an option is out of its range
 Markov_clustering markov_clustering(const Eigen::SparseMatrix<double>& weights,
                                     const Markov_clustering_options& options = {});

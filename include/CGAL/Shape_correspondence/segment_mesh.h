@@ -34,7 +34,8 @@ struct Mesh_segmentation
 /// Makes parts of a mesh that has none: its connected components, and of each closed one the segments that CGAL's
 /// package Triangulated Surface Mesh Segmentation finds by the shape diameter function (Shapira, Shamir and Cohen-Or
 /// 2008). Pieces without area are left out, and counted. Part names are `segment_0`, `segment_1`, … A rough stand-in
-/// for a segmentation by hand. \throw Invalid_input if the mesh cannot be used
+/// for a segmentation by hand.
+/// \throw Invalid_input if the mesh cannot be used
 Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options = {},
                                std::string name = "shape", const Point& up = Point::UnitY());
 

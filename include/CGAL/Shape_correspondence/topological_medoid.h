@@ -16,7 +16,8 @@ namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSets
 /// The shape of a set that has the least sum of distances to the others (paper, section 6.1): its representative.
-/// \param distances symmetric, as `symmetric_distances()` makes them; among equals the first shape wins. O(n²)
+/// Of equal sums the first shape is taken. O(n²).
+/// \param distances symmetric, as `symmetric_distances()` makes them
 /// \pre there is a shape
 std::size_t topological_medoid(const Eigen::MatrixXd& distances);
 
@@ -40,13 +41,16 @@ struct Sampled_medoid
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The medoid without all distances: candidates are compared with random shapes, and set aside when by the confidence
+/// The medoid without all distances. Candidates are compared with random shapes, and set aside when by the confidence
 /// interval of the difference their mean distance is not the least (successive elimination as in BanditPAM; Tiwari et
-/// al. 2020). All distances of those that remain are evaluated. With a failure probability of 0, the ones set aside are
-/// then refuted one by one: the sum of some of their distances is more than that of all of the best one's. So the
-/// result is that of `topological_medoid()`. Deterministic; O(n²) memory. \param distance symmetric and not negative;
-/// called once for a pair, the smaller index first \pre n > 0 \throw Invalid_input if a distance is negative or not a
-/// number, or an option is out of its range
+/// al. 2020). All distances of those that remain are evaluated. With a failure probability of 0, each one set aside is
+/// then refuted: the sum of some of its distances exceeds the sum of all distances of the best one. So the result is
+/// that of `topological_medoid()`. Deterministic; O(n²) memory.
+/// \param n the number of shapes
+/// \param distance symmetric and not negative; called at most once for a pair, the smaller index first
+/// \param options the probability of failure, and how shapes are drawn
+/// \pre `n > 0`
+/// \throw Invalid_input if a distance is negative or not a number, or an option is out of its range
 Sampled_medoid sampled_medoid(std::size_t n, const std::function<double(std::size_t, std::size_t)>& distance,
                               const Sampled_medoid_options& options = {});
 

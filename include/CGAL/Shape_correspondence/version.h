@@ -8,7 +8,8 @@
 
 /// \file version.h
 
-/// The package's version.
+/// \ingroup PkgShapeCorrespondenceRef
+/// The version of the package, as "major.minor.patch".
 #define CGAL_SHAPE_CORRESPONDENCE_VERSION "0.1.0"
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_VERSION_H

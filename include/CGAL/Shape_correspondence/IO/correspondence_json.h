@@ -30,14 +30,15 @@ struct Match_seconds
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a correspondence in the JSON format `shape_correspondence/match`, version 1.
-/// \param source_file,target_file the inputs as the user named them
+/// `source_file` and `target_file` are the inputs as the user named them.
 void write_correspondence_json(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                                const Structural_graph& target, const std::string& source_file,
                                const std::string& target_file, const Match_seconds& seconds);
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// The same for ranked correspondences, as `find_correspondences()` returns them: the first is the result, and where
-/// there are more, `solutions` lists all with their energies and pairs. \pre not empty
+/// there are more, `solutions` lists all with their energies and pairs.
+/// \pre `ranked` is not empty
 void write_correspondences_json(std::ostream& out, const std::vector<Correspondence>& ranked,
                                 const Structural_graph& source, const Structural_graph& target,
                                 const std::string& source_file, const std::string& target_file,
@@ -71,13 +72,14 @@ Named_correspondence read_correspondence_json(const std::string& file);
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// The pairs, completeness and turn of a result, by the indices of its parts in graphs of the shapes.
-/// \param file what errors name
+/// Messages name `file`.
 /// \throw Invalid_input if a shape does not have one of the parts
 Correspondence correspondence_of(const Named_correspondence& named, const Structural_graph& source,
                                  const Structural_graph& target, const std::string& file);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Whether a JSON file is a result in that format, and not something else. \throw Invalid_input if it is no JSON
+/// Whether a JSON file is a result in that format, and not something else.
+/// \throw Invalid_input if it is no JSON
 bool is_correspondence_json(const std::string& file);
 
 } // namespace IO

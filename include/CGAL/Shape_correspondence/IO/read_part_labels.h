@@ -32,8 +32,8 @@ struct Labelled_shape
 /// \ingroup PkgShapeCorrespondenceIO
 /// Reads labels: `path` is a `labels.json`, or a folder that holds one, or SHAPE/labels.json, or
 /// CATEGORY/SHAPE/labels.json. A file is an object with `parts`: a list of objects with `name`, `coarse` and, where
-/// there is one, `fine`; and `category`, not required. Shapes come sorted by path. \throw Invalid_input if there are
-/// none, or one cannot be used; names the file and what is wrong
+/// there is one, `fine`; and `category`, not required. Shapes come sorted by path.
+/// \throw Invalid_input if there are none, or one cannot be used; names the file and what is wrong
 std::vector<Labelled_shape> read_part_labels(const std::string& path);
 
 } // namespace IO

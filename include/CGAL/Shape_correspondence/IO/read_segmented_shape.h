@@ -22,9 +22,11 @@ namespace IO {
 /// In OBJ every `o` or `g` statement with faces is a part; groups of one name in several objects are named
 /// `object/group`. OBJ, OFF and PLY keep double precision, the other formats are read in single precision. COLLADA
 /// files say which way is up: they are turned to y up. Needs assimp: link `CGAL::Shape_correspondence_IO`.
-/// \param up the upright direction \throw Invalid_input if the file is missing, empty, of an unknown format or
-/// unreadable, if it has no parts, two parts of the same name, or a part that `Segmented_shape::add_part()` refuses;
-/// the message names the file and the part
+/// \param path the file or folder
+/// \param up the upright direction
+/// \throw Invalid_input if the file is missing, empty, of an unknown format or unreadable, if it has no parts, two
+/// parts of the same name, or a part that `Segmented_shape::add_part()` refuses; the message names the file and the
+/// part
 Segmented_shape read_segmented_shape(const std::string& path, const Point& up = Point::UnitY());
 
 } // namespace IO

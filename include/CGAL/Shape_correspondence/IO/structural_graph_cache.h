@@ -28,7 +28,8 @@ std::string content_hash(const Segmented_shape& shape, const Structure_options& 
 class Structural_graph_cache
 {
 public:
-  /// Makes the folder if there is none. \throw Invalid_input if it cannot be used
+  /// Makes the folder if there is none.
+  /// \throw Invalid_input if it cannot be used
   explicit Structural_graph_cache(std::string folder);
 
   /// The graph of this content, the same to the bit but for the hulls and most surface samples of the parts, which are
@@ -36,7 +37,8 @@ public:
   std::optional<Structural_graph> find(const std::string& content) const;
 
   /// Saves a graph under its `content`, in place of what was there. One that depends on the machine's speed, since a
-  /// part reached the time limit, is not saved. \throw Invalid_input if the file cannot be written
+  /// part reached the time limit, is not saved.
+  /// \throw Invalid_input if the file cannot be written
   void insert(const Structural_graph& graph) const;
 
 private:

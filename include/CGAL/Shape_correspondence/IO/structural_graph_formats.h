@@ -27,19 +27,18 @@ void write_structural_graph_dot(std::ostream& out, const Structural_graph& graph
 /// \ingroup PkgShapeCorrespondenceIO
 /// Reads a structure graph in the XML that programs for topology-varying shape matching exchange: a `document` of
 /// - `node`s: an `id`, a `type` (`CURVE` or `SHEET`), of a sheet `controls` with two counts `c`, the control `point`s
-/// of a
-///   cubic B-spline with clamped uniform knots, and their `weights`, 1 if there are none;
+///   of a cubic B-spline with clamped uniform knots, and their `weights`, 1 if there are none;
 /// - `edge`s: two nodes `n`, and for each a `coord` of parameters `uv`, a contact region each; without `coord`s the
-/// edge
-///   is where its parts are nearest;
-/// - `group`s: nodes `n`. Their symmetry is what is detected, or else the mirror plane half-way between two members,
-/// the
-///   mean step between more. Without `group`s, these are detected.
+///   edge is where its parts are nearest;
+/// - `group`s: nodes `n`. Their symmetry is the detected one, or else the mirror plane half-way between two members, or
+///   the mean step between more. Without `group`s, these are detected.
 ///
 /// Splines are sampled; meshes that nodes name are not read, so that volumes are unknown.
-/// \param up the upright direction, which the format does not say
-/// \throw Invalid_input if the text is not XML or not such a document; says which node, edge or group, and what is
-/// wrong
+/// \param in the text
+/// \param file_name names the input in messages
+/// \param up the upright direction, which the format does not have
+/// \param options of what is detected
+/// \throw Invalid_input if the text is not XML or not such a document; the message names the node, edge or group
 Structural_graph read_structural_graph_xml(std::istream& in, const std::string& file_name,
                                            const Point& up = Point::UnitZ(), const Structure_options& options = {});
 

@@ -28,7 +28,9 @@ void write_structural_graph_json(std::ostream& out, const Structural_graph& grap
 /// \ingroup PkgShapeCorrespondenceIO
 /// Reads a structural graph; groups, contacts and the frame are detected where the file has none. Parts that the given
 /// groups leave out are groups of their own. With `options.symmetry.enabled` false all parts are.
+/// \param in the text
 /// \param file_name names the input in messages
+/// \param options of what is detected
 /// \throw Invalid_input if the text is not JSON, not a structural graph, or not a valid one; says where and what
 Structural_graph read_structural_graph_json(std::istream& in, const std::string& file_name,
                                             const Structure_options& options = {});

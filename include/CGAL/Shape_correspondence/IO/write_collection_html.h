@@ -26,7 +26,10 @@ constexpr std::size_t largest_pictured = 1000;
 /// sheets, parts of one cluster in one colour, the medoid marked; the spanning tree with the medoid as its root; and
 /// for two shapes that are clicked, their match, turned by the mouse. Of more than `largest_pictured` shapes it shows
 /// so many, the medoid and others evenly from all branches of the spanning tree, and says so. Needs nlohmann-json: link
-/// `CGAL::Shape_correspondence_IO`. \param graph the structural graph of a shape by its index, called once for each
+/// `CGAL::Shape_correspondence_IO`.
+/// \param out the stream
+/// \param collection what is shown
+/// \param graph the structural graph of a shape by its index, called once for each
 /// \param maps those that the page shows when their two shapes are clicked
 void write_collection_html(std::ostream& out, const Collection& collection,
                            const std::function<Structural_graph(std::size_t)>& graph,
