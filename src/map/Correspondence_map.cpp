@@ -3,6 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/quantized.h"
 #include "map/Charted_mesh.h"
 #include "map/Part_pair.h"
 #include "map/check_model.h"

@@ -10,6 +10,8 @@
 
 #include <CGAL/Shape_correspondence/Correspondence.h>
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <cstddef>
 #include <functional>
