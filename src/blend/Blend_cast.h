@@ -6,6 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_BLEND_CAST_H
 #define CGAL_SHAPE_CORRESPONDENCE_BLEND_BLEND_CAST_H
 
+#include "base/quarter_turn.h"
 #include "blend/Blend_links.h"
 #include "blend/Morphing_cast.h"
 

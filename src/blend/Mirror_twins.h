@@ -6,6 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_MIRROR_TWINS_H
 #define CGAL_SHAPE_CORRESPONDENCE_BLEND_MIRROR_TWINS_H
 
+#include "base/quantized.h"
 #include "map/Charted_mesh.h"
 #include "map/piece_of.h"
 

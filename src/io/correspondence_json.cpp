@@ -147,7 +147,7 @@ Named_correspondence read_correspondence_json(const std::string& file)
   if (root["format"].text() != match_format)
     root["format"].fail("is '" + root["format"].text() + "', not '" + match_format + "'");
   if (root["version"].integer() != 1) root["version"].fail("is not 1, the one that this program knows");
-  Named_correspondence result{root["source"].text(), root["target"].text(), {}, {}, root["complete"].boolean()};
+  Named_correspondence result{root["source"].text(), root["target"].text(), {}, root["complete"].boolean()};
   for (const Json_field& pair : root["pairs"].elements()) {
     const std::vector<Json_field> names = pair.elements(2, "a pair of part names");
     result.pairs.push_back({names[0].text(), names[1].text()});
@@ -173,8 +173,10 @@ Correspondence correspondence_of(const Named_correspondence& named, const Struct
     return static_cast<std::size_t>(found - parts.begin());
   };
   Correspondence result;
-  for (const Named_part_correspondence& pair : named.pairs)
-    result.pairs.push_back({part(pair.source, source), part(pair.target, target), pair.confidence});
+  for (const Named_part_correspondence& pair : named.pairs) {
+    const std::size_t t = part(pair.target, target), s = part(pair.source, source);
+    result.pairs.push_back({s, t, pair.confidence});
+  }
   std::sort(result.pairs.begin(), result.pairs.end(), is_before);
   result.target_quarter_turns = named.target_quarter_turns;
   result.complete = named.complete;
