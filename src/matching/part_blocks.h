@@ -6,12 +6,12 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_PART_BLOCKS_H
 #define CGAL_SHAPE_CORRESPONDENCE_MATCHING_PART_BLOCKS_H
 
+#include "base/Disjoint_sets.h"
 #include "base/quantized.h"
 #include "matching/Assembled_shape.h"
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -34,20 +34,10 @@ inline std::vector<Block> blocks_of(const Match_matrix& pairs, const Assembled_s
                                     const Assembled_shape& target)
 {
   const std::size_t n = source.size(), all = n + target.size();
-  std::vector<std::size_t> parent(all);
-  std::iota(parent.begin(), parent.end(), std::size_t(0));
-  const auto root = [&](std::size_t k) {
-    while (parent[k] != k)
-      k = parent[k] = parent[parent[k]];
-    return k;
-  };
-  const auto join = [&](std::size_t k, std::size_t l) {
-    const std::size_t a = root(k), b = root(l);
-    parent[std::max(a, b)] = std::min(a, b);
-  };
+  Disjoint_sets sets(all);
   const auto join_all = [&](const std::vector<std::size_t>& parts, std::size_t first) {
     for (std::size_t part : parts)
-      join(first + parts[0], first + part);
+      sets.unite(first + parts[0], first + part);
   };
   const auto join_wholes = [&](const Assembled_shape& assembled, std::size_t first) {
     for (const Aligned_shape::Group& group : assembled.shape.groups)
@@ -59,14 +49,14 @@ inline std::vector<Block> blocks_of(const Match_matrix& pairs, const Assembled_s
   join_wholes(target, n);
   for (Eigen::Index i = 0; i < pairs.rows(); ++i)
     for (Eigen::Index j = 0; j < pairs.cols(); ++j)
-      if (pairs(i, j)) join(std::size_t(i), n + std::size_t(j));
+      if (pairs(i, j)) sets.unite(std::size_t(i), n + std::size_t(j));
 
-  std::vector<Block> by_root(all), result;
+  std::vector<Block> by_set(all), result;
   for (std::size_t k = 0; k < all; ++k) {
-    Block& block = by_root[root(k)];
+    Block& block = by_set[sets[k]];
     k < n ? block.source.push_back(k) : block.target.push_back(k - n);
   }
-  for (Block& block : by_root)
+  for (Block& block : by_set)
     if (!block.source.empty() || !block.target.empty()) result.push_back(std::move(block));
   return result;
 }
