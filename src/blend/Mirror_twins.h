@@ -7,6 +7,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_BLEND_MIRROR_TWINS_H
 
 #include "map/Charted_mesh.h"
+#include "map/piece_of.h"
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -78,7 +79,7 @@ private:
 };
 
 /// Adds the mirror image of every pair that has one: what a part becomes, its image becomes the image of.
-inline void add_mirrored(Index_pairs& pairs, const Mirror_twins& source, const Mirror_twins& target)
+inline void add_mirrored(Part_pairs& pairs, const Mirror_twins& source, const Mirror_twins& target)
 {
   for (std::size_t i = 0, count = pairs.size(); i < count; ++i) {
     const std::size_t s = source[pairs[i].first], t = target[pairs[i].second];

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/Nearest_points.h"
+#include "base/least_rotation.h"
 #include "base/planar_hull.h"
 
 #include <CGAL/Shape_correspondence/Shape_frame.h>
@@ -232,7 +233,7 @@ private:
 /// The least rotation that turns `up` to y.
 Eigen::Matrix3d upright_rotation(const Point& up)
 {
-  return Eigen::Quaterniond::FromTwoVectors(up, Point::UnitY()).toRotationMatrix();
+  return least_rotation(up, Point::UnitY()).toRotationMatrix();
 }
 
 /// A rotation about y whose x axis is a horizontal direction.

@@ -3,15 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MAP_PART_CUTTER_H
-#define CGAL_SHAPE_CORRESPONDENCE_MAP_PART_CUTTER_H
+#include "map/piece_of.h"
 
 #include "base/quantized.h"
-#include "map/Part_pair.h"
 #include "map/Subdivision.h"
 #include "map/fill_section.h"
-
-#include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <algorithm>
 #include <array>
@@ -24,6 +20,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
+namespace {
 
 /// Cuts parts into pieces, one side of the piece after the other.
 class Part_cutter
@@ -238,9 +235,10 @@ private:
   std::vector<Point> coordinates_; ///< by point
 };
 
-/// The piece of a part that a box of its chart cuts out, closed if the part is. All of it for the whole chart.
-inline Part_mesh piece_of(const Points& points, const Eigen::Matrix3Xi& triangles, const Part_chart& chart,
-                          const Chart_box& box)
+} // namespace
+
+Part_mesh piece_of(const Points& points, const Eigen::Matrix3Xi& triangles, const Part_chart& chart,
+                   const Chart_box& box)
 {
   if (is_whole(box)) return {points, triangles};
   Part_cutter cutter(points, triangles, chart);
@@ -254,5 +252,3 @@ inline Part_mesh piece_of(const Points& points, const Eigen::Matrix3Xi& triangle
 } // namespace internal
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MAP_PART_CUTTER_H

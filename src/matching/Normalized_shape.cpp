@@ -1,0 +1,126 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "matching/Normalized_shape.h"
+#include "base/eigen_system.h"
+#include "base/quantized.h"
+#include "matching/Shape_layout.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+namespace {
+
+constexpr double board_height = 0.5;  // of a board, at least
+constexpr double no_variance = 1e-12; // in a direction, over the largest: less counts as none
+
+// Square root of the covariance, of Frobenius norm 1: what is long where, whatever the size.
+Eigen::Matrix3d orientation(const Surface& surface)
+{
+  const Surface centred = surface.rowwise() - surface.colwise().mean();
+  const Eigen::Matrix3d covariance = centred.matrix().transpose() * centred.matrix() / double(surface.rows());
+  const Eigen_system eigen = eigen_system(covariance);
+  const Eigen::Array3d squares = eigen.values;
+  const double largest = squares.maxCoeff();
+  if (!(largest > zero_squared_length)) return Eigen::Matrix3d::Zero();
+  // A surface in a plane has no variance across it: the root of rounding noise would not be small
+  const Eigen::Vector3d lengths = (squares > no_variance * largest).select(squares.sqrt(), 0.);
+  const double norm = lengths.norm();
+  return eigen.vectors * (lengths / norm).asDiagonal() * eigen.vectors.transpose();
+}
+
+bool is_board(const Axes& sides)
+{
+  return quantized(sides[1]) >= quantized(board_height) &&
+         quantized(std::max(sides[0], sides[2])) >= quantized(wall_width);
+}
+
+Part_extent part_extent(const Surface& surface)
+{
+  const Axes low = surface.colwise().minCoeff(), high = surface.colwise().maxCoeff();
+  Part_extent result;
+  result.orientation = orientation(surface);
+  result.is_board = is_board(high - low);
+  return result;
+}
+
+Surface surface_of(const Normalized_shape& shape, const std::vector<std::size_t>& parts)
+{
+  Eigen::Index n = 0;
+  for (std::size_t part : parts)
+    n += shape.surfaces[part].rows();
+  Surface result(n, 3);
+  for (std::size_t part : parts) {
+    const Surface& surface = shape.surfaces[part];
+    result.middleRows(result.rows() - n, surface.rows()) = surface;
+    n -= surface.rows();
+  }
+  return result;
+}
+
+void add_box(Boxes& boxes, Eigen::Index row, const Surface& surface)
+{
+  boxes.low.row(row) = surface.colwise().minCoeff();
+  boxes.high.row(row) = surface.colwise().maxCoeff();
+}
+
+// Groups and panels, as one part each.
+void add_unions(Normalized_shape& result, const Aligned_shape& shape, const Part_assemblies& assemblies)
+{
+  for (const Aligned_shape::Group& group : shape.groups)
+    if (group.parts.size() >= minimum_repetition) result.unions.push_back(group.parts);
+  for (const std::vector<std::size_t>& panel : assemblies.panels)
+    if (shape.groups[shape.group_of[panel[0]]].parts != panel) result.unions.push_back(panel);
+  const auto is_all = [&](const std::vector<std::size_t>& parts) { return parts.size() == shape.parts.size(); };
+  result.unions.erase(std::remove_if(result.unions.begin(), result.unions.end(), is_all), result.unions.end());
+
+  const auto n = Eigen::Index(result.unions.size());
+  result.union_boxes = {Eigen::ArrayX3d(n, 3), Eigen::ArrayX3d(n, 3)};
+  for (const std::vector<std::size_t>& parts : result.unions) {
+    const Surface surface = surface_of(result, parts);
+    add_box(result.union_boxes, Eigen::Index(result.union_parts.size()), surface);
+    result.union_parts.push_back(part_extent(surface));
+    result.union_parts.back().on_ground =
+        std::any_of(parts.begin(), parts.end(), [&](std::size_t part) { return result.parts[part].on_ground; });
+    result.union_parts.back().is_in_chain =
+        std::all_of(parts.begin(), parts.end(), [&](std::size_t part) { return result.parts[part].is_in_chain; });
+  }
+}
+
+} // namespace
+
+Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assemblies& assemblies)
+{
+  Normalized_shape result;
+  Axes low = Axes::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Sampled_part& part : shape.parts) {
+    low = low.min(part.surface.rowwise().minCoeff().array());
+    high = high.max(part.surface.rowwise().maxCoeff().array());
+  }
+  const Axes side = (high - low > comparison_grid).select(high - low, 1.);
+
+  const auto n = Eigen::Index(shape.parts.size());
+  result.boxes = {Eigen::ArrayX3d(n, 3), Eigen::ArrayX3d(n, 3)};
+  for (const Sampled_part& part : shape.parts) {
+    result.surfaces.push_back((part.surface.transpose().array().rowwise() - low.transpose()).rowwise() /
+                              side.transpose());
+    add_box(result.boxes, Eigen::Index(result.parts.size()), result.surfaces.back());
+    result.parts.push_back(part_extent(result.surfaces.back()));
+  }
+  for (std::size_t part = 0; part < shape.parts.size(); ++part) {
+    result.parts[part].on_ground = assemblies.is_on_ground[part];
+    result.parts[part].is_in_chain = assemblies.is_in_chain[part];
+  }
+  add_unions(result, shape, assemblies);
+  return result;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
