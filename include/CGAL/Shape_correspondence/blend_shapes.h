@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 namespace internal {
-class Blend_stage;
+class Blend_structure;
 }
 
 /// Options of `Shape_blend`.
@@ -126,7 +126,7 @@ public:
   std::vector<Points> points(double t) const;
 
 private:
-  std::shared_ptr<const internal::Blend_stage> stage_;
+  std::shared_ptr<const internal::Blend_structure> blend_;
   std::vector<Blend_schedule> schedules_;
 };
 
