@@ -7,6 +7,10 @@
 // and the paper's beam, the searches with both directions. Prints medians and 95th percentiles in milliseconds, how far
 // the beam is from the optimum, the speed of the rod kernel against the machine's best loop, and synthetic problems.
 //   benchmark_search GRAPH.json GRAPH.json ...     all pairs of the graphs given that are in one folder
+#include "energy/Structural_rods.h"
+#include "matching/match_parts.h"
+#include "search/beam_search.h"
+
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
@@ -141,8 +145,11 @@ int main(int argc, char** argv)
       }
       for (const bool forward : {true, false}) {
         const SC::Structural_graph &a = graphs[forward ? i : j], &b = graphs[forward ? j : i];
-        SC::Aligned_shape from, to;
-        align_time += milliseconds([&] { from = SC::align_shape(a), to = SC::align_shape(b); });
+        SC::Matching_problem::Shared_shape from, to;
+        align_time += milliseconds([&] {
+          from = std::make_shared<SC::Deformable_shape>(SC::align_shape(a));
+          to = std::make_shared<SC::Deformable_shape>(SC::align_shape(b));
+        });
         std::unique_ptr<SC::Matching_problem> problem;
         tables_time += milliseconds([&] { problem = std::make_unique<SC::Matching_problem>(from, to); });
         SC::Search_result exact_result, beam_result;
@@ -168,7 +175,7 @@ int main(int argc, char** argv)
   print("energy, beam over exact", gap);
   std::printf("proven optimal: %zu of %zu; beam at the optimum: %zu\n", proven, runs, at_optimum);
   for (const SC::internal::Rod_kernels& kernel : SC::internal::available_rod_kernels())
-    std::printf("rod kernel: %.2f rods a nanosecond\n", kernel_speed(kernel));
+    std::printf("rod kernel %s: %.2f rods a nanosecond\n", kernel.name, kernel_speed(kernel));
   print_synthetic_problems(22, 20, 5);
   print_synthetic_problems(100, int(SC::maximum_labels), 2);
 }

@@ -25,11 +25,11 @@ class Matched_part_maker
 public:
   Matched_part_maker(const Blend_ends& ends, const Correspondence& correspondence) : ends_(ends)
   {
-    Index_pairs paired = correspondence.pairs;
+    Part_pairs paired = part_pairs(correspondence.pairs);
     add_mirrored(paired, ends.images[0], ends.images[1]);
-    paired = paired_parts(ends.charted[0], ends.charted[1], paired);
+    paired = matched_members(ends.charted[0], ends.charted[1], paired);
     add_mirrored(paired, ends.images[0], ends.images[1]);
-    pairs_ = part_pairs(ends.charted[0], ends.charted[1], paired);
+    pairs_ = piece_pairs(ends.charted[0], ends.charted[1], paired);
     find_images(paired);
     find_uses();
     turn_own_images();
@@ -54,7 +54,7 @@ private:
     bool all_have_images = true;
   };
 
-  void find_images(const Index_pairs& paired)
+  void find_images(const Part_pairs& paired)
   {
     for (const auto& [s, t] : paired) {
       const std::pair<std::size_t, std::size_t> image = {ends_.images[0][s], ends_.images[1][t]};

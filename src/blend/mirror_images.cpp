@@ -146,7 +146,7 @@ Mirror_images::Mirror_images(const std::vector<Part_mesh>& parts) : images_(part
     if (images_[i] == none && images_[j] == none) images_[i] = j, images_[j] = i;
 }
 
-void add_mirrored(Index_pairs& pairs, const Mirror_images& source, const Mirror_images& target)
+void add_mirrored(Part_pairs& pairs, const Mirror_images& source, const Mirror_images& target)
 {
   for (std::size_t i = 0, count = pairs.size(); i < count; ++i) {
     const std::size_t s = source[pairs[i].first], t = target[pairs[i].second];

@@ -53,7 +53,7 @@ private:
 };
 
 /// Adds the mirror image of every pair that has one: what a part becomes, its image becomes the image of.
-void add_mirrored(Index_pairs& pairs, const Mirror_images& source, const Mirror_images& target);
+void add_mirrored(Part_pairs& pairs, const Mirror_images& source, const Mirror_images& target);
 
 /// Gives parts that are mirror images of each other charts that are, too, so that what they are divided among, and what
 /// is divided among them, is divided alike.

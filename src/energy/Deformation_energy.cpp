@@ -3,12 +3,29 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/quantized.h"
+
 #include <CGAL/Shape_correspondence/Deformation_energy.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
 namespace Shape_correspondence {
+
+double deformation_energy(const Energy_terms& terms, const Energy_weights& weights)
+{
+  return weights.distortion * terms.distortion + weights.connectedness * terms.connectedness +
+         weights.split * terms.split + terms.unmatched;
+}
+
+double distortion_energy(double mean_squared_cosine) { return 1 - std::sqrt(std::min(1.0, mean_squared_cosine)); }
+
+double connectedness_energy(double shortest_before, double shortest_after, double longest_before)
+{
+  if (shortest_after <= shortest_before + internal::comparison_grid) return 0;
+  return longest_before > 0 ? std::min(1.0, shortest_after / longest_before) : 1.0;
+}
 
 double split_energy(const std::vector<double>& solidity_ratios)
 {
@@ -17,12 +34,6 @@ double split_energy(const std::vector<double>& solidity_ratios)
   for (double s : solidity_ratios)
     sum += s * s;
   return 1 - std::sqrt(sum / double(solidity_ratios.size()));
-}
-
-double deformation_energy(const Energy_terms& terms, const Energy_weights& weights)
-{
-  return weights.distortion * terms.distortion + weights.connectedness * terms.connectedness +
-         weights.split * terms.split + terms.unmatched;
 }
 
 } // namespace Shape_correspondence

@@ -6,9 +6,9 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_FITTED_PIECES_H
 #define CGAL_SHAPE_CORRESPONDENCE_ENERGY_FITTED_PIECES_H
 
-#include "energy/Geotopo_transform.h"
+#include "energy/Deformable_shape.h"
 #include "energy/Piece_list.h"
-#include "energy/Structural_rods.h"
+#include "energy/deform_to_fit.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -25,7 +25,7 @@ struct Fitted_piece
 {
   Piece source, target;
   std::size_t source_index, target_index; // of the pieces
-  const std::vector<int>* order;          // `fitting_order()`
+  const std::vector<int>* order;          // of `deform_to_fit()`
   bool lifted;                            // a source curve among sheets: it has a sheet's number of samples
   std::size_t lanes;                      // `Fitted_pieces::samples()`
 };
@@ -45,7 +45,7 @@ class Fitted_pieces
 {
 public:
   // \param labels by source group
-  Fitted_pieces(const Aligned_shape& source, const Aligned_shape& target,
+  Fitted_pieces(const Aligned_shape& source, const Deformable_shape& target,
                 const std::vector<std::vector<Group_label>>& labels);
 
   const Fitted_piece& operator[](std::size_t index) const { return fitted_[index]; }
@@ -81,7 +81,7 @@ public:
 private:
   std::uint32_t fit(const Image& image);
   std::size_t lanes_of(std::size_t target_piece, const std::vector<int>& order);
-  void measure_target_pieces(const Aligned_shape& target);
+  void measure_target_pieces(const Deformable_shape& target);
 
   Piece_list source_pieces_, target_pieces_;
   Eigen::MatrixXd target_distances_;
@@ -100,7 +100,7 @@ inline int segment_of_sample(std::size_t sample, int count)
   return std::min(count - 1, int(sample) * count / (samples_per_side - 1));
 }
 
-inline Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Aligned_shape& target,
+inline Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape& target,
                                     const std::vector<std::vector<Group_label>>& labels)
     : source_pieces_(source), target_pieces_(target)
 {
@@ -127,7 +127,7 @@ inline std::uint32_t Fitted_pieces::fit(const Image& image)
   const std::size_t from = source_pieces_.index(image.source), to = target_pieces_.index(image.target);
   for (std::size_t known = fitted_begin_.back(); known < fitted_.size(); ++known)
     if (fitted_[known].source_index == from && fitted_[known].target_index == to) return std::uint32_t(known);
-  const std::vector<int>& order = fitting_order(source_pieces_[from], target_pieces_[to]);
+  const std::vector<int>& order = deform_to_fit(source_pieces_[from], target_pieces_[to]);
   const bool lifted = Eigen::Index(order.size()) != source_pieces_[from].samples.cols();
   fitted_.push_back({image.source, image.target, from, to, &order, lifted, lanes_of(to, order)});
   return std::uint32_t(fitted_.size() - 1);
@@ -154,10 +154,10 @@ inline Fitted_range Fitted_pieces::touching(std::size_t part, std::size_t sample
 }
 
 // Those of whole parts are known.
-inline void Fitted_pieces::measure_target_pieces(const Aligned_shape& target)
+inline void Fitted_pieces::measure_target_pieces(const Deformable_shape& target)
 {
   const Eigen::Index parts = Eigen::Index(target_pieces_.number_of_parts()), n = Eigen::Index(target_pieces_.size());
-  target_distances_ = target.distance;
+  target_distances_ = target.part_distances();
   if (n == parts) return;
   target_distances_.conservativeResize(n, n);
   std::vector<Sample_lanes> lanes;

@@ -3,12 +3,12 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "energy/Matching_problem.h"
 #include "base/quantized.h"
 #include "energy/Contact_table.h"
-#include "energy/Matching_problem.h"
+#include "energy/cut_curves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -50,10 +50,10 @@ std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_
   std::vector<Group_label> result;
   result.reserve(2 * matched.size() + 1);
   for (std::size_t candidate : matched)
-    result.push_back(match_members(source, group, target, candidate));
+    result.push_back(match_groups(source, group, target, candidate));
   for (std::size_t l = 0; options.cut_curves && l < matched.size(); ++l) {
     if (result[l].operation == Operation::MATCH) continue; // one to one
-    Group_label cut = cut_members(source, group, target, result[l]);
+    Group_label cut = cut_curves(source, group, target, result[l]);
     if (cut.operation == Operation::CUT || cut.operation == Operation::JOIN) result.push_back(std::move(cut));
   }
   if (options.unmatched_cost < Matching_options::never) {
@@ -81,8 +81,8 @@ Matching_problem::Matching_problem(Shared_shape source, Shared_shape target, con
 }
 
 Matching_problem::Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options)
-    : Matching_problem(std::make_shared<Aligned_shape>(std::move(source)),
-                       std::make_shared<Aligned_shape>(std::move(target)), options)
+    : Matching_problem(std::make_shared<Deformable_shape>(std::move(source)),
+                       std::make_shared<Deformable_shape>(std::move(target)), options)
 {}
 
 Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
@@ -91,7 +91,8 @@ Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
       target_(std::move(target)),
       options_(options),
       labels_(std::move(labels)),
-      fitted_(*source_, *target_, labels_)
+      fitted_(*source_, *target_, labels_),
+      rods_(&source_->rods())
 {
   fill_contact_energies();
   fill_cut_energies();
@@ -234,22 +235,19 @@ Energy_terms Matching_problem::terms(const Assignment& assignment, const std::ve
     kept += rods * (1 - energy.distortion) * (1 - energy.distortion);
   }
   if (pooled && rod_count > 0) {
-    terms.distortion = 1 - std::sqrt(kept / rod_count);
+    terms.distortion = distortion_energy(kept / rod_count);
     terms.connectedness /= double(contacts.size());
   }
-  double ratios = 0;
+  std::vector<double> solidity_ratios(labels_.size(), 1);
   for (std::size_t g = 0; g < labels_.size(); ++g) {
-    if (assignment[g] == unassigned) {
-      ratios += 1;
-      continue;
-    }
+    if (assignment[g] == unassigned) continue;
     const std::size_t l = std::size_t(assignment[g]);
-    ratios += labels_[g][l].solidity_ratio * labels_[g][l].solidity_ratio;
+    solidity_ratios[g] = labels_[g][l].solidity_ratio;
     terms.distortion += cut_energies_[g][l].distortion;
     terms.connectedness += cut_energies_[g][l].connectedness;
     if (is_unmatched(g, l) && source().groups[g].contacts.empty()) terms.unmatched += options_.unmatched_cost;
   }
-  terms.split = 1 - std::sqrt(ratios / double(labels_.size()));
+  terms.split = split_energy(solidity_ratios);
   return terms;
 }
 

@@ -6,8 +6,9 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATCHING_PROBLEM_H
 #define CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATCHING_PROBLEM_H
 
+#include "energy/Deformable_shape.h"
 #include "energy/Fitted_pieces.h"
-#include "energy/Geotopo_transform.h"
+#include "energy/match_groups.h"
 
 #include <CGAL/Shape_correspondence/Pairwise_energy.h>
 #include <CGAL/Shape_correspondence/Search_options.h>
@@ -31,7 +32,7 @@ constexpr std::size_t maximum_labels = 64;
 class Matching_problem
 {
 public:
-  using Shared_shape = std::shared_ptr<const Aligned_shape>;
+  using Shared_shape = std::shared_ptr<const Deformable_shape>;
 
   Matching_problem(Shared_shape source, Shared_shape target, const Matching_options& options = {});
   Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options = {});
@@ -40,8 +41,8 @@ public:
   Matching_problem(Shared_shape source, Shared_shape target, std::vector<std::vector<Group_label>> labels,
                    const Matching_options& options = {});
 
-  const Aligned_shape& source() const { return *source_; }
-  const Aligned_shape& target() const { return *target_; }
+  const Deformable_shape& source() const { return *source_; }
+  const Deformable_shape& target() const { return *target_; }
   const Matching_options& options() const { return options_; }
   std::size_t number_of_labels(std::size_t group) const { return labels_[group].size(); }
   const Group_label& label(std::size_t group, std::size_t label) const { return labels_[group][label]; }
@@ -80,7 +81,7 @@ public:
   /// The rods of a contact, of the whole parts; with a curve's samples lifted to a sheet's number or not.
   const Structural_rods& rods(std::size_t contact, bool lift_first, bool lift_second) const
   {
-    return (*source_->rods)[contact][2 * std::size_t(lift_first) + std::size_t(lift_second)];
+    return (*rods_)[contact][2 * std::size_t(lift_first) + std::size_t(lift_second)];
   }
 
 private:
@@ -95,9 +96,10 @@ private:
   bool has_shortlists_ = false;
   std::vector<std::vector<Group_label>> labels_; // by source group
   internal::Fitted_pieces fitted_;
-  std::vector<std::size_t> contact_begin_;            // by contact, in `contact_energies_`
-  std::vector<Rod_energy> contact_energies_;          // by labels of either side
-  std::vector<std::vector<Rod_energy>> cut_energies_; // by group and label
+  const std::vector<Deformable_shape::Contact_rods>* rods_; // the source's
+  std::vector<std::size_t> contact_begin_;                  // by contact, in `contact_energies_`
+  std::vector<Rod_energy> contact_energies_;                // by labels of either side
+  std::vector<std::vector<Rod_energy>> cut_energies_;       // by group and label
   Pairwise_energy energy_;
 };
 

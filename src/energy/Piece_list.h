@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_PIECE_LIST_H
 #define CGAL_SHAPE_CORRESPONDENCE_ENERGY_PIECE_LIST_H
 
-#include "energy/Geotopo_transform.h"
+#include "energy/cut_curves.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,9 +3,10 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "base/quantized.h"
 #include "energy/Structural_rods.h"
+#include "energy/rod_cosines.h"
 
+#include <CGAL/Shape_correspondence/Deformation_energy.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -42,7 +43,6 @@ int append_row(const Point& from, const Points& to, int count, std::vector<Rod_b
 Structural_rods::Structural_rods(const Points& first, const Points& second)
     : first_count_(int(first.cols())), second_count_(int(second.cols()))
 {
-  using namespace internal;
   CGAL_precondition(first_count_ <= maximum_samples && second_count_ <= maximum_samples);
   const int in_blocks = samples_in_blocks(second_count_);
   rods_.reserve(
@@ -65,13 +65,12 @@ Structural_rods::Structural_rods(const Points& first, const Points& second)
 double Structural_rods::distortion(float squared_cosines) const
 {
   if (unmoved_ == 0) return 0;
-  return 1 - std::sqrt(std::min(1.0, directionless_ + (1 - directionless_) * (double(squared_cosines) / unmoved_)));
+  return distortion_energy(directionless_ + (1 - directionless_) * (double(squared_cosines) / unmoved_));
 }
 
 void distortions(const std::vector<const Structural_rods*>& pairs, const Sample_lanes& first,
                  const Sample_lanes& second, std::vector<double>& result)
 {
-  using namespace internal;
   const Rod_kernels& kernels = rod_kernels();
   std::size_t done = 0;
   result.resize(pairs.size());
@@ -91,8 +90,7 @@ void distortions(const std::vector<const Structural_rods*>& pairs, const Sample_
 
 double Structural_rods::connectedness(double distance) const
 {
-  if (distance <= shortest_ + comparison_grid) return 0;
-  return longest_ > 0 ? std::min(1.0, distance / longest_) : 1.0;
+  return connectedness_energy(shortest_, distance, longest_);
 }
 
 Rod_energy Structural_rods::energy(const Sample_lanes& first, const Sample_lanes& second) const

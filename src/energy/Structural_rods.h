@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_STRUCTURAL_RODS_H
 #define CGAL_SHAPE_CORRESPONDENCE_ENERGY_STRUCTURAL_RODS_H
 
-#include "energy/rod_kernel.h"
+#include "energy/Sample_lanes.h"
 
 #include <CGAL/Shape_correspondence/Points.h>
 
@@ -35,8 +35,7 @@ public:
   /// \pre either has at most `samples_per_side`² points
   Structural_rods(const Points& first, const Points& second);
 
-  /// E_c (Eq. 4) when the least distance of two samples is now `distance`: min(1, d'/f) when the parts have come apart
-  /// (d' > d), else 0. The sign of the printed Eq. 4 is turned, it would fall as parts separate.
+  /// E_c (Eq. 4), `connectedness_energy()`, when the least distance of two samples is now `distance`.
   double connectedness(double distance) const;
 
   /// E_d and E_c after the samples moved to `first` and `second`.
@@ -56,9 +55,9 @@ private:
   double longest_ = 0;       // f
 };
 
-/// E_d (Eq. 2, 3) of pairs of parts that all turn into the samples `first` and `second`, as many as each of them had,
-/// in single precision. A rod of length zero keeps its direction whatever happens; one that becomes zero loses it.
-/// Exactly 0 when nothing moved. O(number of rods).
+/// E_d (Eq. 3), `distortion_energy()`, of pairs of parts that all turn into the samples `first` and `second`, as many
+/// as each of them had; cosines (Eq. 2) are summed in single precision. A rod of length zero keeps its direction
+/// whatever happens; one that becomes zero loses it. Exactly 0 when nothing moved. O(number of rods).
 void distortions(const std::vector<const Structural_rods*>& pairs, const internal::Sample_lanes& first,
                  const internal::Sample_lanes& second, std::vector<double>& result);
 

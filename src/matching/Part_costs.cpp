@@ -3,8 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "matching/Compared_shape.h"
 #include "matching/Part_costs.h"
+#include "matching/Normalized_shape.h"
+#include "matching/Shape_layout.h"
 #include "matching/box_costs.h"
 #include "matching/surface_distances.h"
 
@@ -19,8 +20,8 @@ using namespace internal;
 
 namespace {
 
-constexpr double group_share = 0.3;      // of a group's cost in those of its parts
-constexpr double whole_group_charge = 1; // added to the cost of their union
+constexpr double group_share = 0.3; // of a group's cost in those of its parts
+constexpr double union_charge = 1;  // added where a part corresponds to a set of parts as a whole
 
 Eigen::MatrixXd shared_in_groups(const Eigen::MatrixXd& costs, const Aligned_shape& source, const Aligned_shape& target)
 {
@@ -37,19 +38,19 @@ Eigen::MatrixXd shared_in_groups(const Eigen::MatrixXd& costs, const Aligned_sha
   return result;
 }
 
-// What it costs that a part of `a` stands for a whole of `b`; infinite for parts in none.
-Eigen::MatrixXd costs_of_wholes(const Compared_shape& a, const Compared_shape& b, const Point_distances& a_from_b,
+// The least cost of every part of `a` and a union that every part of `b` is in; infinite for parts in none.
+Eigen::MatrixXd costs_of_unions(const Normalized_shape& a, const Normalized_shape& b, const Point_distances& a_from_b,
                                 const Point_distances& b_from_a, const Part_cost_weights& weights)
 {
   Eigen::MatrixXd result = Eigen::MatrixXd::Constant(Eigen::Index(a.parts.size()), Eigen::Index(b.parts.size()),
                                                      std::numeric_limits<double>::infinity());
-  const Eigen::MatrixXd boxes = costs_of_boxes(a.boxes, b.whole_boxes, weights);
-  for (std::size_t h = 0; h < b.wholes.size(); ++h)
+  const Eigen::MatrixXd boxes = costs_of_boxes(a.boxes, b.union_boxes, weights);
+  for (std::size_t h = 0; h < b.unions.size(); ++h)
     for (std::size_t i = 0; i < a.parts.size(); ++i) {
-      const std::vector<std::size_t>& parts = b.wholes[h];
-      const double cost = cost_of_kind(a.parts[i], b.whole_parts[h], weights) +
+      const std::vector<std::size_t>& parts = b.unions[h];
+      const double cost = cost_of_kind(a.parts[i], b.union_parts[h], weights) +
                           boxes(Eigen::Index(i), Eigen::Index(h)) +
-                          weights.chamfer * chamfer(a_from_b, b_from_a, i, parts) + whole_group_charge;
+                          weights.chamfer * chamfer(a_from_b, b_from_a, i, parts) + union_charge;
       for (std::size_t j : parts) {
         double& least = result(Eigen::Index(i), Eigen::Index(j));
         least = std::min(least, cost);
@@ -71,10 +72,10 @@ double mean_of_best(const Eigen::ArrayXXd& likelihood, const std::vector<std::si
   return sum / double(rows.size());
 }
 
-// How well the parts that two parts touch stand for one another: the mean over those of either of how likely their best
+// How well the parts that two parts touch correspond: the mean over those of either of how likely their best
 // counterpart among the other's is; geometric mean of the two.
-Eigen::ArrayXXd support_of_contacts(const Eigen::ArrayXXd& likelihood, const Aligned_shape& source,
-                                    const Aligned_shape& target)
+Eigen::ArrayXXd contact_agreement(const Eigen::ArrayXXd& likelihood, const Aligned_shape& source,
+                                  const Aligned_shape& target)
 {
   const Eigen::ArrayXXd transposed = likelihood.transpose();
   const std::vector<std::vector<std::size_t>> of_source = touching_parts(source), of_target = touching_parts(target);
@@ -88,7 +89,7 @@ Eigen::ArrayXXd support_of_contacts(const Eigen::ArrayXXd& likelihood, const Ali
 }
 
 // The costs that no warp changes.
-Eigen::MatrixXd costs_of_kind(const Compared_shape& a, const Compared_shape& b, const Point_distances& a_from_b,
+Eigen::MatrixXd costs_of_kind(const Normalized_shape& a, const Normalized_shape& b, const Point_distances& a_from_b,
                               const Point_distances& b_from_a, const Part_cost_weights& weights)
 {
   Eigen::MatrixXd result(Eigen::Index(a.parts.size()), Eigen::Index(b.parts.size()));
@@ -101,7 +102,7 @@ Eigen::MatrixXd costs_of_kind(const Compared_shape& a, const Compared_shape& b, 
 
 } // namespace
 
-Eigen::MatrixXd rough_costs(const Compared_shape& a, const Compared_shape& b, const Part_cost_weights& weights)
+Eigen::MatrixXd rough_costs(const Normalized_shape& a, const Normalized_shape& b, const Part_cost_weights& weights)
 {
   Eigen::MatrixXd result = costs_of_boxes(a.boxes, b.boxes, weights);
   for (std::size_t i = 0; i < a.parts.size(); ++i)
@@ -134,7 +135,7 @@ double mean_least_cost(const Eigen::MatrixXd& costs)
   return costs.rowwise().minCoeff().mean() + costs.colwise().minCoeff().mean();
 }
 
-Cost_matrices part_costs(const Compared_shape& a, const Aligned_shape& source, const Compared_shape& b,
+Cost_matrices part_costs(const Normalized_shape& a, const Aligned_shape& source, const Normalized_shape& b,
                          const Aligned_shape& target, const Part_cost_weights& weights)
 {
   Point_distances a_from_b, b_from_a;
@@ -144,22 +145,22 @@ Cost_matrices part_costs(const Compared_shape& a, const Aligned_shape& source, c
   const Eigen::MatrixXd alone = costs_after_warping(a.boxes, b.boxes, of_kind, weights);
   Cost_matrices result;
   result.of_parts = shared_in_groups(alone, source, target)
-                        .cwiseMin(costs_of_wholes(a, b, a_from_b, b_from_a, weights))
-                        .cwiseMin(costs_of_wholes(b, a, b_from_a, a_from_b, weights).transpose());
-  const Eigen::ArrayXXd support = support_of_contacts(mutual_softmax(result.of_parts), source, target);
-  result.all = result.of_parts + weights.contacts * (1 - support).matrix();
+                        .cwiseMin(costs_of_unions(a, b, a_from_b, b_from_a, weights))
+                        .cwiseMin(costs_of_unions(b, a, b_from_a, a_from_b, weights).transpose());
+  const Eigen::ArrayXXd agreement = contact_agreement(mutual_softmax(result.of_parts), source, target);
+  result.all = result.of_parts + weights.contacts * (1 - agreement).matrix();
   return result;
 }
 
 Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target, const Part_cost_weights& weights)
 {
-  const Compared_shape a = compared_shape(source, part_assemblies(source)),
-                       b = compared_shape(target, part_assemblies(target));
+  const Normalized_shape a = normalized_shape(source, part_assemblies(source)),
+                         b = normalized_shape(target, part_assemblies(target));
   return part_costs(a, source, b, target, weights).all;
 }
 
-Eigen::MatrixXd own_part_costs(const Compared_shape& a, const std::vector<char>& is_chosen,
-                               const Part_cost_weights& weights)
+Eigen::MatrixXd costs_within_shape(const Normalized_shape& a, const std::vector<char>& is_chosen,
+                                   const Part_cost_weights& weights)
 {
   Eigen::MatrixXd result = costs_of_boxes(a.boxes, a.boxes, weights);
   const std::vector<Point_lanes> lanes = lanes_of(a);
@@ -178,8 +179,8 @@ Eigen::MatrixXd own_part_costs(const Compared_shape& a, const std::vector<char>&
 
 Eigen::MatrixXd part_costs(const Aligned_shape& shape, const Part_cost_weights& weights)
 {
-  return own_part_costs(compared_shape(shape, part_assemblies(shape)), std::vector<char>(shape.parts.size(), 1),
-                        weights);
+  return costs_within_shape(normalized_shape(shape, part_assemblies(shape)), std::vector<char>(shape.parts.size(), 1),
+                            weights);
 }
 
 } // namespace Shape_correspondence

@@ -19,13 +19,13 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
-/// The cost of every part of the source (row) standing for every part of the target (column), by index of the aligned
-/// shapes. Symmetric: with the shapes swapped, the transposed matrix.
+/// The cost of every part of the source (row) corresponding to every part of the target (column), by index of the
+/// aligned shapes. Symmetric: with the shapes swapped, the transposed matrix.
 ///
 /// The boxes are compared as they are and after either shape was warped towards the other, axis by axis, where the most
 /// alike parts ask for it; the three are averaged. A part shares in how alike its symmetry group is to the other's, and
-/// a group of `whole_group_size` parts or more, or a panel (`Part_assemblies`), may cost less as a whole (legs for a
-/// pedestal, slats for a board). How well the parts that two parts touch stand for one another goes by these costs.
+/// a group of `minimum_repetition` parts or more, or a panel (`Part_assemblies`), may cost less as a whole (legs for a
+/// pedestal, slats for a board). How well the parts that two parts touch correspond is told by these costs.
 /// O(n m k²) for n and m parts with k = `surface_samples` points each.
 Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
                            const Part_cost_weights& weights = {});
@@ -34,7 +34,7 @@ Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& tar
 Eigen::MatrixXd part_costs(const Aligned_shape& shape, const Part_cost_weights& weights = {});
 
 namespace internal {
-struct Compared_shape;
+struct Normalized_shape;
 }
 
 struct Cost_matrices
@@ -43,18 +43,18 @@ struct Cost_matrices
 };
 
 /// The same of shapes whose boxes and surfaces are known.
-Cost_matrices part_costs(const internal::Compared_shape& a, const Aligned_shape& source,
-                         const internal::Compared_shape& b, const Aligned_shape& target,
+Cost_matrices part_costs(const internal::Normalized_shape& a, const Aligned_shape& source,
+                         const internal::Normalized_shape& b, const Aligned_shape& target,
                          const Part_cost_weights& weights);
 
-/// The costs without those of surfaces and contacts: for a first look.
-Eigen::MatrixXd rough_costs(const internal::Compared_shape& a, const internal::Compared_shape& b,
+/// The costs without those of surfaces and contacts.
+Eigen::MatrixXd rough_costs(const internal::Normalized_shape& a, const internal::Normalized_shape& b,
                             const Part_cost_weights& weights);
 
 /// The costs of the parts of one shape among each other, as far as one of the two is chosen; of others some are
 /// missing.
-Eigen::MatrixXd own_part_costs(const internal::Compared_shape& a, const std::vector<char>& is_chosen,
-                               const Part_cost_weights& weights);
+Eigen::MatrixXd costs_within_shape(const internal::Normalized_shape& a, const std::vector<char>& is_chosen,
+                                   const Part_cost_weights& weights);
 
 /// The cost of two sets of parts: the mean of what every part costs with the one of the other set that it costs least
 /// with, averaged over both sets. \pre neither is empty

@@ -33,9 +33,9 @@ inline Axis_box joined(const Axis_box& a, const Axis_box& b) { return {a.low.min
 
 inline bool is_less(double a, double b) { return quantized(a) < quantized(b); }
 
-// Of every part, the parts that it touches.
-constexpr double wall_width = 0.7; // of the shape's: what is wider is a wall, not a leg
+constexpr double wall_width = 0.7; // of the shape's: a part that is wider is a wall, not a leg
 
+// Of every part, the parts that it touches.
 inline std::vector<std::vector<std::size_t>> touching_parts(const Aligned_shape& shape)
 {
   std::vector<std::vector<std::size_t>> result(shape.parts.size());
@@ -46,11 +46,11 @@ inline std::vector<std::vector<std::size_t>> touching_parts(const Aligned_shape&
   return result;
 }
 
-// Where the parts of a shape are, and what touches what.
+// Where the parts of a shape are, and which ones touch.
 struct Shape_layout
 {
   std::vector<Axis_box> boxes;
-  Axis_box whole;
+  Axis_box bounds; // of the shape
   std::vector<char> is_on_ground;
   std::vector<std::vector<std::size_t>> neighbours;
 
@@ -58,24 +58,24 @@ struct Shape_layout
   {
     for (const Sampled_part& part : shape.parts)
       boxes.push_back(box_of(part.surface));
-    whole = boxes.front();
+    bounds = boxes.front();
     for (const Axis_box& box : boxes)
-      whole = joined(whole, box);
+      bounds = joined(bounds, box);
     for (const Axis_box& box : boxes)
-      is_on_ground.push_back(is_less(box.low.y() - whole.low.y(), ground_tolerance * whole.sides().y()));
+      is_on_ground.push_back(is_less(box.low.y() - bounds.low.y(), ground_tolerance * bounds.sides().y()));
   }
 
   // The part and what is connected to it by steps from one part to the next that are allowed, ascending.
   template <typename Is_step>
   std::vector<std::size_t> connected(std::size_t first, const Is_step& is_step) const
   {
-    std::vector<char> is_reached(boxes.size(), 0);
+    std::vector<char> is_found(boxes.size(), 0);
     std::vector<std::size_t> result{first};
-    is_reached[first] = 1;
+    is_found[first] = 1;
     for (std::size_t k = 0; k < result.size(); ++k)
       for (std::size_t next : neighbours[result[k]])
-        if (!is_reached[next] && is_step(result[k], next)) {
-          is_reached[next] = 1;
+        if (!is_found[next] && is_step(result[k], next)) {
+          is_found[next] = 1;
           result.push_back(next);
         }
     std::sort(result.begin(), result.end());

@@ -11,9 +11,11 @@
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -42,7 +44,7 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
                                                    const Aligned_shape& target)
 {
   std::vector<std::vector<std::size_t>> images(source.parts.size());
-  for (const Part_match& pair : matching.pairs)
+  for (const Part_correspondence& pair : matching.pairs)
     images[pair.source].push_back(pair.target);
 
   std::vector<std::vector<Group_label>> labels;
@@ -63,17 +65,6 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
     labels.push_back({std::move(label)});
   }
   return labels;
-}
-
-// The shape with a group for every part.
-Aligned_shape ungrouped(Aligned_shape shape)
-{
-  shape.groups.assign(shape.parts.size(), {});
-  for (std::size_t part = 0; part < shape.parts.size(); ++part)
-    shape.groups[part].parts = {part};
-  complete_groups(shape);
-  list_contacts(shape);
-  return shape;
 }
 
 // Pairs of connected parts, and parts that touch nothing.
@@ -109,17 +100,16 @@ long alignment_cost(const Part_matching& matching, const Aligned_shape& source, 
                    proportion_weight * std::abs(log_proportion(source) - log_proportion(target)));
 }
 
-// The confidences of pairs, in the order of the correspondence's pairs.
-std::vector<double> ordered_confidences(const Part_matching& matching, const Aligned_shape& source,
-                                        const Aligned_shape& target)
+// The pairs of a matching by the parts' indices in the structural graphs.
+std::vector<Part_correspondence> original_pairs(const Part_matching& matching, const Aligned_shape& source,
+                                                const Aligned_shape& target)
 {
-  std::vector<std::pair<std::pair<std::size_t, std::size_t>, double>> pairs;
-  for (const Part_match& pair : matching.pairs)
-    pairs.push_back({{source.original[pair.source], target.original[pair.target]}, pair.confidence});
-  std::sort(pairs.begin(), pairs.end());
-  std::vector<double> result;
-  for (const auto& pair : pairs)
-    result.push_back(pair.second);
+  std::vector<Part_correspondence> result = matching.pairs;
+  for (Part_correspondence& pair : result) {
+    pair.source = source.original[pair.source];
+    pair.target = target.original[pair.target];
+  }
+  std::sort(result.begin(), result.end(), is_before);
   return result;
 }
 
@@ -144,8 +134,8 @@ void mark_cancelled(std::size_t done, std::size_t runs, Correspondence& correspo
 }
 
 // The shape as far as it takes part.
-std::shared_ptr<const Aligned_shape> participating(std::shared_ptr<const Aligned_shape> shape,
-                                                   const std::vector<std::size_t>& chosen, int maximum_parts)
+Matching_problem::Shared_shape participating(Matching_problem::Shared_shape shape,
+                                             const std::vector<std::size_t>& chosen, int maximum_parts)
 {
   if (!chosen.empty()) {
     std::vector<char> is_kept(shape->parts.size(), 0);
@@ -156,71 +146,82 @@ std::shared_ptr<const Aligned_shape> participating(std::shared_ptr<const Aligned
                             " to choose, the shape has " + std::to_string(shape->parts.size()) + " parts");
       is_kept[std::size_t(found - shape->original.begin())] = 1;
     }
-    shape = std::make_shared<Aligned_shape>(restricted(*shape, is_kept));
+    shape = std::make_shared<Deformable_shape>(restricted(*shape, is_kept));
   }
   if (maximum_parts > 0)
-    shape =
-        std::make_shared<Aligned_shape>(restricted(*shape, most_prominent_parts(*shape, std::size_t(maximum_parts))));
+    shape = std::make_shared<Deformable_shape>(
+        restricted(*shape, most_prominent_parts(*shape, std::size_t(maximum_parts))));
   return shape;
 }
 
 } // namespace
 
-std::shared_ptr<const Aligned_shape> Prepared_shape::aligned(int quarter_turns) const
+// By quarter turn.
+struct Prepared_shape::Alignments
 {
-  const std::size_t turn = std::size_t((quarter_turns % 4 + 4) % 4);
-  std::call_once(is_aligned_[turn],
-                 [&] { aligned_[turn] = std::make_shared<Aligned_shape>(align_shape(graph_, int(turn))); });
-  return aligned_[turn];
-}
+  explicit Alignments(const Structural_graph& graph) : graph(graph) {}
 
-Correspondence_finder::Correspondence_finder(const Structural_graph& source, const Search_options& options)
-    : Correspondence_finder(Prepared_shape(source), options)
+  Matching_problem::Shared_shape aligned(int quarter_turns)
+  {
+    const std::size_t turn = std::size_t((quarter_turns % 4 + 4) % 4);
+    std::call_once(is_aligned[turn],
+                   [&] { shapes[turn] = std::make_shared<Deformable_shape>(align_shape(graph, int(turn))); });
+    return shapes[turn];
+  }
+
+  const Structural_graph& graph;
+  std::array<std::once_flag, 4> is_aligned;
+  std::array<Matching_problem::Shared_shape, 4> shapes;
+};
+
+Prepared_shape::Prepared_shape(const Structural_graph& graph)
+    : graph_(graph), alignments_(std::make_shared<Alignments>(graph))
 {}
 
-Correspondence_finder::Correspondence_finder(const Prepared_shape& source, const Search_options& options)
-    : options_(options),
-      source_frame_(structure(source.graph()).frame),
-      number_of_parts_(structure(source.graph()).parts.size())
+class Correspondence_finder::Impl
 {
-  check(options);
-  source_ = participating(source.aligned(0), options.source_parts, options.maximum_parts);
-}
+public:
+  Impl(const Prepared_shape& source, const Search_options& options)
+      : options_(options),
+        source_frame_(structure(source.graph()).frame),
+        number_of_parts_(structure(source.graph()).parts.size())
+  {
+    check(options);
+    source_ = participating(source.alignments_->aligned(0), options.source_parts, options.maximum_parts);
+  }
 
-Correspondence Correspondence_finder::operator()(const Structural_graph& target) const
-{
-  return (*this)(Prepared_shape(target));
-}
+  std::vector<Correspondence> ranked(const Prepared_shape& target) const
+  {
+    std::vector<Correspondence> result;
+    if (options_.method == Search_method::PARTS)
+      result.push_back(matched_parts(target));
+    else
+      result = least_energy(target);
+    for (Correspondence& correspondence : result)
+      collect_unmatched(number_of_parts_, structure(target.graph()).parts.size(), correspondence);
+    return result;
+  }
 
-Correspondence Correspondence_finder::operator()(const Prepared_shape& target) const
-{
-  return std::move(ranked(target).front());
-}
+  double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
-std::vector<Correspondence> Correspondence_finder::ranked(const Structural_graph& target) const
-{
-  return ranked(Prepared_shape(target));
-}
+private:
+  using Shared_shape = Matching_problem::Shared_shape;
 
-std::vector<Correspondence> Correspondence_finder::ranked(const Prepared_shape& target) const
-{
-  std::vector<Correspondence> result;
-  if (options_.method == Search_method::PARTS)
-    result.push_back(matched_parts(target));
-  else
-    result = least_energy(target);
-  for (Correspondence& correspondence : result)
-    collect_unmatched(number_of_parts_, structure(target.graph()).parts.size(), correspondence);
-  return result;
-}
+  std::vector<Correspondence> least_energy(const Prepared_shape& target) const;
+  Correspondence matched_parts(const Prepared_shape& target) const;
+  Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const
+  {
+    return participating(target.alignments_->aligned(quarter_turns), options_.target_parts, options_.maximum_parts);
+  }
+  double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;
 
-std::shared_ptr<const Aligned_shape> Correspondence_finder::aligned(const Prepared_shape& target,
-                                                                    int quarter_turns) const
-{
-  return participating(target.aligned(quarter_turns), options_.target_parts, options_.maximum_parts);
-}
+  Search_options options_;
+  Shape_frame source_frame_;
+  std::size_t number_of_parts_;
+  Shared_shape source_;
+};
 
-Correspondence Correspondence_finder::matched_parts(const Prepared_shape& target) const
+Correspondence Correspondence_finder::Impl::matched_parts(const Prepared_shape& target) const
 {
   const std::vector<int> turns = tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments);
   Part_matching best;
@@ -242,17 +243,17 @@ Correspondence Correspondence_finder::matched_parts(const Prepared_shape& target
     best_shape = shape;
   }
   if (done == 0) best_shape = aligned(target, best_turn);
-  const auto unsure = [&](const Part_match& pair) { return pair.confidence < options_.min_confidence; };
+  const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
   best.pairs.erase(std::remove_if(best.pairs.begin(), best.pairs.end(), unsure), best.pairs.end());
 
   const Search_run run(source_, best_shape, best_turn, group_labels(best, *source_, *best_shape), options_);
   Correspondence result = correspondence_of(run, run.result.best(), {});
-  result.confidences = ordered_confidences(best, *source_, *best_shape);
+  result.pairs = original_pairs(best, *source_, *best_shape);
   if (done < turns.size()) mark_cancelled(done, turns.size(), result);
   return result;
 }
 
-std::vector<Correspondence> Correspondence_finder::least_energy(const Prepared_shape& target) const
+std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prepared_shape& target) const
 {
   const std::vector<int> turns = tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments);
   std::vector<Direction> directions{Direction::SOURCE_TO_TARGET};
@@ -293,7 +294,7 @@ std::vector<Correspondence> Correspondence_finder::least_energy(const Prepared_s
   return result;
 }
 
-double Correspondence_finder::lower_bound(const Prepared_shape& target, double unmatched_energy) const
+double Correspondence_finder::Impl::lower_bound(const Prepared_shape& target, double unmatched_energy) const
 {
   const bool both_directions = options_.both_directions && options_.method != Search_method::PARTS;
   double bound = std::numeric_limits<double>::infinity();
@@ -306,8 +307,8 @@ double Correspondence_finder::lower_bound(const Prepared_shape& target, double u
   return std::max(0., bound * (1 - rounding) - rounding);
 }
 
-double Correspondence_finder::lower_bound(const Shared_shape& deformed, const Shared_shape& other,
-                                          double unmatched_energy) const
+double Correspondence_finder::Impl::lower_bound(const Shared_shape& deformed, const Shared_shape& other,
+                                                double unmatched_energy) const
 {
   const double pairs = double(number_of_counted_pairs(*deformed));
   if (options_.method != Search_method::PARTS)
@@ -316,8 +317,42 @@ double Correspondence_finder::lower_bound(const Shared_shape& deformed, const Sh
   Matching_options matching = options_.matching;
   matching.cut_curves = false;
   matching.unmatched_cost = unmatched_energy;
-  const Matching_problem problem(ungrouped(*deformed), ungrouped(*other), matching);
+  const Matching_problem problem(std::make_shared<Deformable_shape>(deformed->ungrouped()),
+                                 std::make_shared<Deformable_shape>(other->ungrouped()), matching);
   return problem.has_shortlists() ? 0 : problem.energy().lower_bound() / pairs;
+}
+
+Correspondence_finder::Correspondence_finder(const Structural_graph& source, const Search_options& options)
+    : Correspondence_finder(Prepared_shape(source), options)
+{}
+
+Correspondence_finder::Correspondence_finder(const Prepared_shape& source, const Search_options& options)
+    : impl_(std::make_shared<Impl>(source, options))
+{}
+
+Correspondence Correspondence_finder::operator()(const Structural_graph& target) const
+{
+  return (*this)(Prepared_shape(target));
+}
+
+Correspondence Correspondence_finder::operator()(const Prepared_shape& target) const
+{
+  return std::move(ranked(target).front());
+}
+
+std::vector<Correspondence> Correspondence_finder::ranked(const Structural_graph& target) const
+{
+  return ranked(Prepared_shape(target));
+}
+
+std::vector<Correspondence> Correspondence_finder::ranked(const Prepared_shape& target) const
+{
+  return impl_->ranked(target);
+}
+
+double Correspondence_finder::lower_bound(const Prepared_shape& target, double unmatched_energy) const
+{
+  return impl_->lower_bound(target, unmatched_energy);
 }
 
 Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,

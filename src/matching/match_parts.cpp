@@ -3,9 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "base/quantized.h"
-#include "matching/Assembled_shape.h"
 #include "matching/match_parts.h"
+#include "base/quantized.h"
+#include "matching/Shape_features.h"
 #include "matching/part_blocks.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -24,19 +24,19 @@ namespace {
 // source family, and on the generated shapes, which weigh the same. Pairs of blocks may have any margin below 0.
 constexpr double confidence_offset = 0.37, confidence_slope = 0.52, least_margin = -0.5, largest_margin = 3;
 
-// Parts that pair one to one at no more cost are twins; set on the development set and the generated shapes.
-constexpr double twin_cost = 0.5;
+// Parts that pair one to one at no more cost count as equal; set on the development set and the generated shapes.
+constexpr double equal_part_cost = 0.5;
 
-// Legs that pair one to one at no more cost are alike, and so many of them show that legs stand for legs, not a whole
-// for a whole; set on the generated shapes of given and of drawn styles.
+// Legs that pair one to one at no more cost are alike, and so many of them show that legs correspond to legs, not the
+// support to the support; set on the generated shapes of given and of drawn styles.
 constexpr double alike_leg_cost = 4;
 constexpr std::size_t least_alike_legs = 2;
 
 void check(const Part_matching_options& options)
 {
   const Part_cost_weights& w = options.weights;
-  for (double value : {w.overlap, w.extent, w.ground, w.side, w.front, w.orientation, w.chamfer, w.contacts, w.link,
-                       options.excess, options.sure_excess, options.sibling, options.upside_down})
+  for (double value : {w.overlap, w.extent, w.ground, w.side, w.front, w.orientation, w.chamfer, w.contacts, w.chain,
+                       options.excess, options.confident_excess, options.shared_counterpart, options.upside_down})
     if (!(value >= 0) || !std::isfinite(value))
       throw Invalid_input("match_parts: the weights and bounds of costs must be finite and not negative");
 }
@@ -71,16 +71,16 @@ bool are_all(const std::vector<std::size_t>& counts, std::size_t count)
   return std::all_of(counts.begin(), counts.end(), [&](std::size_t c) { return c == count; });
 }
 
-// Parts of a block that pair one to one and are as good as equal.
-bool are_twins(const Block& block, const Match_matrix& sure, const Eigen::MatrixXd& costs)
+// Do the parts of a block pair one to one, each with one that is as good as equal?
+bool are_equal_pairs(const Block& block, const Match_matrix& confident, const Eigen::MatrixXd& costs)
 {
-  const std::vector<std::size_t> of_source = number_of_pairs(sure, block.source, block.target),
-                                 of_target = number_of_pairs(sure.transpose(), block.target, block.source);
+  const std::vector<std::size_t> of_source = number_of_pairs(confident, block.source, block.target),
+                                 of_target = number_of_pairs(confident.transpose(), block.target, block.source);
   if (!are_all(of_source, 1) || !are_all(of_target, 1)) return false;
   for (std::size_t i : block.source)
     for (std::size_t j : block.target)
-      if (sure(Eigen::Index(i), Eigen::Index(j)) &&
-          quantized(costs(Eigen::Index(i), Eigen::Index(j))) > quantized(twin_cost))
+      if (confident(Eigen::Index(i), Eigen::Index(j)) &&
+          quantized(costs(Eigen::Index(i), Eigen::Index(j))) > quantized(equal_part_cost))
         return false;
   return true;
 }
@@ -93,12 +93,12 @@ std::vector<char> flags(const std::vector<std::size_t>& parts, std::size_t count
   return result;
 }
 
-std::vector<char> is_in_panel(const Assembled_shape& assembled)
+std::vector<char> is_in_panel(const Shape_features& features)
 {
   std::vector<std::size_t> parts;
-  for (const std::vector<std::size_t>& panel : assembled.assemblies.panels)
-    append(parts, panel);
-  return flags(parts, assembled.size());
+  for (const std::vector<std::size_t>& panel : features.assemblies.panels)
+    parts.insert(parts.end(), panel.begin(), panel.end());
+  return flags(parts, features.size());
 }
 
 void match_all(const std::vector<std::size_t>& source, const std::vector<std::size_t>& target, Match_matrix& pairs)
@@ -109,8 +109,8 @@ void match_all(const std::vector<std::size_t>& source, const std::vector<std::si
 }
 
 // Every part of a block with every other where they differ in number, or are in panels.
-void fill_blocks(const std::vector<Block>& blocks, const Match_matrix& sure, const Eigen::MatrixXd& costs,
-                 const Assembled_shape& source, const Assembled_shape& target, Match_matrix& pairs)
+void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confident, const Eigen::MatrixXd& costs,
+                     const Shape_features& source, const Shape_features& target, Match_matrix& pairs)
 {
   const std::vector<char> source_panels = is_in_panel(source), target_panels = is_in_panel(target);
   const auto has_panel = [](const std::vector<std::size_t>& parts, const std::vector<char>& is_in_panel) {
@@ -119,16 +119,15 @@ void fill_blocks(const std::vector<Block>& blocks, const Match_matrix& sure, con
   for (const Block& block : blocks)
     if (block.source.size() != block.target.size() ||
         ((has_panel(block.source, source_panels) || has_panel(block.target, target_panels)) &&
-         !are_twins(block, sure, costs)))
+         !are_equal_pairs(block, confident, costs)))
       match_all(block.source, block.target, pairs);
 }
 
-// Does every part that carries the shape with fewer of them pair with one of its own, and stand what is left over on
-// the ground?
-bool carry_one_by_one(const Match_matrix& sure, const Part_assemblies& fewer, const Part_assemblies& more)
+// Does every leg of the shape with fewer legs pair with a leg of its own, and do those left over stand on the ground?
+bool supports_pair_one_to_one(const Match_matrix& confident, const Part_assemblies& fewer, const Part_assemblies& more)
 {
-  const std::vector<std::size_t> of_fewer = number_of_pairs(sure, fewer.legs, more.legs),
-                                 of_more = number_of_pairs(sure.transpose(), more.legs, fewer.legs);
+  const std::vector<std::size_t> of_fewer = number_of_pairs(confident, fewer.legs, more.legs),
+                                 of_more = number_of_pairs(confident.transpose(), more.legs, fewer.legs);
   if (!are_all(of_fewer, 1)) return false;
   for (std::size_t k = 0; k < of_more.size(); ++k)
     if (of_more[k] > 1 || (of_more[k] == 0 && !more.is_on_ground[more.legs[k]])) return false;
@@ -136,34 +135,37 @@ bool carry_one_by_one(const Match_matrix& sure, const Part_assemblies& fewer, co
 }
 
 // Legs of either shape that pair with one of the other's each, and are alike.
-std::size_t number_of_alike_legs(const Match_matrix& sure, const Eigen::MatrixXd& costs,
+std::size_t number_of_alike_legs(const Match_matrix& confident, const Eigen::MatrixXd& costs,
                                  const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
 {
-  const std::vector<std::size_t> of_a = number_of_pairs(sure, a, b), of_b = number_of_pairs(sure.transpose(), b, a);
+  const std::vector<std::size_t> of_a = number_of_pairs(confident, a, b),
+                                 of_b = number_of_pairs(confident.transpose(), b, a);
   std::size_t result = 0;
   for (std::size_t k = 0; k < a.size(); ++k)
     for (std::size_t l = 0; l < b.size(); ++l) {
       const auto i = Eigen::Index(a[k]), j = Eigen::Index(b[l]);
-      result += sure(i, j) && of_a[k] == 1 && of_b[l] == 1 && quantized(costs(i, j)) <= quantized(alike_leg_cost);
+      result += confident(i, j) && of_a[k] == 1 && of_b[l] == 1 && quantized(costs(i, j)) <= quantized(alike_leg_cost);
     }
   return result;
 }
 
-// How what carries one shape stands for what carries the other.
-enum class Carrying {
-  BY_BLOCKS,  // as other parts do
-  ALIKE_LEGS, // legs only for those that pair with them: on either side are some that have no counterpart
-  AS_WHOLES   // all for all
+// How the supports of two shapes correspond.
+enum class Support_matching {
+  AS_OTHER_PARTS, // by blocks
+  ALIKE_LEGS,     // legs to the legs that they pair with only: either shape has some without a counterpart
+  AS_SETS         // every part to every part
 };
 
-Carrying carrying(const Match_matrix& sure, const Eigen::MatrixXd& costs, const Part_assemblies& a,
-                  const Part_assemblies& b, bool alike_legs)
+Support_matching support_matching(const Match_matrix& confident, const Eigen::MatrixXd& costs, const Part_assemblies& a,
+                                  const Part_assemblies& b, bool alike_legs)
 {
-  if (a.support.empty() || b.support.empty()) return Carrying::BY_BLOCKS;
-  if (a.legs.size() <= b.legs.size() ? carry_one_by_one(sure, a, b) : carry_one_by_one(sure.transpose(), b, a))
-    return Carrying::BY_BLOCKS;
-  return alike_legs && number_of_alike_legs(sure, costs, a.legs, b.legs) >= least_alike_legs ? Carrying::ALIKE_LEGS
-                                                                                             : Carrying::AS_WHOLES;
+  if (a.support.empty() || b.support.empty()) return Support_matching::AS_OTHER_PARTS;
+  if (a.legs.size() <= b.legs.size() ? supports_pair_one_to_one(confident, a, b)
+                                     : supports_pair_one_to_one(confident.transpose(), b, a))
+    return Support_matching::AS_OTHER_PARTS;
+  return alike_legs && number_of_alike_legs(confident, costs, a.legs, b.legs) >= least_alike_legs
+             ? Support_matching::ALIKE_LEGS
+             : Support_matching::AS_SETS;
 }
 
 void leave_out(const std::vector<std::size_t>& left_out, std::vector<std::size_t>& parts)
@@ -172,8 +174,8 @@ void leave_out(const std::vector<std::size_t>& left_out, std::vector<std::size_t
   parts.erase(std::remove_if(parts.begin(), parts.end(), is_left_out), parts.end());
 }
 
-// What carries a shape stands for nothing but what carries the other.
-void part_support(const Assembled_shape& source, const Assembled_shape& target, Match_matrix& pairs)
+// Takes out pairs of a leg and a part that is not in the support.
+void separate_supports(const Shape_features& source, const Shape_features& target, Match_matrix& pairs)
 {
   const std::vector<char> a = flags(source.assemblies.support, source.size()),
                           b = flags(target.assemblies.support, target.size());
@@ -185,22 +187,23 @@ void part_support(const Assembled_shape& source, const Assembled_shape& target, 
       if (!a[i]) pairs(Eigen::Index(i), Eigen::Index(j)) = false;
 }
 
-Match_matrix matched(const Cost_matrices& costs, const Assembled_shape& source, const Assembled_shape& target,
+Match_matrix matched(const Cost_matrices& costs, const Shape_features& source, const Shape_features& target,
                      const Part_matching_options& options)
 {
-  Match_matrix sure = pairs_within(costs.all, options.sure_excess), pairs = pairs_within(costs.all, options.excess);
+  Match_matrix confident = pairs_within(costs.all, options.confident_excess),
+               pairs = pairs_within(costs.all, options.excess);
   const Part_assemblies &a = source.assemblies, &b = target.assemblies;
-  const Carrying carried = carrying(sure, costs.of_parts, a, b, options.alike_legs);
-  if (carried == Carrying::AS_WHOLES) part_support(source, target, sure);
-  std::vector<Block> blocks = joined_blocks(sure, source, target, options);
-  if (carried == Carrying::ALIKE_LEGS)
+  const Support_matching supports = support_matching(confident, costs.of_parts, a, b, options.alike_legs);
+  if (supports == Support_matching::AS_SETS) separate_supports(source, target, confident);
+  std::vector<Block> blocks = joined_blocks(confident, source, target, options);
+  if (supports == Support_matching::ALIKE_LEGS)
     for (Block& block : blocks) {
       leave_out(a.legs, block.source);
       leave_out(b.legs, block.target);
     }
-  fill_blocks(blocks, sure, costs.of_parts, source, target, pairs);
-  if (carried == Carrying::AS_WHOLES) {
-    part_support(source, target, pairs);
+  complete_blocks(blocks, confident, costs.of_parts, source, target, pairs);
+  if (supports == Support_matching::AS_SETS) {
+    separate_supports(source, target, pairs);
     match_all(a.legs, b.legs, pairs);
   }
   return pairs;
@@ -212,13 +215,6 @@ Aligned_shape turned_over(Aligned_shape shape)
   for (Sampled_part& part : shape.parts)
     part.surface.row(1) *= -1;
   return shape;
-}
-
-// A chain carries nothing that stands on it.
-bool hangs(const Assembled_shape& assembled)
-{
-  const std::vector<char>& is_link = assembled.assemblies.is_link;
-  return std::any_of(is_link.begin(), is_link.end(), [](char link) { return bool(link); });
 }
 
 // By how much the best pair that was not taken costs more, of either part.
@@ -234,18 +230,18 @@ double margin(const Eigen::MatrixXd& costs, const Match_matrix& pairs, Eigen::In
 
 double confidence(double margin) { return 1 / (1 + std::exp(-(confidence_offset + confidence_slope * margin))); }
 
-Cost_matrices costs_of(const Assembled_shape& a, const Assembled_shape& b, const Part_matching_options& options)
+Cost_matrices costs_of(const Shape_features& a, const Shape_features& b, const Part_matching_options& options)
 {
-  return part_costs(a.compared, a.shape, b.compared, b.shape, options.weights);
+  return part_costs(a.normalized, a.shape, b.normalized, b.shape, options.weights);
 }
 
-// Without surfaces: enough to tell whether a closer look may pay.
-long rough_cost(const Assembled_shape& a, const Assembled_shape& b, const Part_matching_options& options)
+// Without surfaces: enough to tell whether the full costs may be less.
+long rough_cost(const Shape_features& a, const Shape_features& b, const Part_matching_options& options)
 {
-  return quantized(mean_least_cost(rough_costs(a.compared, b.compared, options.weights)));
+  return quantized(mean_least_cost(rough_costs(a.normalized, b.normalized, options.weights)));
 }
 
-Part_matching matching_of(Cost_matrices costs, const Assembled_shape& source, const Assembled_shape& target,
+Part_matching matching_of(Cost_matrices costs, const Shape_features& source, const Shape_features& target,
                           const Part_matching_options& options)
 {
   const Match_matrix pairs = matched(costs, source, target, options);
@@ -263,22 +259,22 @@ Part_matching matching_of(Cost_matrices costs, const Assembled_shape& source, co
 Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
                           const Part_matching_options& options)
 {
-  using namespace internal;
   check(options);
-  const Assembled_shape a(source, options), b(target, options);
+  const Shape_features a(source, options), b(target, options);
   Cost_matrices costs = costs_of(a, b, options);
-  const bool one_hangs = hangs(a) != hangs(b);
-  if (!one_hangs && (a.assemblies.has_deck || b.assemblies.has_deck || hangs(a)))
+  // What has a chain hangs from it
+  const bool one_has_chain = a.has_chain() != b.has_chain();
+  if (!one_has_chain && (a.assemblies.has_main_surface || b.assemblies.has_main_surface || a.has_chain()))
     return matching_of(std::move(costs), a, b, options);
 
   const Aligned_shape source_over = turned_over(source), target_over = turned_over(target);
-  const Assembled_shape a_over(source_over, options), b_over(target_over, options);
+  const Shape_features a_over(source_over, options), b_over(target_over, options);
   const long rough = rough_cost(a, b, options);
   long least =
-      one_hangs ? std::numeric_limits<long>::max() : quantized(mean_least_cost(costs.all) - options.upside_down);
-  std::pair<const Assembled_shape*, const Assembled_shape*> best{&a, &b};
+      one_has_chain ? std::numeric_limits<long>::max() : quantized(mean_least_cost(costs.all) - options.upside_down);
+  std::pair<const Shape_features*, const Shape_features*> best{&a, &b};
   for (const auto& turned : {std::make_pair(&a, &b_over), std::make_pair(&a_over, &b)}) {
-    if (!one_hangs && rough_cost(*turned.first, *turned.second, options) >= rough) continue;
+    if (!one_has_chain && rough_cost(*turned.first, *turned.second, options) >= rough) continue;
     Cost_matrices costs_over = costs_of(*turned.first, *turned.second, options);
     if (quantized(mean_least_cost(costs_over.all)) >= least) continue;
     least = quantized(mean_least_cost(costs_over.all));

@@ -95,31 +95,33 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void nearest_squared(const Point_lanes& 
   {                                                                                                                    \
     nearest_squared<width>(p, q, p_from_q, q_from_p);                                                                  \
   }
+CGAL_SHAPE_CORRESPONDENCE_NEAREST(plain, "sse2", 1)
 #ifdef CGAL_SHAPE_CORRESPONDENCE_X86
 CGAL_SHAPE_CORRESPONDENCE_NEAREST(sse2, "sse2", 2)
 CGAL_SHAPE_CORRESPONDENCE_NEAREST(avx2, "avx2", 4)
 CGAL_SHAPE_CORRESPONDENCE_NEAREST(avx512, "avx512f", 8)
-#else
-CGAL_SHAPE_CORRESPONDENCE_NEAREST(plain, "", 1)
 #endif
 #undef CGAL_SHAPE_CORRESPONDENCE_NEAREST
 
-using Nearest_squared_kernel = void (*)(const Point_lanes&, const Point_lanes&, double*, double*);
+struct Nearest_squared_kernel
+{
+  const char* name; // of the vector instructions
+  void (*run)(const Point_lanes& p, const Point_lanes& q, double* p_from_q, double* q_from_p);
+};
 
 // The kernels that this machine can run, the fastest one last.
 inline std::vector<Nearest_squared_kernel> available_nearest_squared_kernels()
 {
+  std::vector<Nearest_squared_kernel> kernels{{"plain", nearest_squared_plain}};
 #ifdef CGAL_SHAPE_CORRESPONDENCE_X86
-  std::vector<Nearest_squared_kernel> kernels{nearest_squared_sse2};
-  if (__builtin_cpu_supports("avx2")) kernels.push_back(nearest_squared_avx2);
-  if (__builtin_cpu_supports("avx512f")) kernels.push_back(nearest_squared_avx512);
-  return kernels;
-#else
-  return {nearest_squared_plain};
+  kernels.push_back({"sse2", nearest_squared_sse2});
+  if (__builtin_cpu_supports("avx2")) kernels.push_back({"avx2", nearest_squared_avx2});
+  if (__builtin_cpu_supports("avx512f")) kernels.push_back({"avx512", nearest_squared_avx512});
 #endif
+  return kernels;
 }
 
-inline Nearest_squared_kernel nearest_squared_kernel()
+inline const Nearest_squared_kernel& nearest_squared_kernel()
 {
   static const Nearest_squared_kernel fastest = available_nearest_squared_kernels().back();
   return fastest;

@@ -3,9 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "matching/Row_framer.h"
-#include "matching/chains.h"
 #include "matching/part_assemblies.h"
+#include "matching/chains.h"
+#include "matching/row_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,11 @@ using namespace internal;
 namespace {
 
 // All set on one half of the development set, by source family, and on the generated shapes
-constexpr double deck_cover = 0.3;    // of the shape as seen from above, that a deck covers
-constexpr double deck_flatness = 0.3; // its height, over its shorter side
+constexpr double main_surface_cover = 0.3;     // share of the shape as seen from above that it covers, at least
+constexpr double main_surface_thickness = 0.3; // its height over its shorter side, at most
 
-constexpr double side_depth = 0.1; // of the shape's: by this a part in one of its sides is thick, and off it
+constexpr double side_depth =
+    0.1; // of the shape's extent: a part in one of its sides is no thicker and no farther off it
 
 // The sets of the shape's parts, one after the other.
 class Assembly_finder
@@ -30,66 +31,67 @@ public:
   explicit Assembly_finder(const Aligned_shape& shape)
       : shape_(shape),
         layout_(shape),
-        deck_(deck()),
+        main_surface_(main_surface()),
         chains_(chains_of(shape, layout_)),
-        is_link_(shape.parts.size(), 0)
+        is_in_chain_(shape.parts.size(), 0)
   {
     for (const std::vector<std::size_t>& chain : chains_)
-      for (std::size_t link : chain)
-        is_link_[link] = 1;
+      for (std::size_t ring : chain)
+        is_in_chain_[ring] = 1;
   }
 
   Part_assemblies run() const
   {
     Part_assemblies result;
-    result.has_deck = deck_ != none;
-    if (result.has_deck) result.support = support();
+    result.has_main_surface = main_surface_ != no_part;
+    if (result.has_main_surface) result.support = support();
     result.legs = legs(result.support);
     result.is_on_ground = layout_.is_on_ground;
-    result.is_link = is_link_;
-    const Row_framer framer(shape_, layout_, deck_, is_link_);
+    result.is_in_chain = is_in_chain_;
     for (const Aligned_shape::Group& group : shape_.groups)
-      if (is_row(group) && !is_link_[group.parts[0]]) add_panel(framer.framed(group.parts), result.panels);
+      if (is_row(group) && !is_in_chain_[group.parts[0]])
+        add_panel(row_with_frame(group.parts, shape_, layout_, main_surface_, is_in_chain_), result.panels);
     for (const std::vector<std::size_t>& chain : chains_)
       add_panel(chain, result.panels);
-    if (result.has_deck) add_side_panels(result.support, result.panels);
+    if (result.has_main_surface) add_side_panels(result.support, result.panels);
     return result;
   }
 
 private:
-  static constexpr std::size_t none = Row_framer::no_deck;
-
-  // The lowest flat part that covers much of the shape. A rim or a ring does not, however wide it is.
-  std::size_t deck() const
+  // The lowest flat part that covers much of the shape. A ring does not, however wide it is.
+  std::size_t main_surface() const
   {
-    std::size_t lowest = none;
-    const double whole_cover = layout_.whole.sides().x() * layout_.whole.sides().z();
+    std::size_t lowest = no_part;
+    const double shape_cover = layout_.bounds.sides().x() * layout_.bounds.sides().z();
     for (std::size_t part = 0; part < layout_.boxes.size(); ++part) {
       const Eigen::Array3d sides = layout_.boxes[part].sides();
       const double cover = sides.x() * sides.z();
       if (shape_.parts[part].kind == Sampled_part::Kind::CLOSED_CURVE) continue;
-      if (layout_.is_on_ground[part] || !is_less(0, cover) || is_less(cover, deck_cover * whole_cover) ||
-          is_less(deck_flatness * std::min(sides.x(), sides.z()), sides.y()))
+      if (layout_.is_on_ground[part] || !is_less(0, cover) || is_less(cover, main_surface_cover * shape_cover) ||
+          is_less(main_surface_thickness * std::min(sides.x(), sides.z()), sides.y()))
         continue;
-      if (lowest == none || is_less(layout_.boxes[part].low.y(), layout_.boxes[lowest].low.y())) lowest = part;
+      if (lowest == no_part || is_less(layout_.boxes[part].low.y(), layout_.boxes[lowest].low.y())) lowest = part;
     }
     return lowest;
   }
 
-  // By part, whether it is connected to the deck by other parts than the one left out.
-  std::vector<char> connected_to_deck(std::size_t left_out = none) const
+  // By part, whether it is connected to the main surface by other parts than the one left out.
+  std::vector<char> connected_to_main_surface(std::size_t left_out = no_part) const
   {
     std::vector<char> result(layout_.boxes.size(), 0);
-    for (std::size_t part : layout_.connected(deck_, [&](std::size_t, std::size_t next) { return next != left_out; }))
+    for (std::size_t part :
+         layout_.connected(main_surface_, [&](std::size_t, std::size_t next) { return next != left_out; }))
       result[part] = 1;
     return result;
   }
 
-  bool carries(std::size_t part, const std::vector<char>& is_connected) const
+  // Does the part stand on the ground, or hold such a part to the main surface?
+  bool supports(std::size_t part, const std::vector<char>& is_connected) const
   {
     if (layout_.is_on_ground[part]) return true;
-    if (part == deck_ || is_less(layout_.boxes[deck_].middle(), layout_.boxes[part].middle())) return false;
-    const std::vector<char> without = connected_to_deck(part);
+    if (part == main_surface_ || is_less(layout_.boxes[main_surface_].middle(), layout_.boxes[part].middle()))
+      return false;
+    const std::vector<char> without = connected_to_main_surface(part);
     for (std::size_t other = 0; other < layout_.boxes.size(); ++other)
       if (layout_.is_on_ground[other] && is_connected[other] && !without[other]) return true;
     return false;
@@ -97,16 +99,16 @@ private:
 
   std::vector<std::size_t> support() const
   {
-    const std::vector<char> is_connected = connected_to_deck();
+    const std::vector<char> is_connected = connected_to_main_surface();
     std::vector<std::size_t> result;
     for (std::size_t part = 0; part < layout_.boxes.size(); ++part)
-      if (carries(part, is_connected)) result.push_back(part);
+      if (supports(part, is_connected)) result.push_back(part);
     return result;
   }
 
   bool is_wall(std::size_t part) const
   {
-    const Eigen::Array3d sides = layout_.boxes[part].sides(), all = layout_.whole.sides();
+    const Eigen::Array3d sides = layout_.boxes[part].sides(), all = layout_.bounds.sides();
     return layout_.is_on_ground[part] &&
            (is_less(wall_width * all.x(), sides.x()) || is_less(wall_width * all.z(), sides.z()));
   }
@@ -136,25 +138,25 @@ private:
 
   bool is_in_side(std::size_t part, Eigen::Index axis, double side) const
   {
-    const double depth = side_depth * layout_.whole.sides()[axis];
+    const double depth = side_depth * layout_.bounds.sides()[axis];
     return !is_less(depth, layout_.boxes[part].sides()[axis]) &&
            !is_less(depth, std::abs(layout_.boxes[part].centre()[axis] - side));
   }
 
-  // By part, whether it is a flat one in this side of the shape, above the deck.
+  // By part, whether it lies flat in this side of the shape, above the main surface.
   std::vector<char> parts_in_side(Eigen::Index axis, double side) const
   {
     std::vector<char> result(layout_.boxes.size(), 0);
     for (std::size_t part = 0; part < layout_.boxes.size(); ++part)
-      result[part] = part != deck_ && !layout_.is_on_ground[part] && is_in_side(part, axis, side) &&
-                     is_less(layout_.boxes[deck_].low.y(), layout_.boxes[part].middle());
+      result[part] = part != main_surface_ && !layout_.is_on_ground[part] && is_in_side(part, axis, side) &&
+                     is_less(layout_.boxes[main_surface_].low.y(), layout_.boxes[part].middle());
     return result;
   }
 
   void add_side_panels(const std::vector<std::size_t>& support, std::vector<std::vector<std::size_t>>& panels) const
   {
     for (Eigen::Index axis : {0, 2})
-      for (double side : {layout_.whole.low[axis], layout_.whole.high[axis]}) {
+      for (double side : {layout_.bounds.low[axis], layout_.bounds.high[axis]}) {
         std::vector<char> is_in = parts_in_side(axis, side), may_connect = is_in;
         for (std::size_t part : support)
           may_connect[part] = 1;
@@ -174,9 +176,9 @@ private:
 
   const Aligned_shape& shape_;
   Shape_layout layout_;
-  std::size_t deck_;
+  std::size_t main_surface_;
   std::vector<std::vector<std::size_t>> chains_;
-  std::vector<char> is_link_; // by part, whether it is in a chain
+  std::vector<char> is_in_chain_; // by part, whether it is in a chain
 };
 
 } // namespace

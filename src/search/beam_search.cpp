@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/quantized.h"
+#include "energy/Structure_preservation.h"
 #include "search/beam_search.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -56,7 +57,7 @@ public:
   explicit Partial_energy(const Matching_problem& problem)
       : problem_(problem),
         shape_(problem.source()),
-        propagation_(shape_),
+        preserve_structure_(shape_),
         displacement_(Points::Zero(3, Eigen::Index(shape_.parts.size()))),
         contact_displacement_(shape_.contacts.size()),
         matched_(shape_.groups.size()),
@@ -94,7 +95,7 @@ public:
         if (matched_[group])
           contact_displacement_[contact][side] = contact_movement_[2 * contact + side][std::size_t(assignment[group])];
       }
-    propagation_(matched_, contact_displacement_, displacement_);
+    preserve_structure_(matched_, contact_displacement_, displacement_);
     for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
       energies_[contact] =
           same_as_parent(contact, assignment) ? parent_energies_[contact] : contact_energy(contact, assignment);
@@ -185,7 +186,7 @@ private:
 
   const Matching_problem& problem_;
   const Aligned_shape& shape_;
-  Propagation propagation_;
+  Structure_preservation preserve_structure_;
   std::vector<std::vector<Point>> contact_movement_; // by side of contact and label
   Points displacement_;
   std::vector<std::array<Point, 2>> contact_displacement_;

@@ -15,7 +15,7 @@ namespace Shape_correspondence {
 
 /// Pruned beam search (paper, section 5): groups are assigned one by one, from the best-connected one outwards, so that
 /// no state is reached twice. A partial solution is rated by the energy of the whole shape, in which parts of
-/// unassigned groups are moved by `Propagation`. Of every solution the k best expansions are kept, of all expansions at
+/// unassigned groups are moved by `Structure_preservation`. Of every solution the k best expansions are kept, of all expansions at
 /// a level the K best; ties go to the better parent, then to the lower label. A group may take any of its labels at any
 /// level, so that the search always ends with complete assignments, of which up to K are returned.
 /// \throw Invalid_input if the width or the number of expansions is under 1

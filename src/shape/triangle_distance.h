@@ -44,13 +44,13 @@ inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b)
   return length > 0 ? Point(a + clamped((p - a).dot(b - a) / length) * (b - a)) : a;
 }
 
-constexpr double flat = 1e-24; // squared sine of an angle that rounding alone can make of none
+constexpr double parallel_squared_sine = 1e-24; // of an angle that rounding alone can make of none
 
 /// The point of the triangle nearest to `p`.
 inline Point nearest_on_triangle(const Point& p, const Triangle& t)
 {
   const Point u = t[1] - t[0], v = t[2] - t[0], normal = u.cross(v);
-  bool inside = normal.squaredNorm() > flat * u.squaredNorm() * v.squaredNorm();
+  bool inside = normal.squaredNorm() > parallel_squared_sine * u.squaredNorm() * v.squaredNorm();
   for (int i = 0; i < 3 && inside; ++i)
     inside = normal.dot((t[(i + 1) % 3] - t[i]).cross(p - t[i])) >= 0;
   if (inside) return p - normal.dot(p - t[0]) / normal.squaredNorm() * normal;
@@ -79,7 +79,7 @@ inline std::optional<double> crossing(const Point& from, const Point& direction,
 {
   const Point u = t[1] - t[0], v = t[2] - t[0], across = direction.cross(v);
   const double determinant = u.dot(across);
-  if (determinant * determinant <= flat * u.squaredNorm() * v.squaredNorm() * direction.squaredNorm())
+  if (determinant * determinant <= parallel_squared_sine * u.squaredNorm() * v.squaredNorm() * direction.squaredNorm())
     return std::nullopt;
   const Point to = from - t[0], turned = to.cross(u);
   const double x = to.dot(across) / determinant, y = direction.dot(turned) / determinant;

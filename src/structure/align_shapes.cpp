@@ -3,9 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "structure/align_shapes.h"
 #include "base/quantized.h"
 #include "base/quarter_turn.h"
-#include "structure/align_shapes.h"
 
 #include <CGAL/assertions.h>
 
@@ -76,28 +76,7 @@ std::size_t nearest_sample(const Points& samples, const Point& p)
   return std::size_t(nearest);
 }
 
-// Samples in their own number, or a curve's repeated in a sheet's.
-Eigen::Index lifted_count(const Sampled_part& part, bool lift)
-{
-  return lift ? samples_per_side * samples_per_side : part.samples.cols();
-}
-
-Aligned_shape::Contact_rods contact_rods(const Sampled_part& first, const Sampled_part& second)
-{
-  using Kind = Sampled_part::Kind;
-  Aligned_shape::Contact_rods rods;
-  for (bool lift_first : {false, true})
-    for (bool lift_second : {false, true}) {
-      if ((lift_first && first.kind == Kind::SHEET) || (lift_second && second.kind == Kind::SHEET)) continue;
-      rods[2 * std::size_t(lift_first) + std::size_t(lift_second)] =
-          Structural_rods(lifted_samples(first, lifted_count(first, lift_first)),
-                          lifted_samples(second, lifted_count(second, lift_second)));
-    }
-  return rods;
-}
-
-} // namespace
-
+// Fills in what follows from the groups' parts: their boxes and `group_of`.
 void complete_groups(Aligned_shape& shape)
 {
   shape.group_of.resize(shape.parts.size());
@@ -112,6 +91,7 @@ void complete_groups(Aligned_shape& shape)
   }
 }
 
+// Fills in the contacts of every group.
 void list_contacts(Aligned_shape& shape)
 {
   for (std::size_t c = 0; c < shape.contacts.size(); ++c) {
@@ -121,15 +101,15 @@ void list_contacts(Aligned_shape& shape)
   }
 }
 
+} // namespace
+
 Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is_kept)
 {
   Aligned_shape result;
   std::vector<std::size_t> index(shape.parts.size());
-  std::vector<Eigen::Index> kept;
   for (std::size_t part = 0; part < shape.parts.size(); ++part) {
     if (!is_kept[part]) continue;
     index[part] = result.parts.size();
-    kept.push_back(Eigen::Index(part));
     result.parts.push_back(shape.parts[part]);
     result.original.push_back(shape.original[part]);
     result.prominence.push_back(shape.prominence[part]);
@@ -142,19 +122,24 @@ Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is
       if (is_kept[part]) smaller.parts.push_back(index[part]);
     if (!smaller.parts.empty()) result.groups.push_back(std::move(smaller));
   }
-  auto rods = std::make_shared<std::vector<Aligned_shape::Contact_rods>>();
-  for (std::size_t c = 0; c < shape.contacts.size(); ++c) {
-    Aligned_shape::Contact contact = shape.contacts[c];
+  for (Aligned_shape::Contact contact : shape.contacts) {
     if (!is_kept[contact.parts[0]] || !is_kept[contact.parts[1]]) continue;
-    rods->push_back((*shape.rods)[c]);
     contact.parts = {index[contact.parts[0]], index[contact.parts[1]]};
     result.contacts.push_back(contact);
   }
   complete_groups(result);
   list_contacts(result);
-  result.distance = shape.distance(kept, kept);
-  result.rods = std::move(rods);
   return result;
+}
+
+Aligned_shape ungrouped(Aligned_shape shape)
+{
+  shape.groups.assign(shape.parts.size(), {});
+  for (std::size_t part = 0; part < shape.parts.size(); ++part)
+    shape.groups[part].parts = {part};
+  complete_groups(shape);
+  list_contacts(shape);
+  return shape;
 }
 
 std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t count)
@@ -179,31 +164,6 @@ std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t c
     kept += parts.size();
   }
   return is_kept;
-}
-
-Points lifted_samples(const Sampled_part& part, Eigen::Index count)
-{
-  if (part.samples.cols() == count) return part.samples;
-  Points result(3, count);
-  for (Eigen::Index i = 0; i < count; ++i)
-    result.col(i) = part.samples.col(i / samples_per_side);
-  return result;
-}
-
-Sampled_part segment(const Sampled_part& curve, int index, int count)
-{
-  CGAL_precondition(curve.kind == Sampled_part::Kind::CURVE && 0 <= index && index < count);
-  // Samples are equally spaced along the curve
-  Sampled_part result;
-  result.samples.resize(3, samples_per_side);
-  for (int i = 0; i < samples_per_side; ++i) {
-    const double at = (index * (samples_per_side - 1) + i) / double(count);
-    const int before = std::min(int(at), samples_per_side - 2);
-    result.samples.col(i) =
-        curve.samples.col(before) + (at - before) * (curve.samples.col(before + 1) - curve.samples.col(before));
-  }
-  result.centroid = result.samples.rowwise().mean();
-  return result;
 }
 
 namespace {
@@ -274,16 +234,6 @@ void add_contacts(const Shape_structure& shape, const Eigen::Matrix3d& turn, con
   list_contacts(result);
 }
 
-Eigen::MatrixXd least_distances(const std::vector<Sampled_part>& parts)
-{
-  const Eigen::Index n = Eigen::Index(parts.size());
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < i; ++j)
-      result(i, j) = result(j, i) = least_distance(parts[std::size_t(i)].samples, parts[std::size_t(j)].samples);
-  return result;
-}
-
 } // namespace
 
 Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns)
@@ -295,11 +245,6 @@ Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns)
   const std::vector<std::size_t> rank = add_parts(shape, turn, result);
   add_groups(graph, turn, rank, result);
   add_contacts(shape, turn, rank, result);
-  result.distance = least_distances(result.parts);
-  auto rods = std::make_shared<std::vector<Aligned_shape::Contact_rods>>();
-  for (const Aligned_shape::Contact& contact : result.contacts)
-    rods->push_back(contact_rods(result.parts[contact.parts[0]], result.parts[contact.parts[1]]));
-  result.rods = std::move(rods);
   return result;
 }
 

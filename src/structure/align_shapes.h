@@ -6,15 +6,12 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_ALIGN_SHAPES_H
 #define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_ALIGN_SHAPES_H
 
-#include "energy/Structural_rods.h"
-
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <Eigen/Geometry>
 
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -36,10 +33,6 @@ struct Sampled_part
   Point centroid; ///< mean of the samples
   Points surface; ///< at most `surface_samples` points spread over the surface; the samples where it is unknown
 };
-
-/// The `index`-th of `count` equally long pieces of a curve, sampled like a part (paper, section 5: cutting).
-/// \pre the part is an open curve
-Sampled_part segment(const Sampled_part& curve, int index, int count);
 
 /// A shape in the common frame (paper, section 5, "Initial alignment"): it stands on the ground, centred, has height 1.
 /// Parts, groups and contacts are in an order that depends on their places alone, not on the file, so that whatever is
@@ -66,27 +59,14 @@ struct Aligned_shape
   std::vector<double> prominence;    ///< of every part, its volume (an estimate where unknown)
   std::vector<Group> groups;
   std::vector<std::size_t> group_of; ///< of every part
-  /// The structural rods of a contact, with the samples of its parts, or those of a curve lifted to a sheet's number,
-  /// at 2 (first is lifted) + (second is lifted); empty where a sheet would be lifted.
-  using Contact_rods = std::array<Structural_rods, 4>;
-
   std::vector<Contact> contacts;
-  Eigen::MatrixXd distance;                              ///< least distance between the samples of two parts
-  std::shared_ptr<const std::vector<Contact_rods>> rods; ///< by contact; shared by copies of the shape
 };
-
-/// The part's samples, those of a curve repeated e times each when `count` asks for a sheet's: a sheet of equal
-/// columns.
-Points lifted_samples(const Sampled_part& part, Eigen::Index count);
 
 /// Samples a shape in its own frame, turned by quarter turns about the up axis (counter-clockwise seen from above).
 Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns = 0);
 
-/// Fills in what follows from the groups' parts: their boxes and `group_of`.
-void complete_groups(Aligned_shape& shape);
-
-/// Fills in the contacts of every group.
-void list_contacts(Aligned_shape& shape);
+/// The shape with a group for every part.
+Aligned_shape ungrouped(Aligned_shape shape);
 
 /// The shape with fewer parts: those kept, their groups as far as kept, their contacts.
 Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is_kept);

@@ -3,7 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "deformed_parts.h"
 #include "energy/Matching_problem.h"
+#include "energy/Structural_rods.h"
 #include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
@@ -123,8 +125,8 @@ TEST_CASE("A part that splits: the contact's energy is the mean over clones, eac
     double sum = 0;
     for (std::size_t slat : {1, 2, 3}) {
       const auto image = [&](std::size_t part) { return target.parts[part_of(target, part == seat ? 0 : slat)]; };
-      const Points first = deform_to_fit(source.parts[parts[0]], image(parts[0])),
-                   second = deform_to_fit(source.parts[parts[1]], image(parts[1]));
+      const Points first = deformed(source.parts[parts[0]], image(parts[0])),
+                   second = deformed(source.parts[parts[1]], image(parts[1]));
       sum += problem.rods(contact, false, false).energy(first, second).distortion;
     }
     const bool seat_first = parts[0] == seat;

@@ -5,12 +5,10 @@
 
 #include "hand_made_graphs.h"
 #include "matching/Part_costs.h"
-#include "matching/nearest_points_kernel.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <cstdlib>
 
 using namespace CGAL::Shape_correspondence;
 
@@ -159,26 +157,4 @@ TEST_CASE("Cost of sets: every part with its best, averaged over both")
       4, 2, 7;
   CHECK(set_cost(costs, {0}, {2}) == 9);
   CHECK(set_cost(costs, {0, 1}, {0, 1, 2}) == Approx((1.5 + 10 / 3.) / 2));
-}
-
-TEST_CASE("Every kernel finds the same nearest points as a loop does, to the bit")
-{
-  std::srand(7);
-  for (const int n : {1, 6, 37})
-    for (const int m : {1, 8, 36}) {
-      const Eigen::ArrayX3d a = Eigen::ArrayX3d::Random(n, 3), b = Eigen::ArrayX3d::Random(m, 3);
-      Eigen::ArrayXXd squared(n, m);
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < m; ++j) {
-          const double x = b(j, 0) - a(i, 0), y = b(j, 1) - a(i, 1), z = b(j, 2) - a(i, 2);
-          squared(i, j) = x * x + y * y + z * z;
-        }
-      const internal::Point_lanes p(a), q(b);
-      for (const auto& kernel : internal::available_nearest_squared_kernels()) {
-        Eigen::ArrayXd p_from_q(p.padded()), q_from_p(q.padded());
-        kernel(p, q, p_from_q.data(), q_from_p.data());
-        CHECK((p_from_q.head(n) == squared.rowwise().minCoeff()).all());
-        CHECK((q_from_p.head(m) == squared.colwise().minCoeff().transpose()).all());
-      }
-    }
 }

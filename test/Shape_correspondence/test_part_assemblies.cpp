@@ -92,7 +92,7 @@ Structural_graph table_on_plate()
 
 } // namespace
 
-TEST_CASE("A row has a frame of what lies in its plane, is connected and reaches no further")
+TEST_CASE("A row has a frame of what lies in its plane, is connected and extends no further")
 {
   const Assemblies found = assemblies(framed_chair());
   REQUIRE(found.panels.size() == 1);
@@ -125,11 +125,11 @@ TEST_CASE("A row is no frame of another")
         std::vector<Indices>{{8, 9, 10}, {1, 2, 3}});
 }
 
-TEST_CASE("What lies flat in a side of a shape, above its deck, is a panel")
+TEST_CASE("What lies flat in a side of a shape, above its main surface, is a panel")
 {
   using hand_made::curve;
   // a bed: the table with board and rail (5, 6) at one end, held by posts on two of its legs (7, 8), a rail (9) at the
-  // other end, one (10) under the deck and one (11) across its middle
+  // other end, one (10) under the mattress and one (11) across its middle
   const Structural_graph bed =
       with_parts(hand_made::table(),
                  {hand_made::sheet("board", {-.5, 1.05, -.5}, {1, 0, 0}, {0, .3, 0}),
@@ -143,18 +143,18 @@ TEST_CASE("What lies flat in a side of a shape, above its deck, is a panel")
                   {{1, 10}, {-.5, .8, -.5}},
                   {{5, 11}, {-.5, 1.2, 0}},
                   {{9, 11}, {.5, 1.2, .5}}});
-  // 5 and 7 meet 6 and 8 over the legs only where the deck does not count
+  // 5 and 7 meet 6 and 8 over the legs only where the mattress does not count
   CHECK(assemblies(bed).panels == std::vector<Indices>{{5, 7}, {6, 8}});
 }
 
-TEST_CASE("Links of a chain are like closed curves that touch one after the other")
+TEST_CASE("A chain is made of like closed curves that touch one after the other")
 {
   Shape_structure shape;
   shape.name = "lantern";
   std::vector<Part_group> groups;
   for (int k = 0; k < 4; ++k) {
     const Point across = k % 2 == 0 ? Point(.1, 0, 0) : Point(0, 0, .1);
-    shape.parts.push_back(hand_made::ring("link", {0, 1 + .18 * k, 0}, {0, .1, 0}, across));
+    shape.parts.push_back(hand_made::ring("ring", {0, 1 + .18 * k, 0}, {0, .1, 0}, across));
   }
   shape.parts.push_back(hand_made::ring("rim", {0, 0, 0}, {.5, 0, 0}, {0, 0, .5}));    // of another size
   shape.parts.push_back(hand_made::ring("tyre", {0, 0, 0}, {.55, 0, 0}, {0, 0, .55})); // of like size, around it
@@ -165,32 +165,32 @@ TEST_CASE("Links of a chain are like closed curves that touch one after the othe
     shape.contacts.push_back(hand_made::contact(shape, std::size_t(a), std::size_t(b), {.5, 0, 0}));
   for (std::size_t k = 0; k < shape.parts.size(); ++k)
     groups.push_back(hand_made::group({k}));
-  const auto links = [](const Structural_graph& graph) {
+  const auto rings = [](const Structural_graph& graph) {
     const Aligned_shape aligned = align_shape(graph);
     Indices found;
     for (std::size_t k = 0; k < aligned.parts.size(); ++k)
-      if (part_assemblies(aligned).is_link[k]) found.push_back(k);
+      if (part_assemblies(aligned).is_in_chain[k]) found.push_back(k);
     return original(aligned, found);
   };
-  CHECK(links(make_structural_graph(shape, groups)) == Indices{0, 1, 2, 3});
+  CHECK(rings(make_structural_graph(shape, groups)) == Indices{0, 1, 2, 3});
   shape.contacts.erase(shape.contacts.begin()); // now the first hangs loose
-  CHECK(links(make_structural_graph(shape, groups)) == Indices{1, 2, 3});
+  CHECK(rings(make_structural_graph(shape, groups)) == Indices{1, 2, 3});
   shape.contacts.erase(shape.contacts.begin()); // and two are no chain
-  CHECK(links(make_structural_graph(shape, groups)).empty());
+  CHECK(rings(make_structural_graph(shape, groups)).empty());
 }
 
-TEST_CASE("Legs carry the deck, and so does all without which one of them would hang in the air")
+TEST_CASE("Legs support the main surface, and so do parts that connect one of them to it")
 {
   CHECK(assemblies(hand_made::chair()).support == Indices{2, 3, 4, 5});
   CHECK(assemblies(hand_made::table()).support == Indices{1, 2, 3, 4});
   CHECK(assemblies(hand_made::pedestal_table()).support == Indices{1});
   CHECK(assemblies(table_on_plate()).support == Indices{1, 2});
-  // a stretcher between two legs carries nothing
+  // a stretcher between two legs supports nothing
   const Structural_graph table =
       with_parts(hand_made::table(), {hand_made::curve("stretcher", {-.5, .3, -.5}, {.5, .3, -.5})},
                  {{{1, 5}, {-.5, .3, -.5}}, {{2, 5}, {.5, .3, -.5}}});
   CHECK(assemblies(table).support == Indices{1, 2, 3, 4});
-  // a rim that hangs down around the top is no deck
+  // a rim that hangs down around the top is no main surface
   Part_abstraction rim = hand_made::ring("rim", {0, 1.04, 0}, {.5, 0, 0}, {0, 0, .5});
   rim.surface = hand_made::points({{-.5, .92, 0}, {.5, .92, 0}, {0, 1.16, -.5}, {0, 1.16, .5}});
   CHECK(assemblies(with_parts(hand_made::pedestal_table(), {rim}, {{{0, 2}, {.5, 1, 0}}})).support == Indices{1});
@@ -216,7 +216,7 @@ TEST_CASE("Wide parts on the ground are no legs where there are narrow ones")
   CHECK(assemblies(on_panels).legs == Indices{1, 2});
 }
 
-TEST_CASE("What has no deck has no support")
+TEST_CASE("What has no main surface has no support")
 {
   Shape_structure shape;
   shape.name = "posts";

@@ -6,6 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_KIM_2013_H
 #define CGAL_SHAPE_CORRESPONDENCE_PEERS_KIM_2013_H
 
+#include "structure/align_shapes.h"
 #include "unit_box.h"
 
 #include <algorithm>

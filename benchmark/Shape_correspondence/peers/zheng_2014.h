@@ -6,6 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_ZHENG_2014_H
 #define CGAL_SHAPE_CORRESPONDENCE_PEERS_ZHENG_2014_H
 
+#include "structure/align_shapes.h"
 #include "tevs_2014.h"
 
 namespace CGAL {

@@ -8,26 +8,32 @@
 
 #include <CGAL/Shape_correspondence/Deformation_energy.h>
 #include <CGAL/Shape_correspondence/Geotopo_operation.h>
-#include <CGAL/Shape_correspondence/Search_result.h>
+#include <CGAL/Shape_correspondence/Part_correspondence.h>
+#include <CGAL/Shape_correspondence/Search_summary.h>
 
 #include <array>
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 
-enum class Direction { SOURCE_TO_TARGET, TARGET_TO_SOURCE };
+/// \ingroup PkgShapeCorrespondenceCorrespondence
+/// Which shape is deformed into which.
+enum class Direction {
+  SOURCE_TO_TARGET, ///< the source into the target
+  TARGET_TO_SOURCE  ///< the target into the source
+};
 
+/// \ingroup PkgShapeCorrespondenceCorrespondence
 /// A group of the shape that was deformed and what it became.
 struct Group_match
 {
-  std::vector<std::size_t> source; ///< part indices in the source shape
-  std::vector<std::size_t> target; ///< part indices in the target shape
-  Operation operation = Operation::MATCH;
+  std::vector<std::size_t> source;        ///< part indices in the source shape
+  std::vector<std::size_t> target;        ///< part indices in the target shape
+  Operation operation = Operation::MATCH; ///< what the GeoTopo transform did to the group
   double energy = 0;         ///< its share of E_d + w_c E_c: half of each of its contacts, all of those inside it
   double distortion = 0;     ///< its share of E_d
   double connectedness = 0;  ///< its share of E_c, before weighting
@@ -37,31 +43,35 @@ struct Group_match
   double min_marginal = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// \ingroup PkgShapeCorrespondenceCorrespondence
 /// The energy of one pair of connected parts of the shape that was deformed.
 struct Contact_energy
 {
-  std::array<std::size_t, 2> parts;
-  double distortion = 0;
-  double connectedness = 0;
+  std::array<std::size_t, 2> parts; ///< the two parts
+  double distortion = 0;            ///< its share of E_d
+  double connectedness = 0;         ///< its share of E_c, before weighting
 };
 
+/// \ingroup PkgShapeCorrespondenceCorrespondence
 /// A part-to-part correspondence between a source and a target shape.
 struct Correspondence
 {
-  std::vector<std::pair<std::size_t, std::size_t>> pairs; ///< (source part, target part), sorted, each once
-  std::vector<double> confidences; ///< by pair, how probable it is, between 0 and 1; empty where the method has none
-  std::vector<Group_match> groups; ///< by group of the shape that was deformed
-  std::vector<Contact_energy> contacts; ///< by contact of the shape that was deformed
-  std::vector<std::size_t> unmatched_source;
-  std::vector<std::size_t> unmatched_target;
-  double energy = 0; ///< E of Eq. 1
-  Energy_terms terms;
+  /// Sorted by source, then target, each once. A search of least energy tells the images of every part of the shape
+  /// that was deformed, and the segments that it cut curves into; matching by parts pairs sets of parts as wholes,
+  /// every part of one with every part of the other, and has confidences.
+  std::vector<Part_correspondence> pairs;
+  std::vector<Group_match> groups;                   ///< by group of the shape that was deformed
+  std::vector<Contact_energy> contacts;              ///< by contact of the shape that was deformed
+  std::vector<std::size_t> unmatched_source;         ///< source parts without a counterpart, ascending
+  std::vector<std::size_t> unmatched_target;         ///< target parts without a counterpart, ascending
+  double energy = 0;                                 ///< E of Eq. 1
+  Energy_terms terms;                                ///< its terms
   Direction direction = Direction::SOURCE_TO_TARGET; ///< which shape was deformed into which
   bool complete = false; ///< every group of the deformed shape is assigned, or left unmatched where that is allowed
   bool optimal = false;  ///< the energy is proven minimal over the labels
-  int target_quarter_turns = 0; ///< of the target about up, into the source's frame
-  Search_summary search;
-  std::vector<std::string> warnings;
+  int target_quarter_turns = 0;      ///< of the target about up, into the source's frame
+  Search_summary search;             ///< how the search went
+  std::vector<std::string> warnings; ///< what was approximated or ended early, in whole sentences
 };
 
 } // namespace Shape_correspondence

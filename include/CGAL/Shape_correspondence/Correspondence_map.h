@@ -19,13 +19,15 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceMaps
 /// A place on the abstraction of a part.
 struct Part_parameter
 {
-  std::size_t part = 0;
+  std::size_t part = 0;      ///< index of the part
   Eigen::Vector2d parameter; ///< (t, 0) on a curve, (u, v) on a sheet, as `evaluate()` takes them
 };
 
+/// \ingroup PkgShapeCorrespondenceMaps
 /// The continuous map between the curves and sheets of two shapes that a part correspondence stands for (paper, section
 /// 1: "fine-grained and piecewise continuous").
 ///
@@ -36,6 +38,7 @@ struct Part_parameter
 class Correspondence_map
 {
 public:
+  /// The map of a correspondence of two graphs.
   Correspondence_map(const Structural_graph& source, const Structural_graph& target,
                      const Correspondence& correspondence);
 
@@ -68,15 +71,17 @@ private:
   std::size_t targets_ = 0;
 };
 
+/// \ingroup PkgShapeCorrespondenceMaps
 /// A place on the surface of a part.
 struct Surface_place
 {
-  std::size_t part = 0;
+  std::size_t part = 0;                              ///< index of the part
   Eigen::Index triangle = 0;                         ///< of the part's mesh
   Eigen::Vector3d weights = Eigen::Vector3d::Zero(); ///< barycentric coordinates
   Point point = Point::Zero();                       ///< in the world
 };
 
+/// \ingroup PkgShapeCorrespondenceMaps
 /// The map between the surfaces of two shapes: a point of a surface is taken by the parameters of the part's
 /// abstraction and the coordinates in the local frame, over the extents of the part's cross-section, to the same place
 /// of the other part, and from there to the nearest point of its surface that faces the same way. Splits and merges are
@@ -107,19 +112,22 @@ private:
   std::vector<Eigen::Matrix3Xi> triangles_; ///< of the source's parts
 };
 
+/// \ingroup PkgShapeCorrespondenceMaps
 /// The places of the vertices of a target part, as a property map: a model of `ReadablePropertyMap` with integers as
 /// keys (the vertices of the part's mesh; `CGAL::Surface_mesh` descriptors convert to them) and
 /// `std::optional<Surface_place>` as values.
 class Source_place_map
 {
 public:
-  using key_type = std::size_t;
-  using value_type = std::optional<Surface_place>;
-  using reference = value_type;
-  using category = boost::readable_property_map_tag;
+  using key_type = std::size_t;                      ///< a vertex of the part's mesh
+  using value_type = std::optional<Surface_place>;   ///< its place on the source, if it has one
+  using reference = value_type;                      ///< returned by value
+  using category = boost::readable_property_map_tag; ///< values cannot be set
 
+  /// The places of the vertices of a target part. The map is kept by reference.
   Source_place_map(const Surface_map& map, std::size_t target_part) : map_(&map), part_(target_part) {}
 
+  /// The place of a vertex on the source, see `Surface_map::source_of()`.
   friend value_type get(const Source_place_map& places, std::size_t vertex)
   {
     return places.map_->source_of(places.part_, Eigen::Index(vertex));

@@ -11,6 +11,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// The three terms of the deformation energy (paper, Eq. 1), before weighting.
 struct Energy_terms
 {
@@ -20,6 +21,7 @@ struct Energy_terms
   double unmatched = 0;     ///< cost of groups left unmatched, where the caller allowed it
 };
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// Weights of Eq. 1 with the paper's values. A term with weight 0 is switched off (the paper's Figure 4).
 struct Energy_weights
 {
@@ -28,9 +30,25 @@ struct Energy_weights
   double split = 0.4;         ///< w_s
 };
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// E = E_d + w_c E_c + w_s E_s (Eq. 1), and the cost of what is left unmatched.
 double deformation_energy(const Energy_terms& terms, const Energy_weights& weights = {});
 
+/// \ingroup PkgShapeCorrespondenceSearch
+/// E_d of two connected parts (Eq. 3): 1 - ||D|| / ||J||, of the mean of the squares of the entries of D. An entry of D
+/// (Eq. 2) is the cosine of the angle by which a structural rod, from a sample of the one part to a sample of the
+/// other, turns; 0 beyond a right angle.
+double distortion_energy(double mean_squared_cosine);
+
+/// \ingroup PkgShapeCorrespondenceSearch
+/// E_c of two connected parts (Eq. 4): min(1, d'/f) if they have come apart (d' > d), else 0. The sign of the printed
+/// equation is turned: it would fall as parts separate.
+/// \param shortest_before d, the length of the shortest structural rod before the deformation
+/// \param shortest_after d', the same after it
+/// \param longest_before f, the length of the longest rod before it
+double connectedness_energy(double shortest_before, double shortest_after, double longest_before);
+
+/// \ingroup PkgShapeCorrespondenceSearch
 /// E_s (Eq. 5) of the vector S of solidity ratios, an entry a group of parts; 0 of no groups.
 double split_energy(const std::vector<double>& solidity_ratios);
 

@@ -9,6 +9,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceCorrespondence
 /// What the GeoTopo transform does to the parts of a group, seen in the direction of the search (paper, section 4.1).
 enum class Operation {
   MATCH,     ///< as many parts as before, one to one
@@ -20,6 +21,7 @@ enum class Operation {
   NONE       ///< left unmatched
 };
 
+/// \ingroup PkgShapeCorrespondenceCorrespondence
 /// The operation's name in files and messages.
 inline const char* name_of(Operation operation)
 {

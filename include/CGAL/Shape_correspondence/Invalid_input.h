@@ -12,11 +12,13 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceShapes
 /// Thrown, in Release as in Debug, when input data cannot be used. The message names the file and the
 /// part where there is one, says what is wrong and what to do.
 class Invalid_input : public std::runtime_error
 {
 public:
+  /// An error with this message.
   explicit Invalid_input(const std::string& message) : std::runtime_error(message) {}
 };
 

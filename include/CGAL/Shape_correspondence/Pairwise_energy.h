@@ -14,10 +14,14 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// A label index by variable; `unassigned` where a variable has none yet.
 using Assignment = std::vector<int>;
+/// \ingroup PkgShapeCorrespondenceSearch
+/// The label of a variable that has none yet.
 constexpr int unassigned = -1;
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// The energy of an assignment of labels to variables, as tables: terms of one and of two variables, and terms of the
 /// form w (1 - sqrt(Q / n)) where Q is again a sum of such terms (E_s of Eq. 5 is one; so is a pooled E_d).
 struct Pairwise_energy
@@ -25,8 +29,9 @@ struct Pairwise_energy
   /// Two variables and a value for every pair of their labels.
   struct Edge
   {
-    std::size_t first, second; ///< first < second; a pair of variables has one edge at most
-    Eigen::MatrixXd cost;      ///< label of first × label of second
+    std::size_t first;    ///< the smaller variable
+    std::size_t second;   ///< the larger variable; a pair of variables has one edge at most
+    Eigen::MatrixXd cost; ///< label of first × label of second
   };
 
   /// w (1 - sqrt(Q / n)). \pre 0 <= Q <= n for every assignment
@@ -39,10 +44,12 @@ struct Pairwise_energy
   };
 
   std::vector<Eigen::VectorXd> unary; ///< by variable, a cost for every label; as many labels as entries
-  std::vector<Edge> edges;
-  std::vector<Root_term> root_terms;
+  std::vector<Edge> edges;            ///< the terms of two variables
+  std::vector<Root_term> root_terms;  ///< the terms with a root
 
+  /// The number of variables.
   std::size_t number_of_variables() const { return unary.size(); }
+  /// The number of labels of a variable.
   std::size_t number_of_labels(std::size_t variable) const { return std::size_t(unary[variable].size()); }
 
   /// Q of a root term.

@@ -15,16 +15,18 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// The abstraction of an elongated part: a polyline with parameter t in [0, 1], the fraction of its length.
 struct Curve
 {
-  Points points; ///< at least 2 control points; a closed curve does not repeat its first one
-  bool closed = false;
+  Points points;       ///< at least 2 control points; a closed curve does not repeat its first one
+  bool closed = false; ///< the last control point is joined to the first one
 
   /// The point at parameter `t`, linear in between control points. O(number of points).
   Point operator()(double t) const;
 };
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// The abstraction of a plate-like part: a grid of control points, bilinear in between, with parameters
 /// (u, v) in [0, 1]²; u runs over the rows, v over the columns.
 struct Sheet
@@ -33,28 +35,44 @@ struct Sheet
   int rows = 0;  ///< at least 2
   int cols = 0;  ///< at least 2
 
+  /// The point at parameters (`u`, `v`). O(1).
   Point operator()(double u, double v) const;
 };
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// Where the time of an abstraction went, in milliseconds.
 struct Phase_milliseconds
 {
   double measure = 0; ///< area, hull, surface samples
-  double repair = 0;
-  double remesh = 0;
-  double flow = 0;
-  double fit = 0; ///< classification, curve or sheet
+  double repair = 0;  ///< making the surface closed
+  double remesh = 0;  ///< isotropic remeshing
+  double flow = 0;    ///< mean curvature flow
+  double fit = 0;     ///< classification, curve or sheet
 };
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// How an abstraction was made and how far to trust it.
 struct Abstraction_report
 {
-  /// From the flow's skeleton, from the medial axis, or the axis of a body of revolution or a block; or from elsewhere.
-  enum class Method { SKELETON, MEDIAL_AXIS, REVOLUTION_AXIS, BOUNDING_BOX, COPY, GIVEN };
-  enum class Repair { NONE, SOUP, HOLES, WRAP };
+  /// What a curve or sheet was fitted to.
+  enum class Method {
+    SKELETON,        ///< the skeleton that mean curvature flow leaves
+    MEDIAL_AXIS,     ///< the medial axis
+    REVOLUTION_AXIS, ///< the axis of a body of revolution or of a block
+    BOUNDING_BOX,    ///< the bounding box
+    COPY,            ///< nothing: it is the abstraction of a congruent part, moved
+    GIVEN            ///< unknown: it comes from a file or from another abstractor
+  };
+  /// What was done to the surface of a part so that it encloses a solid.
+  enum class Repair {
+    NONE,  ///< nothing was changed
+    SOUP,  ///< double and degenerate triangles were removed, others oriented
+    HOLES, ///< holes were filled
+    WRAP   ///< it was wrapped (`CGAL::alpha_wrap_3()`)
+  };
 
-  Method method = Method::GIVEN;
-  Repair repair = Repair::NONE;
+  Method method = Method::GIVEN;   ///< what the curve or sheet was fitted to
+  Repair repair = Repair::NONE;    ///< how the surface was closed
   bool tube = false;               ///< a hollow tube: its axis of revolution, or a sheet across it, stands for it
   bool blob = false;               ///< neither elongated nor flat: a curve along its axis, or through it
   bool branching = false;          ///< a curve that leaves more than a fifth of the skeleton out
@@ -66,43 +84,54 @@ struct Abstraction_report
   double coverage = 1;     ///< length of the curve over the length of the skeleton it was taken from
   int iterations = 0;      ///< steps of the flow
   double milliseconds = 0; ///< never part of a saved file, like those of the phases
-  Phase_milliseconds phases;
+  Phase_milliseconds phases; ///< the same by phase
 
   /// Whether the bounding box stands in for a part that was to be skeletonized.
   bool is_fallback() const { return !fallback.empty(); }
 };
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// A part, as everything past the meshes sees it: a curve or a sheet, and its solidity.
 struct Part_abstraction
 {
-  std::string name;
-  std::variant<Curve, Sheet> geometry;
-  double volume = 0;      ///< of the enclosed solid; 0 where unknown
-  double hull_volume = 0; ///< of the convex hull; 0 where unknown or flat
-  double area = 0;        ///< of the surface; 0 where unknown
-  Points surface;         ///< points spread evenly over the surface, as the first n of them are; empty where unknown
-  Points hull;            ///< vertices of the convex hull; empty where unknown
-  Abstraction_report report;
+  std::string name;                    ///< name of the part
+  std::variant<Curve, Sheet> geometry; ///< the curve or sheet, in world coordinates
+  double volume = 0;                   ///< of the enclosed solid; 0 where unknown
+  double hull_volume = 0;              ///< of the convex hull; 0 where unknown or flat
+  double area = 0;                     ///< of the surface; 0 where unknown
+  Points surface;            ///< points spread evenly over the surface, as the first n of them are; empty where unknown
+  Points hull;               ///< vertices of the convex hull; empty where unknown
+  Abstraction_report report; ///< how the abstraction was made
 
+  /// Whether `geometry` is a sheet.
   bool is_sheet() const { return std::holds_alternative<Sheet>(geometry); }
+  /// Whether `geometry` is a closed curve.
   bool is_closed_curve() const { return !is_sheet() && std::get<Curve>(geometry).closed; }
   /// The control points of the curve or sheet.
   const Points& control_points() const;
 };
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// Samples of a curve at e uniform parameters (0, 1/(e-1), …, 1; closed: 0, 1/e, …, (e-1)/e), of a sheet at e × e,
 /// row by row (paper, section 4.3, "Sampling").
 /// \pre `e >= 2`
 Points sample(const Curve& curve, int e);
+/// \ingroup PkgShapeCorrespondenceAbstraction
+/// Samples of a sheet, as above.
 Points sample(const Sheet& sheet, int e);
+/// \ingroup PkgShapeCorrespondenceAbstraction
+/// Samples of a part's curve or sheet, as above.
 Points sample(const Part_abstraction& part, int e);
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// The parameters of the point of the abstraction nearest to `p`: (t, 0) on a curve, (u, v) on a sheet.
 Eigen::Vector2d nearest_parameter(const Part_abstraction& part, const Point& p);
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// The point of the abstraction at a parameter, as `nearest_parameter()` returns them.
 Point evaluate(const Part_abstraction& part, const Eigen::Vector2d& parameter);
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// Solidity (paper, section 4.3): volume over volume of the convex hull, at most 1; 1 where either is unknown or the
 /// hull is flat.
 double solidity(double volume, double hull_volume);

@@ -11,8 +11,10 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceShapes
 /// Past the input meshes the package computes with plain `double` numbers on Eigen types.
 using Point = Eigen::Vector3d;
+/// \ingroup PkgShapeCorrespondenceShapes
 /// A point a column.
 using Points = Eigen::Matrix3Xd;
 

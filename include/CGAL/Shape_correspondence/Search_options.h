@@ -17,14 +17,17 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceOptions
+/// How a correspondence is found.
 enum class Search_method {
-  PARTS, ///< `match_parts()`: costs of parts standing for one another, no deformation; agrees best with people
+  PARTS, ///< least costs of corresponding parts, no deformation; agrees best with people
   BEAM,  ///< least deformation energy by the paper's beam search
   EXACT  ///< least deformation energy, with a proof
 };
 
-/// What it costs that one part stands for another. Lengths are in the unit box of either shape: each axis of the common
-/// frame runs from 0 to 1 over the shape, so that a low chair and a high one compare.
+/// \ingroup PkgShapeCorrespondenceOptions
+/// What it costs that one part corresponds to another. Lengths are in the unit box of either shape: each axis of the
+/// common frame runs from 0 to 1 over the shape, so that a low chair and a high one compare.
 struct Part_cost_weights
 {
   double overlap = 2;  ///< the share of the smaller part's box that lies outside of the other one's
@@ -34,67 +37,75 @@ struct Part_cost_weights
   double front = 3.5;  ///< the same, to the front
   double orientation = 1.5; ///< Frobenius distance of the normalized square roots of the surfaces' covariances
   double chamfer = 2;       ///< mean distance of a point of either surface from the other surface
-  double contacts = 2;      ///< the share of the parts that they touch which do not stand for one another
-  double link = 50;         ///< one is a link of a chain and the other is not (`Part_assemblies::is_link`)
+  double contacts = 2;      ///< the share of the parts that they touch which do not correspond
+  double chain = 50;        ///< one is a ring of a chain and the other is not
 };
 
-/// Options of `match_parts()`; all are costs of `part_costs()`.
+/// \ingroup PkgShapeCorrespondenceOptions
+/// Options of `Search_method::PARTS`; bounds are of costs by `Part_cost_weights`.
 struct Part_matching_options
 {
-  Part_cost_weights weights;
+  Part_cost_weights weights; ///< weights of the terms of a cost
   /// A pair is matched if it costs least for one of its parts and, over both parts, at most so much more than least.
-  /// Less of it: fewer and surer pairs.
+  /// Less of it: fewer pairs, of which more are right.
   double excess = 1.5;
-  double sure_excess = 0.5; ///< the same, for pairs that decide which sets of parts stand for one another
-  double sibling = 3.5;     ///< parts of one shape that cost less among each other may share a counterpart
-  double upside_down = 1;   ///< a shape is turned over where that makes `mean_least_cost()` so much less
-  bool panels = true;       ///< match panels as wholes (`Part_assemblies::panels`)
-  bool support = true;      ///< match what carries the shapes as a whole (`Part_assemblies::support`)
-  bool alike_legs = true;   ///< where only some legs are alike, match them one to one, not the support as a whole
-  bool chains = true;       ///< what has a chain hangs, and its links stand for links (`Part_assemblies::is_link`)
+  double confident_excess = 0.5;   ///< the same, for pairs that decide which sets of parts correspond
+  double shared_counterpart = 3.5; ///< parts of one shape that cost less among each other may share a counterpart
+  double upside_down = 1; ///< a shape is turned over where that makes the mean least cost of its parts so much less
+  bool panels = true;     ///< match panels as sets: rows with their frames, boards in one side of the shape
+  bool support = true;    ///< match the parts that support a seat or top as a set
+  bool alike_legs = true; ///< where only some legs are alike, match them one to one, not the supports as sets
+  bool chains = true;     ///< a shape with a chain hangs from it, and rings of chains correspond to each other only
 };
 
-/// Options of `beam_search()`, with the paper's values.
+/// \ingroup PkgShapeCorrespondenceOptions
+/// Options of `Search_method::BEAM`, with the paper's values.
 struct Beam_options
 {
   int beam_width = 20; ///< K, the partial solutions kept at each level
   int expansions = 4;  ///< k, the expansions kept of each partial solution
 };
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// How the energies of connected pairs of parts make up E_d and E_c.
 enum class Energy_norm {
   SUM,   ///< sums over the connected pairs (the paper's Eq. 1)
   POOLED ///< E_d: one norm over the rods of all pairs, as many as their samples give, unlifted; E_c: the mean
 };
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// What may be matched and what it costs.
 struct Matching_options
 {
+  /// A cost that nothing outweighs.
   static constexpr double never = std::numeric_limits<double>::infinity();
 
-  Energy_weights weights;
-  Energy_norm norm = Energy_norm::SUM;
-  bool cut_curves = true; ///< offer `Operation::CUT` and `Operation::JOIN` beside splitting and merging
+  Energy_weights weights;              ///< weights of the terms of the energy
+  Energy_norm norm = Energy_norm::SUM; ///< how the energies of pairs of parts are summed
+  bool cut_curves = true;              ///< offer `Operation::CUT` and `Operation::JOIN` beside splitting and merging
   /// A group may be left unmatched, at this cost for each of its contacts (at least once); `never`: it may not.
   double unmatched_cost = never;
 };
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `find_correspondence()`.
 struct Search_options
 {
-  Search_method method = Search_method::PARTS;
-  Part_matching_options parts;
-  double min_confidence = 0; ///< drop pairs that are less probable; of `Search_method::PARTS`
-  Beam_options beam;
-  Exact_options exact;
-  Matching_options matching;
+  Search_method method = Search_method::PARTS; ///< how the correspondence is found
+  Part_matching_options parts;                 ///< options of `Search_method::PARTS`
+  double min_confidence = 0;                   ///< drop pairs that are less probable; of `Search_method::PARTS`
+  Beam_options beam;                           ///< options of `Search_method::BEAM`
+  Exact_options exact;                         ///< options of `Search_method::EXACT`
+  Matching_options matching;                   ///< what may be matched, and at which energy
   bool both_directions = true; ///< deform either shape into the other and keep the lower energy per connected pair
   int maximum_parts = 0;       ///< coarse correspondence: only the most prominent parts of either shape; 0 takes all
-  std::vector<std::size_t> source_parts, target_parts; ///< only these parts, by their index; none named takes all
-  /// How many of `alignment_turns()` are tried, the best-scoring one wins, by `Search_method::PARTS` only if it is
-  /// clearly better than the first; 1 is the first, the one nearest to the given orientation, 0 all of them.
+  std::vector<std::size_t> source_parts; ///< only these parts of the source, by their index; empty: all parts
+  std::vector<std::size_t> target_parts; ///< only these parts of the target, by their index; empty: all parts
+  /// How many alignments are tried, turns of the target about the up axis by 90° or 180°. The one that scores best is
+  /// taken, by `Search_method::PARTS` only if it is clearly better than the first; 1 is the first, the one nearest to
+  /// the given orientation, 0 all of them.
   int alignments = 1;
-  int solutions = 1;          ///< of `find_correspondences()`
+  int solutions = 1;          ///< how many `find_correspondences()` returns at most
   bool min_marginals = false; ///< compute `Group_match::min_marginal`, by exact searches whatever the method
   /// Called before every direction of every alignment with the share that is done; `false` ends the search.
   std::function<bool(double)> progress;

@@ -7,37 +7,30 @@
 #define CGAL_SHAPE_CORRESPONDENCE_SEARCH_RESULT_H
 
 #include <CGAL/Shape_correspondence/Pairwise_energy.h>
+#include <CGAL/Shape_correspondence/Search_summary.h>
 
-#include <cstddef>
-#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 
-/// How the search went.
-struct Search_summary
-{
-  std::string method = "beam"; ///< parts, beam or exact
-  std::size_t states = 0;      ///< search states kept
-  std::size_t evaluations = 0; ///< energies of states computed
-  double lower_bound = 0;      ///< no correspondence in the direction of the result costs less
-};
-
+/// \ingroup PkgShapeCorrespondenceSearch
 /// A complete assignment and its energy.
 struct Solution
 {
-  double energy = 0;
-  Assignment assignment;
+  double energy = 0;     ///< the energy of the assignment
+  Assignment assignment; ///< a label for every variable
 };
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// What a search found.
 struct Search_result
 {
   std::vector<Solution> solutions; ///< the best first; at least one
   bool optimal = false;            ///< no assignments have lower energies than these
-  Search_summary summary;
+  Search_summary summary;          ///< how the search went
 
+  /// The first solution.
   const Solution& best() const { return solutions.front(); }
 };
 

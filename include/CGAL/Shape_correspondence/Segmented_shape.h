@@ -14,6 +14,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceShapes
 /// An indexed triangle mesh as files hold them: open, non-manifold and badly oriented ones included.
 struct Part_mesh
 {
@@ -21,13 +22,15 @@ struct Part_mesh
   Eigen::Matrix3Xi triangles; ///< a triangle a column, indices into `points`
 };
 
+/// \ingroup PkgShapeCorrespondenceShapes
 /// A named part of a shape.
 struct Shape_part
 {
-  std::string name;
-  Part_mesh mesh;
+  std::string name; ///< name of the part, unique in the shape
+  Part_mesh mesh;   ///< its surface
 };
 
+/// \ingroup PkgShapeCorrespondenceShapes
 /// A shape that is segmented into named parts, each a triangle mesh; the input of the package.
 ///
 /// Units and position are arbitrary; the up direction is the only convention.
@@ -63,8 +66,11 @@ public:
   /// Says which way is up. \throw Invalid_input if the direction is zero or not finite
   void set_up(const Point& up);
 
+  /// The name of the shape.
   const std::string& name() const { return name_; }
+  /// The upright direction, a unit vector.
   const Point& up() const { return up_; }
+  /// The parts in the order in which they were added.
   const std::vector<Shape_part>& parts() const { return parts_; }
 
 private:

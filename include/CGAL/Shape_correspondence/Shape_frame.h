@@ -11,10 +11,11 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceShapes
 /// A shape's own frame (paper, section 5, "Initial alignment"): in it the shape stands on the ground, is centred above
 /// the origin, has height 1, and its dominant vertical mirror plane, where it has one, is x = 0. It moves with the
-/// shape under translation, uniform scaling and turning about the up axis, up to a quarter turn that `align_shapes()`
-/// settles.
+/// shape under translation, uniform scaling and rotation about the up axis, up to quarter turns, which are settled when
+/// two shapes are aligned.
 struct Shape_frame
 {
   Point origin = Point::Zero();                       ///< on the ground, in world coordinates
@@ -23,10 +24,13 @@ struct Shape_frame
   bool mirror_x = false;                              ///< x = 0 is a mirror plane of the shape
   bool mirror_z = false;                              ///< z = 0 is a mirror plane of the shape
 
+  /// Points in coordinates of the frame.
   Points to_frame(const Points& world) const { return (axes.transpose() * (world.colwise() - origin)) / height; }
+  /// Points of the frame in world coordinates.
   Points to_world(const Points& local) const { return (axes * local * height).colwise() + origin; }
 };
 
+/// \ingroup PkgShapeCorrespondenceShapes
 /// Finds the frame of a shape from points spread evenly over its surface. O(n log n) in the number of points.
 /// \param surface points, any number above 0
 /// \param up the upright direction, a unit vector

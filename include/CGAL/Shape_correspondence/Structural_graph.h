@@ -19,74 +19,96 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
-enum class Symmetry_type { SELF, REFLECTION, ROTATION, TRANSLATION };
+/// \ingroup PkgShapeCorrespondenceGraph
+/// Kinds of symmetry groups.
+enum class Symmetry_type {
+  SELF,       ///< a single part
+  REFLECTION, ///< mirror images in a plane
+  ROTATION,   ///< images under turns about an axis
+  TRANSLATION ///< parts in a row
+};
 
+/// \ingroup PkgShapeCorrespondenceGraph
 /// The generator of a symmetry group, in world coordinates.
 struct Symmetry
 {
-  Symmetry_type type = Symmetry_type::SELF;
-  Point point = Point::Zero();     ///< on the mirror plane or the rotation axis
+  Symmetry_type type = Symmetry_type::SELF; ///< its kind
+  Point point = Point::Zero();              ///< on the mirror plane or the rotation axis
   Point direction = Point::Zero(); ///< unit normal of the plane; unit axis; the translation from member to member
   int order = 1;                   ///< of a rotation: n of n-fold
   double residual = 0;             ///< how far members are from their images, over the shape's height
 };
 
+/// \ingroup PkgShapeCorrespondenceGraph
 /// A vertex of the structural graph: a symmetry group of parts (paper, section 3).
 struct Part_group
 {
   std::vector<std::size_t> parts; ///< indices into `Shape_structure::parts`, in the order along the generator
-  Symmetry symmetry;
-  double volume = 0;      ///< summed over the parts
-  double hull_volume = 0; ///< of the hull of their union
+  Symmetry symmetry;              ///< the generator of the group
+  double volume = 0;              ///< summed over the parts
+  double hull_volume = 0;         ///< of the hull of their union
 };
 
+/// \ingroup PkgShapeCorrespondenceGraph
 /// Two parts that touch, by index into `Shape_structure::parts`, and where, as parameters on both abstractions.
 struct Contact
 {
+  /// For each of the two parts the parameters of a point of its curve, (t, 0), or of its sheet, (u, v).
   using Parameters = std::array<Eigen::Vector2d, 2>;
 
-  std::array<std::size_t, 2> parts;
-  Parameters parameters;           ///< of the region where they touch, of the largest if there are several
-  std::vector<Parameters> further; ///< of the other regions, as of an arm that touches the back twice
+  std::array<std::size_t, 2> parts; ///< indices into `Shape_structure::parts`
+  Parameters parameters;            ///< of the region where they touch, of the largest if there are several
+  std::vector<Parameters> further;  ///< of the other regions, as of an arm that touches the back twice
 };
 
+/// \ingroup PkgShapeCorrespondenceGraph
 /// An edge of the structural graph: two groups with parts in contact.
 struct Group_contact
 {
   std::vector<std::size_t> contacts; ///< indices into `Shape_structure::contacts`
 };
 
+/// \ingroup PkgShapeCorrespondenceGraph
 /// What belongs to the shape as a whole.
 struct Shape_structure
 {
-  std::string name;
-  Shape_frame frame;
-  std::vector<Part_abstraction> parts;
-  std::vector<Contact> contacts;     ///< between parts of one group, too; those have no edge
-  std::vector<std::string> warnings; ///< what was approximated on the way, in whole sentences
-  bool automatic_parts = false;      ///< the parts come from an automatic segmentation
-  std::string content;               ///< hash of the meshes and options that the graph was made from; empty: unknown
+  std::string name;                    ///< name of the shape, as messages and files have it
+  Shape_frame frame;                   ///< the frame that shapes are compared in
+  std::vector<Part_abstraction> parts; ///< the parts, in the order of the input
+  std::vector<Contact> contacts;       ///< between parts of one group, too; those have no edge
+  std::vector<std::string> warnings;   ///< what was approximated on the way, in whole sentences
+  bool automatic_parts = false;        ///< the parts come from an automatic segmentation
+  std::string content;                 ///< hash of the meshes and options that the graph was made from; empty: unknown
 };
 
+/// \ingroup PkgShapeCorrespondenceGraph
 /// The structural graph (paper, section 3), a Boost graph: vertices are symmetry groups, edges are contacts between
 /// groups; `graph[boost::graph_bundle]`, or `structure(graph)`, is the shape.
 using Structural_graph =
     boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Part_group, Group_contact, Shape_structure>;
 
+/// \ingroup PkgShapeCorrespondenceGraph
+/// What belongs to the shape as a whole.
 inline const Shape_structure& structure(const Structural_graph& graph) { return graph[boost::graph_bundle]; }
+/// \ingroup PkgShapeCorrespondenceGraph
+/// What belongs to the shape as a whole.
 inline Shape_structure& structure(Structural_graph& graph) { return graph[boost::graph_bundle]; }
 
+/// \ingroup PkgShapeCorrespondenceGraph
 /// The vertex of every part's group, by part.
 std::vector<std::size_t> group_of_parts(const Structural_graph& graph);
 
+/// \ingroup PkgShapeCorrespondenceGraph
 /// Builds the graph: a vertex a group, an edge for every two groups with contacts between them.
 /// \pre the groups partition the parts
 Structural_graph make_structural_graph(Shape_structure shape, std::vector<Part_group> groups);
 
+/// \ingroup PkgShapeCorrespondenceGraph
 /// Checks that the groups partition the parts, that edges and contacts agree, that all numbers are finite and that
 /// every group but a lone one has an edge. With `verbose`, says on `std::cerr` what is wrong.
 bool is_valid_structural_graph(const Structural_graph& graph, bool verbose = false);
 
+/// \ingroup PkgShapeCorrespondenceGraph
 /// Whether two graphs are of the same shape but for its pose and the order of parts, groups and contacts: a similarity
 /// carries the abstractions of parts of the same name into each other, and with them the groups' symmetries, the order
 /// of their members, and the contacts. \param tolerance on positions, over the shape's height

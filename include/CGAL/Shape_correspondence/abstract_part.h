@@ -23,31 +23,43 @@ namespace Shape_correspondence {
 
 struct Abstraction_options;
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// What a part is to become: a curve, a sheet, or what suits it.
-enum class Abstraction_kind { AUTOMATIC, CURVE, SHEET };
+enum class Abstraction_kind {
+  AUTOMATIC, ///< a sheet if the part is wide for its length and thin for its width, else a curve
+  CURVE,     ///< a `Curve`
+  SHEET      ///< a `Sheet`
+};
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// Finds curves by mean curvature flow skeletonization (paper, section 3; Tagliasacchi et al. 2012), sheets on the
-/// medial axis. What cannot be treated gets `Bounding_box_abstraction`; the report says why. Model of `PartAbstractor`.
+/// medial axis. What cannot be treated gets `Bounding_box_abstraction`; the report says why.
+/// \cgalModels `PartAbstractor`
 struct Skeleton_abstraction
 {
+  /// The abstraction of a part, see `PartAbstractor::operator()()`.
   Part_abstraction operator()(const Shape_part& part, const Abstraction_options& options) const;
 };
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// Takes the medial line or rectangle of the part's bounding box, along its axes or those of the coordinates: rough,
-/// but in microseconds. Model of `PartAbstractor`.
+/// but in microseconds.
+/// \cgalModels `PartAbstractor`
 struct Bounding_box_abstraction
 {
+  /// The abstraction of a part, see `PartAbstractor::operator()()`.
   Part_abstraction operator()(const Shape_part& part, const Abstraction_options& options) const;
 };
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `abstract_part()` and `abstract_parts()`. Lengths are relative to the diagonal of the part's bounding
 /// box.
 struct Abstraction_options
 {
   /// What makes a curve or sheet of a part: a model of `PartAbstractor`.
   std::function<Part_abstraction(const Shape_part&, const Abstraction_options&)> abstractor = Skeleton_abstraction();
-  Abstraction_kind kind = Abstraction_kind::AUTOMATIC;
-  std::map<std::string, Abstraction_kind> part_kinds; ///< by part name, in place of `kind`
+  Abstraction_kind kind = Abstraction_kind::AUTOMATIC; ///< what parts are to become
+  std::map<std::string, Abstraction_kind> part_kinds;  ///< by part name, in place of `kind`
   double edge_length = 0.02;    ///< target edge length of the remeshing before the flow, where `triangles` suffice
   int triangles = 1500;         ///< about how many triangles the remeshed part may have; edges are longer if need be
   double stop_volume = 0.02;    ///< whether a part is hollow shows when the flow has left this fraction of its volume
@@ -66,11 +78,13 @@ struct Abstraction_options
   }
 };
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// Finds the curve or sheet of one part by the options' abstractor, and its hull, area and surface samples. Never fails
 /// on a part that `Segmented_shape` accepts with the abstractors of this package. Deterministic.
 /// \throw Invalid_input if the abstractor returns an invalid curve or sheet
 Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options& options = {});
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// Finds the abstractions of all parts of a shape, in the frame `frame` (so that turning the shape changes nothing), in
 /// world coordinates. Of parts that are copies of each other by a rigid motion or a reflection, one is abstracted, the
 /// others get it moved. The same bits with `Sequential_tag` and `Parallel_tag`.
@@ -79,9 +93,11 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag>
 std::vector<Part_abstraction> abstract_parts(const Segmented_shape& shape, const Shape_frame& frame,
                                              const Abstraction_options& options = {});
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// Points spread evenly over the surface of a mesh, `n` of them, the same ones for the same mesh.
 Points sample_surface(const Part_mesh& mesh, std::size_t n);
 
+/// \ingroup PkgShapeCorrespondenceAbstraction
 /// Volume of the convex hull of points; 0 if they are flat.
 double convex_hull_volume(const Points& points);
 

@@ -23,6 +23,7 @@ namespace internal {
 class Blend_structure;
 }
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `Shape_blend`.
 struct Blend_options
 {
@@ -32,6 +33,8 @@ struct Blend_options
   std::function<bool(double)> progress;
 };
 
+/// \ingroup PkgShapeCorrespondenceMaps
+/// What may happen to a part during a blend.
 enum class Blend_task_type {
   MORPH,  ///< a part becomes another
   SPLIT,  ///< a piece of a part becomes another part
@@ -40,16 +43,20 @@ enum class Blend_task_type {
   GROW    ///< the inverse
 };
 
+/// \ingroup PkgShapeCorrespondenceMaps
 /// What happens to one part, and when.
 struct Blend_task
 {
-  static constexpr std::size_t no_part = std::size_t(-1);
+  static constexpr std::size_t no_part = std::size_t(-1); ///< stands for a part where there is none
 
-  Blend_task_type type = Blend_task_type::MORPH;
-  std::size_t source = no_part, target = no_part; ///< part indices
-  double begin = 0, end = 1;                      ///< times of the blend, in [0, 1]
+  Blend_task_type type = Blend_task_type::MORPH; ///< what happens
+  std::size_t source = no_part;                  ///< index of the source part, if there is one
+  std::size_t target = no_part;                  ///< index of the target part, if there is one
+  double begin = 0;                              ///< time of the blend, in [0, 1], at which it begins
+  double end = 1;                                ///< time of the blend, in [0, 1], at which it ends
 };
 
+/// \ingroup PkgShapeCorrespondenceMaps
 /// How well an in-between shape holds together; lengths over the shape's height.
 struct Blend_quality
 {
@@ -59,30 +66,35 @@ struct Blend_quality
   double ground = 0;    ///< how far a part that stands on the ground at both ends is off its height there, at most
 };
 
+/// \ingroup PkgShapeCorrespondenceMaps
 /// An in-between shape held against the tolerances of `Shape_blend`.
 struct Blend_check
 {
-  Blend_quality quality;
+  Blend_quality quality;           ///< how well the shape holds together
   std::vector<std::string> faults; ///< what does not hold, and at which parts, in whole sentences
 };
 
+/// \ingroup PkgShapeCorrespondenceMaps
 /// A plausible order of the tasks of a blend.
 struct Blend_schedule
 {
-  std::string name;
-  std::vector<Blend_task> tasks;
-  Blend_quality quality; ///< the worst of the in-between shapes that it is judged by
+  std::string name;              ///< says in which order tasks come
+  std::vector<Blend_task> tasks; ///< the tasks and their times
+  Blend_quality quality;         ///< the worst of the in-between shapes that it is judged by
 };
 
+/// \ingroup PkgShapeCorrespondenceMaps
 /// A closed surface, or an open one where the input's is open, that lasts for a part of a blend.
 struct Blend_surface
 {
   std::string name; ///< `s~t`: of source part s that becomes t; `s~`: of s that vanishes; `~t`: of t that grows
-  Blend_task task;
-  Eigen::Matrix3Xi triangles;
-  double begin = 0, end = 1; ///< it is there at times t of the open interval
+  Blend_task task;  ///< the task that the surface belongs to
+  Eigen::Matrix3Xi triangles; ///< a triangle a column, indices into the points of the surface
+  double begin = 0;           ///< it is there at times t between `begin` and `end`, these excluded
+  double end = 1;             ///< see `begin`
 };
 
+/// \ingroup PkgShapeCorrespondenceMaps
 /// Blends two shapes along their part correspondence, also where their topologies differ (paper, Figure 12; Alhashim et
 /// al., Topology-Varying 3D Shape Creation via Structural Blending, 2014).
 ///

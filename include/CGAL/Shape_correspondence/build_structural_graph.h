@@ -13,28 +13,36 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `build_structural_graph()`, those of its three steps.
 struct Structure_options
 {
-  Abstraction_options abstraction;
-  Symmetry_options symmetry;
-  Contact_options contacts;
+  Abstraction_options abstraction; ///< of `abstract_parts()`
+  Symmetry_options symmetry;       ///< of `detect_symmetry_groups()`
+  Contact_options contacts;        ///< of `detect_contacts()`
 };
 
+/// \ingroup PkgShapeCorrespondenceFunctions
 /// Seconds of the steps of `build_structural_graph()`.
 struct Structure_times
 {
-  double abstraction = 0;
-  double structure = 0;
+  double abstraction = 0; ///< abstracting all parts
+  double structure = 0;   ///< finding symmetry groups and contacts
 };
 
+/// \ingroup PkgShapeCorrespondenceFunctions
 /// Builds the structural graph of a segmented shape: its frame, the abstraction of every part, symmetry groups and
-/// contacts. \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same to the bit \throw
-/// Invalid_input if the shape has fewer than two parts
+/// contacts.
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same to the bit
+/// \param shape the shape
+/// \param options of the steps
+/// \param times where not null, gets the seconds that the steps took
+/// \throw Invalid_input if the shape has fewer than two parts
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Structural_graph build_structural_graph(const Segmented_shape& shape, const Structure_options& options = {},
                                         Structure_times* times = nullptr);
 
+/// \ingroup PkgShapeCorrespondenceFunctions
 /// Builds the graph of a shape whose parts are abstracted already: detects what is missing, that is the groups if
 /// `groups` is empty, and the contacts if `shape.contacts` is empty. The frame is taken as it is.
 /// \throw Invalid_input if the shape has fewer than two parts

@@ -17,12 +17,14 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `detect_contacts()`.
 struct Contact_options
 {
   double tolerance = 0.02; ///< the widest gap that still is a contact, over the shape's bounding-box diagonal
 };
 
+/// \ingroup PkgShapeCorrespondenceGraph
 /// Finds the pairs of parts whose surfaces touch, interpenetrate or nearly touch, and where (paper, section 3: "a point
 /// from each part with minimum distance"; of all such points, the middle). A part inside another touches it. One
 /// contact a pair of parts, with a region for every place where the two come as near as within half the tolerance of
@@ -36,6 +38,7 @@ std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::ve
                                      const Shape_frame& frame, const Contact_options& options,
                                      std::vector<std::string>& warnings);
 
+/// \ingroup PkgShapeCorrespondenceGraph
 /// As above for parts without a mesh: surfaces are estimated by the abstractions and the parts' volumes.
 std::vector<Contact> detect_contacts(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
                                      const Contact_options& options, std::vector<std::string>& warnings);

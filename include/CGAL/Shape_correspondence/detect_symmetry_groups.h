@@ -11,16 +11,18 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `detect_symmetry_groups()`.
 struct Symmetry_options
 {
   double tolerance = 0.05; ///< how far a part may be from its image, over the part's diagonal
   bool enabled = true;     ///< false: every part is a group of its own (`--no-symmetry`)
-  bool reflection = true;  ///< whether to look for this kind; so the next ones
-  bool rotation = true;
-  bool translation = true;
+  bool reflection = true;  ///< whether to look for reflections
+  bool rotation = true;    ///< whether to look for rotations
+  bool translation = true; ///< whether to look for translations
 };
 
+/// \ingroup PkgShapeCorrespondenceGraph
 /// Gathers parts into symmetry groups (paper, section 3): congruent parts that one symmetry carries into each other.
 /// Parts are congruent if hull, surface points, area and volume of one's image and the other agree within the
 /// tolerance; their meshes need not. What rings, rows and turned or translated pairs consist of must agree more

@@ -22,29 +22,33 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `energy_matrix()`.
 struct Energy_matrix_options
 {
-  Search_options search;
+  Search_options search; ///< options of every match
   /// What a pair of connected parts counts of which one has no counterpart: about what a badly deformed pair costs.
   double unmatched_energy = 0.5;
   /// Called after pairs of shapes, by one thread at a time, with how many are done; `false` ends the work.
   std::function<bool(std::size_t done, std::size_t total)> progress;
 };
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// How far one shape is from another, and their parts' correspondence.
 struct Rated_map
 {
   double energy = std::numeric_limits<double>::quiet_NaN(); ///< `distance_energy()`; not a number: not computed
-  Part_map map;
+  Part_map map;                                             ///< source to target
 };
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// The deformation energy as a distance of shapes: E of Eq. 1 for each pair of connected parts of the shape that was
 /// deformed, so that shapes of few and of many parts compare. A pair of which a part has no counterpart counts
 /// `unmatched_energy`, unless the search charged it; a part that touches nothing counts as a pair. So a match of few
 /// parts is not a near one.
 double distance_energy(const Correspondence& correspondence, double unmatched_energy);
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// Matches ordered pairs of shapes (source, target), in this order. Every shape is aligned once. The same to the bit
 /// sequentially and in parallel (`CGAL::Parallel_tag`, with TBB).
 /// \pre the graphs are valid \throw Invalid_input if an option is out of its range
@@ -53,6 +57,7 @@ std::vector<Rated_map> match_pairs(const std::vector<Structural_graph>& shapes,
                                    const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
                                    const Energy_matrix_options& options = {});
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// The energies and part maps of all ordered pairs of a set of shapes.
 struct Energy_matrix
 {
@@ -60,17 +65,20 @@ struct Energy_matrix
   std::vector<Part_map> maps; ///< source after source
   bool complete = true;       ///< `progress` ended nothing
 
+  /// The part map of a pair of shapes.
   const Part_map& map(std::size_t source, std::size_t target) const
   {
     return maps[source * std::size_t(energies.cols()) + target];
   }
 };
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// Matches all ordered pairs of shapes: n (n - 1) matches and O(n²) memory.
 /// \pre the graphs are valid \throw Invalid_input if an option is out of its range
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Energy_matrix energy_matrix(const std::vector<Structural_graph>& shapes, const Energy_matrix_options& options = {});
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// Distances that are the same both ways: the mean of the energies of either direction.
 Eigen::MatrixXd symmetric_distances(const Eigen::MatrixXd& energies);
 

@@ -11,6 +11,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceShapes
 /// Guesses which of the axes x, y and z points up: the one along which the shape stands most firmly, which is by how
 /// far its centre is inside of what it stands on, and has the most horizontal surface. A guess, since things that lie
 /// are like things that stand; a model that is upside down or aslant has no right answer. Of equal axes the first of

@@ -6,6 +6,8 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H
 #define CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H
 
+#include <CGAL/Shape_correspondence/Part_correspondence.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,16 +17,15 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceEvaluation
 /// What a person calls a part: `leg`, and `leg_front_left`.
 struct Part_label
 {
-  std::string coarse;
-  std::string fine; ///< empty: none
+  std::string coarse; ///< what the part is
+  std::string fine;   ///< empty: none
 };
 
-/// Pairs of a source part and a target part, by index.
-using Part_pairs = std::vector<std::pair<std::size_t, std::size_t>>;
-
+/// \ingroup PkgShapeCorrespondenceEvaluation
 /// Which parts of two labelled shapes correspond.
 struct Ground_truth
 {
@@ -32,12 +33,14 @@ struct Ground_truth
   Part_pairs coarse_pairs; ///< the pairs of equal coarse label, sorted, each once; they include `pairs`
 };
 
+/// \ingroup PkgShapeCorrespondenceEvaluation
 /// The pairs of parts that correspond according to their labels, by part. Parts correspond when their coarse labels are
 /// equal and, where every part on both sides with that coarse label has a fine one and the two sets of fine labels
 /// share at least half of the smaller, the fine labels are equal, too. O(n m). \throw Invalid_input if a coarse label
 /// is empty
 Ground_truth ground_truth(const std::vector<Part_label>& source, const std::vector<Part_label>& target);
 
+/// \ingroup PkgShapeCorrespondenceEvaluation
 /// How well a correspondence agrees with the ground truth; all shares are between 0 and 1.
 struct Correspondence_score
 {
@@ -52,44 +55,59 @@ struct Correspondence_score
   double coarse_precision() const; ///< right_coarse / matched; 0 if nothing is matched
 };
 
-/// Scores a correspondence; a pair that is listed twice counts once.
+/// \ingroup PkgShapeCorrespondenceEvaluation
+/// Scores a correspondence, given its `part_pairs()`; a pair that is listed twice counts once.
 Correspondence_score evaluate_correspondence(Part_pairs pairs, const Ground_truth& truth);
 
+/// \ingroup PkgShapeCorrespondenceEvaluation
 /// The score of a correspondence of two shapes of a category.
 struct Scored_correspondence
 {
-  std::string category;
-  std::string source, target; ///< names of the shapes, within their category
-  Correspondence_score score;
+  std::string category;       ///< of both shapes, such as `chair`
+  std::string source;         ///< name of the source shape, within its category
+  std::string target;         ///< name of the target shape, within its category
+  Correspondence_score score; ///< the score
 };
 
+/// \ingroup PkgShapeCorrespondenceEvaluation
 /// A mean and where it would lie for other shapes of the kind.
 struct Estimate
 {
-  double mean = 0, low = 0, high = 0;
+  double mean = 0; ///< the mean
+  double low = 0;  ///< lower end of the confidence interval
+  double high = 0; ///< upper end of the confidence interval
 };
 
+/// \ingroup PkgShapeCorrespondenceEvaluation
 /// Means over the correspondences of a category, or over categories.
 struct Mean_score
 {
-  std::size_t correspondences = 0;
-  std::size_t empty = 0; ///< correspondences without a pair
-  Estimate precision, recall, f1, coarse_precision;
+  std::size_t correspondences = 0; ///< how many there are
+  std::size_t empty = 0;           ///< correspondences without a pair
+  Estimate precision;              ///< of `Correspondence_score::precision()`
+  Estimate recall;                 ///< of `Correspondence_score::recall()`
+  Estimate f1;                     ///< of `Correspondence_score::f1()`
+  Estimate coarse_precision;       ///< of `Correspondence_score::coarse_precision()`
 };
 
+/// \ingroup PkgShapeCorrespondenceOptions
+/// Options of `mean_scores()`.
 struct Evaluation_options
 {
   int resamples = 1000;     ///< of the bootstrap
   double confidence = 0.95; ///< of the intervals
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0;   ///< of the random numbers
 };
 
+/// \ingroup PkgShapeCorrespondenceEvaluation
+/// Mean scores by category and over all categories.
 struct Evaluation
 {
   std::vector<std::pair<std::string, Mean_score>> categories; ///< by name
   Mean_score mean;                                            ///< every category weighs the same
 };
 
+/// \ingroup PkgShapeCorrespondenceEvaluation
 /// Means of scores by category and over categories. The F1 of a category is the mean of its correspondences' F1.
 ///
 /// The intervals are those of a bootstrap over shapes: correspondences that share a shape are not independent, so

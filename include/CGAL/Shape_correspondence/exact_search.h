@@ -15,6 +15,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `exact_search()`.
 struct Exact_options
 {
@@ -26,6 +27,7 @@ struct Exact_options
   std::size_t solutions = 1;          ///< how many of the best assignments are returned
 };
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// Finds the assignments of least energy and proves them. Root terms are bounded from below by their tangents, which
 /// leaves a sum of terms of one and of two variables. Bucket elimination along a min-fill order solves it exactly where
 /// its tables fit; else message passing (TRW-S; Kolmogorov 2006) moves costs to where mini-buckets (Dechter and Rish
@@ -53,6 +55,7 @@ private:
   std::unique_ptr<Impl> impl_;
 };
 
+/// \ingroup PkgShapeCorrespondenceSearch
 /// `Exact_search(energy, options).run()`.
 Search_result exact_search(const Pairwise_energy& energy, const Exact_options& options = {});
 

@@ -10,46 +10,49 @@
 #include <CGAL/Shape_correspondence/Search_options.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
-#include <array>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 
-struct Aligned_shape;
-
+/// \ingroup PkgShapeCorrespondenceFunctions
 /// A shape that is matched many times: it is aligned once for every quarter turn that a match asks for. Threads may
-/// share it.
+/// share it; copies share what was computed.
 class Prepared_shape
 {
 public:
   /// Keeps the graph by reference.
-  explicit Prepared_shape(const Structural_graph& graph) : graph_(graph) {}
+  explicit Prepared_shape(const Structural_graph& graph);
 
+  /// The graph that the object was made of.
   const Structural_graph& graph() const { return graph_; }
-  std::shared_ptr<const Aligned_shape> aligned(int quarter_turns) const;
 
 private:
+  friend class Correspondence_finder;
+  struct Alignments;
+
   const Structural_graph& graph_;
-  mutable std::array<std::once_flag, 4> is_aligned_;
-  mutable std::array<std::shared_ptr<const Aligned_shape>, 4> aligned_;
+  std::shared_ptr<Alignments> alignments_;
 };
 
+/// \ingroup PkgShapeCorrespondenceFunctions
 /// Finds the correspondences of one source shape with many targets: what depends on the source alone is computed once.
 class Correspondence_finder
 {
 public:
   /// \pre the graph is valid (`is_valid_structural_graph()`) \throw Invalid_input if an option is out of its range
   explicit Correspondence_finder(const Structural_graph& source, const Search_options& options = {});
+  /// The same with a shape that is aligned already where other matches asked for it.
   explicit Correspondence_finder(const Prepared_shape& source, const Search_options& options = {});
 
   /// Like `find_correspondence()`.
   Correspondence operator()(const Structural_graph& target) const;
+  /// Like `find_correspondence()`.
   Correspondence operator()(const Prepared_shape& target) const;
   /// Like `find_correspondences()`.
   std::vector<Correspondence> ranked(const Structural_graph& target) const;
+  /// Like `find_correspondences()`.
   std::vector<Correspondence> ranked(const Prepared_shape& target) const;
 
   /// A lower bound of the `distance_energy()` (energy_matrix.h) of what is found, without a search: the least values of
@@ -58,19 +61,12 @@ public:
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
 private:
-  using Shared_shape = std::shared_ptr<const Aligned_shape>;
+  class Impl;
 
-  std::vector<Correspondence> least_energy(const Prepared_shape& target) const;
-  Correspondence matched_parts(const Prepared_shape& target) const;
-  Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const;
-  double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;
-
-  Search_options options_;
-  Shape_frame source_frame_;
-  std::size_t number_of_parts_;
-  Shared_shape source_;
+  std::shared_ptr<const Impl> impl_;
 };
 
+/// \ingroup PkgShapeCorrespondenceFunctions
 /// Finds the part correspondence of two shapes.
 ///
 /// By default, parts are matched by what they cost standing for one another, and the result is rated by the deformation
@@ -86,6 +82,7 @@ private:
 Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,
                                    const Search_options& options = {});
 
+/// \ingroup PkgShapeCorrespondenceFunctions
 /// The best correspondences, `Search_options::solutions` of them as far as there are so many (`Search_method::PARTS`
 /// has one): those of the direction and alignment that the best one is in. Proven to be the best ones by
 /// `Search_method::EXACT`; the beam's last level else.

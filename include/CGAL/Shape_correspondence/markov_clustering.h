@@ -14,6 +14,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `markov_clustering()`.
 struct Markov_clustering_options
 {
@@ -22,19 +23,21 @@ struct Markov_clustering_options
   std::size_t column_limit = 1000; ///< as are all but so many of the largest
   /// The most entries of all columns; where it is less than `column_limit` a column, every column gets an even share.
   std::size_t entry_limit = 30'000'000;
-  double tolerance = 1e-3; ///< of the largest entry of a column from its sum of squares, at convergence
-  int maximum_iterations = 200;
+  double tolerance = 1e-3;      ///< of the largest entry of a column from its sum of squares, at convergence
+  int maximum_iterations = 200; ///< of squaring and inflating
 };
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// What `markov_clustering()` found.
 struct Markov_clustering
 {
-  std::vector<std::size_t> labels; ///< by node, from 0 on, in the order of the clusters' first nodes
-  std::size_t number_of_clusters = 0;
-  int iterations = 0;
-  bool converged = false;
+  std::vector<std::size_t> labels;    ///< by node, from 0 on, in the order of the clusters' first nodes
+  std::size_t number_of_clusters = 0; ///< labels are 0 to `number_of_clusters` - 1
+  int iterations = 0;                 ///< squarings of the matrix
+  bool converged = false;             ///< the tolerance was reached
 };
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// Clusters a graph by simulated flow (van Dongen 2000): the column-stochastic matrix of its weights is squared, which
 /// spreads flow, and its entries are raised to a power, which strengthens strong flow, until nothing changes; a node
 /// belongs to the attractors that its flow ends in. A node gets a loop of the weight of its strongest edge, as in van

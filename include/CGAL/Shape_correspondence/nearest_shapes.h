@@ -18,6 +18,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// A shape of a set that is near a query.
 struct Near_shape
 {
@@ -26,6 +27,7 @@ struct Near_shape
   Part_map map;          ///< query to shape
 };
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// What `nearest_shapes()` found.
 struct Nearest_shapes
 {
@@ -33,6 +35,7 @@ struct Nearest_shapes
   std::size_t evaluations = 0;    ///< shapes that were matched with the query
 };
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// The `k` shapes of a set that are nearest to a query, without matching all of them: their distances are bounded from
 /// below (`Correspondence_finder::lower_bound()`), and evaluated in the order of these bounds until no bound is less
 /// than the k-th distance. So the result is that of matching all. The same to the bit sequentially and in parallel.
@@ -44,6 +47,7 @@ Nearest_shapes nearest_shapes(const Structural_graph& query, std::size_t number_
                               const std::function<Structural_graph(std::size_t)>& graph, std::size_t k,
                               const Energy_matrix_options& options = {});
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// The same for shapes in memory.
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Nearest_shapes nearest_shapes(const Structural_graph& query, const std::vector<Structural_graph>& shapes, std::size_t k,

@@ -20,6 +20,8 @@ namespace Shape_correspondence {
 /// what is not named keeps its default. Chain them: `parameters::beam_width(40).expansions(8)`.
 namespace parameters {
 
+/// \cond SKIP_IN_MANUAL
+
 /// A parameter pack of CGAL that can be chained with the parameters of this package.
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters;
@@ -105,9 +107,74 @@ Options options_from(const NamedParameters& np)
 
 #undef CGAL_SHAPE_CORRESPONDENCE_PARAMETERS
 
+/// \endcond
+
 } // namespace parameters
 
-/// `build_structural_graph()` with named parameters.
+/// \ingroup PkgShapeCorrespondenceFunctions
+/// Builds the structural graph of a segmented shape; named parameters take the place of `Structure_options`.
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same to the bit
+/// \param shape the shape
+/// \param np an optional sequence of named parameters among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_length}
+///     \cgalParamDescription{target edge length of the remeshing before the mean curvature flow, over the diagonal of
+///                           the part's bounding box}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.02`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{stop_volume}
+///     \cgalParamDescription{the part counts as hollow or not by what the flow has left of it when its volume is this
+///                           fraction of the original one}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.02`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{time_limit}
+///     \cgalParamDescription{seconds for one part; the bounding box stands in for a part that needs more}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`20`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{progress}
+///     \cgalParamDescription{called after every part with the number of parts done and their total, by one thread at a
+///                           time}
+///     \cgalParamType{`std::function<void(std::size_t, std::size_t)>`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{detect_symmetry}
+///     \cgalParamDescription{whether to look for symmetry groups; if `false`, every part is a group of its own}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{symmetry_tolerance}
+///     \cgalParamDescription{how far a part may be from its image, over the part's diagonal}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.05`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{detect_reflections}
+///     \cgalParamDescription{whether to look for reflections}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{detect_rotations}
+///     \cgalParamDescription{whether to look for rotations}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{detect_translations}
+///     \cgalParamDescription{whether to look for translations}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{contact_tolerance}
+///     \cgalParamDescription{the widest gap between two parts that still is a contact, over the diagonal of the shape's
+///                           bounding box}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.02`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \throw Invalid_input if the shape has fewer than two parts
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename T, typename Tag, typename Base>
 Structural_graph build_structural_graph(const Segmented_shape& shape,
                                         const CGAL::Named_function_parameters<T, Tag, Base>& np)
@@ -115,7 +182,103 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
   return build_structural_graph<ConcurrencyTag>(shape, parameters::options_from<Structure_options>(np));
 }
 
-/// `find_correspondence()` with named parameters.
+/// \ingroup PkgShapeCorrespondenceFunctions
+/// Finds the part correspondence of two shapes; named parameters take the place of `Search_options`.
+/// \param source,target the structural graphs of the shapes
+/// \param np an optional sequence of named parameters among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{search_method}
+///     \cgalParamDescription{how the correspondence is found}
+///     \cgalParamType{`Search_method`}
+///     \cgalParamDefault{`Search_method::PARTS`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{min_confidence}
+///     \cgalParamDescription{pairs that are less probable are left out, by `Search_method::PARTS`}
+///     \cgalParamType{`double` in [0, 1]}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{beam_width}
+///     \cgalParamDescription{K of the paper, the partial solutions kept at each level of the beam search}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{`20`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{expansions}
+///     \cgalParamDescription{k of the paper, the expansions kept of each partial solution}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{`4`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{distortion_weight}
+///     \cgalParamDescription{weight of E_d in Eq. 1}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`1`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{connectedness_weight}
+///     \cgalParamDescription{w_c, weight of E_c in Eq. 1}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.6`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{split_weight}
+///     \cgalParamDescription{w_s, weight of E_s in Eq. 1}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.4`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{energy_norm}
+///     \cgalParamDescription{whether energies are summed over connected pairs of parts or pooled over all rods}
+///     \cgalParamType{`Energy_norm`}
+///     \cgalParamDefault{`Energy_norm::SUM`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{cut_curves}
+///     \cgalParamDescription{whether curves may be cut into segments and joined, beside splitting and merging}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{unmatched_cost}
+///     \cgalParamDescription{the energy of leaving a group unmatched, for each of its contacts}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`Matching_options::never`: every group is matched}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{both_directions}
+///     \cgalParamDescription{whether either shape is deformed into the other and the lower energy kept}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_parts}
+///     \cgalParamDescription{only so many parts of either shape are matched, the most prominent ones; `0`: all}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{source_parts}
+///     \cgalParamDescription{only these parts of the source are matched, by their index; empty: all}
+///     \cgalParamType{`std::vector<std::size_t>`}
+///     \cgalParamDefault{empty}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{target_parts}
+///     \cgalParamDescription{only these parts of the target are matched, by their index; empty: all}
+///     \cgalParamType{`std::vector<std::size_t>`}
+///     \cgalParamDefault{empty}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{alignments}
+///     \cgalParamDescription{how many turns of the target about the up axis are tried, the one nearest to the given
+///                           orientation first; `0`: all}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{`1`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{solutions}
+///     \cgalParamDescription{how many of the best solutions the search ranks, as by `find_correspondences()`; this
+///                           function returns the first}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{`1`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{min_marginals}
+///     \cgalParamDescription{whether `Group_match::min_marginal` is computed}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \pre both graphs are valid (`is_valid_structural_graph()`)
+/// \throw Invalid_input if an option is out of its range
 template <typename T, typename Tag, typename Base>
 Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,
                                    const CGAL::Named_function_parameters<T, Tag, Base>& np)

@@ -14,6 +14,7 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `segment_mesh()`, those of `CGAL::segmentation_from_sdf_values()`.
 struct Segmentation_options
 {
@@ -21,13 +22,15 @@ struct Segmentation_options
   double smoothness = 0.26; ///< in [0, 1]: how much short borders between segments count
 };
 
+/// \ingroup PkgShapeCorrespondenceShapes
 /// What `segment_mesh()` makes.
 struct Mesh_segmentation
 {
-  Segmented_shape shape;
+  Segmented_shape shape;           ///< the parts
   std::size_t pieces_left_out = 0; ///< components and segments without area, which can be no parts
 };
 
+/// \ingroup PkgShapeCorrespondenceShapes
 /// Makes parts of a mesh that has none: its connected components, and of each closed one the segments that CGAL's
 /// package Triangulated Surface Mesh Segmentation finds by the shape diameter function (Shapira, Shamir and Cohen-Or
 /// 2008). Pieces without area are left out, and counted. Part names are `segment_0`, `segment_1`, … A rough stand-in

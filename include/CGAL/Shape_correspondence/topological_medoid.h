@@ -14,11 +14,13 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// The shape of a set that has the least sum of distances to the others (paper, section 6.1): its representative.
 /// \param distances symmetric, as `symmetric_distances()` makes them; among equals the first shape wins. O(n²)
 /// \pre there is a shape
 std::size_t topological_medoid(const Eigen::MatrixXd& distances);
 
+/// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `sampled_medoid()`.
 struct Sampled_medoid_options
 {
@@ -28,14 +30,16 @@ struct Sampled_medoid_options
   unsigned seed = 0;      ///< of the order in which shapes are drawn
 };
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// What `sampled_medoid()` found.
 struct Sampled_medoid
 {
-  std::size_t shape = 0;
+  std::size_t shape = 0;       ///< index of the medoid
   double mean_distance = 0;    ///< to the other shapes
   std::size_t evaluations = 0; ///< of distances, out of n (n - 1) / 2
 };
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// The medoid without all distances: candidates are compared with random shapes, and set aside when by the confidence
 /// interval of the difference their mean distance is not the least (successive elimination as in BanditPAM; Tiwari et
 /// al. 2020). All distances of those that remain are evaluated. With a failure probability of 0, the ones set aside are

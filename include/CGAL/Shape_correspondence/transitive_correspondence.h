@@ -18,54 +18,66 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// Two shapes that are joined by an edge of a tree, the smaller index first.
 using Shape_pair = std::pair<std::size_t, std::size_t>;
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// A minimum spanning tree of a set of shapes: n - 1 pairs with the least sum of distances, in the order in which they
 /// join the tree of the first shape (Prim 1957; O(n²) time and O(n) memory, as all pairs are edges).
 /// \param distances symmetric, as `symmetric_distances()` makes them
 std::vector<Shape_pair> minimum_spanning_tree(const Eigen::MatrixXd& distances);
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// The shapes on the way from one to another in a tree, both ends included. O(n)
 /// \pre the tree joins the two
 std::vector<std::size_t> tree_path(const std::vector<Shape_pair>& tree, std::size_t source, std::size_t target);
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// A way from shape to shape and what it costs, the sum of the energies of its steps.
 struct Shape_chain
 {
   std::vector<std::size_t> shapes; ///< the source, the shapes in between, the target
-  double energy = 0;
+  double energy = 0;               ///< the sum of the energies of its steps
 
+  /// Whether there is no shape in between.
   bool is_direct() const { return shapes.size() <= 2; }
 };
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// The step from source to target itself, without a shape in between.
 Shape_chain direct_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target);
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// By way of the one other shape, the bridge, that makes the least sum of energies (paper, section 6.1, Figure 13);
 /// the direct one if there is no third shape. O(n)
 Shape_chain bridge_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target);
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// Along the tree.
 Shape_chain tree_chain(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree, std::size_t source,
                        std::size_t target);
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// The best of the three: the one of the least energy, and of the fewest steps among equals.
 Shape_chain best_chain(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree, std::size_t source,
                        std::size_t target);
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// The same from one source to all targets, itself included (a chain of one shape). O(n²)
 std::vector<Shape_chain> best_chains(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree,
                                      std::size_t source);
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// A correspondence that may go by way of other shapes.
 struct Transitive_correspondence
 {
-  Shape_chain chain;
-  double direct_energy = 0;
-  Part_map map; ///< of source and target, composed along the chain
+  Shape_chain chain;        ///< the way taken
+  double direct_energy = 0; ///< the energy without a shape in between
+  Part_map map;             ///< of source and target, composed along the chain
 };
 
+/// \ingroup PkgShapeCorrespondenceSets
 /// The part correspondence of two shapes of a set along the best chain: the direct one unless another one costs less,
 /// or if too little of the other one is left to match any part.
 /// \pre the matrix is complete

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The light rooms, header-only: two graphs written by hand.
+// Matches two graphs that are written by hand: no files are read.
 #include "../hand_made_graphs.h"
 
 #include <CGAL/Shape_correspondence/find_correspondence.h>

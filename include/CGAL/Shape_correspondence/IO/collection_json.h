@@ -20,47 +20,56 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// The most shapes whose energies are in the JSON of a collection; those of more belong in a file of a matrix.
 constexpr std::size_t largest_written_matrix = 1000;
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// What is found out about a set of shapes.
 struct Collection
 {
+  /// A shape of the set.
   struct Shape
   {
-    std::string name, file;
-    std::vector<std::string> parts;
+    std::string name;               ///< its name
+    std::string file;               ///< the file or folder that it was read from
+    std::vector<std::string> parts; ///< names of its parts
   };
+  /// Two shapes that match better by way of others.
   struct Bridge
   {
-    std::size_t source, target;
-    Transitive_correspondence correspondence;
+    std::size_t source;                       ///< index of the source shape
+    std::size_t target;                       ///< index of the target shape
+    Transitive_correspondence correspondence; ///< the correspondence by way of other shapes
   };
 
-  std::vector<Shape> shapes;
-  Eigen::MatrixXd energies; ///< source × target
-  std::size_t medoid = 0;
-  std::vector<Shape_pair> tree; ///< a minimum spanning tree by `symmetric_distances()`
-  std::vector<Bridge> bridges;  ///< pairs of shapes for which a chain costs less, the largest gain first
-  std::size_t bridge_count = 0; ///< how many such pairs there are in all
-  Co_analysis co_analysis;
+  std::vector<Shape> shapes;               ///< the shapes, in the order of all indices
+  Eigen::MatrixXd energies;                ///< source × target
+  std::size_t medoid = 0;                  ///< index of the `topological_medoid()`
+  std::vector<Shape_pair> tree;            ///< a minimum spanning tree by `symmetric_distances()`
+  std::vector<Bridge> bridges;             ///< pairs of shapes for which a chain costs less, the largest gain first
+  std::size_t bridge_count = 0;            ///< how many such pairs there are in all
+  Co_analysis co_analysis;                 ///< labels of parts
   std::size_t co_analysis_shape_pairs = 0; ///< unordered, whose maps it is made of
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings;       ///< what was approximated or ended early, in whole sentences
 };
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Writes what is found out about a set of shapes in the JSON format `shape_correspondence/collection`, version 1.
 /// Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
 void write_collection_json(std::ostream& out, const Collection& collection);
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// The shapes of a collection that are nearest to a query.
 struct Nearest_in_collection
 {
-  Collection::Shape query;
+  Collection::Shape query;               ///< the query
   std::vector<Collection::Shape> shapes; ///< all of the collection
-  Nearest_shapes nearest;
-  std::vector<std::string> warnings;
+  Nearest_shapes nearest;                ///< what was found, by index into `shapes`
+  std::vector<std::string> warnings;     ///< what was approximated or ended early, in whole sentences
 };
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Writes them in the JSON format `shape_correspondence/nearest`, version 1.
 void write_nearest_json(std::ostream& out, const Nearest_in_collection& found);
 

@@ -10,29 +10,32 @@
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <iosfwd>
+#include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Seconds per phase of a match, as the result file reports them.
 struct Match_seconds
 {
-  double read = 0;
-  double abstraction = 0;
-  double structure = 0;
-  double search = 0;
+  double read = 0;        ///< reading both models
+  double abstraction = 0; ///< abstracting their parts
+  double structure = 0;   ///< finding symmetry groups and contacts
+  double search = 0;      ///< finding the correspondence
 };
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Writes a correspondence in the JSON format `shape_correspondence/match`, version 1.
 /// \param source_file,target_file the inputs as the user named them
 void write_correspondence_json(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                                const Structural_graph& target, const std::string& source_file,
                                const std::string& target_file, const Match_seconds& seconds);
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// The same for ranked correspondences, as `find_correspondences()` returns them: the first is the result, and where
 /// there are more, `solutions` lists all with their energies and pairs. \pre not empty
 void write_correspondences_json(std::ostream& out, const std::vector<Correspondence>& ranked,
@@ -40,26 +43,40 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
                                 const std::string& source_file, const std::string& target_file,
                                 const Match_seconds& seconds);
 
+/// \ingroup PkgShapeCorrespondenceIO
+/// Two parts that correspond, by their names.
+struct Named_part_correspondence
+{
+  std::string source; ///< the source part
+  std::string target; ///< the target part
+  /// How probable it is. Not a number where the method does not tell.
+  double confidence = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// \ingroup PkgShapeCorrespondenceIO
 /// What a result file says of its parts, by their names.
 struct Named_correspondence
 {
-  std::string source, target;                             ///< the inputs as the user named them
-  std::vector<std::pair<std::string, std::string>> pairs; ///< (source part, target part)
-  std::vector<double> confidences;                        ///< by pair; empty where the method has none
-  bool complete = false;
-  int target_quarter_turns = 0; ///< of the target about up, into the source's frame
+  std::string source;                           ///< the source as the user named it
+  std::string target;                           ///< the target as the user named it
+  std::vector<Named_part_correspondence> pairs; ///< in the order of the file
+  bool complete = false;                        ///< see `Correspondence::complete`
+  int target_quarter_turns = 0;                 ///< of the target about up, into the source's frame
 };
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Reads a result in the JSON format `shape_correspondence/match`; of ranked solutions, the first.
 /// \throw Invalid_input if the file cannot be read or is no such result; names the file and what is wrong
 Named_correspondence read_correspondence_json(const std::string& file);
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// The pairs, completeness and turn of a result, by the indices of its parts in graphs of the shapes.
 /// \param file what errors name
 /// \throw Invalid_input if a shape does not have one of the parts
 Correspondence correspondence_of(const Named_correspondence& named, const Structural_graph& source,
                                  const Structural_graph& target, const std::string& file);
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Whether a JSON file is a result in that format, and not something else. \throw Invalid_input if it is no JSON
 bool is_correspondence_json(const std::string& file);
 

@@ -15,6 +15,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// A shape whose parts a person has labelled.
 struct Labelled_shape
 {
@@ -28,6 +29,7 @@ struct Labelled_shape
   std::size_t index(const std::string& part) const;
 };
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Reads labels: `path` is a `labels.json`, or a folder that holds one, or SHAPE/labels.json, or
 /// CATEGORY/SHAPE/labels.json. A file is an object with `parts`: a list of objects with `name`, `coarse` and, where
 /// there is one, `fine`; and `category`, not required. Shapes come sorted by path. \throw Invalid_input if there are

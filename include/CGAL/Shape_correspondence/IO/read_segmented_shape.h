@@ -14,6 +14,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Reads a model file (OBJ, PLY, STL, OFF, glTF/GLB, COLLADA; every node that owns triangles is a part) or a folder of
 /// part meshes (every model file in it, or in its sub-folder `parts`, is a part, its stem the name; sorted by name).
 /// Vertices at the same place are welded, polygons triangulated.

@@ -16,11 +16,13 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Identifies what `build_structural_graph()` makes of a shape: a hash (SHA-1) of all names, coordinates and triangles
 /// to the bit, of all options that the graph depends on, and of the version of the algorithms. Of the abstractor it
 /// holds the type only: one that has a state needs a folder for every state. Linear time.
 std::string content_hash(const Segmented_shape& shape, const Structure_options& options);
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// A folder of structural graphs, each under the content hash of what it was built from. Many processes may use one
 /// folder at a time. A file that is damaged, or is not what its name says, counts as missing.
 class Structural_graph_cache

@@ -15,13 +15,16 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Writes the graph for graph tools: a node a group, with the names of its `parts`, its `symmetry` and its `solidity`;
 /// an edge for every two groups in contact, with the number of its `contacts`. Geometry is left out.
 void write_structural_graph_graphml(std::ostream& out, const Structural_graph& graph);
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// The same for Graphviz, every node labelled with its parts.
 void write_structural_graph_dot(std::ostream& out, const Structural_graph& graph);
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Reads a structure graph in the XML that programs for topology-varying shape matching exchange: a `document` of
 /// - `node`s: an `id`, a `type` (`CURVE` or `SHEET`), of a sheet `controls` with two counts `c`, the control `point`s
 /// of a

@@ -17,13 +17,15 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Writes a structural graph in the JSON format `shape_correspondence/graph`, version 1. What is read back is the same
 /// graph to the bit, but for the hulls of the parts, which are not saved, and their surface points, of which the first
-/// `surface_samples` are (key `surface` of a part: a list of points, not required), as many as matching needs. The key
+/// 32 are (key `surface` of a part: a list of points, not required), as many as matching needs. The key
 /// `fitted_to` beside an abstraction's `method` tells a medial axis and an axis of revolution from skeletons.
 /// Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
 void write_structural_graph_json(std::ostream& out, const Structural_graph& graph);
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Reads a structural graph; groups, contacts and the frame are detected where the file has none. Parts that the given
 /// groups leave out are groups of their own. With `options.symmetry.enabled` false all parts are.
 /// \param file_name names the input in messages
@@ -31,6 +33,7 @@ void write_structural_graph_json(std::ostream& out, const Structural_graph& grap
 Structural_graph read_structural_graph_json(std::istream& in, const std::string& file_name,
                                             const Structure_options& options = {});
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// The model that a graph file was built from, where its parts name their meshes: a model file each, under the key
 /// `mesh`, its path relative to the graph file's folder. None if no part names one. Reads the graph file once more.
 /// \throw Invalid_input if only some parts name one, or one cannot be used

@@ -15,19 +15,23 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Writes a shape as Wavefront OBJ: an object a part, with the part's name; coordinates that read back to the same.
 void write_segmented_shape_obj(std::ostream& out, const Segmented_shape& shape);
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Writes a shape as binary PLY, one mesh with the number of its part as the property `part` of every face; comments
 /// tell the parts' names.
 void write_segmented_shape_ply(std::ostream& out, const Segmented_shape& shape);
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Writes a blend as binary glTF 2.0 with an animation: the source, for half a second, `frames` in-between shapes at
 /// even times, the ends among them, in two seconds, with linear motion in between; the target, for half a second.
 /// Parts that correspond have one colour. Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
 /// \pre `frames >= 2`
 void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Correspondence& correspondence, int frames);
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Writes what happens in a blend in the JSON format `shape_correspondence/blend`, version 1: schedules with their
 /// tasks, and how well every frame holds together.
 /// \param output where the frames are

@@ -17,9 +17,11 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Shapes that a page shows at most, so that a browser can open it.
 constexpr std::size_t largest_pictured = 1000;
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Writes a collection as a web page that needs no network: a grid of pictures of the shapes by their curves and
 /// sheets, parts of one cluster in one colour, the medoid marked; the spanning tree with the medoid as its root; and
 /// for two shapes that are clicked, their match, turned by the mouse. Of more than `largest_pictured` shapes it shows

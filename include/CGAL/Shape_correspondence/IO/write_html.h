@@ -16,6 +16,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Writes a structural graph as a web page that needs no network: surfaces faint, curves and sheets, a colour a group,
 /// a dot a contact, and a table of the parts with how each was abstracted. The mouse turns, zooms and points at parts.
 /// A shape that has no meshes (read from a graph) is drawn by its curves and sheets: pass null. Needs nlohmann-json:
@@ -23,6 +24,7 @@ namespace IO {
 void write_structural_graph_html(std::ostream& out, const Structural_graph& graph,
                                  const Segmented_shape* shape = nullptr);
 
+/// \ingroup PkgShapeCorrespondenceIO
 /// Writes a correspondence as such a page: both shapes side by side in their common frame, source on the left, parts
 /// that correspond in one colour, unmatched parts grey, and a table of the pairs.
 void write_correspondence_html(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,

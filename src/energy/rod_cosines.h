@@ -3,12 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_ROD_KERNEL_H
-#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_ROD_KERNEL_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_ROD_COSINES_H
+#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_ROD_COSINES_H
 
 #include "base/vector_functions.h"
-
-#include <CGAL/Shape_correspondence/Points.h>
+#include "energy/Sample_lanes.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -22,58 +21,6 @@
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
-
-constexpr int maximum_samples = 36; // of a part: e × e
-constexpr int block_lanes = 16;     // of the widest vectors
-constexpr int maximum_blocks = 3;
-constexpr int lane_count = block_lanes * maximum_blocks;
-
-// Padding behind the points: finite, so that a rod to it can be taken out, and nearest to nothing
-constexpr float far_away = 1e6f;
-
-// Up to `maximum_samples` points, coordinate by coordinate, then padding.
-struct alignas(64) Sample_lanes
-{
-  float coordinates[3][lane_count];
-
-  explicit Sample_lanes(const Points& samples)
-  {
-    for (Eigen::Index i = 0; i < samples.cols(); ++i)
-      set(int(i), samples.col(i));
-    pad(int(samples.cols()));
-  }
-  // In an order; where this is longer, samples are repeated equally often.
-  Sample_lanes(const Points& samples, const std::vector<int>& order)
-  {
-    const int count = int(order.size()), repeats = count / int(samples.cols());
-    for (int i = 0; i < count; ++i)
-      set(i, samples.col(repeats == 1 ? order[std::size_t(i)] : order[std::size_t(i)] / repeats));
-    pad(count);
-  }
-
-private:
-  template <typename Sample>
-  void set(int i, const Sample& sample)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-      coordinates[axis][i] = float(sample[axis]);
-  }
-  void pad(int count)
-  {
-    for (auto& axis : coordinates)
-      std::fill(axis + count, axis + lane_count, far_away);
-  }
-};
-
-// The directions of rods from one sample to a block of samples; 0 where there is no rod.
-struct alignas(64) Rod_block
-{
-  float direction[3][block_lanes];
-};
-
-// Squared length, in units of the shape's height, under which a rod has no direction. Added to squared lengths, it
-// keeps them from being 0.
-constexpr float zero_rod = 1e-9f;
 
 template <int Width>
 struct Lane_vector
@@ -285,6 +232,7 @@ using Rod_kernel = Rod_answer<Sources> (*)(const Rod_block* const* rods, const S
 // The least length alone, with it the rods of one pair before, or without it those of one, two or four.
 struct Rod_kernels
 {
+  const char* name; // of the vector instructions
   Rod_kernel<0> least_length;
   Rod_kernel<1> both, one;
   Rod_kernel<2> two;
@@ -304,13 +252,13 @@ struct Rod_kernels
   CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(one_##name, instructions, width, 1, false)                                      \
   CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(two_##name, instructions, width, 2, false)                                      \
   CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(four_##name, instructions, width, 4, false)                                     \
-  constexpr Rod_kernels rod_kernels_##name{least_length_##name, both_##name, one_##name, two_##name, four_##name};
+  constexpr Rod_kernels rod_kernels_##name{#name,      least_length_##name, both_##name,                               \
+                                           one_##name, two_##name,          four_##name};
+CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(plain, "sse2", 1)
 #ifdef CGAL_SHAPE_CORRESPONDENCE_X86
 CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(sse2, "sse2", 4)
 CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(avx2, "avx2", 8)
 CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(avx512, "avx512f", 16)
-#else
-CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(plain, "", 1)
 #endif
 #undef CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS
 #undef CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL
@@ -318,14 +266,13 @@ CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(plain, "", 1)
 // The kernels that this machine can run, the fastest one last.
 inline std::vector<Rod_kernels> available_rod_kernels()
 {
+  std::vector<Rod_kernels> kernels{rod_kernels_plain};
 #ifdef CGAL_SHAPE_CORRESPONDENCE_X86
-  std::vector<Rod_kernels> kernels{rod_kernels_sse2};
+  kernels.push_back(rod_kernels_sse2);
   if (__builtin_cpu_supports("avx2")) kernels.push_back(rod_kernels_avx2);
   if (__builtin_cpu_supports("avx512f")) kernels.push_back(rod_kernels_avx512);
-  return kernels;
-#else
-  return {rod_kernels_plain};
 #endif
+  return kernels;
 }
 
 inline const Rod_kernels& rod_kernels()
@@ -338,4 +285,4 @@ inline const Rod_kernels& rod_kernels()
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_ROD_KERNEL_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_ROD_COSINES_H

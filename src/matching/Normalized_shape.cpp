@@ -3,58 +3,26 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_COMPARED_SHAPE_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_COMPARED_SHAPE_H
-
+#include "matching/Normalized_shape.h"
 #include "base/quantized.h"
 #include "matching/Shape_layout.h"
-#include "matching/part_assemblies.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-constexpr double board_height = 0.5; // at least
-constexpr double flat = 1e-12;       // variance in a direction, over the largest, that counts as none
+namespace {
 
-using Axes = Eigen::Array3d;
-using Surface = Eigen::ArrayX3d; // a point a row
-
-// The boxes of all parts, one a row.
-struct Boxes
-{
-  Eigen::ArrayX3d low, high;
-};
-
-// A part, or several as one.
-struct Part_extent
-{
-  Eigen::Matrix3d orientation;
-  bool on_ground = false;
-  bool is_board = false; // upright, from side to side
-  bool is_link = false;  // of a chain
-};
-
-// The parts of a shape in its unit box.
-struct Compared_shape
-{
-  std::vector<Surface> surfaces;
-  std::vector<Part_extent> parts;
-  Boxes boxes;
-
-  std::vector<std::vector<std::size_t>> wholes; // sets of parts that may stand for one part
-  std::vector<Part_extent> whole_parts;
-  Boxes whole_boxes;
-};
+constexpr double board_height = 0.5;  // of a board, at least
+constexpr double no_variance = 1e-12; // in a direction, over the largest: less counts as none
 
 // Square root of the covariance, of Frobenius norm 1: what is long where, whatever the size.
-inline Eigen::Matrix3d orientation(const Surface& surface)
+Eigen::Matrix3d orientation(const Surface& surface)
 {
   const Surface centred = surface.rowwise() - surface.colwise().mean();
   const Eigen::Matrix3d covariance = centred.matrix().transpose() * centred.matrix() / double(surface.rows());
@@ -62,19 +30,19 @@ inline Eigen::Matrix3d orientation(const Surface& surface)
   const Eigen::Array3d squares = eigen.eigenvalues();
   const double largest = squares.maxCoeff();
   if (!(largest > zero_squared_length)) return Eigen::Matrix3d::Zero();
-  // What is flat is exactly flat: a root would blow rounding noise up
-  const Eigen::Vector3d lengths = (squares > flat * largest).select(squares.sqrt(), 0.);
+  // A surface in a plane has no variance across it: the root of rounding noise would not be small
+  const Eigen::Vector3d lengths = (squares > no_variance * largest).select(squares.sqrt(), 0.);
   const double norm = lengths.norm();
   return eigen.eigenvectors() * (lengths / norm).asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-inline bool is_board(const Axes& sides)
+bool is_board(const Axes& sides)
 {
   return quantized(sides[1]) >= quantized(board_height) &&
          quantized(std::max(sides[0], sides[2])) >= quantized(wall_width);
 }
 
-inline Part_extent part_extent(const Surface& surface)
+Part_extent part_extent(const Surface& surface)
 {
   const Axes low = surface.colwise().minCoeff(), high = surface.colwise().maxCoeff();
   Part_extent result;
@@ -83,7 +51,7 @@ inline Part_extent part_extent(const Surface& surface)
   return result;
 }
 
-inline Surface surface_of(const Compared_shape& shape, const std::vector<std::size_t>& parts)
+Surface surface_of(const Normalized_shape& shape, const std::vector<std::size_t>& parts)
 {
   Eigen::Index n = 0;
   for (std::size_t part : parts)
@@ -97,38 +65,40 @@ inline Surface surface_of(const Compared_shape& shape, const std::vector<std::si
   return result;
 }
 
-inline void add_box(Boxes& boxes, Eigen::Index row, const Surface& surface)
+void add_box(Boxes& boxes, Eigen::Index row, const Surface& surface)
 {
   boxes.low.row(row) = surface.colwise().minCoeff();
   boxes.high.row(row) = surface.colwise().maxCoeff();
 }
 
 // Groups and panels, as one part each.
-inline void add_wholes(Compared_shape& compared, const Aligned_shape& shape, const Part_assemblies& assemblies)
+void add_unions(Normalized_shape& result, const Aligned_shape& shape, const Part_assemblies& assemblies)
 {
   for (const Aligned_shape::Group& group : shape.groups)
-    if (group.parts.size() >= whole_group_size) compared.wholes.push_back(group.parts);
+    if (group.parts.size() >= minimum_repetition) result.unions.push_back(group.parts);
   for (const std::vector<std::size_t>& panel : assemblies.panels)
-    if (shape.groups[shape.group_of[panel[0]]].parts != panel) compared.wholes.push_back(panel);
-  const auto is_all = [&](const std::vector<std::size_t>& whole) { return whole.size() == shape.parts.size(); };
-  compared.wholes.erase(std::remove_if(compared.wholes.begin(), compared.wholes.end(), is_all), compared.wholes.end());
+    if (shape.groups[shape.group_of[panel[0]]].parts != panel) result.unions.push_back(panel);
+  const auto is_all = [&](const std::vector<std::size_t>& parts) { return parts.size() == shape.parts.size(); };
+  result.unions.erase(std::remove_if(result.unions.begin(), result.unions.end(), is_all), result.unions.end());
 
-  const auto n = Eigen::Index(compared.wholes.size());
-  compared.whole_boxes = {Eigen::ArrayX3d(n, 3), Eigen::ArrayX3d(n, 3)};
-  for (const std::vector<std::size_t>& whole : compared.wholes) {
-    const Surface surface = surface_of(compared, whole);
-    add_box(compared.whole_boxes, Eigen::Index(compared.whole_parts.size()), surface);
-    compared.whole_parts.push_back(part_extent(surface));
-    compared.whole_parts.back().on_ground =
-        std::any_of(whole.begin(), whole.end(), [&](std::size_t part) { return compared.parts[part].on_ground; });
-    compared.whole_parts.back().is_link =
-        std::all_of(whole.begin(), whole.end(), [&](std::size_t part) { return compared.parts[part].is_link; });
+  const auto n = Eigen::Index(result.unions.size());
+  result.union_boxes = {Eigen::ArrayX3d(n, 3), Eigen::ArrayX3d(n, 3)};
+  for (const std::vector<std::size_t>& parts : result.unions) {
+    const Surface surface = surface_of(result, parts);
+    add_box(result.union_boxes, Eigen::Index(result.union_parts.size()), surface);
+    result.union_parts.push_back(part_extent(surface));
+    result.union_parts.back().on_ground =
+        std::any_of(parts.begin(), parts.end(), [&](std::size_t part) { return result.parts[part].on_ground; });
+    result.union_parts.back().is_in_chain =
+        std::all_of(parts.begin(), parts.end(), [&](std::size_t part) { return result.parts[part].is_in_chain; });
   }
 }
 
-inline Compared_shape compared_shape(const Aligned_shape& shape, const Part_assemblies& assemblies)
+} // namespace
+
+Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assemblies& assemblies)
 {
-  Compared_shape result;
+  Normalized_shape result;
   Axes low = Axes::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Sampled_part& part : shape.parts) {
     low = low.min(part.surface.rowwise().minCoeff().array());
@@ -146,14 +116,12 @@ inline Compared_shape compared_shape(const Aligned_shape& shape, const Part_asse
   }
   for (std::size_t part = 0; part < shape.parts.size(); ++part) {
     result.parts[part].on_ground = assemblies.is_on_ground[part];
-    result.parts[part].is_link = assemblies.is_link[part];
+    result.parts[part].is_in_chain = assemblies.is_in_chain[part];
   }
-  add_wholes(result, shape, assemblies);
+  add_unions(result, shape, assemblies);
   return result;
 }
 
 } // namespace internal
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_COMPARED_SHAPE_H

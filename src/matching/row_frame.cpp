@@ -3,10 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_ROW_FRAMER_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_ROW_FRAMER_H
-
-#include "matching/Shape_layout.h"
+#include "matching/row_frame.h"
 #include "matching/part_assemblies.h"
 
 #include <Eigen/Eigenvalues>
@@ -14,11 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
+
+namespace {
 
 // Set on one half of the development set, by source family, and on the generated shapes
 constexpr double upright_limit = 0.7;   // the vertical component of an upright row's normal is less
@@ -27,24 +25,15 @@ constexpr double frame_thickness = 5;   // of the row's: a row and its frame are
 constexpr double frame_allowance = 0.1; // of the height: or than this
 constexpr double frame_reach = 1.25;    // of the row's extents: by this a frame may be larger, in the plane
 
-inline bool is_row(const Aligned_shape::Group& group)
-{
-  return group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= whole_group_size;
-}
-
-// Finds what frames the rows of a shape.
-class Row_framer
+class Row_frame_finder
 {
 public:
-  static constexpr std::size_t no_deck = std::size_t(-1);
-
-  // The deck: a part, or `no_deck`.
-  Row_framer(const Aligned_shape& shape, const Shape_layout& layout, std::size_t deck, const std::vector<char>& is_link)
-      : shape_(shape), layout_(layout), deck_(deck), is_link_(is_link)
+  Row_frame_finder(const Aligned_shape& shape, const Shape_layout& layout, std::size_t main_surface,
+                   const std::vector<char>& is_in_chain)
+      : shape_(shape), layout_(layout), main_surface_(main_surface), is_in_chain_(is_in_chain)
   {}
 
-  // The row and the connected parts in its plane, farther and farther away.
-  std::vector<std::size_t> framed(const std::vector<std::size_t>& row) const
+  std::vector<std::size_t> with_frame(const std::vector<std::size_t>& row) const
   {
     std::vector<std::size_t> result = row;
     const Eigen::Matrix3d axes = plane_of(row);
@@ -58,9 +47,10 @@ public:
       middle += layout_.boxes[part].middle() / double(row.size());
       is_on_ground = is_on_ground || layout_.is_on_ground[part];
     }
-    const bool is_above_deck = deck_ != no_deck && is_less(layout_.boxes[deck_].middle(), middle);
+    const bool is_above_main_surface =
+        main_surface_ != no_part && is_less(layout_.boxes[main_surface_].middle(), middle);
     const Eigen::Array3d row_sides = of_row.sides(),
-                         most{std::max(frame_thickness * row_sides.x(), frame_allowance * layout_.whole.sides().y()),
+                         most{std::max(frame_thickness * row_sides.x(), frame_allowance * layout_.bounds.sides().y()),
                               (1 + frame_reach) * row_sides.y(), (1 + frame_reach) * row_sides.z()};
 
     std::vector<char> is_in(layout_.boxes.size(), 0);
@@ -68,7 +58,7 @@ public:
       is_in[part] = 1;
     for (std::size_t k = 0; k < result.size(); ++k)
       for (std::size_t part : layout_.neighbours[result[k]]) {
-        if (is_in[part] || !may_frame(part, is_on_ground, is_above_deck)) continue;
+        if (is_in[part] || !may_frame(part, is_on_ground, is_above_main_surface)) continue;
         const Eigen::Array3d sides = joined(of_row, box_in_plane(part)).sides();
         if (is_less(most.x(), sides.x()) || is_less(most.y(), sides.y()) || is_less(most.z(), sides.z())) continue;
         is_in[part] = 1;
@@ -80,11 +70,11 @@ public:
 
 private:
   // May a part frame a row, by its role? Knobs in a row do not frame the drawers that they are on.
-  bool may_frame(std::size_t part, bool row_is_on_ground, bool row_is_above_deck) const
+  bool may_frame(std::size_t part, bool row_is_on_ground, bool row_is_above_main_surface) const
   {
-    if (is_link_[part] || is_row(shape_.groups[shape_.group_of[part]])) return false;
+    if (is_in_chain_[part] || is_row(shape_.groups[shape_.group_of[part]])) return false;
     if (layout_.is_on_ground[part] && !row_is_on_ground) return false;
-    return !row_is_above_deck || is_less(layout_.boxes[deck_].middle(), layout_.boxes[part].middle());
+    return !row_is_above_main_surface || is_less(layout_.boxes[main_surface_].middle(), layout_.boxes[part].middle());
   }
 
   // Normal, level and rising axis of an upright row's plane; zero if it is not upright, or not in a plane.
@@ -112,12 +102,24 @@ private:
 
   const Aligned_shape& shape_;
   const Shape_layout& layout_;
-  std::size_t deck_;
-  const std::vector<char>& is_link_;
+  std::size_t main_surface_;
+  const std::vector<char>& is_in_chain_;
 };
+
+} // namespace
+
+bool is_row(const Aligned_shape::Group& group)
+{
+  return group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= minimum_repetition;
+}
+
+std::vector<std::size_t> row_with_frame(const std::vector<std::size_t>& row, const Aligned_shape& shape,
+                                        const Shape_layout& layout, std::size_t main_surface,
+                                        const std::vector<char>& is_in_chain)
+{
+  return Row_frame_finder(shape, layout, main_surface, is_in_chain).with_frame(row);
+}
 
 } // namespace internal
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_ROW_FRAMER_H

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_SAMPLE_LANES_H
+#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_SAMPLE_LANES_H
+
+#include <CGAL/Shape_correspondence/Points.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+constexpr int maximum_samples = 36; // of a part: e × e
+constexpr int block_lanes = 16;     // of the widest vectors
+constexpr int maximum_blocks = 3;
+constexpr int lane_count = block_lanes * maximum_blocks;
+
+// Padding behind the points: finite, so that a rod to it can be taken out, and nearest to nothing
+constexpr float far_away = 1e6f;
+
+// Up to `maximum_samples` points, coordinate by coordinate, then padding.
+struct alignas(64) Sample_lanes
+{
+  float coordinates[3][lane_count];
+
+  explicit Sample_lanes(const Points& samples)
+  {
+    for (Eigen::Index i = 0; i < samples.cols(); ++i)
+      set(int(i), samples.col(i));
+    pad(int(samples.cols()));
+  }
+  // In the order of `deform_to_fit()`.
+  Sample_lanes(const Points& samples, const std::vector<int>& order)
+  {
+    const int count = int(order.size()), repeats = count / int(samples.cols());
+    for (int i = 0; i < count; ++i)
+      set(i, samples.col(repeats == 1 ? order[std::size_t(i)] : order[std::size_t(i)] / repeats));
+    pad(count);
+  }
+
+private:
+  template <typename Sample>
+  void set(int i, const Sample& sample)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+      coordinates[axis][i] = float(sample[axis]);
+  }
+  void pad(int count)
+  {
+    for (auto& axis : coordinates)
+      std::fill(axis + count, axis + lane_count, far_away);
+  }
+};
+
+// The directions of rods from one sample to a block of samples; 0 where there is no rod.
+struct alignas(64) Rod_block
+{
+  float direction[3][block_lanes];
+};
+
+// Squared length, in units of the shape's height, under which a rod has no direction. Added to squared lengths, it
+// keeps them from being 0.
+constexpr float zero_rod = 1e-9f;
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_SAMPLE_LANES_H

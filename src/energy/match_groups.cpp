@@ -1,0 +1,95 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "energy/match_groups.h"
+#include "base/optimal_assignment.h"
+#include "energy/Unit_box.h"
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+// Columns of a row that no row has taken go to the nearest row.
+std::vector<std::vector<std::size_t>> assign_members(const Eigen::MatrixXd& cost)
+{
+  std::vector<std::vector<std::size_t>> cols_of(cost.rows());
+  std::vector<char> taken(cost.cols(), 0);
+  const std::vector<std::size_t> first = optimal_assignment(cost);
+  for (std::size_t row = 0; row < first.size(); ++row) {
+    cols_of[row].push_back(first[row]);
+    taken[first[row]] = 1;
+  }
+  for (Eigen::Index col = 0; col < cost.cols(); ++col) {
+    if (taken[col]) continue;
+    Eigen::Index nearest;
+    cost.col(col).minCoeff(&nearest);
+    cols_of[nearest].push_back(std::size_t(col));
+  }
+  for (auto& cols : cols_of)
+    std::sort(cols.begin(), cols.end());
+  return cols_of;
+}
+
+} // namespace
+
+Operation topological_operation(std::size_t source_size, std::size_t target_size)
+{
+  if (source_size == target_size) return Operation::MATCH;
+  if (source_size > target_size) return Operation::MERGE;
+  return source_size == 1 ? Operation::SPLIT : Operation::DUPLICATE;
+}
+
+double solidity_ratio(const Aligned_shape::Group& source, const Aligned_shape::Group& target)
+{
+  const bool single = source.parts.size() == 1 && target.parts.size() == 1;
+  const bool rotational =
+      source.symmetry.type == Symmetry_type::ROTATION || target.symmetry.type == Symmetry_type::ROTATION;
+  if (single || rotational) return 1;
+  return std::min(source.solidity, target.solidity) / std::max(source.solidity, target.solidity);
+}
+
+Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
+                         std::size_t target_group)
+{
+  const auto& from = source.groups[source_group].parts;
+  const auto& to = target.groups[target_group].parts;
+  Group_label label;
+  label.target_group = target_group;
+  label.operation = topological_operation(from.size(), to.size());
+  label.solidity_ratio = solidity_ratio(source.groups[source_group], target.groups[target_group]);
+  label.images.resize(from.size());
+  if (from.size() == 1 || to.size() == 1) {
+    for (std::size_t i = 0; i < from.size(); ++i)
+      for (std::size_t part : to)
+        label.images[i].push_back({{from[i]}, {part}});
+    return label;
+  }
+
+  const Unit_box from_box(source.groups[source_group]), to_box(target.groups[target_group]);
+  Eigen::MatrixXd cost(from.size(), to.size());
+  for (Eigen::Index i = 0; i < cost.rows(); ++i)
+    for (Eigen::Index j = 0; j < cost.cols(); ++j)
+      cost(i, j) = quantized_distance(from_box(source.parts[from[std::size_t(i)]].centroid),
+                                      to_box(target.parts[to[std::size_t(j)]].centroid));
+  if (from.size() <= to.size()) {
+    const auto images = assign_members(cost);
+    for (std::size_t i = 0; i < from.size(); ++i)
+      for (std::size_t j : images[i])
+        label.images[i].push_back({{from[i]}, {to[j]}});
+  } else {
+    const auto preimages = assign_members(cost.transpose());
+    for (std::size_t j = 0; j < to.size(); ++j)
+      for (std::size_t i : preimages[j])
+        label.images[i].push_back({{from[i]}, {to[j]}});
+  }
+  return label;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL

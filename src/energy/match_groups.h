@@ -1,0 +1,63 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATCH_GROUPS_H
+#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATCH_GROUPS_H
+
+#include "structure/align_shapes.h"
+
+#include <CGAL/Shape_correspondence/Geotopo_operation.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// A piece of a part: the whole, or one of `count` equally long segments of a curve.
+struct Piece
+{
+  std::size_t part = 0;
+  int index = 0, count = 1;
+
+  friend bool operator==(const Piece& a, const Piece& b)
+  {
+    return a.part == b.part && a.index == b.index && a.count == b.count;
+  }
+};
+
+/// What a piece of a source part turns into.
+struct Image
+{
+  Piece source, target;
+};
+
+/// What a source group becomes: a target group, the operation, and what each member turns into.
+struct Group_label
+{
+  static constexpr std::size_t no_group = std::size_t(-1);
+
+  std::size_t target_group = no_group; ///< `no_group` leaves the group unmatched
+  Operation operation = Operation::NONE;
+  std::vector<std::vector<Image>> images; ///< by member of the source group; at least one each, or none at all
+  double solidity_ratio = 1;              ///< S_i of Eq. 5
+};
+
+/// What becomes of a group of so many parts that turns into a group of so many: match, split, duplicate or merge.
+Operation topological_operation(std::size_t source_size, std::size_t target_size);
+
+/// S_i of Eq. 5: 1 between single parts and where one side is a rotational group.
+double solidity_ratio(const Aligned_shape::Group& source, const Aligned_shape::Group& target);
+
+/// Group matching (paper, section 5): the parts of a source group and those of a target group, centroids in the groups'
+/// unit boxes, matched one to one by optimal assignment as far as numbers allow; every member left over goes to the
+/// nearest one of the other side. So no target part stays free while another is taken twice without need.
+Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
+                         std::size_t target_group);
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATCH_GROUPS_H

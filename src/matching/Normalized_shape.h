@@ -1,0 +1,57 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_NORMALIZED_SHAPE_H
+#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_NORMALIZED_SHAPE_H
+
+#include "matching/part_assemblies.h"
+#include "structure/align_shapes.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+using Axes = Eigen::Array3d;
+using Surface = Eigen::ArrayX3d; // a point a row
+
+// The boxes of all parts, one a row.
+struct Boxes
+{
+  Eigen::ArrayX3d low, high;
+};
+
+// A part, or several as one.
+struct Part_extent
+{
+  Eigen::Matrix3d orientation;
+  bool on_ground = false;
+  bool is_board = false;    // upright, from side to side
+  bool is_in_chain = false; // a ring of a chain
+};
+
+// The parts of a shape in its unit box.
+struct Normalized_shape
+{
+  std::vector<Surface> surfaces;
+  std::vector<Part_extent> parts;
+  Boxes boxes;
+
+  std::vector<std::vector<std::size_t>> unions; // sets of parts that may correspond to one part as a whole
+  std::vector<Part_extent> union_parts;
+  Boxes union_boxes;
+};
+
+Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assemblies& assemblies);
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_NORMALIZED_SHAPE_H

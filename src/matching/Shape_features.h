@@ -1,0 +1,36 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_SHAPE_FEATURES_H
+#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_SHAPE_FEATURES_H
+
+#include "matching/Normalized_shape.h"
+
+#include <CGAL/Shape_correspondence/Search_options.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+// What `match_parts()` knows of a shape.
+struct Shape_features
+{
+  const Aligned_shape& shape;
+  Part_assemblies assemblies; // as far as the options ask for them
+  Normalized_shape normalized;
+
+  Shape_features(const Aligned_shape& shape, const Part_matching_options& options);
+
+  std::size_t size() const { return shape.parts.size(); }
+  bool has_chain() const;
+};
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_SHAPE_FEATURES_H

@@ -1,0 +1,160 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "energy/Structural_rods.h"
+#include "energy/rod_cosines.h"
+#include "hand_made_graphs.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+using namespace CGAL::Shape_correspondence;
+using hand_made::points;
+
+TEST_CASE("Eq. 2 and 3: two rods, one turned by 60 degrees")
+{
+  const Structural_rods rods(points({{0, 0, 0}}), points({{2, 0, 0}, {0, 3, 0}}));
+  const double c = 0.5, s = std::sqrt(3) / 2;
+  // Lengths change, too: directions alone count
+  const Rod_energy energy = rods.energy(points({{0, 0, 0}}), points({{4 * c, 4 * s, 0}, {0, 5, 0}}));
+  // D = (1/2, 1), J = (1, 1): 1 - sqrt(1/4 + 1) / sqrt(2)
+  CHECK(energy.distortion == Approx(1 - std::sqrt(1.25 / 2)));
+}
+
+TEST_CASE("Eq. 2: a rod turned by more than a right angle counts as much as by a right angle")
+{
+  const Structural_rods rods(points({{0, 0, 0}}), points({{1, 0, 0}}));
+  CHECK(rods.energy(points({{0, 0, 0}}), points({{-1, 0.5, 0}})).distortion == 1);
+  CHECK(rods.energy(points({{0, 0, 0}}), points({{0, 7, 0}})).distortion == 1);
+}
+
+TEST_CASE("Eq. 4 with its sign turned: the penalty grows with the distance")
+{
+  // d = 1, f = 4
+  const Structural_rods rods(points({{0, 0, 0}}), points({{1, 0, 0}, {4, 0, 0}}));
+  const auto moved = [&](double x) { return rods.energy(points({{0, 0, 0}}), points({{x, 0, 0}, {x + 3, 0, 0}})); };
+  CHECK(moved(0.5).connectedness == 0);
+  CHECK(moved(1).connectedness == 0);
+  CHECK(moved(2).connectedness == Approx(0.5));
+  CHECK(moved(3).connectedness == Approx(0.75));
+  CHECK(moved(9).connectedness == 1);
+}
+
+TEST_CASE("Touching samples: a rod of length zero is not broken")
+{
+  const Points a = points({{0, 0, 0}, {1, 1, 1}}), b = points({{0, 0, 0}, {0.1, 0.7, 0.3}});
+  const Structural_rods rods(a, b);
+  const Rod_energy same = rods.energy(a, b);
+  CHECK(same.distortion == 0);
+  CHECK(same.connectedness == 0);
+  // One of four rods becomes zero, the others keep their directions: 1 - sqrt(3/4)
+  const Structural_rods apart(points({{0, 0, 0}, {0, 1, 0}}), points({{1, 0, 0}, {1, 0, 0}}));
+  CHECK(apart.energy(points({{0, 0, 0}, {0, 0, 0}}), points({{1, 0, 0}, {0, 0, 0}})).distortion ==
+        Approx(1 - std::sqrt((1 + 0 + 0.5 + 0) / 4)));
+}
+
+TEST_CASE("Unmoved rods cost exactly nothing, whatever the numbers")
+{
+  std::srand(7);
+  for (int n : {6, 36}) {
+    const Points a = Points::Random(3, n), b = Points::Random(3, 36);
+    const Rod_energy energy = Structural_rods(a, b).energy(a, b);
+    CHECK(energy.distortion == 0);
+    CHECK(energy.connectedness == 0);
+    // nor does a translation of both; scaling neither bends nor breaks
+    const Points shift = Points::Constant(3, 1, 0.25);
+    CHECK(Structural_rods(a, b).energy(a.colwise() + shift.col(0), b.colwise() + shift.col(0)).distortion ==
+          Approx(0).margin(1e-6));
+    CHECK(Structural_rods(a, b).energy(3 * a, 3 * b).distortion == Approx(0).margin(1e-6));
+  }
+}
+
+TEST_CASE("Every rod kernel of the machine gives the bits of the plain one")
+{
+  const auto kernels = internal::available_rod_kernels();
+  CHECK(kernels.front().name == std::string("plain"));
+#if defined(__x86_64__) && defined(__GNUC__)
+  REQUIRE(kernels.size() > 1);
+  if (kernels.back().name != std::string("avx512"))
+    WARN("this machine has no AVX-512: that kernel is not tested, the widest one is " << kernels.back().name);
+#endif
+  std::srand(3);
+  for (const int n : {1, 5, 6, 17, 36})
+    for (const int m : {1, 6, 16, 33, 36}) {
+      const Points a = Points::Random(3, n), b = Points::Random(3, m);
+      std::vector<internal::Rod_block> before(4 * std::size_t((n + m) * internal::maximum_blocks));
+      for (internal::Rod_block& block : before)
+        for (int j = 0; j < internal::block_lanes; ++j) {
+          const Point r = Point::Random().normalized();
+          for (int axis = 0; axis < 3; ++axis)
+            block.direction[axis][j] = float(r[axis]);
+        }
+      const internal::Rod_block* rods[4];
+      for (int s = 0; s < 4; ++s)
+        rods[s] = before.data() + s * (n + m) * internal::maximum_blocks;
+      const internal::Sample_lanes first(a), second(b);
+      const auto expected = kernels[0].four(rods, first, n, second, m);
+      const float least = kernels[0].least_length(nullptr, first, n, second, m).least_squared_length;
+      for (const internal::Rod_kernels& kernel : kernels) {
+        CAPTURE(kernel.name, n, m);
+        CHECK(kernel.least_length(nullptr, first, n, second, m).least_squared_length == least);
+        const auto four = kernel.four(rods, first, n, second, m);
+        for (int s = 0; s < 4; ++s) {
+          CHECK(four.squared_cosines[s] == expected.squared_cosines[s]);
+          const auto both = kernel.both(rods + s, first, n, second, m);
+          CHECK(both.squared_cosines[0] == expected.squared_cosines[s]);
+          CHECK(both.least_squared_length == least);
+          CHECK(kernel.one(rods + s, first, n, second, m).squared_cosines[0] == expected.squared_cosines[s]);
+        }
+        const auto two = kernel.two(rods + 1, first, n, second, m);
+        CHECK(two.squared_cosines[0] == expected.squared_cosines[1]);
+        CHECK(two.squared_cosines[1] == expected.squared_cosines[2]);
+      }
+    }
+}
+
+TEST_CASE("Pairs that turn into the same one have the energies that they have alone")
+{
+  std::srand(11);
+  const Points c = Points::Random(3, 6), d = Points::Random(3, 36);
+  std::vector<Structural_rods> rods;
+  for (int i = 0; i < 7; ++i)
+    rods.emplace_back(Points::Random(3, 6), Points::Random(3, 36));
+  std::vector<const Structural_rods*> pairs;
+  std::vector<double> result;
+  for (const Structural_rods& pair : rods) {
+    pairs.push_back(&pair);
+    distortions(pairs, internal::Sample_lanes(c), internal::Sample_lanes(d), result);
+    REQUIRE(result.size() == pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      CHECK(result[i] == pairs[i]->energy(c, d).distortion);
+  }
+}
+
+TEST_CASE("Rods of every layout agree with Eq. 2 and 3 in double precision")
+{
+  std::srand(5);
+  for (const int n : {1, 6, 16, 17, 36})
+    for (const int m : {1, 6, 16, 17, 36}) {
+      const Points a = Points::Random(3, n), b = Points::Random(3, m), c = Points::Random(3, n),
+                   d = Points::Random(3, m);
+      double kept = 0, nearest = 1e9, shortest = 1e9, longest = 0;
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < m; ++j) {
+          const Point r = b.col(j) - a.col(i), moved = d.col(j) - c.col(i);
+          kept += std::pow(std::max(0.0, r.dot(moved) / (r.norm() * moved.norm())), 2);
+          nearest = std::min(nearest, moved.norm());
+          shortest = std::min(shortest, r.norm());
+          longest = std::max(longest, r.norm());
+        }
+      const Rod_energy energy = Structural_rods(a, b).energy(c, d);
+      CHECK(energy.distortion == Approx(1 - std::sqrt(kept / (n * m))).margin(1e-6));
+      CHECK(energy.connectedness == Approx(nearest > shortest ? std::min(1.0, nearest / longest) : 0.0).margin(1e-6));
+      CHECK(least_distance(c, d) == Approx(nearest).margin(1e-6));
+    }
+}

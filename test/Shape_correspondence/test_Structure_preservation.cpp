@@ -1,0 +1,72 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "energy/Structure_preservation.h"
+#include "hand_made_graphs.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace CGAL::Shape_correspondence;
+using namespace hand_made;
+
+namespace {
+
+std::size_t index_of(const Aligned_shape& shape, std::size_t original)
+{
+  return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());
+}
+
+} // namespace
+
+TEST_CASE("Structure preservation: unmatched parts follow their contacts, members their generator")
+{
+  const Aligned_shape shape = align_shape(chair());
+  const std::size_t seat = index_of(shape, 0);
+  std::vector<char> matched(shape.groups.size(), 0);
+  matched[shape.group_of[seat]] = 1;
+
+  // The seat is widened by 0.1 on either side and raised by 0.2
+  std::vector<std::array<Point, 2>> contact_displacement(shape.contacts.size());
+  for (std::size_t c = 0; c < shape.contacts.size(); ++c)
+    for (int side : {0, 1}) {
+      const Point p =
+          shape.parts[shape.contacts[c].parts[side]].samples.col(Eigen::Index(shape.contacts[c].samples[side]));
+      contact_displacement[c][side] = Point(std::abs(p.x()) < .2 ? 0 : p.x() < 0 ? -.1 : .1, .2, 0);
+    }
+  Points displacement = Points::Zero(3, Eigen::Index(shape.parts.size()));
+  Structure_preservation preserve_structure(shape);
+  preserve_structure(matched, contact_displacement, displacement);
+  CHECK(displacement.col(Eigen::Index(index_of(shape, 2))).isApprox(Point(.1, .2, 0)));
+  CHECK(displacement.col(Eigen::Index(index_of(shape, 3))).isApprox(Point(-.1, .2, 0)));
+  CHECK(displacement.col(Eigen::Index(index_of(shape, 1))).isApprox(Point(0, .2, 0)));
+}
+
+TEST_CASE("Structure preservation: a chain between two matched ends settles to an even spread")
+{
+  // Five rods end to end; the outer two are moved, the others follow both sides
+  Shape_structure shape;
+  std::vector<Part_group> groups;
+  for (int i = 0; i < 5; ++i) {
+    shape.parts.push_back(curve(std::to_string(i), {double(i), 0, 0}, {i + 1., 1. * (i == 4), 0}));
+    groups.push_back(group({std::size_t(i)}));
+    if (i > 0) shape.contacts.push_back(contact(shape, std::size_t(i - 1), std::size_t(i), {double(i), 0, 0}));
+  }
+  const Aligned_shape chain = align_shape(make_structural_graph(std::move(shape), std::move(groups)));
+  std::vector<char> matched(5, 0);
+  matched[chain.group_of[index_of(chain, 0)]] = matched[chain.group_of[index_of(chain, 4)]] = 1;
+  std::vector<std::array<Point, 2>> contact_displacement(chain.contacts.size());
+  for (std::size_t c = 0; c < chain.contacts.size(); ++c)
+    for (std::size_t side : {0, 1})
+      contact_displacement[c][side] = Point(0, chain.original[chain.contacts[c].parts[side]] == 4 ? 0.4 : 0, 0);
+  Points displacement = Points::Zero(3, 5);
+  Structure_preservation preserve_structure(chain);
+  preserve_structure(matched, contact_displacement, displacement);
+  for (std::size_t i : {1, 2, 3})
+    CHECK(displacement(1, Eigen::Index(index_of(chain, i))) == Approx(0.1 * double(i)).margin(0.005));
+}

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "energy/match_groups.h"
+#include "hand_made_graphs.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+
+using namespace CGAL::Shape_correspondence;
+using namespace hand_made;
+
+namespace {
+
+std::size_t index_of(const Aligned_shape& shape, std::size_t original)
+{
+  return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());
+}
+
+} // namespace
+
+TEST_CASE("Groups: members one to one by place, then the left-over ones to the nearest")
+{
+  const Aligned_shape plain = align_shape(chair()), slats = align_shape(slatted_chair());
+  const auto group_with = [](const Aligned_shape& shape, std::size_t original) {
+    return shape.group_of[index_of(shape, original)];
+  };
+
+  const Group_label legs = match_groups(plain, group_with(plain, 2), slats, group_with(slats, 4));
+  CHECK(legs.operation == Operation::MATCH);
+  for (std::size_t i = 0; i < 2; ++i) {
+    REQUIRE(legs.images[i].size() == 1);
+    const std::size_t from = plain.original[plain.groups[group_with(plain, 2)].parts[i]];
+    CHECK(slats.original[legs.images[i][0].target.part] == from + 2); // left to left, right to right
+  }
+
+  const Group_label split = match_groups(plain, group_with(plain, 1), slats, group_with(slats, 1));
+  CHECK(split.operation == Operation::SPLIT);
+  CHECK(split.images[0].size() == 3);
+  CHECK(split.solidity_ratio == Approx(0.4));
+
+  const Group_label merge = match_groups(slats, group_with(slats, 1), plain, group_with(plain, 1));
+  CHECK(merge.operation == Operation::MERGE);
+  CHECK(merge.images.size() == 3);
+
+  const Group_label duplicate = match_groups(plain, group_with(plain, 2), slats, group_with(slats, 1));
+  CHECK(duplicate.operation == Operation::DUPLICATE);
+  std::set<std::size_t> taken;
+  for (const auto& images : duplicate.images)
+    for (const Image& image : images)
+      taken.insert(image.target.part);
+  CHECK(taken.size() == 3); // every target part is somebody's image
+}
