@@ -5,7 +5,7 @@
 
 #include "base/for_each_index.h"
 #include "cli/commands.h"
-#include "cli/common_options.h"
+#include "cli/command_line.h"
 #include "cli/load_shape.h"
 #include "cli/match_options.h"
 #include "cli/outputs.h"

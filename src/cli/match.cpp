@@ -5,7 +5,7 @@
 
 #include "cli/clock.h"
 #include "cli/commands.h"
-#include "cli/common_options.h"
+#include "cli/command_line.h"
 #include "cli/load_shape.h"
 #include "cli/match_options.h"
 #include "cli/match_table.h"

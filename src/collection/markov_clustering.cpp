@@ -8,6 +8,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <Eigen/SparseCore>
+
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -7,7 +7,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_VIEWER_HTML_PAGE_H
 
 #include "io/glb_builder.h"
-#include "viewer/colours.h"
+#include "io/colours.h"
 
 #include <iosfwd>
 #include <string>

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "viewer/collection_page.h"
-#include "viewer/colours.h"
+#include "io/colours.h"
 #include "viewer/html_text.h"
 
 #include <CGAL/Shape_correspondence/IO/write_collection_html.h>

@@ -76,6 +76,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
     return {value, *this};                                                                                             \
   }
   CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(CGAL_SHAPE_CORRESPONDENCE_CHAIN)
+  CGAL_SHAPE_CORRESPONDENCE_CHAIN(part_names, , )
 #undef CGAL_SHAPE_CORRESPONDENCE_CHAIN
 };
 
@@ -86,6 +87,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
     return {value};                                                                                                    \
   }
 CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(CGAL_SHAPE_CORRESPONDENCE_START)
+CGAL_SHAPE_CORRESPONDENCE_START(part_names, , ) // of Segmented_shape::from_segmentation()
 #undef CGAL_SHAPE_CORRESPONDENCE_START
 
 /// \ingroup PkgShapeCorrespondenceFunctions

@@ -5,9 +5,9 @@
 
 #include "base/Disjoint_sets.h"
 #include "base/quarter_turn.h"
-#include "viewer/colours.h"
-#include "viewer/drawn_shape.h"
-#include "viewer/picture_geometry.h"
+#include "io/colours.h"
+#include "io/drawn_shape.h"
+#include "io/picture_geometry.h"
 
 #include <algorithm>
 
