@@ -105,7 +105,7 @@ struct Search_options
   /// taken, by `Search_method::PARTS` only if it is clearly better than the first; 1 is the first, the one nearest to
   /// the given orientation, 0 all of them.
   int alignments = 1;
-  int solutions = 1;          ///< of `find_correspondences()`
+  int solutions = 1;          ///< how many `find_correspondences()` returns at most
   bool min_marginals = false; ///< compute `Group_match::min_marginal`, by exact searches whatever the method
   /// Called before every direction of every alignment with the share that is done; `false` ends the search.
   std::function<bool(double)> progress;

@@ -14,8 +14,8 @@ namespace Shape_correspondence {
 /// \ingroup PkgShapeCorrespondenceShapes
 /// A shape's own frame (paper, section 5, "Initial alignment"): in it the shape stands on the ground, is centred above
 /// the origin, has height 1, and its dominant vertical mirror plane, where it has one, is x = 0. It moves with the
-/// shape under translation, uniform scaling and turning about the up axis, up to a quarter turn that `align_shapes()`
-/// settles.
+/// shape under translation, uniform scaling and rotation about the up axis, up to quarter turns, which are settled when
+/// two shapes are aligned.
 struct Shape_frame
 {
   Point origin = Point::Zero();                       ///< on the ground, in world coordinates

@@ -22,7 +22,7 @@ struct Structure_options
   Contact_options contacts;        ///< of `detect_contacts()`
 };
 
-/// \ingroup PkgShapeCorrespondenceGraph
+/// \ingroup PkgShapeCorrespondenceFunctions
 /// Seconds of the steps of `build_structural_graph()`.
 struct Structure_times
 {
@@ -30,7 +30,7 @@ struct Structure_times
   double structure = 0;   ///< finding symmetry groups and contacts
 };
 
-/// \ingroup PkgShapeCorrespondenceGraph
+/// \ingroup PkgShapeCorrespondenceFunctions
 /// Builds the structural graph of a segmented shape: its frame, the abstraction of every part, symmetry groups and
 /// contacts.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same to the bit
@@ -42,7 +42,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Structural_graph build_structural_graph(const Segmented_shape& shape, const Structure_options& options = {},
                                         Structure_times* times = nullptr);
 
-/// \ingroup PkgShapeCorrespondenceGraph
+/// \ingroup PkgShapeCorrespondenceFunctions
 /// Builds the graph of a shape whose parts are abstracted already: detects what is missing, that is the groups if
 /// `groups` is empty, and the contacts if `shape.contacts` is empty. The frame is taken as it is.
 /// \throw Invalid_input if the shape has fewer than two parts

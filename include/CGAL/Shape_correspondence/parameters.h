@@ -20,7 +20,6 @@ namespace Shape_correspondence {
 /// what is not named keeps its default. Chain them: `parameters::beam_width(40).expansions(8)`.
 namespace parameters {
 
-/// \ingroup PkgShapeCorrespondenceFunctions
 /// \cond SKIP_IN_MANUAL
 
 /// A parameter pack of CGAL that can be chained with the parameters of this package.
@@ -90,7 +89,6 @@ CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(CGAL_SHAPE_CORRESPONDENCE_START)
 CGAL_SHAPE_CORRESPONDENCE_START(part_names, , ) // of Segmented_shape::from_segmentation()
 #undef CGAL_SHAPE_CORRESPONDENCE_START
 
-/// \ingroup PkgShapeCorrespondenceFunctions
 /// The option structure (`Search_options` or `Structure_options`) that a parameter pack describes.
 template <typename Options, typename NamedParameters>
 Options options_from(const NamedParameters& np)
@@ -116,8 +114,7 @@ Options options_from(const NamedParameters& np)
 } // namespace parameters
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// Builds the structural graph of a segmented shape, with named parameters; see
-/// `build_structural_graph(const Segmented_shape&, const Structure_options&, Structure_times*)`.
+/// Builds the structural graph of a segmented shape; named parameters take the place of `Structure_options`.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same to the bit
 /// \param shape the shape
 /// \param np an optional sequence of named parameters among the ones listed below
@@ -188,8 +185,7 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 }
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// Finds the part correspondence of two shapes, with named parameters; see
-/// `find_correspondence(const Structural_graph&, const Structural_graph&, const Search_options&)`.
+/// Finds the part correspondence of two shapes; named parameters take the place of `Search_options`.
 /// \param source,target the structural graphs of the shapes
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
