@@ -3,15 +3,15 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "base/for_each_index.h"
 #include "cli/collection_shapes.h"
+#include "base/for_each_index.h"
 #include "cli/load_shape.h"
 #include "cli/progress_bar.h"
+#include "io/Json.h"
+#include "io/Json_field.h"
 #include "io/atomic_file.h"
 #include "io/digest.h"
 #include "io/input_file.h"
-#include "io/Json.h"
-#include "io/Json_field.h"
 #include "io/model_parts.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>

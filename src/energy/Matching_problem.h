@@ -11,7 +11,7 @@
 #include "energy/match_groups.h"
 
 #include <CGAL/Shape_correspondence/Pairwise_energy.h>
-#include <CGAL/Shape_correspondence/Search_options.h>
+#include <CGAL/Shape_correspondence/Matching_options.h>
 
 #include <cstddef>
 #include <limits>

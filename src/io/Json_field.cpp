@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/input_file.h"
 #include "io/Json_field.h"
+#include "io/input_file.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

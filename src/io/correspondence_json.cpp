@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/Json_field.h"
 #include "io/Json.h"
+#include "io/Json_field.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -168,10 +168,7 @@ Correspondence correspondence_of(const Named_correspondence& named, const Struct
   return result;
 }
 
-bool is_correspondence_json(const std::string& file)
-{
-  return read_json_file(file).has("format", match_format);
-}
+bool is_correspondence_json(const std::string& file) { return read_json_file(file).has("format", match_format); }
 
 } // namespace IO
 } // namespace Shape_correspondence

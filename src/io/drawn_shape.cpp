@@ -3,10 +3,10 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/drawn_shape.h"
 #include "base/Disjoint_sets.h"
 #include "base/quarter_turn.h"
 #include "io/colours.h"
-#include "io/drawn_shape.h"
 #include "io/picture_geometry.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/frame_of_abstractions.h"
 #include "io/Json_field.h"
+#include "io/frame_of_abstractions.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 

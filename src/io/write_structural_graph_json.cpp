@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/Json.h"
-#include "structure/align_shapes.h"
 #include "io/report_text.h"
+#include "structure/align_shapes.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 

@@ -8,7 +8,7 @@
 
 #include "energy/Matching_problem.h"
 
-#include <CGAL/Shape_correspondence/Search_options.h>
+#include <CGAL/Shape_correspondence/Beam_options.h>
 
 namespace CGAL {
 namespace Shape_correspondence {

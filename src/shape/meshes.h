@@ -6,8 +6,6 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_SHAPE_MESHES_H
 #define CGAL_SHAPE_CORRESPONDENCE_SHAPE_MESHES_H
 
-#include "abstraction/bounding_box.h"
-
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

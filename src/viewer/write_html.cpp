@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/drawn_shape.h"
-#include "viewer/html_page.h"
 #include "io/report_text.h"
+#include "viewer/html_page.h"
 
 #include <CGAL/Shape_correspondence/IO/write_html.h>
 

@@ -6,12 +6,12 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_SEARCH_OPTIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_SEARCH_OPTIONS_H
 
-#include <CGAL/Shape_correspondence/Deformation_energy.h>
+#include <CGAL/Shape_correspondence/Beam_options.h>
+#include <CGAL/Shape_correspondence/Matching_options.h>
 #include <CGAL/Shape_correspondence/exact_search.h>
 
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -56,35 +56,6 @@ struct Part_matching_options
   bool support = true;    ///< match the parts that support a seat or top as a set
   bool alike_legs = true; ///< where only some legs are alike, match them one to one, not the supports as sets
   bool chains = true;     ///< a shape with a chain hangs from it, and rings of chains correspond to each other only
-};
-
-/// \ingroup PkgShapeCorrespondenceOptions
-/// Options of `Search_method::BEAM`, with the paper's values.
-struct Beam_options
-{
-  int beam_width = 20; ///< K, the partial solutions kept at each level
-  int expansions = 4;  ///< k, the expansions kept of each partial solution
-};
-
-/// \ingroup PkgShapeCorrespondenceOptions
-/// How the energies of connected pairs of parts make up E_d and E_c.
-enum class Energy_norm {
-  SUM,   ///< sums over the connected pairs (the paper's Eq. 1)
-  POOLED ///< E_d: one norm over the rods of all pairs, as many as their samples give, unlifted; E_c: the mean
-};
-
-/// \ingroup PkgShapeCorrespondenceOptions
-/// What may be matched and what it costs.
-struct Matching_options
-{
-  /// A cost that nothing outweighs.
-  static constexpr double never = std::numeric_limits<double>::infinity();
-
-  Energy_weights weights;              ///< weights of the terms of the energy
-  Energy_norm norm = Energy_norm::SUM; ///< how the energies of pairs of parts are summed
-  bool cut_curves = true;              ///< offer `Operation::CUT` and `Operation::JOIN` beside splitting and merging
-  /// A group may be left unmatched, at this cost for each of its contacts (at least once); `never`: it may not.
-  double unmatched_cost = never;
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions

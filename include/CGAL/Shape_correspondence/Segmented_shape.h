@@ -147,8 +147,7 @@ Segmented_shape Segmented_shape::from_segmentation(const TriangleMesh& mesh, Seg
   std::map<long long, std::decay_t<decltype(empty)>> segments;
   for (auto face : faces(mesh))
     segments.try_emplace(static_cast<long long>(get(segment_ids, face)), empty).first->second.add_face(face);
-  if (segments.empty())
-    throw Invalid_input("shape '" + name + "': the mesh has no faces; give a mesh with a surface");
+  if (segments.empty()) throw Invalid_input("shape '" + name + "': the mesh has no faces; give a mesh with a surface");
   Segmented_shape result(std::move(name), up);
   for (const auto& [id, segment] : segments)
     result.add_part(internal::part_name(id, np), {segment.points(), segment.triangles()});

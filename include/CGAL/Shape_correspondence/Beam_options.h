@@ -1,0 +1,23 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_BEAM_OPTIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_BEAM_OPTIONS_H
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// \ingroup PkgShapeCorrespondenceOptions
+/// Options of `Search_method::BEAM`, with the paper's values.
+struct Beam_options
+{
+  int beam_width = 20; ///< K, the partial solutions kept at each level
+  int expansions = 4;  ///< k, the expansions kept of each partial solution
+};
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_BEAM_OPTIONS_H
