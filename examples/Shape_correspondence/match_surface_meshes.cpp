@@ -41,6 +41,6 @@ int main()
   const auto source = SC::build_structural_graph(SC::Segmented_shape::from_meshes(legged, "legged"));
   const auto target = SC::build_structural_graph(SC::Segmented_shape::from_meshes(panelled, "panelled"));
   const SC::Correspondence correspondence = SC::find_correspondence(source, target);
-  for (const auto& pair : correspondence.pairs)
-    std::cout << legged[pair.first].first << " -> " << panelled[pair.second].first << '\n';
+  for (const SC::Part_correspondence& pair : correspondence.pairs)
+    std::cout << legged[pair.source].first << " -> " << panelled[pair.target].first << '\n';
 }

@@ -26,9 +26,9 @@ int main(int argc, char** argv)
         SC::find_correspondence(source, target, SC::parameters::min_confidence(0.3));
 
     std::cout << "energy " << correspondence.energy << '\n';
-    for (const auto& pair : correspondence.pairs)
-      std::cout << SC::structure(source).parts[pair.first].name << " -> "
-                << SC::structure(target).parts[pair.second].name << '\n';
+    for (const SC::Part_correspondence& pair : correspondence.pairs)
+      std::cout << SC::structure(source).parts[pair.source].name << " -> "
+                << SC::structure(target).parts[pair.target].name << '\n';
   } catch (const SC::Invalid_input& error) {
     std::cerr << error.what() << '\n';
     return 1;

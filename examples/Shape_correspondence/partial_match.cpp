@@ -33,8 +33,8 @@ int main(int argc, char** argv)
     options.matching.unmatched_cost = 0.1; // of a contact of a group that is left out
     const SC::Correspondence found = SC::find_correspondence(chair, chair, options);
 
-    for (const auto& pair : found.pairs)
-      std::cout << parts[pair.first].name << " -> " << parts[pair.second].name << '\n';
+    for (const SC::Part_correspondence& pair : found.pairs)
+      std::cout << parts[pair.source].name << " -> " << parts[pair.target].name << '\n';
     for (std::size_t part : found.unmatched_source)
       std::cout << parts[part].name << " is not in the piece\n";
   } catch (const SC::Invalid_input& error) {

@@ -50,7 +50,6 @@ int main()
   std::cout << '\n';
   const auto &source = SC::structure(shapes[best.chain.shapes.front()]).parts,
              &target = SC::structure(shapes[best.chain.shapes.back()]).parts;
-  for (std::size_t k = 0; k < best.map.pairs.size(); ++k)
-    std::cout << source[best.map.pairs[k].first].name << " -> " << target[best.map.pairs[k].second].name << "  "
-              << best.map.confidences[k] << '\n';
+  for (const SC::Part_correspondence& pair : best.map.pairs)
+    std::cout << source[pair.source].name << " -> " << target[pair.target].name << "  " << pair.confidence << '\n';
 }

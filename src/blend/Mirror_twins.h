@@ -79,7 +79,7 @@ private:
 };
 
 /// Adds the mirror image of every pair that has one: what a part becomes, its image becomes the image of.
-inline void add_mirrored(Index_pairs& pairs, const Mirror_twins& source, const Mirror_twins& target)
+inline void add_mirrored(Part_pairs& pairs, const Mirror_twins& source, const Mirror_twins& target)
 {
   for (std::size_t i = 0, count = pairs.size(); i < count; ++i) {
     const std::size_t s = source[pairs[i].first], t = target[pairs[i].second];

@@ -34,11 +34,11 @@ class Morphing_cast
 public:
   Morphing_cast(const Blend_ends& ends, const Correspondence& correspondence) : ends_(ends)
   {
-    Index_pairs paired = correspondence.pairs;
+    Part_pairs paired = part_pairs(correspondence.pairs);
     add_mirrored(paired, ends.twins[0], ends.twins[1]);
-    paired = paired_parts(ends.charted[0], ends.charted[1], paired);
+    paired = matched_members(ends.charted[0], ends.charted[1], paired);
     add_mirrored(paired, ends.twins[0], ends.twins[1]);
-    pairs_ = part_pairs(ends.charted[0], ends.charted[1], paired);
+    pairs_ = piece_pairs(ends.charted[0], ends.charted[1], paired);
     find_twins(paired);
     count_shares();
     turn_own_images();
@@ -63,7 +63,7 @@ private:
     bool all_have_images = true;
   };
 
-  void find_twins(const Index_pairs& paired)
+  void find_twins(const Part_pairs& paired)
   {
     for (const auto& [s, t] : paired) {
       const std::pair<std::size_t, std::size_t> image = {ends_.twins[0][s], ends_.twins[1][t]};

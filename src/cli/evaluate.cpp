@@ -167,8 +167,9 @@ Judged_result judge(const std::string& file, const std::vector<IO::Labelled_shap
   if (result.source->category != result.target->category)
     throw Invalid_input(file + ": its source is of category '" + result.source->category + "', its target of '" +
                         result.target->category + "'; labels of different categories cannot be compared");
-  for (const auto& [s, t] : named.pairs)
-    result.pairs.emplace_back(part_index(s, *result.source, file), part_index(t, *result.target, file));
+  for (const IO::Named_part_correspondence& pair : named.pairs)
+    result.pairs.emplace_back(part_index(pair.source, *result.source, file),
+                              part_index(pair.target, *result.target, file));
   if (!named.complete) result.pairs.clear();
   result.truth = ground_truth(result.source->labels, result.target->labels);
   result.score = evaluate_correspondence(result.pairs, result.truth);

@@ -34,9 +34,10 @@ void add_rows(const Group_match& group, const Correspondence& correspondence, co
               const Structural_graph& target, Rows& rows)
 {
   std::string operation = name_of(group.operation), energy = short_number(group.energy);
-  for (const auto& [s, t] : correspondence.pairs) {
-    if (!contains(group.source, s) || !contains(group.target, t)) continue;
-    rows.push_back({structure(source).parts[s].name, structure(target).parts[t].name, operation, energy});
+  for (const Part_correspondence& pair : correspondence.pairs) {
+    if (!contains(group.source, pair.source) || !contains(group.target, pair.target)) continue;
+    rows.push_back(
+        {structure(source).parts[pair.source].name, structure(target).parts[pair.target].name, operation, energy});
     operation = energy = "";
   }
   if (!operation.empty()) rows.push_back({names(group.source, source), names(group.target, target), "-", energy});

@@ -74,10 +74,10 @@ std::string encoded(const std::vector<Rated_map>& pairs)
   for (const Rated_map& pair : pairs) {
     append(pair.energy, bytes);
     append(std::uint32_t(pair.map.pairs.size()), bytes);
-    for (std::size_t k = 0; k < pair.map.pairs.size(); ++k) {
-      append(small(pair.map.pairs[k].first), bytes);
-      append(small(pair.map.pairs[k].second), bytes);
-      append(Small(std::lround(pair.map.confidences[k] * largest)), bytes);
+    for (const Part_correspondence& parts : pair.map.pairs) {
+      append(small(parts.source), bytes);
+      append(small(parts.target), bytes);
+      append(Small(std::lround(parts.confidence * largest)), bytes);
     }
   }
   return bytes;
@@ -93,8 +93,7 @@ std::optional<std::vector<Rated_map>> decoded(const std::string& bytes)
     const auto size = in.next<std::uint32_t>();
     for (std::uint32_t k = 0; k < size && in.is_good(); ++k) {
       const Small source = in.next<Small>(), target = in.next<Small>();
-      pair.map.pairs.emplace_back(source, target);
-      pair.map.confidences.push_back(in.next<Small>() / largest);
+      pair.map.pairs.push_back({source, target, in.next<Small>() / largest});
     }
     pairs.push_back(std::move(pair));
   }

@@ -48,8 +48,8 @@ public:
     std::map<std::pair<std::size_t, std::size_t>, int> directions; // that are given of a pair of shapes: 1 or 2
     for (const Shape_pair_map& map : maps) {
       ++directions[std::minmax(map.source, map.target)];
-      for (const auto& [s, t] : map.map.pairs)
-        for (std::size_t part : {number(map.source, s), number(map.target, t)})
+      for (const Part_correspondence& pair : map.map.pairs)
+        for (std::size_t part : {number(map.source, pair.source), number(map.target, pair.target)})
           ++begins_[part + 1];
     }
     std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
@@ -57,10 +57,10 @@ public:
     list_.resize(begins_.back());
     for (const Shape_pair_map& map : maps) {
       const double share = 1. / directions[std::minmax(map.source, map.target)];
-      for (std::size_t k = 0; k < map.map.pairs.size(); ++k) {
-        const auto [s, t] = map.map.pairs[k];
-        add(number(map.source, s), map.target, number(map.target, t), share * map.map.confidences[k]);
-        add(number(map.target, t), map.source, number(map.source, s), share * map.map.confidences[k]);
+      for (const Part_correspondence& pair : map.map.pairs) {
+        const std::size_t s = number(map.source, pair.source), t = number(map.target, pair.target);
+        add(s, map.target, t, share * pair.confidence);
+        add(t, map.source, s, share * pair.confidence);
       }
     }
     for (std::size_t part = 0; part < size(); ++part)

@@ -51,8 +51,16 @@ Json tree_json(const Collection& collection, const Eigen::MatrixXd& distances)
 Json pairs_json(const Part_map& map, const Collection::Shape& source, const Collection::Shape& target)
 {
   Json result = Json::array();
-  for (const auto& [s, t] : map.pairs)
-    result.push_back({source.parts[s], target.parts[t]});
+  for (const Part_correspondence& pair : map.pairs)
+    result.push_back({source.parts[pair.source], target.parts[pair.target]});
+  return result;
+}
+
+Json confidences_json(const Part_map& map)
+{
+  Json result = Json::array();
+  for (const Part_correspondence& pair : map.pairs)
+    result.push_back(pair.confidence);
   return result;
 }
 
@@ -71,7 +79,7 @@ Json bridges_json(const Collection& collection)
                       {"energy", way.chain.energy},
                       {"direct_energy", way.direct_energy},
                       {"pairs", pairs_json(way.map, source, target)},
-                      {"confidences", way.map.confidences}});
+                      {"confidences", confidences_json(way.map)}});
   }
   return result;
 }
@@ -128,7 +136,7 @@ void write_nearest_json(std::ostream& out, const Nearest_in_collection& found)
                                  {"file", shape.file},
                                  {"distance", near.distance},
                                  {"pairs", pairs_json(near.map, found.query, shape)},
-                                 {"confidences", near.map.confidences}});
+                                 {"confidences", confidences_json(near.map)}});
   }
   result["warnings"] = found.warnings;
   result.write(out);

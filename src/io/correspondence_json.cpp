@@ -35,8 +35,19 @@ Json names(const std::vector<std::size_t>& parts, const Structural_graph& graph)
 Json pairs(const Correspondence& correspondence, const Structural_graph& source, const Structural_graph& target)
 {
   Json result = Json::array();
-  for (const auto& [s, t] : correspondence.pairs)
-    result.push_back({structure(source).parts[s].name, structure(target).parts[t].name});
+  for (const Part_correspondence& pair : correspondence.pairs)
+    result.push_back({structure(source).parts[pair.source].name, structure(target).parts[pair.target].name});
+  return result;
+}
+
+/// By pair; none where the method does not tell.
+Json confidences(const Correspondence& correspondence)
+{
+  Json result = Json::array();
+  for (const Part_correspondence& pair : correspondence.pairs) {
+    if (!pair.has_confidence()) return Json::array();
+    result.push_back(pair.confidence);
+  }
   return result;
 }
 
@@ -111,7 +122,7 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
   result["complete"] = c.complete;
   result["optimal"] = c.optimal;
   result["pairs"] = pairs(c, source, target);
-  if (!c.confidences.empty()) result["confidences"] = c.confidences;
+  if (Json known = confidences(c); !known.empty()) result["confidences"] = std::move(known);
   result["groups"] = groups(c, source, target);
   result["contacts"] = contacts(c, forward ? source : target);
   result["unmatched_source"] = names(c.unmatched_source, source);
@@ -138,12 +149,13 @@ Named_correspondence read_correspondence_json(const std::string& file)
   Named_correspondence result{root["source"].text(), root["target"].text(), {}, {}, root["complete"].boolean()};
   for (const Json_field& pair : root["pairs"].elements()) {
     const std::vector<Json_field> names = pair.elements(2, "a pair of part names");
-    result.pairs.emplace_back(names[0].text(), names[1].text());
+    result.pairs.push_back({names[0].text(), names[1].text()});
   }
   if (root.has("target_quarter_turns")) result.target_quarter_turns = root["target_quarter_turns"].integer();
   if (!root.has("confidences")) return result;
+  auto pair = result.pairs.begin();
   for (const Json_field& confidence : root["confidences"].elements(result.pairs.size(), "a confidence for each pair"))
-    result.confidences.push_back(confidence.number_at_least_0());
+    pair++->confidence = confidence.number_at_least_0();
   return result;
 }
 
@@ -160,9 +172,9 @@ Correspondence correspondence_of(const Named_correspondence& named, const Struct
     return static_cast<std::size_t>(found - parts.begin());
   };
   Correspondence result;
-  for (const auto& [s, t] : named.pairs)
-    result.pairs.emplace_back(part(s, source), part(t, target));
-  std::sort(result.pairs.begin(), result.pairs.end());
+  for (const Named_part_correspondence& pair : named.pairs)
+    result.pairs.push_back({part(pair.source, source), part(pair.target, target), pair.confidence});
+  std::sort(result.pairs.begin(), result.pairs.end(), is_before);
   result.target_quarter_turns = named.target_quarter_turns;
   result.complete = named.complete;
   return result;

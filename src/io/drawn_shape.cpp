@@ -31,8 +31,8 @@ internal::Disjoint_sets connected_parts(const Correspondence& correspondence, st
     for (std::size_t t : group.target)
       components.unite(group.source[0], sources + t);
   }
-  for (const auto& [s, t] : correspondence.pairs)
-    components.unite(s, sources + t);
+  for (const Part_correspondence& pair : correspondence.pairs)
+    components.unite(pair.source, sources + pair.target);
   return components;
 }
 
@@ -87,8 +87,8 @@ std::vector<int> match_numbers(const Correspondence& correspondence, std::size_t
 {
   const internal::Disjoint_sets components = connected_parts(correspondence, sources, targets);
   std::vector<bool> matched(sources + targets, false);
-  for (const auto& [s, t] : correspondence.pairs)
-    matched[s] = matched[sources + t] = true;
+  for (const Part_correspondence& pair : correspondence.pairs)
+    matched[pair.source] = matched[sources + pair.target] = true;
   std::vector<std::size_t> roots;
   std::vector<int> result(matched.size(), -1);
   for (std::size_t i = 0; i < matched.size(); ++i) {

@@ -6,16 +6,14 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_MAP_PART_PAIR_H
 #define CGAL_SHAPE_CORRESPONDENCE_MAP_PART_PAIR_H
 
-#include "base/Disjoint_sets.h"
-#include "base/optimal_assignment.h"
-#include "base/quantized.h"
-#include "base/quarter_turn.h"
-#include "map/Part_chart.h"
+#include "map/matched_members.h"
 
 #include <CGAL/Shape_correspondence/Correspondence.h>
-#include <CGAL/Shape_correspondence/Structural_graph.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -37,36 +35,6 @@ struct Part_pair
   Chart_box source_piece = whole_chart(), target_piece = whole_chart(); ///< in the parts' chart coordinates
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< from coordinates of the source's piece to the target's
 };
-
-/// A shape in the common frame: height 1, standing on the ground.
-struct Charted_shape
-{
-  std::vector<Points> surfaces; ///< vertices of the parts' meshes, or points of their surfaces
-  std::vector<Part_chart> charts;
-  std::vector<Part_abstraction const*> parts;
-};
-
-inline Points to_common_frame(const Shape_frame& frame, int quarter_turns, const Points& world)
-{
-  return quarter_turn(quarter_turns) * frame.to_frame(world);
-}
-
-/// \param surfaces of the parts, in the world; where one is empty, the control points stand for it
-inline Charted_shape charted_shape(const Structural_graph& graph, int quarter_turns,
-                                   const std::vector<const Points*>& surfaces)
-{
-  const Shape_structure& shape = structure(graph);
-  Charted_shape result;
-  for (std::size_t i = 0; i < shape.parts.size(); ++i) {
-    const Part_abstraction& part = shape.parts[i];
-    const Points spine = to_common_frame(shape.frame, quarter_turns, part.control_points());
-    const bool known = surfaces[i] && surfaces[i]->cols() > 0;
-    result.surfaces.push_back(known ? to_common_frame(shape.frame, quarter_turns, *surfaces[i]) : spine);
-    result.charts.push_back(Part_chart::around(part, spine, result.surfaces.back()));
-    result.parts.push_back(&part);
-  }
-  return result;
-}
 
 /// The rotations of the cube onto itself, the identity first.
 inline std::vector<Eigen::Matrix3d> cube_rotations()
@@ -119,77 +87,6 @@ std::optional<Eigen::Matrix3d> best_turn(const Part_chart& source, const Part_ch
 inline Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, Pair_kind kind)
 {
   return *best_turn(source, target, kind, [](const Eigen::Matrix3d&) { return true; });
-}
-
-/// Sets of parts that pairs connect, as two lists of indices.
-struct Connected_parts
-{
-  std::vector<std::size_t> source, target;
-};
-
-using Index_pairs = std::vector<std::pair<std::size_t, std::size_t>>; ///< source part, target part
-
-inline std::vector<Connected_parts> connected_parts(const Index_pairs& pairs, std::size_t sources, std::size_t targets)
-{
-  Disjoint_sets sets(sources + targets);
-  for (const auto& [s, t] : pairs)
-    sets.unite(s, sources + t);
-  std::vector<Connected_parts> all(sources + targets), result;
-  for (std::size_t i = 0; i < sets.size(); ++i)
-    (i < sources ? all[sets[i]].source : all[sets[i]].target).push_back(i < sources ? i : i - sources);
-  for (Connected_parts& block : all)
-    if (!block.source.empty() && !block.target.empty()) result.push_back(std::move(block));
-  return result;
-}
-
-/// Where parts lie among each other: their middles in the box around all of them.
-inline Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
-{
-  constexpr double flat = 0.02; // of the shape's height: no extent to tell places by
-  Points result(3, Eigen::Index(parts.size()));
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    result.col(Eigen::Index(i)) = shape.charts[parts[i]](Point::Zero());
-  const Point low = result.rowwise().minCoeff(), extent = result.rowwise().maxCoeff() - low;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (extent[axis] < flat)
-      result.row(axis).setConstant(0.5);
-    else
-      result.row(axis) = (result.row(axis).array() - low[axis]) / extent[axis];
-  }
-  return result;
-}
-
-/// Pairs in which every part of a block is: one to one by optimal assignment as far as numbers allow, every part left
-/// over with the nearest one, or with all of several that are as near, so that a symmetric block is paired
-/// symmetrically.
-inline Index_pairs pairs_in(const Connected_parts& block, const Charted_shape& source, const Charted_shape& target)
-{
-  constexpr double as_near = 0.02;
-  const Points from = places(source, block.source), to = places(target, block.target);
-  Eigen::MatrixXd cost(from.cols(), to.cols());
-  for (Eigen::Index i = 0; i < cost.rows(); ++i)
-    for (Eigen::Index j = 0; j < cost.cols(); ++j)
-      cost(i, j) = double(quantized((from.col(i) - to.col(j)).norm())) * comparison_grid;
-  const bool fewer_sources = cost.rows() <= cost.cols();
-  if (!fewer_sources) cost.transposeInPlace();
-  Index_pairs result;
-  const auto add = [&](std::size_t row, std::size_t col) {
-    result.emplace_back(block.source[fewer_sources ? row : col], block.target[fewer_sources ? col : row]);
-  };
-  std::vector<char> taken(std::size_t(cost.cols()), 0);
-  const std::vector<std::size_t> first = optimal_assignment(cost);
-  for (std::size_t row = 0; row < first.size(); ++row) {
-    add(row, first[row]);
-    taken[first[row]] = 1;
-  }
-  for (Eigen::Index col = 0; col < cost.cols(); ++col) {
-    if (taken[std::size_t(col)]) continue;
-    const double least = cost.col(col).minCoeff();
-    for (Eigen::Index row = 0; row < cost.rows(); ++row)
-      if (cost(row, col) <= least + as_near) add(std::size_t(row), std::size_t(col));
-  }
-  std::sort(result.begin(), result.end());
-  return result;
 }
 
 /// What a part is divided among: middle and half extents along the axes of the part, and the piece.
@@ -252,18 +149,6 @@ inline Share share_of(const Part_chart& divided, const Part_chart& other, Chart_
           &piece};
 }
 
-/// Which parts become which: pairs in every set of parts that `pairs` connect, sorted.
-inline Index_pairs paired_parts(const Charted_shape& source, const Charted_shape& target, const Index_pairs& pairs)
-{
-  Index_pairs result;
-  for (const Connected_parts& block : connected_parts(pairs, source.charts.size(), target.charts.size())) {
-    const Index_pairs in_block = pairs_in(block, source, target);
-    result.insert(result.end(), in_block.begin(), in_block.end());
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
 /// The charts of the pieces of a pair.
 inline std::array<Part_chart, 2> piece_charts(const Part_pair& pair, const Charted_shape& source,
                                               const Charted_shape& target)
@@ -284,8 +169,8 @@ inline Pair_kind pair_kind(const Part_pair& pair, const Charted_shape& source, c
 }
 
 /// The pairs of pieces that pairs of parts consist of, in the same order.
-inline std::vector<Part_pair> part_pairs(const Charted_shape& source, const Charted_shape& target,
-                                         const Index_pairs& paired)
+inline std::vector<Part_pair> piece_pairs(const Charted_shape& source, const Charted_shape& target,
+                                          const Part_pairs& paired)
 {
   std::vector<Part_pair> result(paired.size());
   std::vector<std::vector<Share>> of_source(source.charts.size()), of_target(target.charts.size());
@@ -307,10 +192,10 @@ inline std::vector<Part_pair> part_pairs(const Charted_shape& source, const Char
 }
 
 /// The pairs of pieces that a correspondence consists of, by source part, then target part.
-inline std::vector<Part_pair> part_pairs(const Charted_shape& source, const Charted_shape& target,
-                                         const Correspondence& correspondence)
+inline std::vector<Part_pair> piece_pairs(const Charted_shape& source, const Charted_shape& target,
+                                          const Correspondence& correspondence)
 {
-  return part_pairs(source, target, paired_parts(source, target, correspondence.pairs));
+  return piece_pairs(source, target, matched_members(source, target, part_pairs(correspondence.pairs)));
 }
 
 /// The charts that a pair of pieces is mapped by: both of one kind, with the same coordinates.

@@ -124,6 +124,21 @@ inline std::vector<std::size_t> image_parts(const Group_label& label)
   return parts;
 }
 
+inline Curve_segment segment_of(const Piece& piece) { return {short(piece.index), short(piece.count)}; }
+
+// What the parts of the deformed shape become.
+inline void collect_pairs(const Group_label& label, const Aligned_shape& shape, const Aligned_shape& other,
+                          Correspondence& correspondence)
+{
+  for (const auto& images : label.images)
+    for (const Image& image : images) {
+      Part_correspondence pair{shape.original[image.source.part], other.original[image.target.part]};
+      pair.source_segment = segment_of(image.source);
+      pair.target_segment = segment_of(image.target);
+      correspondence.pairs.push_back(correspondence.direction == Direction::SOURCE_TO_TARGET ? pair : inverse(pair));
+    }
+}
+
 inline void collect_groups(const Matching_problem& problem, const Assignment& assignment,
                            const std::vector<double>& min_marginals, Correspondence& correspondence)
 {
@@ -142,26 +157,22 @@ inline void collect_groups(const Matching_problem& problem, const Assignment& as
     match.energy = weights.distortion * match.distortion + weights.connectedness * match.connectedness;
     match.solidity_ratio = label.solidity_ratio;
     if (!min_marginals.empty()) match.min_marginal = min_marginals[g];
-    for (const auto& images : label.images)
-      for (const Image& image : images) {
-        const std::size_t part = shape.original[image.source.part], became = other.original[image.target.part];
-        correspondence.pairs.push_back(forward ? std::make_pair(part, became) : std::make_pair(became, part));
-      }
+    collect_pairs(label, shape, other, correspondence);
     if (!forward) std::swap(match.source, match.target);
     correspondence.groups.push_back(std::move(match));
   }
   const auto deformed_parts = [&](const Group_match& match) { return forward ? match.source : match.target; };
   std::sort(correspondence.groups.begin(), correspondence.groups.end(),
             [&](const Group_match& a, const Group_match& b) { return deformed_parts(a) < deformed_parts(b); });
-  std::sort(correspondence.pairs.begin(), correspondence.pairs.end());
+  std::sort(correspondence.pairs.begin(), correspondence.pairs.end(), is_before);
 }
 
 // Parts without a pair.
 inline void collect_unmatched(std::size_t source_parts, std::size_t target_parts, Correspondence& correspondence)
 {
   std::vector<char> source(source_parts, 0), target(target_parts, 0);
-  for (const auto& pair : correspondence.pairs)
-    source[pair.first] = 1, target[pair.second] = 1;
+  for (const Part_correspondence& pair : correspondence.pairs)
+    source[pair.source] = 1, target[pair.target] = 1;
   const auto zeros = [](const std::vector<char>& is_matched) {
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i < is_matched.size(); ++i)

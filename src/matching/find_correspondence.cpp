@@ -44,7 +44,7 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
                                                    const Aligned_shape& target)
 {
   std::vector<std::vector<std::size_t>> images(source.parts.size());
-  for (const Part_match& pair : matching.pairs)
+  for (const Part_correspondence& pair : matching.pairs)
     images[pair.source].push_back(pair.target);
 
   std::vector<std::vector<Group_label>> labels;
@@ -100,17 +100,16 @@ long alignment_cost(const Part_matching& matching, const Aligned_shape& source, 
                    proportion_weight * std::abs(log_proportion(source) - log_proportion(target)));
 }
 
-// The confidences of pairs, in the order of the correspondence's pairs.
-std::vector<double> ordered_confidences(const Part_matching& matching, const Aligned_shape& source,
-                                        const Aligned_shape& target)
+// The pairs of a matching by the parts' indices in the structural graphs.
+std::vector<Part_correspondence> original_pairs(const Part_matching& matching, const Aligned_shape& source,
+                                                const Aligned_shape& target)
 {
-  std::vector<std::pair<std::pair<std::size_t, std::size_t>, double>> pairs;
-  for (const Part_match& pair : matching.pairs)
-    pairs.push_back({{source.original[pair.source], target.original[pair.target]}, pair.confidence});
-  std::sort(pairs.begin(), pairs.end());
-  std::vector<double> result;
-  for (const auto& pair : pairs)
-    result.push_back(pair.second);
+  std::vector<Part_correspondence> result = matching.pairs;
+  for (Part_correspondence& pair : result) {
+    pair.source = source.original[pair.source];
+    pair.target = target.original[pair.target];
+  }
+  std::sort(result.begin(), result.end(), is_before);
   return result;
 }
 
@@ -244,12 +243,12 @@ Correspondence Correspondence_finder::Impl::matched_parts(const Prepared_shape& 
     best_shape = shape;
   }
   if (done == 0) best_shape = aligned(target, best_turn);
-  const auto unsure = [&](const Part_match& pair) { return pair.confidence < options_.min_confidence; };
+  const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
   best.pairs.erase(std::remove_if(best.pairs.begin(), best.pairs.end(), unsure), best.pairs.end());
 
   const Search_run run(source_, best_shape, best_turn, group_labels(best, *source_, *best_shape), options_);
   Correspondence result = correspondence_of(run, run.result.best(), {});
-  result.confidences = ordered_confidences(best, *source_, *best_shape);
+  result.pairs = original_pairs(best, *source_, *best_shape);
   if (done < turns.size()) mark_cancelled(done, turns.size(), result);
   return result;
 }

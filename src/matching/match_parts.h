@@ -8,27 +8,21 @@
 
 #include "matching/Part_costs.h"
 
+#include <CGAL/Shape_correspondence/Part_correspondence.h>
+
 #include <Eigen/Core>
 
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 
-/// Two parts that correspond, by index of the aligned shapes.
-struct Part_match
-{
-  std::size_t source, target;
-  double confidence; ///< how probable it is, between 0 and 1
-};
-
 /// A part-to-part correspondence. What has no counterpart is in no pair.
 struct Part_matching
 {
-  std::vector<Part_match> pairs; ///< by source, then target
-  Eigen::MatrixXd costs;         ///< source part × target part, by index of the aligned shapes
-  bool upside_down = false;      ///< one shape was turned over, as a hanging lamp for one that stands
+  std::vector<Part_correspondence> pairs; ///< by source, then target, by index of the aligned shapes
+  Eigen::MatrixXd costs;                  ///< source part × target part, by index of the aligned shapes
+  bool upside_down = false;               ///< one shape was turned over, as a hanging lamp for one that stands
 };
 
 /// Matches parts by their costs alone, without deforming a shape.

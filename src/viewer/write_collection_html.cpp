@@ -84,8 +84,8 @@ Json maps_json(const Collection& collection, const std::vector<Shape_pair_map>& 
   for (const Shape_pair_map& map : maps) {
     if (map.source > map.target) continue;
     Json pairs = Json::array();
-    for (std::size_t k = 0; k < map.map.pairs.size(); ++k)
-      pairs.push_back({map.map.pairs[k].first, map.map.pairs[k].second, std::lround(100 * map.map.confidences[k])});
+    for (const Part_correspondence& pair : map.map.pairs)
+      pairs.push_back({pair.source, pair.target, std::lround(100 * pair.confidence)});
     const auto i = Eigen::Index(map.source), j = Eigen::Index(map.target);
     result[std::to_string(map.source) + ',' + std::to_string(map.target)] = {
         {"energies", {rounded(collection.energies(i, j)), rounded(collection.energies(j, i))}},

@@ -26,7 +26,7 @@ Structural_graph graph_of(const Segmented_shape& shape)
   return build_structural_graph(shape, options);
 }
 
-Correspondence pairing(std::vector<std::pair<std::size_t, std::size_t>> pairs)
+Correspondence pairing(std::vector<Part_correspondence> pairs)
 {
   Correspondence result;
   result.pairs = std::move(pairs);
@@ -37,7 +37,7 @@ Correspondence identity(const Segmented_shape& shape)
 {
   Correspondence result;
   for (std::size_t i = 0; i < shape.parts().size(); ++i)
-    result.pairs.emplace_back(i, i);
+    result.pairs.push_back({i, i});
   return result;
 }
 

@@ -77,7 +77,7 @@ TEST_CASE("Contacts are kept where sets of parts come apart and are moved togeth
         std::pair("left_back_post", "spindle_mid"), std::pair("rear_right_leg", "turned_leg_d"),
         std::pair("right_back_post", "spindle_2_r"), std::pair("right_back_post", "spindle_3_r"),
         std::pair("seat", "saddle_seat")})
-    few.pairs.emplace_back(part_named(chair, from), part_named(other, to));
+    few.pairs.push_back({part_named(chair, from), part_named(other, to)});
   const Shape_blend blend = blend_of(chair, other, few);
   for (double t : {0.1, 0.3, 0.5, 0.7, 0.9})
     CHECK(blend.check(t).quality.gap < 0.001);
@@ -89,7 +89,7 @@ TEST_CASE("What is its own mirror image stays that where it is moved to what it 
   Correspondence few;
   for (const auto& [from, to] : {std::pair("front_left_leg", "splay_1"), std::pair("rear_left_leg", "splay_3"),
                                  std::pair("rear_right_leg", "splay_4"), std::pair("seat", "round_board")})
-    few.pairs.emplace_back(part_named(chair, from), part_named(stool, to));
+    few.pairs.push_back({part_named(chair, from), part_named(stool, to)});
   const Shape_blend blend = blend_of(chair, stool, few);
   const double ends = std::max(blend.check(0).quality.asymmetry, blend.check(1).quality.asymmetry);
   for (double t : {0.2, 0.4, 0.6, 0.8})
@@ -276,7 +276,7 @@ TEST_CASE("A shape blended with itself stays as it is")
   const Model& chair = model("chair_four_legged");
   Correspondence identity;
   for (std::size_t i = 0; i < chair.shape.parts().size(); ++i)
-    identity.pairs.emplace_back(i, i);
+    identity.pairs.push_back({i, i});
   const Shape_blend blend = blend_of(chair, chair, identity);
   for (double t : {0.3, 0.7}) {
     CHECK(hausdorff_distance(blend(t), chair.shape) < 1e-3);

@@ -55,9 +55,9 @@ gen::Assembly disguised(const gen::Assembly& shape, std::uint64_t seed, std::map
 Named_pairs named(const Correspondence& c, const Structural_graph& source, const Structural_graph& target)
 {
   Named_pairs result;
-  for (std::size_t k = 0; k < c.pairs.size(); ++k)
-    result[{structure(source).parts[c.pairs[k].first].name, structure(target).parts[c.pairs[k].second].name}] =
-        c.confidences.empty() ? 1 : c.confidences[k];
+  for (const Part_correspondence& pair : c.pairs)
+    result[{structure(source).parts[pair.source].name, structure(target).parts[pair.target].name}] =
+        pair.has_confidence() ? pair.confidence : 1;
   return result;
 }
 
@@ -135,8 +135,8 @@ TEST_CASE("The program finds the same pairs whatever files are called, and besid
                 .status == 0);
     Named_pairs pairs;
     const IO::Named_correspondence result = IO::read_correspondence_json(file);
-    for (std::size_t k = 0; k < result.pairs.size(); ++k)
-      pairs[result.pairs[k]] = result.confidences.at(k);
+    for (const IO::Named_part_correspondence& pair : result.pairs)
+      pairs[{pair.source, pair.target}] = pair.confidence;
     return pairs;
   };
   const Named_pairs pairs = match("table/a/parts", "table/b/parts");

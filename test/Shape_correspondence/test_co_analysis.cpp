@@ -16,11 +16,11 @@ using namespace CGAL::Shape_correspondence;
 
 namespace {
 
-Part_map certain(std::vector<std::pair<std::size_t, std::size_t>> pairs)
+Part_map certain(const Part_pairs& pairs)
 {
   Part_map map;
-  map.pairs = std::move(pairs);
-  map.confidences.assign(map.pairs.size(), 1);
+  for (const auto& [source, target] : pairs)
+    map.pairs.push_back({source, target, 1});
   return map;
 }
 

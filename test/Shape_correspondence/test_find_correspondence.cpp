@@ -15,7 +15,7 @@
 
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
-using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+using Pairs = Part_pairs;
 
 namespace {
 
@@ -33,7 +33,7 @@ TEST_CASE("A shape corresponds to itself, at no cost")
   const Correspondence c = find_correspondence(chair(), chair(), least_energy());
   CHECK(c.energy == 0);
   CHECK(c.complete);
-  CHECK(c.pairs == Pairs{{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}});
+  CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}});
   CHECK(c.unmatched_source.empty());
   CHECK(c.unmatched_target.empty());
   CHECK(c.direction == Direction::SOURCE_TO_TARGET);
@@ -45,7 +45,7 @@ TEST_CASE("A back splits into slats, and slats merge into a back")
   Search_options forward = least_energy();
   forward.both_directions = false;
   const Correspondence split = find_correspondence(chair(), slatted_chair(), forward);
-  CHECK(split.pairs == expected);
+  CHECK(part_pairs(split.pairs) == expected);
   CHECK(split.groups[1].operation == Operation::SPLIT);
   CHECK(split.groups[1].source == std::vector<std::size_t>{1});
   CHECK(split.groups[1].target == std::vector<std::size_t>{1, 2, 3});
@@ -56,12 +56,45 @@ TEST_CASE("A back splits into slats, and slats merge into a back")
   for (const auto& pair : expected)
     turned.emplace_back(pair.second, pair.first);
   std::sort(turned.begin(), turned.end());
-  CHECK(merge.pairs == turned);
+  CHECK(part_pairs(merge.pairs) == turned);
   CHECK(merge.groups[1].operation == Operation::MERGE);
 
   // Both directions: pairs stay (source, target) whichever direction won
-  CHECK(find_correspondence(chair(), slatted_chair(), least_energy()).pairs == expected);
-  CHECK(find_correspondence(slatted_chair(), chair(), least_energy()).pairs == turned);
+  CHECK(part_pairs(find_correspondence(chair(), slatted_chair(), least_energy()).pairs) == expected);
+  CHECK(part_pairs(find_correspondence(slatted_chair(), chair(), least_energy()).pairs) == turned);
+}
+
+TEST_CASE("A curve that is cut corresponds by its segments, in either direction")
+{
+  // A base and a post in some pieces, one above the other
+  const auto post = [](int pieces) {
+    Shape_structure shape;
+    shape.parts.push_back(sheet("base", {-.2, 0, -.2}, {.4, 0, 0}, {0, 0, .4}));
+    std::vector<std::size_t> members;
+    for (int i = 0; i < pieces; ++i) {
+      const double low = i / double(pieces), high = (i + 1) / double(pieces);
+      members.push_back(shape.parts.size());
+      shape.parts.push_back(curve(std::to_string(i), {0, low, 0}, {0, high, 0}));
+      shape.contacts.push_back(contact(shape, members.back() - 1, members.back(), {0, low, 0}));
+    }
+    return make_structural_graph(std::move(shape), {group({0}), group(members, Symmetry_type::TRANSLATION)});
+  };
+  for (const bool both_directions : {false, true}) {
+    Search_options options = least_energy();
+    options.both_directions = both_directions;
+    const Correspondence cut = find_correspondence(post(1), post(2), options);
+    REQUIRE(part_pairs(cut.pairs) == Pairs{{0, 0}, {1, 1}, {1, 2}});
+    CHECK(cut.pairs[0] == Part_correspondence{0, 0});
+    for (int i : {0, 1}) {
+      CHECK(cut.pairs[std::size_t(i) + 1].source_segment.count == 2);
+      CHECK(cut.pairs[std::size_t(i) + 1].target_segment.is_whole_part());
+    }
+    CHECK(cut.pairs[1].source_segment.index != cut.pairs[2].source_segment.index);
+    const Correspondence joined = find_correspondence(post(2), post(1), options);
+    REQUIRE(joined.pairs.size() == cut.pairs.size());
+    for (std::size_t k = 0; k < cut.pairs.size(); ++k)
+      CHECK(inverse(joined.pairs[k]) == cut.pairs[k]);
+  }
 }
 
 TEST_CASE("The parts of the energy add up")
@@ -89,11 +122,11 @@ TEST_CASE("The parts of the energy add up")
 
 TEST_CASE("Moving, scaling and turning a shape changes no pair")
 {
-  const Pairs expected = find_correspondence(chair(), slatted_chair(), least_energy()).pairs;
+  const Pairs expected = part_pairs(find_correspondence(chair(), slatted_chair(), least_energy()).pairs);
   for (const double angle : {0.5236, -0.7, 0.2})
     for (const double scale : {0.01, 40.0}) {
       const Structural_graph turned = moved(slatted_chair(), angle, scale, {3, 100, -7});
-      CHECK(find_correspondence(chair(), turned, least_energy()).pairs == expected);
+      CHECK(part_pairs(find_correspondence(chair(), turned, least_energy()).pairs) == expected);
     }
 }
 
@@ -107,7 +140,7 @@ TEST_CASE("A chair turned back to front is recognised when all alignments are tr
   const Correspondence c = find_correspondence(chair(), turned, all);
   CHECK(c.target_quarter_turns == 2);
   CHECK(c.energy == Approx(0).margin(1e-9));
-  CHECK(c.pairs == Pairs{{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}});
+  CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}});
 }
 
 TEST_CASE("Coarse correspondence leaves the lesser parts out and says so")
@@ -115,7 +148,7 @@ TEST_CASE("Coarse correspondence leaves the lesser parts out and says so")
   Search_options coarse = least_energy();
   coarse.maximum_parts = 2;
   const Correspondence c = find_correspondence(chair(), chair(), coarse);
-  CHECK(c.pairs == Pairs{{0, 0}, {1, 1}});
+  CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {1, 1}});
   CHECK(c.unmatched_source == std::vector<std::size_t>{2, 3, 4, 5});
 }
 
@@ -138,7 +171,7 @@ TEST_CASE("Only the chosen parts take part")
   options.source_parts = {0, 2, 3};
   options.target_parts = {0, 4, 5};
   const Correspondence c = find_correspondence(chair(), chair(), options);
-  CHECK(c.pairs == Pairs{{0, 0}, {2, 4}, {3, 5}});
+  CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {2, 4}, {3, 5}});
   CHECK(c.unmatched_source == std::vector<std::size_t>{1, 4, 5});
   options.source_parts = {17};
   CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);
@@ -167,7 +200,7 @@ TEST_CASE("Partial matching: what the other shape does not have stays unmatched 
     options.both_directions = false;
     options.matching.unmatched_cost = 0.1;
     const Correspondence c = find_correspondence(chair(), stool, options);
-    CHECK(c.pairs == Pairs{{0, 0}, {2, 1}, {3, 2}, {4, 3}, {5, 4}});
+    CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {2, 1}, {3, 2}, {4, 3}, {5, 4}});
     CHECK(c.unmatched_source == std::vector<std::size_t>{1});
     CHECK(c.groups[1].operation == Operation::NONE);
     CHECK(c.terms.unmatched == Approx(0.1));
@@ -251,16 +284,15 @@ TEST_CASE("A term that is switched off has no say")
 TEST_CASE("By default parts are matched by their costs, with a confidence each, and rated by the energy")
 {
   const Correspondence self = find_correspondence(chair(), chair());
-  CHECK(self.pairs == Pairs{{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}});
+  CHECK(part_pairs(self.pairs) == Pairs{{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}});
   CHECK(self.energy == 0);
   CHECK(self.complete);
   CHECK(self.search.method == "parts");
 
   const Correspondence split = find_correspondence(chair(), slatted_chair());
-  CHECK(split.pairs == Pairs{{0, 0}, {1, 1}, {1, 2}, {1, 3}, {2, 4}, {3, 5}, {4, 6}, {5, 7}});
-  REQUIRE(split.confidences.size() == split.pairs.size());
-  for (double confidence : split.confidences)
-    CHECK((confidence > 0 && confidence < 1));
+  CHECK(part_pairs(split.pairs) == Pairs{{0, 0}, {1, 1}, {1, 2}, {1, 3}, {2, 4}, {3, 5}, {4, 6}, {5, 7}});
+  for (const Part_correspondence& pair : split.pairs)
+    CHECK((pair.confidence > 0 && pair.confidence < 1));
   CHECK(split.groups[1].operation == Operation::SPLIT);
   CHECK(split.groups[1].solidity_ratio == Approx(0.4));
   CHECK(split.energy == Approx(deformation_energy(split.terms, {})));
@@ -274,22 +306,23 @@ TEST_CASE("By default parts are matched by their costs, with a confidence each, 
 TEST_CASE("The default gives the same pairs with the shapes swapped")
 {
   Pairs turned;
-  for (const auto& pair : find_correspondence(slatted_chair(), chair()).pairs)
-    turned.emplace_back(pair.second, pair.first);
+  for (const Part_correspondence& pair : find_correspondence(slatted_chair(), chair()).pairs)
+    turned.emplace_back(pair.target, pair.source);
   std::sort(turned.begin(), turned.end());
-  CHECK(turned == find_correspondence(chair(), slatted_chair()).pairs);
+  CHECK(turned == part_pairs(find_correspondence(chair(), slatted_chair()).pairs));
 }
 
 TEST_CASE("Pairs that are not sure enough can be left out; other parts stay matched")
 {
   Search_options options;
   const Correspondence all = find_correspondence(chair(), slatted_chair(), options);
-  options.min_confidence = *std::max_element(all.confidences.begin(), all.confidences.end());
+  for (const Part_correspondence& pair : all.pairs)
+    options.min_confidence = std::max(options.min_confidence, pair.confidence);
   const Correspondence sure = find_correspondence(chair(), slatted_chair(), options);
   CHECK(!sure.pairs.empty());
   CHECK(sure.pairs.size() <= all.pairs.size());
-  for (double confidence : sure.confidences)
-    CHECK(confidence == options.min_confidence);
+  for (const Part_correspondence& pair : sure.pairs)
+    CHECK(pair.confidence == options.min_confidence);
   options.min_confidence = 1;
   const Correspondence none = find_correspondence(chair(), slatted_chair(), options);
   CHECK(none.pairs.empty());
@@ -329,8 +362,8 @@ TEST_CASE("The default takes chosen parts only, and any alignment where asked to
   options.target_parts = {0, 4, 5};
   const Correspondence c = find_correspondence(chair(), chair(), options);
   for (const auto& pair : c.pairs) {
-    CHECK((pair.first == 0 || pair.first == 2 || pair.first == 3));
-    CHECK((pair.second == 0 || pair.second == 4 || pair.second == 5));
+    CHECK((pair.source == 0 || pair.source == 2 || pair.source == 3));
+    CHECK((pair.target == 0 || pair.target == 4 || pair.target == 5));
   }
   Structural_graph turned = moved(chair(), EIGEN_PI, 1, {0, 0, 0});
   structure(turned).frame.axes.setIdentity();

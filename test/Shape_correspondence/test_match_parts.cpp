@@ -26,13 +26,11 @@ Part_matching matching(const Structural_graph& a, const Structural_graph& b, con
   const Aligned_shape source = align_shape(a), target = align_shape(b);
   const Part_matching aligned = match_parts(source, target, options);
   Part_matching result = aligned;
-  for (Part_match& pair : result.pairs) {
+  for (Part_correspondence& pair : result.pairs) {
     pair.source = source.original[pair.source];
     pair.target = target.original[pair.target];
   }
-  std::sort(result.pairs.begin(), result.pairs.end(), [](const Part_match& p, const Part_match& q) {
-    return std::make_pair(p.source, p.target) < std::make_pair(q.source, q.target);
-  });
+  std::sort(result.pairs.begin(), result.pairs.end(), is_before);
   for (Eigen::Index i = 0; i < aligned.costs.rows(); ++i)
     for (Eigen::Index j = 0; j < aligned.costs.cols(); ++j)
       result.costs(Eigen::Index(source.original[std::size_t(i)]), Eigen::Index(target.original[std::size_t(j)])) =
@@ -40,13 +38,7 @@ Part_matching matching(const Structural_graph& a, const Structural_graph& b, con
   return result;
 }
 
-Pairs pairs(const Part_matching& matching)
-{
-  Pairs result;
-  for (const Part_match& pair : matching.pairs)
-    result.emplace_back(pair.source, pair.target);
-  return result;
-}
+Pairs pairs(const Part_matching& matching) { return part_pairs(matching.pairs); }
 
 Pairs pairs(const Structural_graph& a, const Structural_graph& b, const Part_matching_options& options = {})
 {
@@ -303,8 +295,8 @@ TEST_CASE("Source and target have the same standing, to the bit")
   CHECK(there.costs == back.costs.transpose());
   REQUIRE_FALSE(there.pairs.empty());
   REQUIRE(there.pairs.size() == back.pairs.size());
-  for (const Part_match& pair : there.pairs) {
-    const auto same = std::find_if(back.pairs.begin(), back.pairs.end(), [&](const Part_match& other) {
+  for (const Part_correspondence& pair : there.pairs) {
+    const auto same = std::find_if(back.pairs.begin(), back.pairs.end(), [&](const Part_correspondence& other) {
       return other.source == pair.target && other.target == pair.source;
     });
     REQUIRE(same != back.pairs.end());
@@ -339,13 +331,13 @@ TEST_CASE("Less excess leaves fewer pairs, all of them among the others'")
 TEST_CASE("Confidence: a probability, high where there is no doubt and lower where there is")
 {
   const auto confidence = [](const Part_matching& matching, std::size_t source, std::size_t target) {
-    for (const Part_match& pair : matching.pairs)
+    for (const Part_correspondence& pair : matching.pairs)
       if (pair.source == source && pair.target == target) return pair.confidence;
     return 0.;
   };
   const Part_matching same = matching(hand_made::chair(), hand_made::chair());
   REQUIRE(same.pairs.size() == structure(hand_made::chair()).parts.size());
-  for (const Part_match& pair : same.pairs) {
+  for (const Part_correspondence& pair : same.pairs) {
     CHECK(pair.confidence > 0.8);
     CHECK(pair.confidence < 1);
   }

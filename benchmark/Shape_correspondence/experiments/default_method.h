@@ -101,7 +101,7 @@ peers::Peer on_turned(const Search_options& options, const Angle& angle)
     std::vector<Part_pairs> result;
     for (const auto& [s, t] : pairs) {
       const Structural_graph source = turned(shapes[s], angle(true)), target = turned(shapes[t], angle(false));
-      result.push_back(find_correspondence(source, target, options).pairs);
+      result.push_back(part_pairs(find_correspondence(source, target, options).pairs));
     }
     return result;
   };
@@ -163,10 +163,11 @@ inline void reliability(const Dataset& dataset, const Options& options)
     for (const auto& [s, t] : category.pairs) {
       const Correspondence c = find_correspondence(category.graphs[s], category.graphs[t]);
       const Ground_truth truth = ground_truth(category.labels[s], category.labels[t]);
-      for (std::size_t k = 0; k < c.confidences.size(); ++k) {
-        const int bin = std::min(int(c.confidences[k] * bins), bins - 1);
-        confidence[std::size_t(bin)] += c.confidences[k];
-        right[std::size_t(bin)] += std::binary_search(truth.pairs.begin(), truth.pairs.end(), c.pairs[k]);
+      for (const Part_correspondence& pair : c.pairs) {
+        const int bin = std::min(int(pair.confidence * bins), bins - 1);
+        const std::pair<std::size_t, std::size_t> parts(pair.source, pair.target);
+        confidence[std::size_t(bin)] += pair.confidence;
+        right[std::size_t(bin)] += std::binary_search(truth.pairs.begin(), truth.pairs.end(), parts);
         ++count[std::size_t(bin)];
         ++total;
       }

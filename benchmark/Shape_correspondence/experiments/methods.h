@@ -32,8 +32,8 @@ inline peers::Peer ours(const Search_options& options)
   return [options](const std::vector<Structural_graph>& shapes, const std::vector<peers::Shape_pair>& pairs) {
     std::vector<Part_pairs> result;
     for (const auto& [s, t] : pairs) {
-      Correspondence c = find_correspondence(shapes[s], shapes[t], options);
-      result.push_back(c.complete ? std::move(c.pairs) : Part_pairs{});
+      const Correspondence c = find_correspondence(shapes[s], shapes[t], options);
+      result.push_back(c.complete ? part_pairs(c.pairs) : Part_pairs{});
     }
     return result;
   };

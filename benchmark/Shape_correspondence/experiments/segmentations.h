@@ -125,7 +125,7 @@ inline void figure19(const Dataset& dataset, const Options& options)
         const Correspondence found = find_correspondence(source, target, search);
         const double contacts = double(std::max<std::size_t>(structure(source).contacts.size(), 1));
         const Correspondence_score scored =
-            evaluate_correspondence(found.pairs, ground_truth(dataset[c].labels[s], other[c].labels[t]));
+            evaluate_correspondence(part_pairs(found.pairs), ground_truth(dataset[c].labels[s], other[c].labels[t]));
         energies.push_back(found.energy / contacts);
         scores.push_back(scored.f1());
         energy += energies.back();

@@ -54,7 +54,7 @@ inline void worst(const Dataset& dataset, const Options& options)
     for (const auto& pair : category.pairs) {
       Correspondence c = find_correspondence(category.graphs[pair[0]], category.graphs[pair[1]]);
       const Ground_truth truth = ground_truth(category.labels[pair[0]], category.labels[pair[1]]);
-      const Correspondence_score scored = evaluate_correspondence(c.pairs, truth);
+      const Correspondence_score scored = evaluate_correspondence(part_pairs(c.pairs), truth);
       results.push_back({&category, pair, std::move(c), scored});
     }
   std::stable_sort(results.begin(), results.end(),
@@ -75,10 +75,11 @@ inline void worst(const Dataset& dataset, const Options& options)
     std::ofstream out((fs::path(options.out) / page).string(), std::ios::binary);
     IO::write_correspondence_html(out, correspondence, category->graphs[s], category->graphs[t], &source, &target);
     const Ground_truth truth = ground_truth(category->labels[s], category->labels[t]);
+    const Part_pairs pairs = part_pairs(correspondence.pairs);
     index << "<h3>" << k + 1 << ". " << category->name << ": " << category->shapes[s] << " – " << category->shapes[t]
           << ", F1 " << text(scored.f1(), 2)
-          << "</h3><p>Wrong: " << named_pairs(difference(correspondence.pairs, truth.pairs), *category, s, t)
-          << "</p><p>Missed: " << named_pairs(difference(truth.pairs, correspondence.pairs), *category, s, t)
+          << "</h3><p>Wrong: " << named_pairs(difference(pairs, truth.pairs), *category, s, t)
+          << "</p><p>Missed: " << named_pairs(difference(truth.pairs, pairs), *category, s, t)
           << "</p><details><summary>Picture</summary><iframe loading=\"lazy\" src=\"" << page
           << "\"></iframe></details>\n";
   }

@@ -8,13 +8,13 @@
 
 #include <CGAL/Shape_correspondence/Deformation_energy.h>
 #include <CGAL/Shape_correspondence/Geotopo_operation.h>
-#include <CGAL/Shape_correspondence/Search_result.h>
+#include <CGAL/Shape_correspondence/Part_correspondence.h>
+#include <CGAL/Shape_correspondence/Search_summary.h>
 
 #include <array>
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -56,9 +56,11 @@ struct Contact_energy
 /// A part-to-part correspondence between a source and a target shape.
 struct Correspondence
 {
-  std::vector<std::pair<std::size_t, std::size_t>> pairs; ///< (source part, target part), sorted, each once
-  std::vector<double> confidences; ///< by pair, how probable it is, between 0 and 1; empty where the method has none
-  std::vector<Group_match> groups; ///< by group of the shape that was deformed
+  /// Sorted by source, then target, each once. A search of least energy tells the images of every part of the shape
+  /// that was deformed, and the segments that it cut curves into; matching by parts pairs sets of parts as wholes,
+  /// every part of one with every part of the other, and has confidences.
+  std::vector<Part_correspondence> pairs;
+  std::vector<Group_match> groups;                   ///< by group of the shape that was deformed
   std::vector<Contact_energy> contacts;              ///< by contact of the shape that was deformed
   std::vector<std::size_t> unmatched_source;         ///< source parts without a counterpart, ascending
   std::vector<std::size_t> unmatched_target;         ///< target parts without a counterpart, ascending

@@ -6,28 +6,26 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_PART_MAP_H
 #define CGAL_SHAPE_CORRESPONDENCE_PART_MAP_H
 
-#include <CGAL/Shape_correspondence/Correspondence.h>
+#include <CGAL/Shape_correspondence/Part_correspondence.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
+
+struct Correspondence;
 
 /// \ingroup PkgShapeCorrespondenceSets
 /// Which parts of two shapes correspond and how probable each pair is: what is left of a `Correspondence` where many
 /// are kept.
 struct Part_map
 {
-  std::vector<std::pair<std::size_t, std::size_t>> pairs; ///< (source part, target part), sorted, each once
-  std::vector<double> confidences;                        ///< by pair, between 0 and 1; 1 where the method has none
+  /// Of whole parts, sorted by source, then target, each once; with a confidence, 1 where the method has none.
+  std::vector<Part_correspondence> pairs;
 
   /// Whether all pairs and confidences are equal.
-  friend bool operator==(const Part_map& a, const Part_map& b)
-  {
-    return a.pairs == b.pairs && a.confidences == b.confidences;
-  }
+  friend bool operator==(const Part_map& a, const Part_map& b) { return a.pairs == b.pairs; }
 };
 
 /// \ingroup PkgShapeCorrespondenceSets

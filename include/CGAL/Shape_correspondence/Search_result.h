@@ -7,23 +7,12 @@
 #define CGAL_SHAPE_CORRESPONDENCE_SEARCH_RESULT_H
 
 #include <CGAL/Shape_correspondence/Pairwise_energy.h>
+#include <CGAL/Shape_correspondence/Search_summary.h>
 
-#include <cstddef>
-#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
-
-/// \ingroup PkgShapeCorrespondenceSearch
-/// How the search went.
-struct Search_summary
-{
-  std::string method = "beam"; ///< parts, beam or exact
-  std::size_t states = 0;      ///< search states kept
-  std::size_t evaluations = 0; ///< energies of states computed
-  double lower_bound = 0;      ///< no correspondence in the direction of the result costs less
-};
 
 /// \ingroup PkgShapeCorrespondenceSearch
 /// A complete assignment and its energy.

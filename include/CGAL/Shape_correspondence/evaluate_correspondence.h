@@ -6,6 +6,8 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H
 #define CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H
 
+#include <CGAL/Shape_correspondence/Part_correspondence.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -22,10 +24,6 @@ struct Part_label
   std::string coarse; ///< what the part is
   std::string fine;   ///< empty: none
 };
-
-/// \ingroup PkgShapeCorrespondenceEvaluation
-/// Pairs of a source part and a target part, by index.
-using Part_pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
 /// Which parts of two labelled shapes correspond.
@@ -58,7 +56,7 @@ struct Correspondence_score
 };
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
-/// Scores a correspondence; a pair that is listed twice counts once.
+/// Scores a correspondence, given its `part_pairs()`; a pair that is listed twice counts once.
 Correspondence_score evaluate_correspondence(Part_pairs pairs, const Ground_truth& truth);
 
 /// \ingroup PkgShapeCorrespondenceEvaluation

@@ -10,8 +10,8 @@
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <iosfwd>
+#include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,15 +44,24 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
                                 const Match_seconds& seconds);
 
 /// \ingroup PkgShapeCorrespondenceIO
+/// Two parts that correspond, by their names.
+struct Named_part_correspondence
+{
+  std::string source; ///< the source part
+  std::string target; ///< the target part
+  /// How probable it is. Not a number where the method does not tell.
+  double confidence = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// \ingroup PkgShapeCorrespondenceIO
 /// What a result file says of its parts, by their names.
 struct Named_correspondence
 {
-  std::string source;                                     ///< the source as the user named it
-  std::string target;                                     ///< the target as the user named it
-  std::vector<std::pair<std::string, std::string>> pairs; ///< (source part, target part)
-  std::vector<double> confidences;                        ///< by pair; empty where the method has none
-  bool complete = false;                                  ///< see `Correspondence::complete`
-  int target_quarter_turns = 0;                           ///< of the target about up, into the source's frame
+  std::string source;                           ///< the source as the user named it
+  std::string target;                           ///< the target as the user named it
+  std::vector<Named_part_correspondence> pairs; ///< in the order of the file
+  bool complete = false;                        ///< see `Correspondence::complete`
+  int target_quarter_turns = 0;                 ///< of the target about up, into the source's frame
 };
 
 /// \ingroup PkgShapeCorrespondenceIO

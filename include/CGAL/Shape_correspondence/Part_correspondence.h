@@ -1,0 +1,90 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_PART_CORRESPONDENCE_H
+#define CGAL_SHAPE_CORRESPONDENCE_PART_CORRESPONDENCE_H
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// \ingroup PkgShapeCorrespondenceCorrespondence
+/// Which of several equally long segments of a curve (paper, section 5, cutting); of one: the whole part. As small as
+/// it is since sets of shapes keep millions of pairs.
+struct Curve_segment
+{
+  short index = 0; ///< along the curve, from 0 on
+  short count = 1; ///< of segments of the curve
+
+  /// Whether the part is not cut.
+  bool is_whole_part() const { return count == 1; }
+
+  /// Whether both are the same segment of as many.
+  friend bool operator==(const Curve_segment& a, const Curve_segment& b)
+  {
+    return a.index == b.index && a.count == b.count;
+  }
+};
+
+/// \ingroup PkgShapeCorrespondenceCorrespondence
+/// A part of the source and a part of the target that correspond, by their indices in the shapes.
+struct Part_correspondence
+{
+  std::size_t source = 0; ///< the source part
+  std::size_t target = 0; ///< the target part
+  /// How probable it is, between 0 and 1. Not a number where the method does not tell.
+  double confidence = std::numeric_limits<double>::quiet_NaN();
+  Curve_segment source_segment = {}; ///< what of the source part corresponds, where the search cuts curves
+  Curve_segment target_segment = {}; ///< what of the target part does
+
+  /// Whether the method tells how probable it is.
+  bool has_confidence() const { return !std::isnan(confidence); }
+
+  /// Whether all is equal; two that have no confidence are equal in it.
+  friend bool operator==(const Part_correspondence& a, const Part_correspondence& b)
+  {
+    const bool same_confidence = a.has_confidence() ? a.confidence == b.confidence : !b.has_confidence();
+    return a.source == b.source && a.target == b.target && same_confidence && a.source_segment == b.source_segment &&
+           a.target_segment == b.target_segment;
+  }
+};
+
+/// \ingroup PkgShapeCorrespondenceCorrespondence
+/// The order in which pairs are listed: by source, then target.
+inline bool is_before(const Part_correspondence& a, const Part_correspondence& b)
+{
+  return a.source != b.source ? a.source < b.source : a.target < b.target;
+}
+
+/// \ingroup PkgShapeCorrespondenceCorrespondence
+/// The same with source and target swapped.
+inline Part_correspondence inverse(const Part_correspondence& pair)
+{
+  return {pair.target, pair.source, pair.confidence, pair.target_segment, pair.source_segment};
+}
+
+/// \ingroup PkgShapeCorrespondenceCorrespondence
+/// Indices of a source part and a target part.
+using Part_pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// \ingroup PkgShapeCorrespondenceCorrespondence
+/// The pairs of a correspondence or a part map without what else is known of them.
+inline Part_pairs part_pairs(const std::vector<Part_correspondence>& pairs)
+{
+  Part_pairs result;
+  for (const Part_correspondence& pair : pairs)
+    result.emplace_back(pair.source, pair.target);
+  return result;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_PART_CORRESPONDENCE_H

@@ -1,0 +1,28 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SEARCH_SUMMARY_H
+#define CGAL_SHAPE_CORRESPONDENCE_SEARCH_SUMMARY_H
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// \ingroup PkgShapeCorrespondenceSearch
+/// How the search went.
+struct Search_summary
+{
+  std::string method = "beam"; ///< parts, beam or exact
+  std::size_t states = 0;      ///< search states kept
+  std::size_t evaluations = 0; ///< energies of states computed
+  double lower_bound = 0;      ///< no correspondence in the direction of the result costs less
+};
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SEARCH_SUMMARY_H
