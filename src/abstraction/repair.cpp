@@ -3,6 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "abstraction/bounding_box.h"
 #include "abstraction/repair.h"
 #include "abstraction/bounding_box.h"
 #include "shape/meshes.h"

@@ -3,10 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/Blend_structure.h"
-
 #include "base/quarter_turn.h"
 #include "blend/Blend_ends.h"
+#include "blend/Blend_structure.h"
 #include "blend/surface_components.h"
 
 #include <Eigen/Geometry>

@@ -3,9 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/mirror_images.h"
-
 #include "base/quantized.h"
+#include "blend/mirror_images.h"
 #include "blend/surface_components.h"
 #include "map/Charted_mesh.h"
 #include "map/piece_of.h"

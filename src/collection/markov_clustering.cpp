@@ -10,6 +10,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <Eigen/SparseCore>
+
 #include <algorithm>
 #include <cmath>
 #include <map>

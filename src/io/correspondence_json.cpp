@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/json_field.h"
-#include "io/json_text.h"
+#include "io/Json.h"
+#include "io/Json_field.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -137,13 +137,12 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
                       {"lower_bound", c.search.lower_bound}};
   result["warnings"] = c.warnings;
   if (ranked.size() > 1) result["solutions"] = solutions(ranked, source, target);
-  write_json(out, result);
+  result.write(out);
 }
 
 Named_correspondence read_correspondence_json(const std::string& file)
 {
-  const nlohmann::json document = read_json_file(file);
-  const Json_field root(document, file);
+  const Json_field root = read_json_file(file);
   if (root["format"].text() != match_format)
     root["format"].fail("is '" + root["format"].text() + "', not '" + match_format + "'");
   if (root["version"].integer() != 1) root["version"].fail("is not 1, the one that this program knows");
@@ -183,11 +182,7 @@ Correspondence correspondence_of(const Named_correspondence& named, const Struct
   return result;
 }
 
-bool is_correspondence_json(const std::string& file)
-{
-  const nlohmann::json document = read_json_file(file);
-  return document.is_object() && document.value("format", nlohmann::json()) == match_format;
-}
+bool is_correspondence_json(const std::string& file) { return read_json_file(file).has("format", match_format); }
 
 } // namespace IO
 } // namespace Shape_correspondence

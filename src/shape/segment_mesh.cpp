@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -57,12 +58,13 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
       CGAL::Polygon_mesh_processing::orient_to_bound_a_volume(component); // its inside is what is measured
       segments = sdf_segments(component, options);
     }
-    std::map<std::size_t, Part_mesh_builder<Halfedge_mesh>> builders;
+    const Part_mesh_builder empty(component, component.points());
+    std::map<std::size_t, std::decay_t<decltype(empty)>> builders;
     for (auto face : component.faces()) {
-      builders.try_emplace(segments[face.idx()], component).first->second.add_face(face);
+      builders.try_emplace(segments[face.idx()], empty).first->second.add_face(face);
     }
     for (const auto& [segment, builder] : builders) {
-      Part_mesh part = builder.build();
+      Part_mesh part{builder.points(), builder.triangles()};
       if (has_area(part)) {
         result.shape.add_part("segment_" + std::to_string(result.shape.parts().size()), std::move(part));
       } else {

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_VIEWER_REPORT_TEXT_H
-#define CGAL_SHAPE_CORRESPONDENCE_VIEWER_REPORT_TEXT_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_REPORT_TEXT_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_REPORT_TEXT_H
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
@@ -31,4 +31,4 @@ std::string kind_of(const Part_abstraction& part);
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_VIEWER_REPORT_TEXT_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_REPORT_TEXT_H

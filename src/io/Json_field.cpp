@@ -3,10 +3,12 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/Json_field.h"
 #include "io/input_file.h"
-#include "io/json_field.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -25,10 +27,15 @@ bool Json_field::has(const std::string& key) const
   return value_->contains(key);
 }
 
+bool Json_field::has(const std::string& key, const std::string& text) const
+{
+  return value_->is_object() && value_->value(key, nlohmann::json()) == text;
+}
+
 Json_field Json_field::operator[](const std::string& key) const
 {
   if (!has(key)) fail("has no key \"" + key + "\"");
-  return Json_field((*value_)[key], file_, place_.empty() ? key : place_ + "." + key);
+  return at((*value_)[key], place_.empty() ? key : place_ + "." + key);
 }
 
 std::vector<Json_field> Json_field::elements() const
@@ -36,7 +43,7 @@ std::vector<Json_field> Json_field::elements() const
   if (!value_->is_array()) fail("is not an array [...]");
   std::vector<Json_field> result;
   for (std::size_t i = 0; i < value_->size(); ++i)
-    result.emplace_back((*value_)[i], file_, place_ + "[" + std::to_string(i) + "]");
+    result.push_back(at((*value_)[i], place_ + "[" + std::to_string(i) + "]"));
   return result;
 }
 
@@ -84,6 +91,14 @@ std::string Json_field::text() const
   return value_->get<std::string>();
 }
 
+std::vector<std::string> Json_field::texts() const
+{
+  std::vector<std::string> result;
+  for (const Json_field& element : elements())
+    result.push_back(element.text());
+  return result;
+}
+
 Point Json_field::point() const
 {
   const std::vector<Json_field> coordinates = elements(3, "a point [x, y, z]");
@@ -97,16 +112,16 @@ Point Json_field::unit_vector() const
   return result;
 }
 
-nlohmann::json read_json(std::istream& in, const std::string& file)
+Json_field read_json(std::istream& in, const std::string& file)
 {
   try {
-    return nlohmann::json::parse(in);
+    return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(in)), file, ""};
   } catch (const nlohmann::json::exception& error) {
     throw Invalid_input(file + ": it is not a JSON document (" + error.what() + ")");
   }
 }
 
-nlohmann::json read_json_file(const std::string& path)
+Json_field read_json_file(const std::string& path)
 {
   std::ifstream in = open_input(path);
   return read_json(in, path);

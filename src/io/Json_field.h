@@ -8,9 +8,11 @@
 
 #include <CGAL/Shape_correspondence/Points.h>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <iosfwd>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,14 +24,12 @@ namespace IO {
 class Json_field
 {
 public:
-  Json_field(const nlohmann::json& value, std::string file, std::string place = "")
-      : value_(&value), file_(std::move(file)), place_(std::move(place))
-  {}
-
   /// Throws `Invalid_input`: file, place, `what`.
   [[noreturn]] void fail(const std::string& what) const;
 
   bool has(const std::string& key) const;
+  /// Whether it is an object that has this text at this key.
+  bool has(const std::string& key, const std::string& text) const;
   Json_field operator[](const std::string& key) const; ///< fails where the key is missing
 
   std::vector<Json_field> elements() const; ///< of an array
@@ -41,20 +41,31 @@ public:
   bool boolean() const;
   bool is_null() const;
   std::string text() const;
+  std::vector<std::string> texts() const; ///< of an array
   Point point() const;
   Point unit_vector() const;
 
 private:
-  const nlohmann::json* value_;
+  friend Json_field read_json(std::istream& in, const std::string& file);
+
+  using Value = std::shared_ptr<const nlohmann::json>; ///< keeps the whole document
+
+  Json_field(Value value, const std::string& file, std::string place)
+      : value_(std::move(value)), file_(file), place_(std::move(place))
+  {}
+
+  Json_field at(const nlohmann::json& value, std::string place) const { return {Value(value_, &value), file_, place}; }
+
+  Value value_;
   std::string file_;
   std::string place_;
 };
 
 /// The JSON document in a stream. \throw Invalid_input if it is none; names `file`
-nlohmann::json read_json(std::istream& in, const std::string& file);
+Json_field read_json(std::istream& in, const std::string& file);
 
 /// The JSON document in a file. \throw Invalid_input if it cannot be read or is none
-nlohmann::json read_json_file(const std::string& path);
+Json_field read_json_file(const std::string& path);
 
 } // namespace IO
 } // namespace Shape_correspondence

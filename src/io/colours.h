@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_VIEWER_COLOURS_H
-#define CGAL_SHAPE_CORRESPONDENCE_VIEWER_COLOURS_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_COLOURS_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_COLOURS_H
 
 #include <Eigen/Core>
 
@@ -27,4 +27,4 @@ inline Colour grey() { return Colour(0.45, 0.45, 0.45); }
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_VIEWER_COLOURS_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_COLOURS_H

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "viewer/picture_geometry.h"
+#include "io/picture_geometry.h"
 
 #include <Eigen/Geometry>
 

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_VIEWER_DRAWN_SHAPE_H
-#define CGAL_SHAPE_CORRESPONDENCE_VIEWER_DRAWN_SHAPE_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_DRAWN_SHAPE_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_DRAWN_SHAPE_H
 
 #include "io/glb_builder.h"
 
@@ -70,4 +70,4 @@ std::vector<int> add_match_materials(Glb_builder& glb, const Correspondence& cor
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_VIEWER_DRAWN_SHAPE_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_DRAWN_SHAPE_H

@@ -3,11 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "viewer/drawn_shape.h"
+#include "io/drawn_shape.h"
 #include "base/Disjoint_sets.h"
 #include "base/quarter_turn.h"
-#include "viewer/colours.h"
-#include "viewer/picture_geometry.h"
+#include "io/colours.h"
+#include "io/picture_geometry.h"
 
 #include <algorithm>
 

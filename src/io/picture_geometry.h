@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_VIEWER_PICTURE_GEOMETRY_H
-#define CGAL_SHAPE_CORRESPONDENCE_VIEWER_PICTURE_GEOMETRY_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_PICTURE_GEOMETRY_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_PICTURE_GEOMETRY_H
 
 #include "io/glb_builder.h"
 
@@ -31,4 +31,4 @@ Drawn_mesh joined(const std::vector<Drawn_mesh>& meshes);
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_VIEWER_PICTURE_GEOMETRY_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_PICTURE_GEOMETRY_H
