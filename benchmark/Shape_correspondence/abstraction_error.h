@@ -6,6 +6,8 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_ERROR_H
 #define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_ERROR_H
 
+#include "base/Disjoint_sets.h"
+
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
@@ -18,7 +20,6 @@
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
@@ -127,17 +128,11 @@ public:
       segments_.push_back(segment);
       edges_of_segments.push_back(cut_edges);
     }
-    std::vector<std::size_t> parent(edges.size());
-    std::iota(parent.begin(), parent.end(), std::size_t(0));
-    const auto root = [&parent](std::size_t i) {
-      while (parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-      return i;
-    };
+    internal::Disjoint_sets pieces(edges.size());
     for (const auto& [e, f] : edges_of_segments)
-      parent[root(e)] = root(f);
+      pieces.unite(e, f);
     for (std::size_t i = 0; i < segments_.size(); ++i)
-      segments_[i].piece = root(edges_of_segments[i][0]);
+      segments_[i].piece = pieces[edges_of_segments[i][0]];
   }
 
   const std::vector<Segment>& segments() const { return segments_; }

@@ -7,7 +7,7 @@
 #ifndef SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
 #define SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
 
-#include "blend/joining_ways.h"
+#include "blend/surface_components.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 

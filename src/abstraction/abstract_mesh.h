@@ -41,9 +41,12 @@ enum class Intrinsic_kind { ELONGATED, BLADE, FLAT, COMPACT, BLOCK };
 /// \param box extents of the bounding box, longest first
 inline Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, const Eigen::Vector3d& box)
 {
-  const double least_width = 0.21, least_depth = 0.5, least_thickness = 0.3;
-  const double least_blade_width = 0.075, blade_thickness = 0.26; // 7.7 times as wide as thick
-  const double least_height = 0.32, plate_height = 0.45;          // of the box, over its length and its width
+  const double least_width = 0.21;        // of a sheet, over its length
+  const double least_depth = 0.5;         // of what is compact, over its width
+  const double least_blade_width = 0.075; // over its length
+  const double blade_thickness = 0.26;    // over its width at most; a blade is 7.7 times as wide as thick
+  const double least_thickness = 0.3;     // of a block, over its length
+  const double least_height = 0.32, plate_height = 0.45; // of a block's box, over its length and its width
   const Eigen::Vector3d& extents = layout.extents;
   if (extents[1] <= least_width * extents[0]) {
     const bool is_blade = extents[1] > least_blade_width * extents[0] && thickness < blade_thickness * extents[1];
@@ -59,14 +62,15 @@ inline Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thic
 /// thin wall is, for others are rings.
 inline bool is_slender(const Revolution_axis& axis, double thickness, bool has_handle)
 {
-  const double least_slenderness = has_handle ? 0.15 : 1. / 3, thin_wall = 0.25;
+  const double least_slenderness = has_handle ? 0.15 : 1. / 3; // height over diameter
+  const double thin_wall = 0.25;                               // its thickness over the height, at most
   return axis.slenderness >= least_slenderness && (!has_handle || 2 * thickness <= thin_wall * axis.height);
 }
 
 /// Whether a part that is compact along itself is so for its walls only, as a carcass of boards.
 inline bool is_carcass(const Intrinsic_layout& layout, double thickness)
 {
-  const double thin_wall = 0.2;
+  const double thin_wall = 0.2; // half its thickness over the depth, at most
   return thickness < thin_wall * layout.extents[2];
 }
 
@@ -159,7 +163,8 @@ private:
       use_axis(medial_curve(box, options_.curve_points, distinct_axis(box)));
       return;
     }
-    const double most = 0.02 * diagonal_; // arms that branch off are no blade, and no curve goes along all of them
+    // Residual of a fit over the diagonal, at most: arms that branch off are no blade, and no curve goes along all
+    const double most = 0.02 * diagonal_;
     if (kind_ == Abstraction_kind::AUTOMATIC && !has_handle &&
         (kind == Intrinsic_kind::FLAT || kind == Intrinsic_kind::BLADE)) {
       const Fitted_sheet fitted = sheet();
@@ -184,7 +189,7 @@ private:
   /// The curve that the flow finds. Whether the part is a tube shows on the way.
   Fitted_curve contracted_curve(const Part_mesh& solid, const Points& axis)
   {
-    const double tube_area = 0.5;
+    const double tube_area = 0.5; // share of the area that a tube has left when its volume is gone
     Stepwise_flow flow(solid, options_.maximum_iterations, deadline_);
     flow.run_to_volume(options_.stop_volume);
     const double area_kept = flow.area_kept();
@@ -227,8 +232,8 @@ private:
 
   void use_curve(const Fitted_curve& fitted)
   {
-    const double shortest = 0.2;
-    const double least_coverage = 0.8;
+    const double shortest = 0.2;       // over the part's diagonal
+    const double least_coverage = 0.8; // of the skeleton, of what does not branch
     if (fitted.curve.points.cols() < 2 || arc_lengths(fitted.curve).back() < shortest * diagonal_) {
       throw Flow_failure("its skeleton is a point");
     }

@@ -6,9 +6,9 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_BOUNDING_BOX_H
 #define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_BOUNDING_BOX_H
 
-#include <CGAL/Shape_correspondence/Part_abstraction.h>
+#include "base/eigen_system.h"
 
-#include <Eigen/Eigenvalues>
+#include <CGAL/Shape_correspondence/Part_abstraction.h>
 
 #include <algorithm>
 #include <array>
@@ -50,9 +50,8 @@ inline Oriented_box box_along(const Points& points, const Eigen::Matrix3d& axes)
 inline Oriented_box oriented_box(const Points& points)
 {
   const Points centred = points.colwise() - points.rowwise().mean();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred * centred.transpose());
   const Oriented_box straight = box_along(points, Eigen::Matrix3d::Identity());
-  const Oriented_box principal = box_along(points, solver.eigenvectors());
+  const Oriented_box principal = box_along(points, eigen_system(scatter_matrix(centred)).vectors);
   const auto half_surface = [](const Oriented_box& box) {
     return box.extents[0] * box.extents[1] + box.extents[1] * box.extents[2] + box.extents[2] * box.extents[0];
   };

@@ -8,8 +8,8 @@
 
 #include "abstraction/surface_samples.h"
 #include "base/Nearest_points.h"
+#include "base/eigen_system.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -44,10 +44,10 @@ struct alignas(EIGEN_MAX_ALIGN_BYTES) Mesh_signature
       : mesh(&mesh), centre(mesh.points.rowwise().mean()), area(surface_area(mesh))
   {
     const Points centred = mesh.points.colwise() - centre;
-    moments = centred * centred.transpose() / static_cast<double>(mesh.points.cols());
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
-    principal_axes = solver.eigenvectors();
-    lengths = solver.eigenvalues().cwiseMax(0.).cwiseSqrt();
+    moments = scatter_matrix(centred) / static_cast<double>(mesh.points.cols());
+    const Eigen_system system = eigen_system(moments);
+    principal_axes = system.vectors;
+    lengths = system.values.cwiseMax(0.).cwiseSqrt();
     size = (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
   }
 
@@ -62,7 +62,7 @@ struct alignas(EIGEN_MAX_ALIGN_BYTES) Mesh_signature
 
 inline bool may_be_congruent(const Mesh_signature& a, const Mesh_signature& b)
 {
-  const double tolerance = 1e-3;
+  const double tolerance = 1e-3; // over the area, and over the length
   return a.mesh->points.cols() == b.mesh->points.cols() && a.mesh->triangles.cols() == b.mesh->triangles.cols() &&
          std::abs(a.area - b.area) <= tolerance * a.area &&
          (a.lengths - b.lengths).cwiseAbs().maxCoeff() <= tolerance * a.lengths[2];

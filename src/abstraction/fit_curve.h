@@ -38,8 +38,9 @@ inline std::vector<int> leaf_chain(const Spatial_graph_view& graph, int leaf)
   std::vector<int> chain{leaf};
   int previous = -1, current = leaf;
   do {
-    const auto& next = graph.neighbours(current);
-    const int step = next[0] != previous || next.size() == 1 ? next[0] : next[1];
+    const auto next = graph.neighbours(current).begin();
+    const int first = static_cast<int>(next[0]);
+    const int step = first != previous || graph.degree(current) == 1 ? first : static_cast<int>(next[1]);
     previous = current;
     current = step;
     chain.push_back(current);
@@ -70,7 +71,8 @@ inline std::vector<int> longest_path(const Spatial_graph_view& graph)
 /// Removes the shortest twig as long as it is no longer than the part is thick there, or a tenth of the longest path.
 inline void prune(Spatial_graph_view& graph, const Nearest_points& surface)
 {
-  const double smallest_fraction = 0.1, smallest_radii = 2;
+  const double smallest_fraction = 0.1; // of the longest path
+  const double smallest_radii = 2;      // of the part where the twig branches off
   const double smallest_length = smallest_fraction * chain_length(graph, longest_path(graph));
   while (true) {
     std::vector<int> shortest;
@@ -155,7 +157,8 @@ inline void smooth(Curve& curve, int rounds)
 inline void extend_end(Curve& curve, bool last, const Nearest_points& surface, const Inside_test& is_inside)
 {
   const int steps = 64;
-  const double most_lengths = 0.2, most_radii = 2;
+  const double most_lengths = 0.2; // of the curve
+  const double most_radii = 2;     // of the part near the end
   const Eigen::Index n = curve.points.cols();
   const Eigen::Index end = last ? n - 1 : 0;
   const Eigen::Index inner = last ? std::max<Eigen::Index>(n - 3, 0) : std::min<Eigen::Index>(2, n - 1);
@@ -212,7 +215,7 @@ inline Curve smoothed(const Curve& raw, int samples)
 inline void centre(Curve& curve, const Points& axis, const Points& surface)
 {
   const int rounds = 3;
-  const double reach = 1.5;
+  const double reach = 1.5; // over the distance of the axis from the surface
   const Eigen::Index n = curve.points.cols();
   Curve offsets{Points::Zero(3, n), curve.closed};
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(n);

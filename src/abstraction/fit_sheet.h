@@ -7,12 +7,12 @@
 #define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_FIT_SHEET_H
 
 #include "abstraction/curve_and_sheet_geometry.h"
+#include "base/eigen_system.h"
 #include "base/planar_hull.h"
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -46,9 +46,7 @@ struct Sheet_plane
 inline Eigen::Vector3d principal_variances(const Points& points)
 {
   const Points centred = points.colwise() - points.rowwise().mean();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred * centred.transpose() / points.cols(),
-                                                              Eigen::EigenvaluesOnly);
-  return solver.eigenvalues().reverse().cwiseMax(1e-300);
+  return eigen_system(scatter_matrix(centred) / points.cols()).values.reverse().cwiseMax(1e-300);
 }
 
 inline Sheet_plane principal_plane(const Points& points)
@@ -56,8 +54,7 @@ inline Sheet_plane principal_plane(const Points& points)
   Sheet_plane result;
   result.centre = points.rowwise().mean();
   const Points centred = points.colwise() - result.centre;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred * centred.transpose());
-  result.axes = solver.eigenvectors().rowwise().reverse();
+  result.axes = eigen_system(scatter_matrix(centred)).vectors.rowwise().reverse();
   return result;
 }
 
@@ -143,7 +140,7 @@ inline Outline_corners diagonal_corners(const Planar_points& outline)
 /// largest quadrilateral, from the one nearest to the lower left on.
 inline Outline_corners outline_corners(const Planar_points& outline)
 {
-  const double clearly = 1.03;
+  const double clearly = 1.03; // ratio of areas
   const Outline_corners along_diagonals = diagonal_corners(outline);
   Outline_corners largest = largest_quadrilateral(outline);
   if (quadrilateral_area(outline, largest) < clearly * quadrilateral_area(outline, along_diagonals)) {
@@ -251,7 +248,8 @@ inline Eigen::MatrixXd bending_form(int rows, int cols)
 /// plane.
 inline Eigen::MatrixXd smooth_values(const Sheet& grid, const Points& points, const Eigen::MatrixXd& values)
 {
-  const double smoothness = 0.05, ridge = 1e-9;
+  const double smoothness = 0.05; // weight of the bending energy over that of the points
+  const double ridge = 1e-9;      // weight of zero, where neither says anything
   const Eigen::Index n = grid.points.cols();
   Eigen::MatrixXd form = Eigen::MatrixXd::Zero(n, n);
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, values.rows());

@@ -3,9 +3,10 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "abstraction/bounding_box.h"
 #include "abstraction/hull.h"
+#include "abstraction/bounding_box.h"
 #include "abstraction/reproducible_hull.h"
+#include "base/eigen_system.h"
 #include "base/planar_hull.h"
 #include "shape/meshes.h"
 
@@ -43,8 +44,7 @@ Convex_hull flat_hull(const Points& points, const Oriented_box& box)
 Oriented_box thinnest_box(const Points& points)
 {
   const Points centred = points.colwise() - points.rowwise().mean();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred * centred.transpose());
-  return box_along(points, solver.eigenvectors());
+  return box_along(points, eigen_system(scatter_matrix(centred)).vectors);
 }
 
 /// The vertices of a hull and its volume, both from a sorted mesh: the algorithm's output is ordered by addresses.

@@ -7,6 +7,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_INTRINSIC_EXTENT_H
 
 #include "abstraction/spatial_graph.h"
+#include "base/eigen_system.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -69,10 +70,9 @@ inline Intrinsic_layout intrinsic_layout(const Spatial_graph_view& graph)
     }
   }
   result.coordinates.colwise() -= result.coordinates.rowwise().mean().eval();
-  const Eigen::Matrix3d covariance = result.coordinates * result.coordinates.transpose() / graph.size();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(covariance);
-  result.coordinates = (principal.eigenvectors().rowwise().reverse().transpose() * result.coordinates).eval();
-  result.extents = principal.eigenvalues().reverse().cwiseMax(0.).cwiseSqrt();
+  const Eigen_system principal = eigen_system(scatter_matrix(result.coordinates) / graph.size());
+  result.coordinates = (principal.vectors.rowwise().reverse().transpose() * result.coordinates).eval();
+  result.extents = principal.values.reverse().cwiseMax(0.).cwiseSqrt();
   return result;
 }
 

@@ -3,19 +3,19 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "abstraction/bounding_box.h"
 #include "abstraction/repair.h"
+#include "abstraction/bounding_box.h"
 #include "shape/meshes.h"
 
 #include <CGAL/Shape_correspondence/version.h>
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
@@ -47,15 +47,10 @@ double fullness(const Halfedge_mesh& mesh)
   return area > 0 ? PMP::volume(mesh) / (area * std::sqrt(area)) : 0.;
 }
 
-Halfedge_mesh soup_to_mesh(const Part_mesh& part, bool& changed)
+/// The manifold that the triangles make, borders that lie on each other joined.
+Halfedge_mesh stitched_surface(const Part_mesh& part, bool& changed)
 {
-  Triangle_soup soup = to_soup(part);
-  const std::size_t points = soup.points.size(), triangles = soup.triangles.size();
-  PMP::repair_polygon_soup(soup.points, soup.triangles);
-  changed = soup.points.size() != points || soup.triangles.size() != triangles;
-  changed |= !PMP::orient_polygon_soup(soup.points, soup.triangles);
-  Halfedge_mesh mesh;
-  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
+  Halfedge_mesh mesh = manifold_surface(part, &changed);
   changed |= PMP::stitch_borders(mesh) > 0;
   mesh.collect_garbage();
   return mesh;
@@ -187,11 +182,18 @@ Halfedge_mesh wrap(const Part_mesh& part, const Deadline& deadline)
   return result;
 }
 
+double box_diagonal(const Halfedge_mesh& mesh)
+{
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  return std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin()) +
+                   CGAL::square(box.zmax() - box.zmin()));
+}
+
 /// Whether a component stands for its whole part: it spans the part and has about half of its area, as the tyre of a
 /// wheel with thin spokes.
 bool dominates(const Halfedge_mesh& component, const Part_mesh& part, double area)
 {
-  return diagonal(component) > 0.9 * diagonal(part.points) && PMP::area(component) > 0.45 * area;
+  return box_diagonal(component) > 0.9 * diagonal(part.points) && PMP::area(component) > 0.45 * area;
 }
 
 } // namespace
@@ -201,7 +203,7 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
   using Repair = Abstraction_report::Repair;
   Repaired_part result;
   bool soup_changed = false;
-  const Halfedge_mesh mesh = soup_to_mesh(part, soup_changed);
+  const Halfedge_mesh mesh = stitched_surface(part, soup_changed);
   const double area = PMP::area(mesh);
   std::vector<Halfedge_mesh> components = components_by_area(mesh);
   result.several_components = components.size() > 1;

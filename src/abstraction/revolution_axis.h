@@ -7,10 +7,10 @@
 #define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REVOLUTION_AXIS_H
 
 #include "base/Nearest_points.h"
+#include "base/eigen_system.h"
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -55,9 +55,9 @@ inline double quantile(Eigen::RowVectorXd values, double fraction)
 inline std::vector<Point> axis_candidates(const Points& centred)
 {
   std::vector<Point> result{Point::UnitY(), Point::UnitX(), Point::UnitZ()};
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred * centred.transpose());
+  const Eigen::Matrix3d principal_axes = eigen_system(scatter_matrix(centred)).vectors;
   for (int k = 0; k < 3; ++k) {
-    result.push_back(solver.eigenvectors().col(k));
+    result.push_back(principal_axes.col(k));
   }
   const Point skewness = centred * centred.colwise().squaredNorm().transpose();
   if (skewness.norm() > 0) {
@@ -70,7 +70,9 @@ inline std::vector<Point> axis_candidates(const Points& centred)
 /// does not. \param surface its points, evenly spread \param spacing their distance
 inline std::optional<Revolution_axis> revolution_axis(const Points& surface, double spacing)
 {
-  const double tolerance = 0.16, gap = 0.6, clearly = 1e-3;
+  const double tolerance = 0.16; // how far turning carries points off the surface, over the largest radius
+  const double clearly = 1e-3;   // the same of what makes a later axis better
+  const double gap = 0.6;        // between points spread over the same surface, over their spacing
   const double turns[] = {2 * EIGEN_PI / 5, 2 * EIGEN_PI / 4};
   const Point centre = surface.rowwise().mean();
   const Points centred = surface.colwise() - centre;
@@ -90,7 +92,7 @@ inline std::optional<Revolution_axis> revolution_axis(const Points& surface, dou
     }
     if (deviation <= most) {
       least = std::max(0., deviation - gap * spacing) / radii.maxCoeff();
-      const double few = 0.1;
+      const double few = 0.1; // share of the points that are left out at either end
       const double height = quantile(heights, 1 - few) - quantile(heights, few);
       result = {centre, direction, height, height / (2 * quantile(radii, 1 - few))};
     }

@@ -8,11 +8,10 @@
 
 #include <CGAL/Shape_correspondence/Points.h>
 
-#include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/range/iterator_range.hpp>
+
 #include <functional>
-#include <limits>
-#include <numeric>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -27,155 +26,55 @@ struct Spatial_graph
   std::vector<std::pair<int, int>> edges;
 };
 
-/// Adjacency, distances and paths of a graph whose vertices and edges can be removed.
+/// Adjacency, distances and paths of a graph whose edges can be removed.
 class Spatial_graph_view
 {
 public:
-  explicit Spatial_graph_view(const Spatial_graph& graph)
-      : points_(&graph.points), neighbours_(static_cast<std::size_t>(graph.points.cols()))
-  {
-    for (const auto& [a, b] : graph.edges) {
-      if (a != b && std::find(neighbours(a).begin(), neighbours(a).end(), b) == neighbours(a).end()) {
-        neighbours_[static_cast<std::size_t>(a)].push_back(b);
-        neighbours_[static_cast<std::size_t>(b)].push_back(a);
-      }
-    }
-  }
+  using Edge_length = std::function<double(int, int)>;
+
+  explicit Spatial_graph_view(const Spatial_graph& graph);
 
   /// Joins all vertices that are nearer to each other than a radius. The two sides of a medial axis, as its poles show
   /// it, are connected at its rim only; this makes them one layer.
-  void connect_near(double radius)
-  {
-    std::vector<int> order(neighbours_.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(),
-              [this](int a, int b) { return point(a).x() != point(b).x() ? point(a).x() < point(b).x() : a < b; });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      for (std::size_t j = i + 1; j < order.size() && point(order[j]).x() - point(order[i]).x() < radius; ++j) {
-        const int a = order[i], b = order[j];
-        if (length(a, b) < radius && std::find(neighbours(a).begin(), neighbours(a).end(), b) == neighbours(a).end()) {
-          neighbours_[static_cast<std::size_t>(a)].push_back(b);
-          neighbours_[static_cast<std::size_t>(b)].push_back(a);
-        }
-      }
-    }
-  }
+  void connect_near(double radius);
 
-  int size() const { return static_cast<int>(neighbours_.size()); }
+  int size() const { return static_cast<int>(boost::num_vertices(graph_)); }
   Points::ConstColXpr point(int v) const { return points_->col(v); }
-  const std::vector<int>& neighbours(int v) const { return neighbours_[static_cast<std::size_t>(v)]; }
-  int degree(int v) const { return static_cast<int>(neighbours(v).size()); }
+  /// A range of `int`, in the order in which edges were added.
+  auto neighbours(int v) const { return boost::make_iterator_range(boost::adjacent_vertices(v, graph_)); }
+  int degree(int v) const { return static_cast<int>(boost::out_degree(v, graph_)); }
   double length(int a, int b) const { return (point(a) - point(b)).norm(); }
 
-  void remove_edge(int a, int b)
-  {
-    const auto erase = [this](int from, int to) {
-      auto& list = neighbours_[static_cast<std::size_t>(from)];
-      list.erase(std::remove(list.begin(), list.end(), to), list.end());
-    };
-    erase(a, b);
-    erase(b, a);
-  }
+  void remove_edge(int a, int b) { boost::remove_edge(a, b, graph_); }
 
-  /// Edges as pairs a < b.
-  std::vector<std::pair<int, int>> edges() const
-  {
-    std::vector<std::pair<int, int>> result;
-    for (int a = 0; a < size(); ++a) {
-      for (int b : neighbours(a)) {
-        if (a < b) {
-          result.emplace_back(a, b);
-        }
-      }
-    }
-    return result;
-  }
+  /// Edges as pairs a < b, by a.
+  std::vector<std::pair<int, int>> edges() const;
 
-  double total_length() const
-  {
-    double result = 0;
-    for (const auto& [a, b] : edges()) {
-      result += length(a, b);
-    }
-    return result;
-  }
+  double total_length() const;
 
   /// Distances of all vertices along edges; infinite where there is no path.
-  Eigen::VectorXd distances_from(int source) const
-  {
-    return distances_from(source, nullptr, [this](int a, int b) { return length(a, b); });
-  }
-
-  /// The same by Dijkstra's algorithm with other lengths of edges.
-  template <typename Edge_length>
-  Eigen::VectorXd distances_from(int source, std::vector<int>* parents, const Edge_length& edge_length) const
-  {
-    using Entry = std::pair<double, int>;
-    Eigen::VectorXd result = Eigen::VectorXd::Constant(size(), std::numeric_limits<double>::infinity());
-    if (parents) {
-      parents->assign(static_cast<std::size_t>(size()), -1);
-    }
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    result[source] = 0;
-    queue.emplace(0., source);
-    while (!queue.empty()) {
-      const auto [distance, a] = queue.top();
-      queue.pop();
-      if (distance > result[a]) {
-        continue;
-      }
-      for (int b : neighbours(a)) {
-        const double candidate = distance + edge_length(a, b);
-        if (candidate < result[b]) {
-          result[b] = candidate;
-          queue.emplace(candidate, b);
-          if (parents) {
-            (*parents)[static_cast<std::size_t>(b)] = a;
-          }
-        }
-      }
-    }
-    return result;
-  }
+  Eigen::VectorXd distances_from(int source) const;
 
   /// The vertex of the largest finite distance, the first of several.
-  int farthest(const Eigen::VectorXd& distances) const
-  {
-    int result = 0;
-    double largest = -1;
-    for (int v = 0; v < size(); ++v) {
-      if (distances[v] > largest && distances[v] < std::numeric_limits<double>::infinity()) {
-        largest = distances[v];
-        result = v;
-      }
-    }
-    return result;
-  }
+  int farthest(const Eigen::VectorXd& distances) const;
 
   /// The vertices of a shortest path; empty where there is none.
-  std::vector<int> path(int from, int to) const
-  {
-    return path(from, to, [this](int a, int b) { return length(a, b); });
-  }
-
-  template <typename Edge_length>
-  std::vector<int> path(int from, int to, const Edge_length& edge_length) const
-  {
-    std::vector<int> parents;
-    if (!(distances_from(from, &parents, edge_length)[to] < std::numeric_limits<double>::infinity())) {
-      return {};
-    }
-    std::vector<int> result{to};
-    while (result.back() != from) {
-      result.push_back(parents[static_cast<std::size_t>(result.back())]);
-    }
-    std::reverse(result.begin(), result.end());
-    return result;
-  }
+  std::vector<int> path(int from, int to) const;
+  /// The same by other lengths of edges.
+  std::vector<int> path(int from, int to, const Edge_length& edge_length) const;
 
 private:
+  struct Shortest_paths
+  {
+    Eigen::VectorXd distances;     ///< infinite where there is no path
+    std::vector<int> predecessors; ///< the vertex itself at the source and where there is no path
+  };
+
+  void add_edge(int a, int b);
+  Shortest_paths shortest_paths(int source, const Edge_length& edge_length) const;
+
   const Points* points_;
-  std::vector<std::vector<int>> neighbours_;
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> graph_;
 };
 
 } // namespace internal

@@ -6,54 +6,48 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_BASE_DISJOINT_SETS_H
 #define CGAL_SHAPE_CORRESPONDENCE_BASE_DISJOINT_SETS_H
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-/// The numbers from 0 on in sets, to begin with one in each. Unlike Boost's, a set is named by its smallest number, so
-/// that names do not depend on the order in which sets were united.
+/// The numbers from 0 on in disjoint sets, to begin with one in each. A set is named by its smallest number, so that
+/// names do not depend on the order in which sets were united; Boost names it by the one that is quickest to find.
 class Disjoint_sets
 {
 public:
-  explicit Disjoint_sets(std::size_t count = 0) : parent_(count)
+  explicit Disjoint_sets(std::size_t size = 0) : sets_(size), smallest_(size), number_of_sets_(size)
   {
-    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
+    std::iota(smallest_.begin(), smallest_.end(), std::size_t(0));
   }
 
-  std::size_t size() const { return parent_.size(); }
+  std::size_t size() const { return smallest_.size(); }
+  std::size_t number_of_sets() const { return number_of_sets_; }
 
-  /// The set of a number.
-  std::size_t operator[](std::size_t i) const
-  {
-    while (parent_[i] != i)
-      i = parent_[i];
-    return i;
-  }
+  /// The set of a number. Not for several threads at once: finding shortens the way for the next time.
+  std::size_t operator[](std::size_t i) const { return smallest_[sets_.find_set(i)]; }
 
   /// Makes one set of those of two numbers. Returns whether they were two.
   bool unite(std::size_t a, std::size_t b)
   {
-    const std::size_t first = root(a), second = root(b);
-    parent_[std::max(first, second)] = std::min(first, second);
-    return first != second;
+    const std::size_t first = sets_.find_set(a), second = sets_.find_set(b);
+    if (first == second) return false;
+    sets_.link(first, second);
+    smallest_[first] = smallest_[second] = std::min(smallest_[first], smallest_[second]);
+    --number_of_sets_;
+    return true;
   }
 
 private:
-  std::size_t root(std::size_t i)
-  {
-    const std::size_t result = (*this)[i];
-    while (i != result)
-      i = std::exchange(parent_[i], result);
-    return result;
-  }
-
-  std::vector<std::size_t> parent_; ///< never greater than the number
+  mutable boost::disjoint_sets_with_storage<> sets_;
+  std::vector<std::size_t> smallest_; ///< number of a set, by the number that Boost names it by
+  std::size_t number_of_sets_;
 };
 
 } // namespace internal

@@ -8,38 +8,22 @@
 
 #include <CGAL/tags.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
-#endif
-
 #include <cstddef>
+#include <functional>
 #include <type_traits>
 
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-/// Calls `work` for 0, 1, …, n - 1, in parallel if the tag says so and the library is there.
-template <typename ConcurrencyTag, typename Work>
-void for_each_index(std::size_t n, const Work& work)
+/// Calls `work` for 0, 1, …, n - 1; `parallel`: several at a time, where TBB is there.
+void for_each_index(std::size_t n, bool parallel, const std::function<void(std::size_t)>& work);
+
+/// The same, in parallel if the tag says so.
+template <typename ConcurrencyTag>
+void for_each_index(std::size_t n, const std::function<void(std::size_t)>& work)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr (std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>) {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, n, 1),
-        [&](const auto& range) {
-          for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            work(i);
-          }
-        },
-        tbb::simple_partitioner());
-    return;
-  }
-#endif
-  for (std::size_t i = 0; i < n; ++i) {
-    work(i);
-  }
+  for_each_index(n, std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>, work);
 }
 
 } // namespace internal

@@ -7,6 +7,7 @@
 #include "cli/collection_options.h"
 #include "cli/collection_shapes.h"
 #include "cli/collection_work.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/load_shape.h"
 #include "cli/outputs.h"

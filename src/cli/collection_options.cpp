@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/collection_options.h"
+#include "cli/command_line.h"
 
 #include <CGAL/Shape_correspondence/version.h>
 

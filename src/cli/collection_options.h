@@ -6,12 +6,11 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_OPTIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_OPTIONS_H
 
-#include "cli/common_options.h"
+#include "cli/Common_options.h"
 #include "cli/match_options.h"
+#include "cli/program_options_fwd.h"
 
 #include <CGAL/Shape_correspondence/co_analysis.h>
-
-#include <boost/program_options.hpp>
 
 #include <string>
 

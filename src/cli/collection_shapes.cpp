@@ -3,14 +3,15 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "base/for_each_index.h"
 #include "cli/collection_shapes.h"
+#include "base/for_each_index.h"
 #include "cli/load_shape.h"
 #include "cli/progress_bar.h"
+#include "io/Json.h"
+#include "io/Json_field.h"
 #include "io/atomic_file.h"
 #include "io/digest.h"
 #include "io/input_file.h"
-#include "io/json_text.h"
 #include "io/model_parts.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -103,13 +104,13 @@ IO::Json message(std::size_t index, const Loaded_input& input)
           {"warnings", input.shape.warnings}};
 }
 
-void take(const IO::Json& message, Loaded_input& input)
+void take(const IO::Json_field& message, Loaded_input& input)
 {
-  input.failure = message["failure"];
-  input.shape.name = message["name"];
-  input.shape.content = message["content"];
-  input.shape.parts = message["parts"].get<std::vector<std::string>>();
-  input.shape.warnings = message["warnings"].get<std::vector<std::string>>();
+  input.failure = message["failure"].text();
+  input.shape.name = message["name"].text();
+  input.shape.content = message["content"].text();
+  input.shape.parts = message["parts"].texts();
+  input.shape.warnings = message["warnings"].texts();
 }
 
 /// Tells the other processes of the inputs that were loaded here, and learns of theirs.
@@ -118,10 +119,10 @@ void exchange(std::vector<Loaded_input>& inputs, const std::vector<char>& is_loa
   IO::Json messages = IO::Json::array();
   for (std::size_t i = 0; i < inputs.size(); ++i)
     if (is_loaded[i]) messages.push_back(message(i, inputs[i]));
-  for (const std::string& text : team.gathered(IO::json_line(messages))) {
-    const IO::Json list = IO::Json::parse(text);
-    for (const IO::Json& one : list)
-      take(one, inputs[one["index"].get<std::size_t>()]);
+  for (const std::string& text : team.gathered(messages.line())) {
+    std::istringstream in(text);
+    for (const IO::Json_field& one : IO::read_json(in, "message").elements())
+      take(one, inputs[std::size_t(one["index"].integer())]);
   }
 }
 

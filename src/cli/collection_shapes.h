@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_SHAPES_H
 #define CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_SHAPES_H
 
-#include "cli/common_options.h"
+#include "cli/Common_options.h"
 #include "cli/team.h"
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>

@@ -3,11 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/common_options.h"
 #include "cli/outputs.h"
 #include "cli/text_table.h"
-#include "io/json_text.h"
+#include "io/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <numeric>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -218,7 +219,7 @@ std::vector<std::string> row(const std::string& name, const Mean_score& score)
           std::to_string(score.empty)};
 }
 
-void print(const Evaluation& evaluation, std::vector<Judged_result> results, std::size_t worst)
+void print(const Evaluation& evaluation, const std::vector<Judged_result>& results, std::size_t worst)
 {
   std::vector<std::vector<std::string>> rows{
       {"category", "results", "precision", "recall", "F1", "coarse precision", "empty"}};
@@ -228,12 +229,14 @@ void print(const Evaluation& evaluation, std::vector<Judged_result> results, std
   write_table(std::cout, rows);
   worst = std::min(worst, results.size());
   if (worst == 0) return;
-  std::stable_sort(results.begin(), results.end(),
-                   [](const Judged_result& a, const Judged_result& b) { return a.score.f1() < b.score.f1(); });
+  std::vector<std::size_t> order(results.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return results[a].score.f1() < results[b].score.f1(); });
   std::cout << '\n';
   rows = {{"worst", "source", "target", "precision", "recall", "F1"}};
   for (std::size_t i = 0; i < worst; ++i) {
-    const Judged_result& r = results[i];
+    const Judged_result& r = results[order[i]];
     rows.push_back({r.source->category, r.source->name, r.target->name, fixed(r.score.precision()),
                     fixed(r.score.recall()), fixed(r.score.f1())});
   }
@@ -293,7 +296,7 @@ void write_evaluation_json(std::ostream& out, const Evaluation& evaluation, cons
   document["results"] = IO::Json::array();
   for (const Judged_result& result : results)
     document["results"].push_back(json_of(result));
-  IO::write_json(out, document);
+  document.write(out);
 }
 
 } // namespace

@@ -3,13 +3,13 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/common_options.h"
 #include "cli/load_shape.h"
 #include "cli/outputs.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
-#include "viewer/report_text.h"
+#include "io/report_text.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>

@@ -3,9 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/load_shape.h"
 #include "base/for_each_index.h"
 #include "cli/clock.h"
-#include "cli/load_shape.h"
 #include "cli/progress_bar.h"
 #include "io/input_file.h"
 

@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_LOAD_SHAPE_H
 #define CGAL_SHAPE_CORRESPONDENCE_CLI_LOAD_SHAPE_H
 
-#include "cli/common_options.h"
+#include "cli/Common_options.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>

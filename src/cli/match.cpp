@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/clock.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/common_options.h"
 #include "cli/load_shape.h"
 #include "cli/match_options.h"
 #include "cli/match_table.h"

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/common_options.h"
 #include "cli/match_options.h"
+#include "cli/command_line.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

@@ -6,9 +6,9 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_MATCH_OPTIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_CLI_MATCH_OPTIONS_H
 
-#include <CGAL/Shape_correspondence/find_correspondence.h>
+#include "cli/program_options_fwd.h"
 
-#include <boost/program_options.hpp>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <string>
 

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/common_options.h"
 #include "cli/outputs.h"
+#include "cli/Common_options.h"
 #include "io/atomic_file.h"
 
 #include <set>

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/clock.h"
 #include "cli/progress_bar.h"
+#include "cli/clock.h"
 
 #include <cmath>
 #include <iostream>

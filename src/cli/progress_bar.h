@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_PROGRESS_BAR_H
 #define CGAL_SHAPE_CORRESPONDENCE_CLI_PROGRESS_BAR_H
 
-#include "cli/common_options.h"
+#include "cli/Common_options.h"
 
 #include <cstddef>
 #include <string>

@@ -6,12 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_THREAD_LIMIT_H
 #define CGAL_SHAPE_CORRESPONDENCE_CLI_THREAD_LIMIT_H
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-
-#include <optional>
-
-#endif
+#include <memory>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -21,17 +16,10 @@ namespace cli {
 class Thread_limit
 {
 public:
-#ifdef CGAL_LINKED_WITH_TBB
-  explicit Thread_limit(int threads)
-  {
-    if (threads > 0) control_.emplace(tbb::global_control::max_allowed_parallelism, threads);
-  }
+  explicit Thread_limit(int threads);
 
 private:
-  std::optional<tbb::global_control> control_;
-#else
-  explicit Thread_limit(int) {}
-#endif
+  std::shared_ptr<void> control_;
 };
 
 } // namespace cli

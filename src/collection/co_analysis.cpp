@@ -5,6 +5,7 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/co_analysis.h>
+#include <CGAL/Shape_correspondence/part_matrix.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -3,10 +3,14 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/Disjoint_sets.h"
+
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/markov_clustering.h>
 
 #include <CGAL/assertions.h>
+
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
@@ -129,13 +133,7 @@ double step(const Markov_clustering_options& options, Flow_matrix& flow)
 std::vector<std::size_t> systems_of(const Flow_matrix& flow)
 {
   const auto n = std::size_t(flow.cols());
-  std::vector<std::size_t> parent(n);
-  std::iota(parent.begin(), parent.end(), std::size_t(0));
-  const auto root = [&](std::size_t k) {
-    while (parent[k] != k)
-      k = parent[k];
-    return k;
-  };
+  internal::Disjoint_sets systems(n);
   constexpr double least_share = 1e-2; // of what is not about to vanish
   std::vector<std::size_t> attractor(n);
   for (std::size_t j = 0; j < n; ++j) {
@@ -148,15 +146,12 @@ std::vector<std::size_t> systems_of(const Flow_matrix& flow)
     is_attractor[attractor[j]] = 1;
   for (std::size_t j = 0; j < n; ++j) {
     if (!is_attractor[j]) continue;
-    for (Flow_matrix::InnerIterator entry(flow, Eigen::Index(j)); entry; ++entry) {
-      if (entry.value() < least_share) continue;
-      const std::size_t a = root(j), b = root(std::size_t(entry.row()));
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+    for (Flow_matrix::InnerIterator entry(flow, Eigen::Index(j)); entry; ++entry)
+      if (entry.value() >= least_share) systems.unite(j, std::size_t(entry.row()));
   }
   std::vector<std::size_t> result(n);
   for (std::size_t j = 0; j < n; ++j)
-    result[j] = root(attractor[j]);
+    result[j] = systems[attractor[j]];
   return result;
 }
 

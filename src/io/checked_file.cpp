@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/atomic_file.h"
 #include "io/checked_file.h"
+#include "io/atomic_file.h"
 #include "io/digest.h"
 
 #include <fstream>

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/json_text.h"
+#include "io/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 
@@ -118,7 +118,7 @@ void write_collection_json(std::ostream& out, const Collection& collection)
   result["clusters"] = clusters_json(collection);
   if (collection.shapes.size() <= largest_written_matrix) result["energies"] = energies_json(collection.energies);
   result["warnings"] = collection.warnings;
-  write_json(out, result);
+  result.write(out);
 }
 
 void write_nearest_json(std::ostream& out, const Nearest_in_collection& found)
@@ -139,7 +139,7 @@ void write_nearest_json(std::ostream& out, const Nearest_in_collection& found)
                                  {"confidences", confidences_json(near.map)}});
   }
   result["warnings"] = found.warnings;
-  write_json(out, result);
+  result.write(out);
 }
 
 } // namespace IO

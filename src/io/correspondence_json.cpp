@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/json_field.h"
-#include "io/json_text.h"
+#include "io/Json.h"
+#include "io/Json_field.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -137,17 +137,16 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
                       {"lower_bound", c.search.lower_bound}};
   result["warnings"] = c.warnings;
   if (ranked.size() > 1) result["solutions"] = solutions(ranked, source, target);
-  write_json(out, result);
+  result.write(out);
 }
 
 Named_correspondence read_correspondence_json(const std::string& file)
 {
-  const nlohmann::json document = read_json_file(file);
-  const Json_field root(document, file);
+  const Json_field root = read_json_file(file);
   if (root["format"].text() != match_format)
     root["format"].fail("is '" + root["format"].text() + "', not '" + match_format + "'");
   if (root["version"].integer() != 1) root["version"].fail("is not 1, the one that this program knows");
-  Named_correspondence result{root["source"].text(), root["target"].text(), {}, {}, root["complete"].boolean()};
+  Named_correspondence result{root["source"].text(), root["target"].text(), {}, root["complete"].boolean()};
   for (const Json_field& pair : root["pairs"].elements()) {
     const std::vector<Json_field> names = pair.elements(2, "a pair of part names");
     result.pairs.push_back({names[0].text(), names[1].text()});
@@ -173,19 +172,17 @@ Correspondence correspondence_of(const Named_correspondence& named, const Struct
     return static_cast<std::size_t>(found - parts.begin());
   };
   Correspondence result;
-  for (const Named_part_correspondence& pair : named.pairs)
-    result.pairs.push_back({part(pair.source, source), part(pair.target, target), pair.confidence});
+  for (const Named_part_correspondence& pair : named.pairs) {
+    const std::size_t t = part(pair.target, target), s = part(pair.source, source);
+    result.pairs.push_back({s, t, pair.confidence});
+  }
   std::sort(result.pairs.begin(), result.pairs.end(), is_before);
   result.target_quarter_turns = named.target_quarter_turns;
   result.complete = named.complete;
   return result;
 }
 
-bool is_correspondence_json(const std::string& file)
-{
-  const nlohmann::json document = read_json_file(file);
-  return document.is_object() && document.value("format", nlohmann::json()) == match_format;
-}
+bool is_correspondence_json(const std::string& file) { return read_json_file(file).has("format", match_format); }
 
 } // namespace IO
 } // namespace Shape_correspondence

@@ -18,10 +18,10 @@ namespace IO {
 /// The frame of a shape of which nothing but the abstractions is known.
 inline Shape_frame frame_of_abstractions(const std::vector<Part_abstraction>& parts, const Point& up)
 {
-  constexpr int SAMPLES = 6; // of a curve; of a sheet along each side
+  constexpr int samples_along = 6; // of a curve; of a sheet along each side
   Points all(3, 0);
   for (const Part_abstraction& part : parts) {
-    const Points samples = sample(part, SAMPLES);
+    const Points samples = sample(part, samples_along);
     all.conservativeResize(Eigen::NoChange, all.cols() + samples.cols());
     all.rightCols(samples.cols()) = samples;
   }

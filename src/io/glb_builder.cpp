@@ -208,7 +208,7 @@ void Glb_builder::write(std::ostream& out, const std::vector<int>& roots) const
   for (const char* list : {"meshes", "materials", "accessors", "bufferViews"}) {
     if (document[list].empty()) document.erase(list); // empty lists are not allowed
   }
-  std::string json = json_line(document);
+  std::string json = document.line();
   pad(json, ' ');
   std::string chunks;
   append_chunk(chunks, chunk_json, json);

@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_IO_GLB_BUILDER_H
 #define CGAL_SHAPE_CORRESPONDENCE_IO_GLB_BUILDER_H
 
-#include "io/json_text.h"
+#include "io/Json.h"
 
 #include <CGAL/Shape_correspondence/Points.h>
 

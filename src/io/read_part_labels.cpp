@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/json_field.h"
+#include "io/Json_field.h"
 
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -33,8 +33,7 @@ Part_label read_label(const Json_field& part)
 
 Labelled_shape read_labels_file(const fs::path& file)
 {
-  const nlohmann::json document = read_json_file(file.string());
-  const Json_field root(document, file.string());
+  const Json_field root = read_json_file(file.string());
   const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
   Labelled_shape shape;
   shape.file = file.string();

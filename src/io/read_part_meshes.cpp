@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/json_field.h"
+#include "io/Json_field.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -36,8 +36,7 @@ Part_mesh read_mesh(const std::string& path)
 
 std::optional<Segmented_shape> read_part_meshes(const std::string& graph_file, const Structural_graph& graph)
 {
-  const nlohmann::json json = read_json_file(graph_file);
-  const std::vector<Json_field> parts = Json_field(json, graph_file)["parts"].elements();
+  const std::vector<Json_field> parts = read_json_file(graph_file)["parts"].elements();
   std::size_t named = 0;
   for (const Json_field& part : parts)
     named += part.has("mesh");

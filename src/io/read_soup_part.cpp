@@ -7,9 +7,9 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <fstream>
 
@@ -18,7 +18,7 @@ namespace Shape_correspondence {
 namespace IO {
 namespace {
 
-using Soup_point = Exact_predicates_inexact_constructions_kernel::Point_3;
+using Soup_point = Simple_cartesian<double>::Point_3;
 using Soup_points = std::vector<Soup_point>;
 using Soup_polygons = std::vector<std::vector<std::size_t>>;
 
@@ -37,7 +37,7 @@ std::vector<Model_part> read_soup_part(const std::string& file)
   Soup_points points;
   Soup_polygons polygons;
   std::ifstream in(file, std::ios::binary);
-  const auto silent = parameters::verbose(false);
+  const auto silent = CGAL::parameters::verbose(false);
   if (is_ply(file)) {
     // assimp knows more dialects, at single precision
     if (!CGAL::IO::read_PLY(in, points, polygons, silent)) return read_parts_with_assimp(file);

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/Json_field.h"
 #include "io/frame_of_abstractions.h"
-#include "io/json_field.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 
@@ -311,8 +311,7 @@ Structural_graph read_graph(const Json_field& document, const Structure_options&
   if (document.has("segmentation"))
     shape.automatic_parts = read_word<bool>(document["segmentation"], {{"given", false}, {"automatic", true}});
   if (document.has("warnings")) {
-    for (const Json_field& warning : document["warnings"].elements())
-      shape.warnings.push_back(warning.text());
+    shape.warnings = document["warnings"].texts();
   }
   return complete_structural_graph(std::move(shape), std::move(groups), options);
 }
@@ -322,8 +321,7 @@ Structural_graph read_graph(const Json_field& document, const Structure_options&
 Structural_graph read_structural_graph_json(std::istream& in, const std::string& file_name,
                                             const Structure_options& options)
 {
-  const nlohmann::json document = read_json(in, file_name);
-  return read_graph(Json_field(document, file_name), options);
+  return read_graph(read_json(in, file_name), options);
 }
 
 } // namespace IO

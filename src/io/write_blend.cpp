@@ -4,9 +4,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
-#include "io/json_text.h"
-#include "viewer/drawn_shape.h"
-#include "viewer/picture_geometry.h"
+#include "io/Json.h"
+#include "io/drawn_shape.h"
+#include "io/picture_geometry.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
@@ -172,7 +172,7 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
         {{"t", double(frame) / (frames - 1)}, {"quality", quality_json(check.quality)}, {"faults", check.faults}});
   }
   result["warnings"] = warnings;
-  write_json(out, result);
+  result.write(out);
 }
 
 } // namespace IO

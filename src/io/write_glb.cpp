@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "viewer/colours.h"
-#include "viewer/drawn_shape.h"
+#include "io/colours.h"
+#include "io/drawn_shape.h"
 
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
 

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "viewer/report_text.h"
+#include "io/report_text.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 

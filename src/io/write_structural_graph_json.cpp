@@ -3,9 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/json_text.h"
+#include "io/Json.h"
+#include "io/report_text.h"
 #include "structure/align_shapes.h"
-#include "viewer/report_text.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 
@@ -159,7 +159,7 @@ void write_structural_graph_json(std::ostream& out, const Structural_graph& grap
   for (const Contact& c : shape.contacts)
     add_contact(result["contacts"], c, shape);
   result["warnings"] = shape.warnings;
-  write_json(out, result);
+  result.write(out);
 }
 
 } // namespace IO

@@ -6,7 +6,6 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_MAP_CHARTED_SHAPE_H
 #define CGAL_SHAPE_CORRESPONDENCE_MAP_CHARTED_SHAPE_H
 
-#include "base/quarter_turn.h"
 #include "map/Part_chart.h"
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
@@ -25,27 +24,11 @@ struct Charted_shape
   std::vector<Part_abstraction const*> parts;
 };
 
-inline Points to_common_frame(const Shape_frame& frame, int quarter_turns, const Points& world)
-{
-  return quarter_turn(quarter_turns) * frame.to_frame(world);
-}
+Points to_common_frame(const Shape_frame& frame, int quarter_turns, const Points& world);
 
 /// \param surfaces of the parts, in the world; where one is empty, the control points stand for it
-inline Charted_shape charted_shape(const Structural_graph& graph, int quarter_turns,
-                                   const std::vector<const Points*>& surfaces)
-{
-  const Shape_structure& shape = structure(graph);
-  Charted_shape result;
-  for (std::size_t i = 0; i < shape.parts.size(); ++i) {
-    const Part_abstraction& part = shape.parts[i];
-    const Points spine = to_common_frame(shape.frame, quarter_turns, part.control_points());
-    const bool known = surfaces[i] && surfaces[i]->cols() > 0;
-    result.surfaces.push_back(known ? to_common_frame(shape.frame, quarter_turns, *surfaces[i]) : spine);
-    result.charts.push_back(Part_chart::around(part, spine, result.surfaces.back()));
-    result.parts.push_back(&part);
-  }
-  return result;
-}
+Charted_shape charted_shape(const Structural_graph& graph, int quarter_turns,
+                            const std::vector<const Points*>& surfaces);
 
 } // namespace internal
 } // namespace Shape_correspondence

@@ -5,12 +5,12 @@
 
 #include "map/Part_chart.h"
 
+#include "base/eigen_system.h"
 #include "base/least_rotation.h"
 #include "base/planar_hull.h"
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -89,8 +89,7 @@ Points spine_of(const Curve& curve)
 Eigen::Matrix3d axes_of_ring(const Points& spine)
 {
   const Points centred = spine.colwise() - spine.rowwise().mean();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred * centred.transpose());
-  const Point normal = solver.eigenvectors().col(0), side = some_normal(normal);
+  const Point normal = eigen_system(scatter_matrix(centred)).vectors.col(0), side = some_normal(normal);
   Eigen::Matrix3d axes;
   axes << side, normal.cross(side), normal;
   return axes;

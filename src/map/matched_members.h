@@ -6,109 +6,18 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_MAP_MATCHED_MEMBERS_H
 #define CGAL_SHAPE_CORRESPONDENCE_MAP_MATCHED_MEMBERS_H
 
-#include "base/Disjoint_sets.h"
-#include "base/optimal_assignment.h"
-#include "base/quantized.h"
 #include "map/Charted_shape.h"
 
 #include <CGAL/Shape_correspondence/Part_correspondence.h>
-
-#include <algorithm>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 
-/// Parts of both shapes that pairs connect.
-struct Connected_parts
-{
-  std::vector<std::size_t> source, target;
-};
-
-inline std::vector<Connected_parts> connected_parts(const Part_pairs& pairs, std::size_t sources, std::size_t targets)
-{
-  Disjoint_sets connected(sources + targets);
-  for (const auto& [s, t] : pairs)
-    connected.unite(s, sources + t);
-  std::vector<Connected_parts> all(sources + targets), result;
-  for (std::size_t i = 0; i < connected.size(); ++i)
-    (i < sources ? all[connected[i]].source : all[connected[i]].target).push_back(i < sources ? i : i - sources);
-  for (Connected_parts& sets : all)
-    if (!sets.source.empty() && !sets.target.empty()) result.push_back(std::move(sets));
-  return result;
-}
-
-/// Where parts lie among each other: their middles in the box around all of them.
-inline Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
-{
-  constexpr double flat = 0.02; // of the shape's height: no extent to tell places by
-  Points result(3, Eigen::Index(parts.size()));
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    result.col(Eigen::Index(i)) = shape.charts[parts[i]](Point::Zero());
-  const Point low = result.rowwise().minCoeff(), extent = result.rowwise().maxCoeff() - low;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (extent[axis] < flat)
-      result.row(axis).setConstant(0.5);
-    else
-      result.row(axis) = (result.row(axis).array() - low[axis]) / extent[axis];
-  }
-  return result;
-}
-
-/// Matches the parts of two sets: one to one by optimal assignment of their places as far as numbers allow, every part
-/// left over with the nearest one, or with all of several that are as near, so that symmetric sets are matched
-/// symmetrically.
-inline Part_pairs matched_by_place(const Connected_parts& sets, const Charted_shape& source,
-                                   const Charted_shape& target)
-{
-  constexpr double as_near = 0.02;
-  const Points from = places(source, sets.source), to = places(target, sets.target);
-  Eigen::MatrixXd cost(from.cols(), to.cols());
-  for (Eigen::Index i = 0; i < cost.rows(); ++i)
-    for (Eigen::Index j = 0; j < cost.cols(); ++j)
-      cost(i, j) = double(quantized((from.col(i) - to.col(j)).norm())) * comparison_grid;
-  const bool fewer_sources = cost.rows() <= cost.cols();
-  if (!fewer_sources) cost.transposeInPlace();
-  Part_pairs result;
-  const auto add = [&](std::size_t row, std::size_t col) {
-    result.emplace_back(sets.source[fewer_sources ? row : col], sets.target[fewer_sources ? col : row]);
-  };
-  std::vector<char> taken(std::size_t(cost.cols()), 0);
-  const std::vector<std::size_t> first = optimal_assignment(cost);
-  for (std::size_t row = 0; row < first.size(); ++row) {
-    add(row, first[row]);
-    taken[first[row]] = 1;
-  }
-  for (Eigen::Index col = 0; col < cost.cols(); ++col) {
-    if (taken[std::size_t(col)]) continue;
-    const double least = cost.col(col).minCoeff();
-    for (Eigen::Index row = 0; row < cost.rows(); ++row)
-      if (cost(row, col) <= least + as_near) add(std::size_t(row), std::size_t(col));
-  }
-  return result;
-}
-
 /// Which part becomes which. Where one part corresponds to several, it becomes all of them, or all of them become it,
 /// as the pairs say. Of sets of several parts on either side, a method may have paired every part with every other:
 /// their members are matched by their places, which are those of the surfaces at hand.
-inline Part_pairs matched_members(const Charted_shape& source, const Charted_shape& target, const Part_pairs& pairs)
-{
-  Part_pairs result;
-  for (const Connected_parts& sets : connected_parts(pairs, source.charts.size(), target.charts.size())) {
-    if (sets.source.size() == 1 || sets.target.size() == 1) {
-      for (std::size_t s : sets.source)
-        for (std::size_t t : sets.target)
-          result.emplace_back(s, t);
-    } else {
-      const Part_pairs matched = matched_by_place(sets, source, target);
-      result.insert(result.end(), matched.begin(), matched.end());
-    }
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
+Part_pairs matched_members(const Charted_shape& source, const Charted_shape& target, const Part_pairs& pairs);
 
 } // namespace internal
 } // namespace Shape_correspondence

@@ -4,10 +4,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/Normalized_shape.h"
+#include "base/eigen_system.h"
 #include "base/quantized.h"
 #include "matching/Shape_layout.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <limits>
@@ -26,14 +25,14 @@ Eigen::Matrix3d orientation(const Surface& surface)
 {
   const Surface centred = surface.rowwise() - surface.colwise().mean();
   const Eigen::Matrix3d covariance = centred.matrix().transpose() * centred.matrix() / double(surface.rows());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
-  const Eigen::Array3d squares = eigen.eigenvalues();
+  const Eigen_system eigen = eigen_system(covariance);
+  const Eigen::Array3d squares = eigen.values;
   const double largest = squares.maxCoeff();
   if (!(largest > zero_squared_length)) return Eigen::Matrix3d::Zero();
   // A surface in a plane has no variance across it: the root of rounding noise would not be small
   const Eigen::Vector3d lengths = (squares > no_variance * largest).select(squares.sqrt(), 0.);
   const double norm = lengths.norm();
-  return eigen.eigenvectors() * (lengths / norm).asDiagonal() * eigen.eigenvectors().transpose();
+  return eigen.vectors * (lengths / norm).asDiagonal() * eigen.vectors.transpose();
 }
 
 bool is_board(const Axes& sides)

@@ -4,9 +4,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/row_frame.h"
+#include "base/eigen_system.h"
 #include "matching/part_assemblies.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -90,8 +90,8 @@ private:
       n -= surface.cols();
     }
     points.colwise() -= points.rowwise().mean().eval();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(points * points.transpose() / double(points.cols()));
-    const Eigen::Vector3d spread = eigen.eigenvalues().cwiseMax(0).cwiseSqrt(), normal = eigen.eigenvectors().col(0);
+    const Eigen_system eigen = eigen_system(scatter_matrix(points) / double(points.cols()));
+    const Eigen::Vector3d spread = eigen.values.cwiseMax(0).cwiseSqrt(), normal = eigen.vectors.col(0);
     Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
     if (is_less(std::abs(normal.y()), upright_limit) && is_less(planarity * spread[0], spread[1])) {
       const Eigen::Vector3d level = normal.cross(Eigen::Vector3d::UnitY()).normalized();

@@ -34,7 +34,11 @@ struct Triangle_pair
   std::size_t first = 0, second = 0;
 };
 
-/// A tree of boxes around triangles, for distances between whole surfaces, which CGAL's AABB tree does not have.
+/// A tree of boxes around triangles, for distances between whole surfaces: two trees are walked at once. CGAL's
+/// AABB_tree finds the point of a surface nearest to a point, not the closest pair of two surfaces. Asked for every
+/// vertex of both, it took 1.02 ms for a pair of parts (of 2 137 pairs, those of all shapes in data/) and gave more
+/// than the distance for 322 pairs, whose closest points lie within edges; closest pairs take 0.72 ms, nearly closest
+/// ones 0.05.
 class Triangle_tree
 {
 public:
@@ -146,7 +150,7 @@ public:
   int crossings(const Point& from, const Point& direction) const { return crossings(0, from, direction); }
 
 private:
-  static constexpr std::size_t LEAF = 2;
+  static constexpr std::size_t leaf_size = 2;
   static constexpr double nearly = 0.9;
 
   struct Node
@@ -168,7 +172,7 @@ private:
       nodes_[node].box.extend(box_of(triangles_[given_[t]]));
       middles.extend(middle(triangles_[given_[t]]));
     }
-    if (end - begin <= LEAF) return;
+    if (end - begin <= leaf_size) return;
     Eigen::Index axis;
     middles.sizes().maxCoeff(&axis);
     const std::size_t half = (begin + end) / 2;

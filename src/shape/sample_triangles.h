@@ -36,7 +36,7 @@ struct Sampled_triangle
 /// `n` points, evenly spread by area; the k-th takes its place in its triangle from a low-discrepancy sequence.
 inline Surface_samples sample_triangles(const std::vector<Sampled_triangle>& triangles, int n)
 {
-  constexpr double STEP_1 = 0.7548776662466927, STEP_2 = 0.5698402909980532; // powers of the plastic number
+  constexpr double step_1 = 0.7548776662466927, step_2 = 0.5698402909980532; // powers of the plastic number
   double total = 0;
   for (const Sampled_triangle& t : triangles)
     total += t.area;
@@ -47,7 +47,7 @@ inline Surface_samples sample_triangles(const std::vector<Sampled_triangle>& tri
     const double target = (k + 0.5) / n * total;
     while (current + 1 < triangles.size() && passed + triangles[current].area < target)
       passed += triangles[current++].area;
-    double u = std::fmod((k + 1) * STEP_1, 1.0), v = std::fmod((k + 1) * STEP_2, 1.0);
+    double u = std::fmod((k + 1) * step_1, 1.0), v = std::fmod((k + 1) * step_2, 1.0);
     if (u + v > 1) u = 1 - u, v = 1 - v;
     const Sampled_triangle& t = triangles[current];
     samples.points.push_back(t.corner + u * t.side_1 + v * t.side_2);

@@ -9,15 +9,13 @@
 #include <CGAL/Shape_correspondence/segment_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/mesh_segmentation.h>
 
 #include <cstddef>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -26,18 +24,6 @@ namespace Shape_correspondence {
 using namespace internal;
 
 namespace {
-
-/// A manifold mesh of a soup's triangles; where they make no manifold, vertices are doubled.
-Halfedge_mesh welded_surface(const Part_mesh& mesh)
-{
-  namespace PMP = CGAL::Polygon_mesh_processing;
-  Triangle_soup soup = to_soup(mesh);
-  PMP::repair_polygon_soup(soup.points, soup.triangles);
-  PMP::orient_polygon_soup(soup.points, soup.triangles);
-  Halfedge_mesh result;
-  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, result);
-  return result;
-}
 
 /// Segment ids of a closed connected mesh, from 0 on.
 std::vector<std::size_t> sdf_segments(const Halfedge_mesh& mesh, const Segmentation_options& options)
@@ -57,7 +43,7 @@ std::vector<std::size_t> sdf_segments(const Halfedge_mesh& mesh, const Segmentat
 Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options, std::string name,
                                const Point& up)
 {
-  Halfedge_mesh surface = welded_surface(mesh);
+  Halfedge_mesh surface = manifold_surface(mesh);
   std::vector<Halfedge_mesh> components;
   CGAL::Polygon_mesh_processing::split_connected_components(surface, components);
   Mesh_segmentation result{Segmented_shape(std::move(name), up)};
@@ -72,12 +58,13 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
       CGAL::Polygon_mesh_processing::orient_to_bound_a_volume(component); // its inside is what is measured
       segments = sdf_segments(component, options);
     }
-    std::map<std::size_t, Part_mesh_builder<Halfedge_mesh>> builders;
+    const Part_mesh_builder empty(component, component.points());
+    std::map<std::size_t, std::decay_t<decltype(empty)>> builders;
     for (auto face : component.faces()) {
-      builders.try_emplace(segments[face.idx()], component).first->second.add_face(face);
+      builders.try_emplace(segments[face.idx()], empty).first->second.add_face(face);
     }
     for (const auto& [segment, builder] : builders) {
-      Part_mesh part = builder.build();
+      Part_mesh part{builder.points(), builder.triangles()};
       if (has_area(part)) {
         result.shape.add_part("segment_" + std::to_string(result.shape.parts().size()), std::move(part));
       } else {

@@ -105,11 +105,11 @@ inline bool improve_by_crossing(const Triangle& a, const Triangle& b, Closest_pa
 /// distances.
 inline bool is_off_plane(const Triangle& plane, const Triangle& t, double squared)
 {
-  constexpr double ROUNDING = 1 + 1e-9;
+  constexpr double rounding = 1 + 1e-9;
   const Point normal = (plane[1] - plane[0]).cross(plane[2] - plane[0]);
   const double a = normal.dot(t[0] - plane[0]), b = normal.dot(t[1] - plane[0]), c = normal.dot(t[2] - plane[0]);
   const double least = std::max(std::min({a, b, c}), -std::max({a, b, c}));
-  return least > 0 && least * least > ROUNDING * squared * normal.squaredNorm();
+  return least > 0 && least * least > rounding * squared * normal.squaredNorm();
 }
 
 /// The closest points of two triangles, where they are closer than `best`.

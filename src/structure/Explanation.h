@@ -19,11 +19,11 @@ namespace Shape_correspondence {
 namespace internal {
 namespace symmetry {
 
-constexpr double COPY_TOLERANCE = 0.4;    ///< over the tolerance
-constexpr double COPY_MAXIMUM = 1.75;     ///< the largest deviation of copies, over the mean one allowed
-constexpr double COPY_AREA_RATIO = 1.25;  ///< how much the areas of copies may differ
-constexpr double COPY_WIDTH_RATIO = 1.27; ///< and their widths in any direction
-constexpr double COPY_MOST_WIDTHS = 1.14; ///< and in nine directions of ten, since noise is not the same everywhere
+constexpr double copy_tolerance = 0.4;    ///< over the tolerance
+constexpr double copy_maximum = 1.75;     ///< the largest deviation of copies, over the mean one allowed
+constexpr double copy_area_ratio = 1.25;  ///< how much the areas of copies may differ
+constexpr double copy_width_ratio = 1.27; ///< and their widths in any direction
+constexpr double copy_most_widths = 1.14; ///< and in nine directions of ten, since noise is not the same everywhere
 
 /// Which kind of explanation is preferred where several cover as many parts.
 enum class Preference {
@@ -76,19 +76,19 @@ inline double link_residual(const Part_relations& parts, const Explanation& expl
 inline bool are_equally_wide(const Eigen::VectorXd& support_a, const Eigen::VectorXd& support_b, double noise)
 {
   const std::vector<double> ratios = width_ratios(support_a, support_b, noise);
-  return ratios.back() <= COPY_WIDTH_RATIO && ratios[ratios.size() * 9 / 10] <= COPY_MOST_WIDTHS;
+  return ratios.back() <= copy_width_ratio && ratios[ratios.size() * 9 / 10] <= copy_most_widths;
 }
 
 /// Whether a part is a copy of another, not just like it. Members of rings, rows and translated pairs are held to this,
 /// or rails, shelves and cushions that are just alike would be gathered; mirrored parts may be bent differently.
 inline bool is_copy(const Part_relations& parts, std::size_t i, std::size_t j, const Eigen::Matrix3d& map)
 {
-  const double limit = COPY_TOLERANCE * parts.deviation_limit(i, j);
+  const double limit = copy_tolerance * parts.deviation_limit(i, j);
   const Eigen::VectorXd image = moved_support(parts[i], map);
   const bool agrees = limit > parts.noise()
-                          ? std::isfinite(support_deviation(image, parts[j].support, limit, COPY_MAXIMUM))
+                          ? std::isfinite(support_deviation(image, parts[j].support, limit, copy_maximum))
                           : std::isfinite(support_deviation(image, parts[j].support, parts.noise()));
-  return agrees && ratio_within(parts[i].area, parts[j].area, COPY_AREA_RATIO) &&
+  return agrees && ratio_within(parts[i].area, parts[j].area, copy_area_ratio) &&
          are_equally_wide(image, parts[j].support, parts.noise());
 }
 

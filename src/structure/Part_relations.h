@@ -19,12 +19,12 @@ namespace Shape_correspondence {
 namespace internal {
 namespace symmetry {
 
-constexpr double POSITION_TOLERANCE = 0.01; ///< over the shape's height; for parts that are small
-constexpr double NOISE = 0.003;             ///< mean deviation of hulls that noise explains, over the diagonal
-constexpr double ELONGATED = 1.5;           ///< length over width of a shape whose ends differ in meaning
-constexpr double PLANE_TOLERANCE = 0.02;    ///< how far from a mirror plane a pair may be centred, over the height
-constexpr double MAIN_PLANE_SUPPORT = 0.4;  ///< share of the surface that must be mirrored, for the better plane
-constexpr double OTHER_PLANE_SUPPORT = 0.7; ///< and for the other one
+constexpr double least_position_tolerance = 0.01; ///< over the shape's height; for parts that are small
+constexpr double hull_noise = 0.003;              ///< mean deviation of hulls that noise explains, over the diagonal
+constexpr double least_elongation = 1.5;          ///< length over width of a shape whose ends differ in meaning
+constexpr double plane_tolerance = 0.02;    ///< how far from a mirror plane a pair may be centred, over the height
+constexpr double main_plane_support = 0.4;  ///< share of the surface that must be mirrored, for the better plane
+constexpr double other_plane_support = 0.7; ///< and for the other one
 
 /// The motions whose linear part every pair is tested for.
 enum Basic_map { TRANSLATED = 0, MIRRORED_X = 1, MIRRORED_Z = 2 };
@@ -57,7 +57,7 @@ public:
       boxes_.push_back(box_of(part));
       box.extend(boxes_.back());
     }
-    noise_ = NOISE * box.diagonal().norm();
+    noise_ = hull_noise * box.diagonal().norm();
     extent_ = box.sizes();
     for (Basic_map map : {TRANSLATED, MIRRORED_X, MIRRORED_Z}) {
       related_[map].assign(n * n, 0);
@@ -80,7 +80,7 @@ public:
   /// How far a part may be from where it should be.
   double position_tolerance(std::size_t i) const
   {
-    return std::max(POSITION_TOLERANCE, tolerance_ * parts_[i].diagonal);
+    return std::max(least_position_tolerance, tolerance_ * parts_[i].diagonal);
   }
 
   bool related(std::size_t i, std::size_t j, Basic_map map) const { return related_[map][i * size() + j] != 0; }
@@ -114,7 +114,7 @@ public:
     const double across = d.norm();
     if (across > position_tolerance(i)) return false;
     const bool cross = std::hypot(along, across) <= noise_ && !related(i, i, mirror);
-    return along > std::max(POSITION_TOLERANCE, across) || cross;
+    return along > std::max(least_position_tolerance, across) || cross;
   }
 
   /// The mirror map that explains more of the shape than the other: the one of left and right.
@@ -130,7 +130,7 @@ public:
   bool are_at_different_ends(std::size_t i, std::size_t j) const
   {
     const int length = extent_.x() > extent_.z() ? 0 : 2, width = 2 - length;
-    if (extent_[length] < ELONGATED * extent_[width]) return false;
+    if (extent_[length] < least_elongation * extent_[width]) return false;
     const Basic_map across = length == 0 ? MIRRORED_X : MIRRORED_Z, along = length == 0 ? MIRRORED_Z : MIRRORED_X;
     if (is_whole_mirrored(across) && !plane(along)) return false;
     if (std::abs(parts_[i].centre[length] - parts_[j].centre[length]) < extent_[length] / 2) return false;
@@ -214,7 +214,7 @@ private:
           votes.emplace_back((parts_[i].centre[axis] + parts_[j].centre[axis]) / 2, i);
     }
     if (wanted) {
-      const auto is_far = [&](const auto& vote) { return std::abs(vote.first - *wanted) > PLANE_TOLERANCE; };
+      const auto is_far = [&](const auto& vote) { return std::abs(vote.first - *wanted) > plane_tolerance; };
       votes.erase(std::remove_if(votes.begin(), votes.end(), is_far), votes.end());
     }
     std::sort(votes.begin(), votes.end());
@@ -230,7 +230,7 @@ private:
     std::size_t first = 0;
     for (std::size_t last = 0; last < votes.size(); ++last) {
       if (uses[votes[last].second]++ == 0) support += weight(votes[last].second);
-      for (; votes[last].first - votes[first].first > PLANE_TOLERANCE; ++first)
+      for (; votes[last].first - votes[first].first > plane_tolerance; ++first)
         if (--uses[votes[first].second] == 0) support -= weight(votes[first].second);
       if (support > best.support * total * (1 + 1e-9)) {
         double sum = 0, weights = 0;
@@ -247,18 +247,18 @@ private:
   /// Of two mirror planes that explain the shape equally well, the one across its length is the main one.
   void find_planes()
   {
-    constexpr double CLEARLY = 0.01;
+    constexpr double clearly = 0.01;
     const std::optional<double> at_origin = 0.0, anywhere;
     std::array<Supported_plane, 3> found;
     for (Basic_map map : {MIRRORED_X, MIRRORED_Z})
       found[map] = best_plane(map, is_whole_mirrored(map) ? at_origin : anywhere);
     const double advantage = found[MIRRORED_X].support - found[MIRRORED_Z].support;
-    const bool x_is_main = std::abs(advantage) > CLEARLY ? advantage > 0 : extent_.x() >= extent_.z() * (1 - CLEARLY);
+    const bool x_is_main = std::abs(advantage) > clearly ? advantage > 0 : extent_.x() >= extent_.z() * (1 - clearly);
     main_mirror_ = x_is_main ? MIRRORED_X : MIRRORED_Z;
     for (Basic_map map : {MIRRORED_X, MIRRORED_Z}) {
       const bool is_main = map == main_mirror_;
       if ((is_whole_mirrored(map) && is_main) ||
-          found[map].support >= (is_main ? MAIN_PLANE_SUPPORT : OTHER_PLANE_SUPPORT))
+          found[map].support >= (is_main ? main_plane_support : other_plane_support))
         planes_[map] = found[map].offset;
     }
   }

@@ -9,7 +9,7 @@
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/Shape_frame.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +21,11 @@ namespace Shape_correspondence {
 namespace internal {
 namespace symmetry {
 
-constexpr int SHEET_SAMPLES = 16;      ///< along each side, of a sheet that stands for its part's surface
-constexpr int CURVE_SAMPLES = 64;      ///< of a curve that stands for its part's surface
-constexpr double AREA_RATIO = 1.35;    ///< how much the areas of congruent parts may differ
-constexpr double VOLUME_RATIO = 1.5;   ///< the same of volumes, which open meshes do not fix well
-constexpr double MAXIMUM_FACTOR = 2.5; ///< the largest deviation allowed, over the mean one allowed
+constexpr int sheet_samples = 16;      ///< along each side, of a sheet that stands for its part's surface
+constexpr int curve_samples = 64;      ///< of a curve that stands for its part's surface
+constexpr double area_ratio = 1.35;    ///< how much the areas of congruent parts may differ
+constexpr double volume_ratio = 1.5;   ///< the same of volumes, which open meshes do not fix well
+constexpr double largest_factor = 2.5; ///< the largest deviation allowed, over the mean one allowed
 
 /// Directions to measure supports in: the points of a cubic lattice on the surface of a cube, so that mirroring in a
 /// coordinate plane permutes them.
@@ -90,6 +90,12 @@ inline double spacing(const Points& points)
   return points.cols() > 1 ? sum / points.cols() : 0;
 }
 
+/// How far points reach in each of some directions.
+inline Eigen::VectorXd support(const Eigen::MatrixX3d& directions, const Points& points)
+{
+  return (directions * points).rowwise().maxCoeff();
+}
+
 /// What congruence is judged by, in frame coordinates. Points are relative to `centre`, the Steiner point of the
 /// part's convex hull, which moves with the part and does not depend on its mesh.
 struct Part_signature
@@ -129,10 +135,10 @@ inline Part_signature make_signature(const Part_abstraction& part, const Shape_f
   const Directions& directions = support_directions();
   Part_signature result;
   const bool has_surface = part.surface.cols() > 0;
-  const Points samples = has_surface ? part.surface : sample(part, part.is_sheet() ? SHEET_SAMPLES : CURVE_SAMPLES);
+  const Points samples = has_surface ? part.surface : sample(part, part.is_sheet() ? sheet_samples : curve_samples);
   result.surface = frame.to_frame(samples);
   result.extremes = extreme_points(part.hull.cols() > 0 ? frame.to_frame(part.hull) : result.surface);
-  result.support = (directions.vectors() * result.extremes).rowwise().maxCoeff();
+  result.support = support(directions.vectors(), result.extremes);
   result.centre = 3 * directions.vectors().transpose() * directions.weights().cwiseProduct(result.support);
   result.support -= directions.vectors() * result.centre;
   result.surface.colwise() -= result.centre;
@@ -156,7 +162,7 @@ inline bool ratio_within(double a, double b, double limit)
 inline bool have_same_size(const Part_signature& a, const Part_signature& b, double tolerance)
 {
   return std::abs(a.width - b.width) <= tolerance * std::max(a.width, b.width) * 2 &&
-         ratio_within(a.area, b.area, AREA_RATIO) && ratio_within(a.volume, b.volume, VOLUME_RATIO);
+         ratio_within(a.area, b.area, area_ratio) && ratio_within(a.volume, b.volume, volume_ratio);
 }
 
 /// The ratios of two bodies' widths by direction, ascending; noise explains a part of them.
@@ -177,7 +183,7 @@ inline std::vector<double> width_ratios(const Eigen::VectorXd& support_a, const 
 /// Root mean square difference of two supports; infinite if they differ too much for a tolerance.
 /// \param maximum_factor the largest difference allowed, over the tolerance
 inline double support_deviation(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double tolerance,
-                                double maximum_factor = MAXIMUM_FACTOR)
+                                double maximum_factor = largest_factor)
 {
   const Eigen::VectorXd difference = (a - b).cwiseAbs();
   const double mean = std::sqrt(support_directions().weights().dot(difference.cwiseAbs2()));
@@ -187,7 +193,7 @@ inline double support_deviation(const Eigen::VectorXd& a, const Eigen::VectorXd&
 
 inline Eigen::VectorXd moved_support(const Part_signature& part, const Eigen::Matrix3d& map)
 {
-  return (support_directions().vectors() * map * part.extremes).rowwise().maxCoeff();
+  return support(support_directions().vectors() * map, part.extremes);
 }
 
 /// Whether most of the points are near the others.
@@ -199,7 +205,7 @@ inline bool lie_on(const Points& points, const Points& others, double tolerance,
   const double mean = distances.mean();
   auto* const percentile = distances.data() + distances.size() * 95 / 100;
   std::nth_element(distances.data(), percentile, distances.data() + distances.size());
-  return mean <= tolerance + spacing && *percentile <= MAXIMUM_FACTOR * (tolerance + spacing);
+  return mean <= tolerance + spacing && *percentile <= largest_factor * (tolerance + spacing);
 }
 
 /// Whether the surfaces agree after the map, not their hulls alone. \param limit the mean distance allowed

@@ -117,13 +117,13 @@ private:
   /// The triangles that are not degenerate.
   static std::vector<Triangle> proper_triangles(const Points& points, const Eigen::Matrix3Xi& triangles)
   {
-    constexpr double FLAT = 1e-12; // twice the area over the square of the longest side
+    constexpr double least_relative_area = 1e-12; // twice the area over the square of the longest side
     std::vector<Triangle> result;
     for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
       const Triangle corners = {points.col(triangles(0, t)), points.col(triangles(1, t)), points.col(triangles(2, t))};
       const Point u = corners[1] - corners[0], v = corners[2] - corners[0];
       const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
-      if (u.cross(v).norm() > FLAT * longest) result.push_back(corners);
+      if (u.cross(v).norm() > least_relative_area * longest) result.push_back(corners);
     }
     return result;
   }

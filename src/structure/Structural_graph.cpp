@@ -21,7 +21,7 @@ namespace Shape_correspondence {
 namespace {
 namespace graph {
 
-constexpr std::size_t NO_GROUP = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t no_group = std::numeric_limits<std::size_t>::max();
 
 /// The contacts between every two groups, by the groups' indices, smaller first.
 using Contacts_of_pairs = std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>>;
@@ -261,7 +261,7 @@ private:
 
 std::vector<std::size_t> group_of_parts(const Structural_graph& graph)
 {
-  std::vector<std::size_t> result(structure(graph).parts.size(), graph::NO_GROUP);
+  std::vector<std::size_t> result(structure(graph).parts.size(), graph::no_group);
   for (std::size_t v = 0; v < num_vertices(graph); ++v)
     for (std::size_t part : graph[v].parts)
       result[part] = v;
@@ -275,7 +275,7 @@ Structural_graph make_structural_graph(Shape_structure shape, std::vector<Part_g
   for (std::size_t v = 0; v < groups.size(); ++v)
     graph[v] = std::move(groups[v]);
   const std::vector<std::size_t> group = group_of_parts(graph);
-  CGAL_precondition(std::find(group.begin(), group.end(), graph::NO_GROUP) == group.end());
+  CGAL_precondition(std::find(group.begin(), group.end(), graph::no_group) == group.end());
   for (auto& [pair, contacts] : graph::contacts_of_pairs(structure(graph).contacts, group))
     add_edge(pair.first, pair.second, Group_contact{std::move(contacts)}, graph);
   return graph;

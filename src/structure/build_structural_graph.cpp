@@ -26,8 +26,8 @@ using namespace internal;
 
 namespace {
 
-constexpr int FRAME_SAMPLES = 4096;    ///< of a whole shape, to find its frame
-constexpr int LEAST_FRAME_SAMPLES = 4; ///< of every part, however small
+constexpr int frame_samples = 4096;    ///< of a whole shape, to find its frame
+constexpr int least_frame_samples = 4; ///< of every part, however small
 
 void check_number_of_parts(const std::string& name, std::size_t parts)
 {
@@ -87,8 +87,8 @@ Points sample_shape(const Segmented_shape& shape)
     total += part.area;
   std::vector<Point> points;
   for (const Part_triangles& part : parts) {
-    const int share = static_cast<int>(std::lround(FRAME_SAMPLES * part.area / total));
-    const auto samples = contacts::sample_triangles(part.triangles, std::max(LEAST_FRAME_SAMPLES, share)).points;
+    const int share = static_cast<int>(std::lround(frame_samples * part.area / total));
+    const auto samples = contacts::sample_triangles(part.triangles, std::max(least_frame_samples, share)).points;
     points.insert(points.end(), samples.begin(), samples.end());
   }
   Points result(3, points.size());

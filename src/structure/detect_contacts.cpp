@@ -23,11 +23,12 @@ using namespace internal::contacts;
 
 namespace {
 
-constexpr double SLACK = 1 + 1e-9; ///< so that a gap of exactly the tolerance is a contact in every pose
-constexpr double NEAR_BAND = 0.5;  ///< over the tolerance: what is this much farther than the least distance is near
-constexpr double APART = 1.0 / 6;  ///< over the size of all near regions: samples farther apart are in different ones
-constexpr int REGION_SAMPLES = 64; ///< on either part, to find the regions of a contact and their middles
-constexpr int ABSTRACTION_SAMPLES = 16; ///< of a curve, or along each side of a sheet
+constexpr double slack = 1 + 1e-9; ///< so that a gap of exactly the tolerance is a contact in every pose
+constexpr double near_band = 0.5;  ///< over the tolerance: what is this much farther than the least distance is near
+/// Over the size of all near regions: samples farther apart are in different ones.
+constexpr double region_gap = 1.0 / 6;
+constexpr int region_samples = 64;      ///< on either part, to find the regions of a contact and their middles
+constexpr int abstraction_samples = 16; ///< of a curve, or along each side of a sheet
 
 /// Samples where two surfaces are near each other, on both.
 struct Near_samples
@@ -48,7 +49,7 @@ struct Region
 void add_near_samples(const Part_surface& from, const std::vector<char>& marked, const Box& box, const Part_surface& to,
                       double limit, bool is_first, Near_samples& result)
 {
-  const Surface_samples samples = from.sample(marked, box, REGION_SAMPLES);
+  const Surface_samples samples = from.sample(marked, box, region_samples);
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
     if (!to.tree().is_near(samples.points[i], limit * limit)) continue;
     result.points.push_back(samples.points[i]);
@@ -70,28 +71,28 @@ Near_samples near_samples(const Part_surface& a, const Part_surface& b, const Cl
 }
 
 /// The regions that the samples make up, by single linkage.
-Pieces linked(const std::vector<Point>& points, double tolerance)
+Disjoint_sets linked(const std::vector<Point>& points, double tolerance)
 {
   Box box;
   for (const Point& p : points)
     box.extend(p);
-  const double limit = std::max(tolerance, APART * box.diagonal().norm());
-  Pieces pieces(points.size());
+  const double limit = std::max(tolerance, region_gap * box.diagonal().norm());
+  Disjoint_sets pieces(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = i + 1; j < points.size(); ++j)
-      if ((points[i] - points[j]).squaredNorm() <= limit * limit) pieces.join(i, j);
+      if ((points[i] - points[j]).squaredNorm() <= limit * limit) pieces.unite(i, j);
   return pieces;
 }
 
 /// The middle of the samples of one piece on both surfaces, by area; where they have none, of the samples alone.
-Region region_of(const Near_samples& samples, Pieces& pieces, std::size_t piece)
+Region region_of(const Near_samples& samples, const Disjoint_sets& pieces, std::size_t piece)
 {
   std::array<Point, 2> sums = {Point::Zero(), Point::Zero()};
   std::array<double, 2> areas = {0, 0};
   Point sum = Point::Zero();
   std::size_t count = 0;
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
-    if (pieces.find(i) != piece) continue;
+    if (pieces[i] != piece) continue;
     sums[samples.is_first[i]] += samples.areas[i] * samples.points[i];
     areas[samples.is_first[i]] += samples.areas[i];
     sum += samples.points[i];
@@ -111,13 +112,13 @@ Region region_of(const Near_samples& samples, Pieces& pieces, std::size_t piece)
 /// nothing else.
 std::vector<Region> regions(const Near_samples& samples, double tolerance)
 {
-  constexpr double SPECK = 0.05; // of the largest region's area
-  Pieces pieces = linked(samples.points, tolerance);
+  constexpr double speck = 0.05; // of the largest region's area
+  const Disjoint_sets pieces = linked(samples.points, tolerance);
   std::vector<Region> result;
   for (std::size_t i = 0; i < samples.points.size(); ++i)
-    if (pieces.find(i) == i) result.push_back(region_of(samples, pieces, i));
+    if (pieces[i] == i) result.push_back(region_of(samples, pieces, i));
   std::stable_sort(result.begin(), result.end(), [](const Region& a, const Region& b) { return a.area > b.area; });
-  const double least = SPECK * result.front().area;
+  const double least = speck * result.front().area;
   const auto is_speck = [least](const Region& region) { return region.area <= least; };
   result.erase(std::remove_if(result.begin() + 1, result.end(), is_speck), result.end());
   return result;
@@ -164,7 +165,7 @@ private:
   {
     const auto [a, b] = pair.parts;
     const Near_samples samples =
-        near_samples(surfaces_[a], surfaces_[b], closest_[pair.region], pair.distance + NEAR_BAND * tolerance_);
+        near_samples(surfaces_[a], surfaces_[b], closest_[pair.region], pair.distance + near_band * tolerance_);
     Contact result{pair.parts, {}, {}};
     for (const Region& region : regions(samples, tolerance_)) {
       const Point p = frame_.to_world(region.middle);
@@ -192,7 +193,7 @@ private:
 
   std::optional<Closest_pair> touch(std::size_t a, std::size_t b) const
   {
-    const double limit = tolerance_ * SLACK;
+    const double limit = tolerance_ * slack;
     const Closest_pair pair = closest(a, b, limit);
     if (std::sqrt(pair.squared) < limit) return pair;
     if (surfaces_[a].encloses(surfaces_[b]) || surfaces_[b].encloses(surfaces_[a])) return closest(a, b);
@@ -205,7 +206,7 @@ private:
     std::vector<std::array<std::size_t, 2>> pairs;
     for (std::size_t a = 0; a < parts_.size(); ++a)
       for (std::size_t b = a + 1; b < parts_.size(); ++b)
-        if (box_distance(a, b) <= tolerance_ * SLACK) pairs.push_back({a, b});
+        if (box_distance(a, b) <= tolerance_ * slack) pairs.push_back({a, b});
     std::vector<std::optional<Closest_pair>> closest(pairs.size());
     for_each_index<ConcurrencyTag>(pairs.size(), [&](std::size_t k) { closest[k] = touch(pairs[k][0], pairs[k][1]); });
     std::vector<Near_pair> result;
@@ -249,9 +250,8 @@ double area(const Sheet& sheet)
 /// of a plate.
 double half_thickness(const Part_abstraction& part)
 {
-  constexpr double PI = 3.14159265358979323846;
   const double extent =
-      part.is_sheet() ? 2 * area(std::get<Sheet>(part.geometry)) : PI * length(std::get<Curve>(part.geometry));
+      part.is_sheet() ? 2 * area(std::get<Sheet>(part.geometry)) : EIGEN_PI * length(std::get<Curve>(part.geometry));
   if (!(extent > 0) || !(part.volume > 0)) return 0;
   return part.is_sheet() ? part.volume / extent : std::sqrt(part.volume / extent);
 }
@@ -266,7 +266,7 @@ public:
   {
     Box box;
     for (const Part_abstraction& part : parts) {
-      samples_.push_back(sample(part, ABSTRACTION_SAMPLES));
+      samples_.push_back(sample(part, abstraction_samples));
       radii_.push_back(half_thickness(part));
       const Points local = frame.to_frame(samples_.back());
       for (Eigen::Index i = 0; i < local.cols(); ++i)
@@ -282,7 +282,7 @@ public:
     for (std::size_t a = 0; a < parts_.size(); ++a)
       for (std::size_t b = a + 1; b < parts_.size(); ++b) {
         const Near_pair pair = near_pair(a, b);
-        if (pair.distance <= tolerance_ * SLACK) near.push_back(pair);
+        if (pair.distance <= tolerance_ * slack) near.push_back(pair);
       }
     join_pieces(
         parts_, diagonal_, [](std::size_t, std::size_t) { return 0.0; },

@@ -117,12 +117,12 @@ private:
 /// An order of the parts that does not depend on the input's: by their place in the frame, rounded.
 std::vector<std::size_t> canonical_order(const std::vector<Part_signature>& signatures)
 {
-  constexpr double QUANTUM = 1e-6;
+  constexpr double quantum = 1e-6;
   const auto key = [&](std::size_t i) {
     const Part_signature& s = signatures[i];
     std::array<double, 5> result = {s.centre.y(), s.centre.x(), s.centre.z(), s.width, s.diagonal};
     for (double& x : result)
-      x = std::round(x / QUANTUM);
+      x = std::round(x / quantum);
     return result;
   };
   std::vector<std::size_t> order(signatures.size());

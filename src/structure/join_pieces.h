@@ -6,13 +6,14 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_JOIN_PIECES_H
 #define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_JOIN_PIECES_H
 
+#include "base/Disjoint_sets.h"
+
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <queue>
 #include <string>
 #include <tuple>
@@ -22,36 +23,6 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace internal {
 namespace contacts {
-
-/// The sets that parts joined so far make up.
-class Pieces
-{
-public:
-  explicit Pieces(std::size_t n) : parent_(n), count_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  std::size_t find(std::size_t part)
-  {
-    while (parent_[part] != part)
-      part = parent_[part] = parent_[parent_[part]];
-    return part;
-  }
-
-  /// \return whether they were apart
-  bool join(std::size_t a, std::size_t b)
-  {
-    a = find(a), b = find(b);
-    if (a == b) return false;
-    parent_[std::max(a, b)] = std::min(a, b);
-    --count_;
-    return true;
-  }
-
-  std::size_t count() const { return count_; }
-
-private:
-  std::vector<std::size_t> parent_;
-  std::size_t count_;
-};
 
 /// Two parts and how near they are, 0 where they overlap.
 struct Near_pair
@@ -79,27 +50,27 @@ template <typename LowerBound, typename Measure>
 void join_pieces(const std::vector<Part_abstraction>& parts, double diagonal, const LowerBound& lower_bound,
                  const Measure& measure, std::vector<Near_pair>& near, std::vector<std::string>& warnings)
 {
-  Pieces pieces(parts.size());
+  Disjoint_sets pieces(parts.size());
   for (const Near_pair& pair : near)
-    pieces.join(pair.parts[0], pair.parts[1]);
-  if (pieces.count() == 1) return;
+    pieces.unite(pair.parts[0], pair.parts[1]);
+  if (pieces.number_of_sets() == 1) return;
 
   // (distance or its bound, the two parts, whether measured); the smallest first
   using Entry = std::tuple<double, std::size_t, std::size_t, bool>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   for (std::size_t a = 0; a < parts.size(); ++a)
     for (std::size_t b = a + 1; b < parts.size(); ++b)
-      if (pieces.find(a) != pieces.find(b)) queue.emplace(lower_bound(a, b), a, b, false);
-  while (pieces.count() > 1 && !queue.empty()) {
+      if (pieces[a] != pieces[b]) queue.emplace(lower_bound(a, b), a, b, false);
+  while (pieces.number_of_sets() > 1 && !queue.empty()) {
     const auto [distance, a, b, measured] = queue.top();
     queue.pop();
-    if (pieces.find(a) == pieces.find(b)) continue;
+    if (pieces[a] == pieces[b]) continue;
     const Near_pair pair = measure(a, b);
     if (!measured && pair.distance > distance) {
       queue.emplace(pair.distance, a, b, true);
       continue;
     }
-    pieces.join(a, b);
+    pieces.unite(a, b);
     near.push_back(pair);
     warnings.push_back(join_warning(parts, pair, diagonal));
   }

@@ -13,8 +13,9 @@ namespace Shape_correspondence {
 namespace internal {
 namespace symmetry {
 
-constexpr double OBLIQUE = 0.2;     ///< least sine of the angles of what is between a turned pair with plane and normal
-constexpr double PLANE_SHARE = 0.1; ///< how far from a mirror plane a pair may be centred, over its distance
+/// Least sine of the angles of what is between a turned pair with plane and normal.
+constexpr double least_oblique_sine = 0.2;
+constexpr double plane_share = 0.1; ///< how far from a mirror plane a pair may be centred, over its distance
 
 inline Symmetry mirror(const Point& point, const Point& normal)
 {
@@ -28,9 +29,10 @@ inline Symmetry mirror(const Point& point, const Point& normal)
 /// Of two opposite directions the one that points up, or to the front.
 inline Point upward(const Point& direction)
 {
-  constexpr double LEVEL = 1e-9;
-  const bool level = std::abs(direction.y()) <= LEVEL;
-  const bool keep = level ? direction.z() > LEVEL || (direction.z() >= -LEVEL && direction.x() > 0) : direction.y() > 0;
+  constexpr double level_limit = 1e-9;
+  const bool level = std::abs(direction.y()) <= level_limit;
+  const bool keep =
+      level ? direction.z() > level_limit || (direction.z() >= -level_limit && direction.x() > 0) : direction.y() > 0;
   return keep ? direction : Point(-direction);
 }
 
@@ -87,7 +89,7 @@ inline void add_pair_in_plane(const Part_relations& parts, std::size_t i, std::s
   if (!parts.plane(map) || !parts.related(i, j, map) || !parts.displaced_along(i, j, map)) return;
   const Point middle = (parts[i].centre + parts[j].centre) / 2;
   const double apart = std::abs(parts[i].centre[axis] - parts[j].centre[axis]);
-  if (std::abs(middle[axis] - *parts.plane(map)) > std::max(PLANE_TOLERANCE, PLANE_SHARE * apart)) return;
+  if (std::abs(middle[axis] - *parts.plane(map)) > std::max(plane_tolerance, plane_share * apart)) return;
   Explanation pair;
   pair.members = {i, j};
   if (parts[i].centre[axis] < parts[j].centre[axis]) std::swap(pair.members[0], pair.members[1]);
@@ -109,9 +111,9 @@ inline void add_turned_pair(const Part_relations& parts, std::size_t i, std::siz
 {
   const int normal = axis_of(map);
   const Point middle = (parts[i].centre + parts[j].centre) / 2, between = parts[i].centre - parts[j].centre;
-  if (!parts.plane(map) || std::abs(middle[normal] - *parts.plane(map)) > PLANE_TOLERANCE) return;
+  if (!parts.plane(map) || std::abs(middle[normal] - *parts.plane(map)) > plane_tolerance) return;
   const Point axis = between.cross(Point::Unit(normal));
-  const double oblique = std::max(POSITION_TOLERANCE, OBLIQUE * between.norm());
+  const double oblique = std::max(least_position_tolerance, least_oblique_sine * between.norm());
   if (std::min(std::abs(between[normal]), axis.norm()) <= oblique) return;
   Explanation pair;
   pair.members = {i, j};
@@ -132,7 +134,7 @@ inline void add_translated_pair(const Part_relations& parts, std::size_t i, std:
                                 std::vector<Explanation>& result)
 {
   Point vector = parts[j].centre - parts[i].centre;
-  if (!parts.related(i, j, TRANSLATED) || vector.norm() <= POSITION_TOLERANCE) return;
+  if (!parts.related(i, j, TRANSLATED) || vector.norm() <= least_position_tolerance) return;
   Explanation pair;
   pair.members = {i, j};
   Eigen::Index largest;
@@ -157,7 +159,7 @@ inline void add_pair_half_way(const Part_relations& parts, std::size_t i, std::s
   Point across = parts[i].centre - parts[j].centre;
   const double height = std::abs(across.y());
   across.y() = 0;
-  if (height > parts.position_tolerance(i) || across.norm() <= std::max(POSITION_TOLERANCE, height)) return;
+  if (height > parts.position_tolerance(i) || across.norm() <= std::max(least_position_tolerance, height)) return;
   Point normal = across.normalized();
   if (normal.x() < -1e-9 || (std::abs(normal.x()) <= 1e-9 && normal.z() < 0)) normal = -normal;
   if (!std::isfinite(parts.deviation(i, j, mirror_matrix(normal)))) return;

@@ -6,6 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_RINGS_H
 #define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_RINGS_H
 
+#include "base/eigen_system.h"
 #include "structure/Explanation.h"
 
 namespace CGAL {
@@ -13,11 +14,11 @@ namespace Shape_correspondence {
 namespace internal {
 namespace symmetry {
 
-constexpr double TWO_PI = 6.283185307179586;
-constexpr double UNEVEN_ANGLE = 0.15; ///< how far a ring's angle may be from the even one, over the latter
-constexpr double STAR_CORE = 0.4;     ///< a star's members reach inwards to this fraction of their outer radius
-constexpr double HORIZONTAL = 0.1;    ///< the largest vertical component of an axis that is taken to be horizontal
-constexpr std::size_t LEAST_HORIZONTAL_RING = 5; ///< fewer about a horizontal axis must be a star: a frame is no ring
+constexpr double full_turn = 2 * EIGEN_PI;
+constexpr double uneven_angle = 0.15;    ///< how far a ring's angle may be from the even one, over the latter
+constexpr double star_core = 0.4;        ///< a star's members reach inwards to this fraction of their outer radius
+constexpr double horizontal_limit = 0.1; ///< the largest vertical component of an axis that is taken to be horizontal
+constexpr std::size_t least_horizontal_ring = 5; ///< fewer about a horizontal axis must be a star: a frame is no ring
 
 struct Axis
 {
@@ -51,11 +52,11 @@ inline std::vector<Ring_place> places_about(const Part_relations& parts, const s
 
 inline bool is_evenly_turned(const std::vector<Ring_place>& ring)
 {
-  const double even = TWO_PI / ring.size();
+  const double even = full_turn / ring.size();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const bool wraps = i + 1 == ring.size();
-    const double angle = ring[wraps ? 0 : i + 1].angle - ring[i].angle + (wraps ? TWO_PI : 0);
-    if (std::abs(angle - even) > UNEVEN_ANGLE * even) return false;
+    const double angle = ring[wraps ? 0 : i + 1].angle - ring[i].angle + (wraps ? full_turn : 0);
+    if (std::abs(angle - even) > uneven_angle * even) return false;
   }
   return true;
 }
@@ -70,7 +71,7 @@ inline bool comes_from_axis(const Part_signature& part, const Axis& axis)
     inner = std::min(inner, radius);
     outer = std::max(outer, radius);
   }
-  return inner <= STAR_CORE * outer;
+  return inner <= star_core * outer;
 }
 
 /// Tests one set of places for a ring.
@@ -81,9 +82,9 @@ inline std::optional<Explanation> make_ring(const Part_relations& parts, const s
   if (n < 3 || !is_evenly_turned(places)) return std::nullopt;
   const bool star = comes_from_axis(parts[places[0].part], axis);
   const bool vertical = std::abs(axis.direction.y()) > 0.5;
-  if (!vertical && n < LEAST_HORIZONTAL_RING && !star) return std::nullopt;
+  if (!vertical && n < least_horizontal_ring && !star) return std::nullopt;
   Explanation ring;
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(TWO_PI / n, axis.direction).toRotationMatrix();
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(full_turn / n, axis.direction).toRotationMatrix();
   for (std::size_t i = 0; i < n; ++i) {
     ring.members.push_back(places[i].part);
     ring.links.push_back({i, (i + 1) % n, turn, true});
@@ -143,8 +144,8 @@ inline Spread spread(const Part_relations& parts, const std::vector<std::size_t>
     const Point d = parts[i].centre - mean;
     covariance += d * d.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  return {solver.eigenvectors().col(0), solver.eigenvectors().col(2)};
+  const Eigen::Matrix3d axes = eigen_system(covariance).vectors;
+  return {axes.col(0), axes.col(2)};
 }
 
 /// Splits a set where its centres leave the widest gap along a direction.
@@ -169,7 +170,7 @@ inline void add_rings_among(const Part_relations& parts, const std::vector<std::
   bool found = add_rings_about(parts, set, {mean, Point::UnitY()}, result);
   const Spread directions = spread(parts, set, mean);
   Point normal = directions.least;
-  if (std::abs(normal.y()) <= HORIZONTAL) {
+  if (std::abs(normal.y()) <= horizontal_limit) {
     normal.y() = 0;
     normal.normalize();
     if (normal.x() < -1e-9 || (std::abs(normal.x()) <= 1e-9 && normal.z() < 0)) normal = -normal;
@@ -184,7 +185,7 @@ inline void add_rings_among(const Part_relations& parts, const std::vector<std::
 inline void add_rings(const Part_relations& parts, const std::vector<std::size_t>& free,
                       std::vector<Explanation>& result)
 {
-  constexpr int SPLITS = 3;
+  constexpr int most_splits = 3;
   std::vector<char> used(parts.size(), 0);
   for (std::size_t seed : free) {
     if (used[seed]) continue;
@@ -194,7 +195,7 @@ inline void add_rings(const Part_relations& parts, const std::vector<std::size_t
         same.push_back(i);
         used[i] = 1;
       }
-    add_rings_among(parts, same, SPLITS, result);
+    add_rings_among(parts, same, most_splits, result);
     const double x = parts.plane(MIRRORED_X).value_or(0), z = parts.plane(MIRRORED_Z).value_or(0);
     add_rings_about(parts, same, {Point(x, 0, z), Point::UnitY()}, result);
   }

@@ -15,15 +15,15 @@ namespace Shape_correspondence {
 namespace internal {
 namespace symmetry {
 
-constexpr double UNEVEN_SPACING = 0.3; ///< how far a step of a row may be from the mean step, over the latter
-constexpr double CROOKEDNESS = 0.1;    ///< how far off its line a row's member may be, over the row's length
+constexpr double uneven_spacing = 0.3; ///< how far a step of a row may be from the mean step, over the latter
+constexpr double crookedness = 0.1;    ///< how far off its line a row's member may be, over the row's length
 
 /// The part of `candidates` that comes next in a row, if one is near enough to its place.
 inline std::optional<std::size_t> next_in_row(const Part_relations& parts, std::size_t last, const Point& step,
                                               const std::vector<std::size_t>& candidates)
 {
   std::optional<std::size_t> best;
-  double least = UNEVEN_SPACING * step.norm();
+  double least = uneven_spacing * step.norm();
   for (std::size_t k : candidates) {
     const double distance = (parts[k].centre - parts[last].centre - step).norm();
     if (distance <= least && parts.related(last, k, TRANSLATED)) {
@@ -40,12 +40,12 @@ inline bool is_even_and_straight(const Part_relations& parts, const std::vector<
   const Point direction = step / gap;
   for (std::size_t i = 0; i + 1 < row.size(); ++i) {
     const double along = (parts[row[i + 1]].centre - parts[row[i]].centre).dot(direction);
-    if (std::abs(along - gap) > UNEVEN_SPACING * gap) return false;
+    if (std::abs(along - gap) > uneven_spacing * gap) return false;
   }
   for (std::size_t member : row) {
     const Point d = parts[member].centre - parts[row.front()].centre;
     const double off = (d - d.dot(direction) * direction).norm();
-    if (off > std::max(CROOKEDNESS * gap * (row.size() - 1.0), parts.position_tolerance(member))) return false;
+    if (off > std::max(crookedness * gap * (row.size() - 1.0), parts.position_tolerance(member))) return false;
   }
   return true;
 }
@@ -72,7 +72,7 @@ inline void add_rows(const Part_relations& parts, const std::vector<std::size_t>
     for (std::size_t j : free) {
       if (i == j || !parts.related(i, j, TRANSLATED)) continue;
       const Point first_step = parts[j].centre - parts[i].centre;
-      if (first_step.norm() <= POSITION_TOLERANCE) continue;
+      if (first_step.norm() <= least_position_tolerance) continue;
       Eigen::Index largest;
       first_step.cwiseAbs().maxCoeff(&largest);
       if (first_step[largest] < 0) continue;

@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_VIEWER_COLLECTION_PAGE_H
 #define CGAL_SHAPE_CORRESPONDENCE_VIEWER_COLLECTION_PAGE_H
 
-#include "io/json_text.h"
+#include "io/Json.h"
 
 #include <iosfwd>
 

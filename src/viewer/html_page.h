@@ -6,8 +6,8 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_VIEWER_HTML_PAGE_H
 #define CGAL_SHAPE_CORRESPONDENCE_VIEWER_HTML_PAGE_H
 
+#include "io/colours.h"
 #include "io/glb_builder.h"
-#include "viewer/colours.h"
 
 #include <iosfwd>
 #include <string>

@@ -6,8 +6,8 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_VIEWER_HTML_TEXT_H
 #define CGAL_SHAPE_CORRESPONDENCE_VIEWER_HTML_TEXT_H
 
-#include "io/json_text.h"
-#include "viewer/colours.h"
+#include "io/Json.h"
+#include "io/colours.h"
 
 #include <algorithm>
 #include <array>
@@ -45,7 +45,7 @@ inline std::string css_colour(const Colour& colour)
 inline std::string script_text(const Json& json)
 {
   std::string result;
-  for (char c : json_line(json))
+  for (char c : json.line())
     result += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return result;
 }

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/colours.h"
 #include "viewer/collection_page.h"
-#include "viewer/colours.h"
 #include "viewer/html_text.h"
 
 #include <CGAL/Shape_correspondence/IO/write_collection_html.h>

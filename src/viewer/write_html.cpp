@@ -3,9 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "viewer/drawn_shape.h"
+#include "io/drawn_shape.h"
+#include "io/report_text.h"
 #include "viewer/html_page.h"
-#include "viewer/report_text.h"
 
 #include <CGAL/Shape_correspondence/IO/write_html.h>
 

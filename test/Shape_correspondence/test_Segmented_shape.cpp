@@ -1,13 +1,24 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/parameters.h>
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Face_filtered_graph.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <catch2/catch.hpp>
 
 #include <limits>
 #include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace CGAL::Shape_correspondence;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
@@ -120,4 +131,74 @@ TEST_CASE("Shapes of a mesh with segment ids")
   CHECK(shape.parts()[0].mesh.triangles.cols() == 2);
   CHECK(shape.parts()[1].name == "segment_7");
   CHECK(shape.parts()[1].mesh.points.row(0).maxCoeff() == 1);
+}
+
+TEST_CASE("Segments are named by a range or a map")
+{
+  Mesh mesh = strip();
+  auto ids = mesh.add_property_map<Mesh::Face_index, int>("f:segment", 1).first;
+  ids[Mesh::Face_index(2)] = 0;
+  const auto names = [](const Segmented_shape& shape) {
+    return std::pair(shape.parts()[0].name, shape.parts()[1].name);
+  };
+  const std::pair<std::string, std::string> expected("seat", "leg");
+
+  const auto range = parameters::part_names(std::vector<std::string>{"seat", "leg"});
+  CHECK(names(Segmented_shape::from_segmentation(mesh, ids, range)) == expected);
+  const auto map = parameters::part_names(std::map<int, std::string>{{0, "seat"}, {1, "leg"}});
+  const Segmented_shape shape = Segmented_shape::from_segmentation(mesh, ids, "stool", Point::UnitZ(), map);
+  CHECK(names(shape) == expected);
+  CHECK(shape.name() == "stool");
+  CHECK(shape.up() == Point::UnitZ());
+
+  const auto too_few = parameters::part_names(std::vector<std::string>{"seat"});
+  CHECK_THROWS_WITH(Segmented_shape::from_segmentation(mesh, ids, too_few), Catch::Contains("segment 1"));
+}
+
+TEST_CASE("Points are those of the vertex point map")
+{
+  Mesh mesh = strip();
+  const auto ids = mesh.add_property_map<Mesh::Face_index, int>("f:segment", 0).first;
+  const auto moved = mesh.add_property_map<Mesh::Vertex_index, Mesh::Point>("v:moved").first;
+  for (auto v : mesh.vertices())
+    moved[v] = mesh.point(v) + Mesh::Point::R::Vector_3(0, 0, 5);
+  const auto vertex_points = CGAL::parameters::vertex_point_map(moved);
+
+  const auto height = [](const Segmented_shape& shape) { return shape.parts()[0].mesh.points.row(2).minCoeff(); };
+  CHECK(height(Segmented_shape::from_segmentation(mesh, ids, vertex_points)) == 5);
+  const std::vector<std::string> names{"all"};
+  const auto both = parameters::part_names(names).vertex_point_map(moved);
+  const Segmented_shape named = Segmented_shape::from_segmentation(mesh, ids, both);
+  CHECK(height(named) == 5);
+  CHECK(named.parts()[0].name == "all");
+
+  // Parts that are views of one mesh share its map
+  using View = CGAL::Face_filtered_graph<Mesh>;
+  const std::map<std::string, View> views{{"view", View(mesh, 0, ids)}};
+  CHECK(height(Segmented_shape::from_meshes(views, "views", Point::UnitY(), vertex_points)) == 5);
+  Segmented_shape shape;
+  shape.add_mesh("part", mesh, vertex_points);
+  CHECK(height(shape) == 5);
+}
+
+TEST_CASE("Any face graph and any kernel will do")
+{
+  using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Polyhedron = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
+  const Mesh mesh = strip();
+  Polyhedron polyhedron;
+  CGAL::copy_face_graph(mesh, polyhedron);
+  using Face = boost::graph_traits<Polyhedron>::face_descriptor;
+  const auto sides = boost::make_function_property_map<Face>([](Face face) { return face->is_triangle() ? 0 : 1; });
+  const Segmented_shape shape = Segmented_shape::from_segmentation(polyhedron, sides);
+  REQUIRE(shape.parts().size() == 2);
+  CHECK(shape.parts()[0].mesh.triangles.cols() == 2);
+  CHECK(shape.parts()[1].mesh.points.cols() == 4);
+}
+
+TEST_CASE("A mesh without faces is no shape")
+{
+  Mesh mesh;
+  const auto ids = mesh.add_property_map<Mesh::Face_index, int>("f:segment", 0).first;
+  CHECK_THROWS_WITH(Segmented_shape::from_segmentation(mesh, ids, "void"), Catch::Contains("'void'"));
 }

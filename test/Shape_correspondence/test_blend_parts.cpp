@@ -2,9 +2,11 @@
 //
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "blend/Blend_cast.h"
+#include "base/least_rotation.h"
+#include "blend/Blend_part.h"
 #include "blend_checks.h"
 #include "box_shapes.h"
+#include "map/piece_of.h"
 
 #include <catch2/catch.hpp>
 
@@ -12,7 +14,7 @@
 #include <cmath>
 #include <vector>
 
-// What blends are made of: pieces of parts, what vanishes, the ways between sets of parts.
+// What blends are made of: pieces of parts, unmatched parts, the connections of components.
 
 using namespace CGAL::Shape_correspondence;
 using namespace blend_checks;
@@ -126,33 +128,33 @@ TEST_CASE("A piece where a part has nothing is a speck of it")
   CHECK(std::abs(piece.points.row(2).maxCoeff()) < 0.2 + 1e-6);
 }
 
-TEST_CASE("What vanishes between contacts goes to the straight line between them; one that goes apart is given up")
+TEST_CASE("An unmatched part shrinks to the segment between its attachments; one that diverges is given up")
 {
   Part_mesh arch = ring(0.05);
   for (Eigen::Index i = 0; i < arch.points.cols(); ++i)
     arch.points(1, i) = std::abs(arch.points(1, i));
   const internal::Part_chart chart = internal::Part_chart::box(arch.points, Eigen::Matrix3d::Identity());
   const Point left(-1, 0, 0), right(1, 0, 0);
-  const internal::Fading_part fading(chart, arch, {left, right});
-  CHECK(fading.points(1) == arch.points);
-  CHECK(fading.points(0).bottomRows<2>().cwiseAbs().maxCoeff() < 1e-9);
-  CHECK(fading.points(0).row(0).cwiseAbs().maxCoeff() < 1 + 1e-9);
-  CHECK(fading.points(0.5).row(1).maxCoeff() == Approx(arch.points.row(1).maxCoeff() / 2));
+  const internal::Unmatched_part unmatched(chart, arch, {left, right});
+  CHECK(unmatched.points(1) == arch.points);
+  CHECK(unmatched.points(0).bottomRows<2>().cwiseAbs().maxCoeff() < 1e-9);
+  CHECK(unmatched.points(0).row(0).cwiseAbs().maxCoeff() < 1 + 1e-9);
+  CHECK(unmatched.points(0.5).row(1).maxCoeff() == Approx(arch.points.row(1).maxCoeff() / 2));
 
-  const auto hold = [](const Point& at, const Point& vanished) {
-    return internal::Blend_attachment{0, 0, {}, at, vanished};
+  const auto attachment = [](const Point& at, const Point& vanished) {
+    return internal::Attachment{0, 0, {}, at, vanished};
   };
   const Point up(0, 0.3, 0), off(0, 0, 5);
-  const auto kept =
-      internal::kept_together({hold(left, left + up), hold(right, right + up), hold(right, right + off)}, 2);
+  const auto kept = internal::without_diverging(
+      {attachment(left, left + up), attachment(right, right + up), attachment(right, right + off)}, 2);
   REQUIRE(kept.size() == 2);
   CHECK(kept[0].vanished == left + up);
   CHECK(kept[1].vanished == right + up);
 }
 
-TEST_CASE("Ways join sets of surfaces once, the shortest way")
+TEST_CASE("Components of surfaces are joined once, by the shortest connections")
 {
-  // Rows of boxes, a set each; gaps in a row are wider than those between rows
+  // Rows of boxes, a component each; gaps in a row are wider than those between rows
   std::vector<Surface_tree> surfaces;
   std::vector<const Surface_tree*> pointers;
   for (int row = 0; row < 4; ++row)
@@ -165,11 +167,11 @@ TEST_CASE("Ways join sets of surfaces once, the shortest way")
   internal::Disjoint_sets rows(surfaces.size());
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     rows.unite(i, i / 3 * 3 + 2);
-  const std::vector<internal::Joining_way> ways = internal::joining_ways(pointers, rows);
-  REQUIRE(ways.size() == 3);
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    CHECK(ways[i].surfaces[1] / 3 == ways[i].surfaces[0] / 3 + 1);
-    CHECK(ways[i].length == Approx(0.11 + 0.02 * double(i)));
+  const std::vector<internal::Surface_connection> connections = internal::shortest_connections(pointers, rows);
+  REQUIRE(connections.size() == 3);
+  for (std::size_t i = 0; i < connections.size(); ++i) {
+    CHECK(connections[i].surfaces[1] / 3 == connections[i].surfaces[0] / 3 + 1);
+    CHECK(connections[i].length == Approx(0.11 + 0.02 * double(i)));
   }
 }
 
@@ -201,4 +203,20 @@ TEST_CASE("Distances are those of the closest points but for a tenth of what the
       CHECK(std::sqrt(low.nearly_closest(high, enough).squared) <= most * (1 + 1e-9));
     }
   }
+}
+
+TEST_CASE("The least rotation turns one direction to the other, opposite ones too, by the angle between them")
+{
+  const std::vector<Point> directions = {Point::UnitX(),    Point::UnitY(),      Point::UnitZ(),
+                                         Point(1, -2, 0.5), Point(-0.3, 0, 0.1), Point(1e-7, 1, 0)};
+  for (const Point& from : directions)
+    for (const Point& other : directions)
+      for (const Point& to : {other, Point(-other), Point(-from)}) {
+        INFO(from.transpose() << " to " << to.transpose());
+        const Eigen::Quaterniond rotation = internal::least_rotation(from, to);
+        CHECK(rotation.norm() == Approx(1));
+        CHECK((rotation * from.normalized() - to.normalized()).norm() < 1e-6);
+        const double cosine = from.normalized().dot(to.normalized());
+        CHECK(2 * rotation.w() * rotation.w() - 1 == Approx(cosine).margin(1e-6));
+      }
 }

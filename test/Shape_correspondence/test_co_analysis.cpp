@@ -8,6 +8,7 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/co_analysis.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>
+#include <CGAL/Shape_correspondence/part_matrix.h>
 
 #include <catch2/catch.hpp>
 

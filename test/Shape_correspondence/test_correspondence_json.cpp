@@ -11,6 +11,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdio>
+#include <fstream>
+#include <limits>
 #include <sstream>
 
 using namespace CGAL::Shape_correspondence;
@@ -87,4 +90,32 @@ TEST_CASE("An empty correspondence has empty lists")
     INFO(key);
     CHECK(result[key] == json::array());
   }
+}
+
+TEST_CASE("A correspondence that was written is read: its pairs by name, with confidences, and whether it is complete")
+{
+  const std::string file = "test_correspondence_json.json";
+  const Structural_graph source = hand_made::chair(), target = hand_made::slatted_chair();
+  for (const double confidence : {std::numeric_limits<double>::quiet_NaN(), 0.25}) {
+    Correspondence c = back_splits();
+    c.target_quarter_turns = 2;
+    for (Part_correspondence& pair : c.pairs)
+      pair.confidence = confidence;
+    std::ofstream(file) << written(c);
+    CHECK(written(c).contains("confidences") == c.pairs[0].has_confidence());
+    const IO::Named_correspondence named = IO::read_correspondence_json(file);
+    CHECK(named.source == "a.obj");
+    CHECK(named.target == "b.obj");
+    CHECK(named.complete);
+    CHECK(named.target_quarter_turns == 2);
+    REQUIRE(named.pairs.size() == 3);
+    CHECK(named.pairs[2].source == "back");
+    CHECK(named.pairs[2].target == "slat 2");
+    const Correspondence read = IO::correspondence_of(named, source, target, file);
+    CHECK(read.pairs == c.pairs);
+    CHECK(read.complete);
+    CHECK(read.target_quarter_turns == 2);
+    CHECK_THROWS_WITH(IO::correspondence_of(named, target, source, file), Catch::Contains("does not have"));
+  }
+  std::remove(file.c_str());
 }

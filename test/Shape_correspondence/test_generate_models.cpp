@@ -3,6 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/Disjoint_sets.h"
 #include "generator/benchmark/degrade.h"
 #include "generator/benchmark/random_designs.h"
 #include "generator/models.h"
@@ -20,7 +21,6 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace gen = CGAL::Shape_correspondence::generator;
@@ -57,20 +57,14 @@ bool is_closed(const Mesh& mesh)
 /// The volume of each connected component.
 std::vector<double> component_volumes(const Mesh& mesh)
 {
-  std::vector<int> root(mesh.points.size());
-  std::iota(root.begin(), root.end(), 0);
-  auto find = [&](int i) {
-    while (root[i] != i)
-      i = root[i] = root[root[i]];
-    return i;
-  };
+  CGAL::Shape_correspondence::internal::Disjoint_sets sets(mesh.points.size());
   for (const auto& f : mesh.faces) {
-    root[find(f[1])] = find(f[0]);
-    root[find(f[2])] = find(f[0]);
+    sets.unite(f[0], f[1]);
+    sets.unite(f[0], f[2]);
   }
-  std::map<int, Mesh> components;
+  std::map<std::size_t, Mesh> components;
   for (const auto& f : mesh.faces) {
-    Mesh& component = components[find(f[0])];
+    Mesh& component = components[sets[f[0]]];
     component.points = mesh.points;
     component.faces.push_back(f);
   }
@@ -265,13 +259,10 @@ std::uint64_t hash_of(const std::vector<gen::Assembly>& shapes)
 /// How many sets of parts there are that touch each other within, and not each other.
 std::size_t number_of_pieces(const gen::Assembly& shape)
 {
-  std::vector<int> piece(shape.parts.size());
-  std::iota(piece.begin(), piece.end(), 0);
-  for (const auto& near : shape.near_parts(.005)) {
-    const int from = piece[near.parts[1]], to = piece[near.parts[0]];
-    std::replace(piece.begin(), piece.end(), from, to);
-  }
-  return std::set<int>(piece.begin(), piece.end()).size();
+  CGAL::Shape_correspondence::internal::Disjoint_sets pieces(shape.parts.size());
+  for (const auto& near : shape.near_parts(.005))
+    pieces.unite(near.parts[0], near.parts[1]);
+  return pieces.number_of_sets();
 }
 
 gen::Assembly benchmark_shape(const std::string& name)

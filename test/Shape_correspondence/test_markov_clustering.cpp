@@ -8,6 +8,8 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/markov_clustering.h>
 
+#include <Eigen/SparseCore>
+
 #include <catch2/catch.hpp>
 
 #include <cstdlib>

@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -143,9 +144,34 @@ private:
   std::size_t part_;
 };
 
+template <typename Value>
+std::vector<std::vector<Value>> Surface_map::transferred(const std::vector<std::vector<Value>>& values,
+                                                         const Value& none) const
+{
+  std::vector<std::vector<Value>> result;
+  for (const auto& places : sources_) {
+    result.emplace_back();
+    for (const std::optional<Surface_place>& place : places) {
+      if (!place) {
+        result.back().push_back(none);
+        continue;
+      }
+      const auto corner = [&](Eigen::Index i) -> const Value& {
+        return values[place->part][std::size_t(triangles_[place->part](i, place->triangle))];
+      };
+      Eigen::Index nearest;
+      place->weights.maxCoeff(&nearest);
+      if constexpr (std::is_integral<Value>::value || std::is_enum<Value>::value)
+        result.back().push_back(corner(nearest));
+      else
+        result.back().push_back(
+            Value(corner(0) * place->weights[0] + corner(1) * place->weights[1] + corner(2) * place->weights[2]));
+    }
+  }
+  return result;
+}
+
 } // namespace Shape_correspondence
 } // namespace CGAL
-
-#include <CGAL/Shape_correspondence/internal/map/transferred_values.h>
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_CORRESPONDENCE_MAP_H

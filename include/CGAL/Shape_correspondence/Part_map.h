@@ -29,6 +29,15 @@ struct Part_map
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
+/// The part map of two shapes of a set.
+struct Shape_pair_map
+{
+  std::size_t source; ///< index of the source shape
+  std::size_t target; ///< index of the target shape
+  Part_map map;       ///< source to target
+};
+
+/// \ingroup PkgShapeCorrespondenceSets
 /// The pairs of a correspondence.
 Part_map part_map(const Correspondence& correspondence);
 

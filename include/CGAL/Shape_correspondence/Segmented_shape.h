@@ -7,8 +7,11 @@
 #define CGAL_SHAPE_CORRESPONDENCE_SEGMENTED_SHAPE_H
 
 #include <CGAL/Shape_correspondence/Points.h>
+#include <CGAL/Shape_correspondence/internal/part_mesh.h>
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,27 +44,65 @@ public:
   /// \param up the upright direction, a unit vector
   explicit Segmented_shape(std::string name = "shape", const Point& up = Point::UnitY());
 
-  /// Builds a shape of a range of pairs (name, triangle mesh), where a mesh is a model of `FaceListGraph`.
-  template <typename NamedMeshRange>
+  /// Builds a shape of a range of pairs (name, triangle mesh).
+  /// \tparam NamedMeshRange a range of pairs of a `std::string` and a model of `FaceListGraph`
+  /// \param np named parameters for every mesh, as `add_mesh()` takes them
+  template <typename NamedMeshRange, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   static Segmented_shape from_meshes(const NamedMeshRange& meshes, std::string name = "shape",
-                                     const Point& up = Point::UnitY());
+                                     const Point& up = Point::UnitY(), const NamedParameters& np = NamedParameters());
 
   /// Builds a shape of one triangle mesh and a map from faces to segment ids, as `CGAL::segmentation_from_sdf_values()`
-  /// makes it: the faces of id `i` become the part `segment_i`, parts in ascending order of their ids.
+  /// makes it: the faces of an id become a part, parts in ascending order of their ids.
   /// \tparam TriangleMesh a model of `FaceListGraph`
   /// \tparam SegmentIdMap a model of `ReadablePropertyMap`, face descriptor to an integer
-  template <typename TriangleMesh, typename SegmentIdMap>
+  /// \param np an optional sequence of named parameters among the ones listed below
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{part_names}
+  ///     \cgalParamDescription{the names of the parts by segment id (`parameters::part_names()` in parameters.h)}
+  ///     \cgalParamType{a container with `at(id)`, such as a `std::vector<std::string>` or a
+  ///                    `std::map<int, std::string>`}
+  ///     \cgalParamDefault{`segment_i` for the id `i`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{vertex_point_map}
+  ///     \cgalParamDescription{the points of the vertices of the mesh}
+  ///     \cgalParamType{a model of `ReadablePropertyMap`, vertex descriptor to a point with `x()`, `y()` and `z()`}
+  ///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
+  /// \throw Invalid_input if the mesh has no faces or a segment has no name
+  template <typename TriangleMesh, typename SegmentIdMap,
+            typename NamedParameters = CGAL::parameters::Default_named_parameters>
   static Segmented_shape from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids,
-                                           std::string name = "shape", const Point& up = Point::UnitY());
+                                           std::string name = "shape", const Point& up = Point::UnitY(),
+                                           const NamedParameters& np = NamedParameters());
+  /// The same, for a shape of the name "shape" that has y up.
+  template <typename TriangleMesh, typename SegmentIdMap, typename T, typename Tag, typename Base>
+  static Segmented_shape from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids,
+                                           const CGAL::Named_function_parameters<T, Tag, Base>& np)
+  {
+    return from_segmentation(mesh, segment_ids, "shape", Point::UnitY(), np);
+  }
 
   /// Adds a part.
   /// \throw Invalid_input if the name is empty or taken, an index or a coordinate is invalid (NaN, infinite),
   /// or the part has no triangle of positive area
   void add_part(std::string name, Part_mesh mesh);
 
-  /// Adds a part given as a triangle mesh, a model of `FaceListGraph`; throws as the other overload does.
-  template <typename TriangleMesh>
-  void add_mesh(std::string name, const TriangleMesh& mesh);
+  /// Adds a part given as a triangle mesh; throws as `add_part()` does.
+  /// \tparam TriangleMesh a model of `FaceListGraph`
+  /// \param np an optional named parameter
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{vertex_point_map}
+  ///     \cgalParamDescription{the points of the vertices of the mesh}
+  ///     \cgalParamType{a model of `ReadablePropertyMap`, vertex descriptor to a point with `x()`, `y()` and `z()`}
+  ///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  void add_mesh(std::string name, const TriangleMesh& mesh, const NamedParameters& np = NamedParameters());
 
   /// Says which way is up.
   /// \throw Invalid_input if the direction is zero or not finite
@@ -80,8 +121,41 @@ private:
   std::vector<Shape_part> parts_;
 };
 
+template <typename TriangleMesh, typename NamedParameters>
+void Segmented_shape::add_mesh(std::string name, const TriangleMesh& mesh, const NamedParameters& np)
+{
+  internal::Part_mesh_builder builder(mesh, internal::vertex_point_map(mesh, np));
+  for (auto face : faces(mesh))
+    builder.add_face(face);
+  add_part(std::move(name), {builder.points(), builder.triangles()});
+}
+
+template <typename NamedMeshRange, typename NamedParameters>
+Segmented_shape Segmented_shape::from_meshes(const NamedMeshRange& meshes, std::string name, const Point& up,
+                                             const NamedParameters& np)
+{
+  Segmented_shape result(std::move(name), up);
+  for (const auto& [part_name, mesh] : meshes)
+    result.add_mesh(part_name, mesh, np);
+  return result;
+}
+
+template <typename TriangleMesh, typename SegmentIdMap, typename NamedParameters>
+Segmented_shape Segmented_shape::from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids, std::string name,
+                                                   const Point& up, const NamedParameters& np)
+{
+  const internal::Part_mesh_builder empty(mesh, internal::vertex_point_map(mesh, np));
+  std::map<long long, std::decay_t<decltype(empty)>> segments;
+  for (auto face : faces(mesh))
+    segments.try_emplace(static_cast<long long>(get(segment_ids, face)), empty).first->second.add_face(face);
+  if (segments.empty()) throw Invalid_input("shape '" + name + "': the mesh has no faces; give a mesh with a surface");
+  Segmented_shape result(std::move(name), up);
+  for (const auto& [id, segment] : segments)
+    result.add_part(internal::part_name(id, np), {segment.points(), segment.triangles()});
+  return result;
+}
+
 } // namespace Shape_correspondence
 } // namespace CGAL
 
-#include <CGAL/Shape_correspondence/internal/Part_mesh_builder.h>
 #endif // CGAL_SHAPE_CORRESPONDENCE_SEGMENTED_SHAPE_H

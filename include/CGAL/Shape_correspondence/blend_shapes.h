@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 namespace internal {
-class Blend_stage;
+class Blend_structure;
 }
 
 /// \ingroup PkgShapeCorrespondenceOptions
@@ -61,13 +61,13 @@ struct Blend_task
 struct Blend_quality
 {
   double gap = 0;       ///< by how much a contact of parts that stay is wider than at the ends, at most
-  double apart = 0;     ///< how far sets of parts came apart, at most, before they were moved together again
+  double apart = 0;     ///< how far connected components came apart, at most, before they were reconnected
   double asymmetry = 0; ///< root mean square distance from the mirror image, if both ends have a mirror plane in common
   double ground = 0;    ///< how far a part that stands on the ground at both ends is off its height there, at most
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// An in-between shape held against the tolerances of `Shape_blend`.
+/// Whether an in-between shape is within the tolerances of `Shape_blend`.
 struct Blend_check
 {
   Blend_quality quality;           ///< how well the shape holds together
@@ -96,17 +96,22 @@ struct Blend_surface
 
 /// \ingroup PkgShapeCorrespondenceMaps
 /// Blends two shapes along their part correspondence, also where their topologies differ (paper, Figure 12; Alhashim et
-/// al., Topology-Varying 3D Shape Creation via Structural Blending, 2014).
+/// al., Topology-Varying 3D Shape Creation via Structural Blending, 2014, whose terms are used: a *task* is what
+/// happens to a part, a *schedule* says when each task takes place, and an *in-between shape* is the shape at a time).
 ///
-/// Matched parts morph into each other in coordinates along their curves and sheets, with rotation-minimising frames; a
-/// part that corresponds to many is cut into closed pieces, one for each; parts without counterpart shrink towards or
-/// grow out of what they touch, to a point or, between contacts far from each other, to a straight thread; contacts
-/// that go apart are given up. The parts' own surfaces are carried along. If both shapes have the mirror plane in
-/// common, what a part becomes, its mirror image becomes the mirror image of, also where the correspondence has only
-/// one of the two, and both move alike. Contacts of parts that stay are kept, and feet on the ground: all parts are
-/// moved and stretched at once, as little as that takes. Sets of parts that have come apart all the same are moved
-/// together. Of several schedules the one is taken in which contacts, mirror symmetry and ground contact hold best;
-/// `check()` tells what does not hold. Deterministic.
+/// - *Matched parts* morph into each other in coordinates along their curves and sheets, with rotation-minimising
+///   frames; their own surfaces are carried along. A part that corresponds to many is cut into closed pieces, one for
+///   each.
+/// - *Unmatched parts* shrink towards or grow out of what they are attached to: to a point or, between attachments far
+///   from each other, to a straight segment. Attachments that diverge are given up.
+/// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
+///   part becomes, also where the correspondence has only one of the two, and both move alike.
+/// - *Contact constraints* of matched parts and feet on the ground are enforced by relaxation: all parts are moved by
+///   affine motions at once, as little as that takes. *Connected components* that have come apart all the same are
+///   moved together.
+///
+/// Of several schedules the one is taken in which contacts, mirror symmetry and ground contact hold best; `check()`
+/// tells what does not hold. Deterministic.
 class Shape_blend
 {
 public:
@@ -142,7 +147,7 @@ public:
   std::vector<Points> points(double t) const;
 
 private:
-  std::shared_ptr<const internal::Blend_stage> stage_;
+  std::shared_ptr<const internal::Blend_structure> blend_;
   std::vector<Blend_schedule> schedules_;
 };
 

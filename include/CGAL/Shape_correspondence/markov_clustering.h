@@ -6,10 +6,13 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_MARKOV_CLUSTERING_H
 #define CGAL_SHAPE_CORRESPONDENCE_MARKOV_CLUSTERING_H
 
-#include <Eigen/SparseCore>
-
 #include <cstddef>
 #include <vector>
+
+namespace Eigen {
+template <typename Scalar, int Options, typename StorageIndex>
+class SparseMatrix; // <Eigen/SparseCore> takes a second to compile
+}
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -47,7 +50,7 @@ struct Markov_clustering
 /// \param weights symmetric; the diagonal is ignored
 /// \param options of the flow, and limits of memory
 /// \throw Invalid_input if a weight is negative or not finite, or an option is out of its range
-Markov_clustering markov_clustering(const Eigen::SparseMatrix<double>& weights,
+Markov_clustering markov_clustering(const Eigen::SparseMatrix<double, 0, int>& weights,
                                     const Markov_clustering_options& options = {});
 
 } // namespace Shape_correspondence

@@ -75,6 +75,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
     return {value, *this};                                                                                             \
   }
   CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(CGAL_SHAPE_CORRESPONDENCE_CHAIN)
+  CGAL_SHAPE_CORRESPONDENCE_CHAIN(part_names, , )
 #undef CGAL_SHAPE_CORRESPONDENCE_CHAIN
 };
 
@@ -85,6 +86,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
     return {value};                                                                                                    \
   }
 CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(CGAL_SHAPE_CORRESPONDENCE_START)
+CGAL_SHAPE_CORRESPONDENCE_START(part_names, , ) // of Segmented_shape::from_segmentation()
 #undef CGAL_SHAPE_CORRESPONDENCE_START
 
 /// The option structure (`Search_options` or `Structure_options`) that a parameter pack describes.

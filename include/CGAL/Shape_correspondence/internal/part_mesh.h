@@ -1,0 +1,121 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_INTERNAL_PART_MESH_H
+#define CGAL_SHAPE_CORRESPONDENCE_INTERNAL_PART_MESH_H
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/Points.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace parameters {
+
+/// Tag of the named parameter `part_names` (parameters.h).
+struct part_names_t
+{};
+
+} // namespace parameters
+
+namespace internal {
+
+template <typename NamedParameters, typename Tag>
+constexpr bool is_named = !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+/// The points of a mesh's vertices: the named parameter `vertex_point_map`, or the mesh's own map.
+template <typename Mesh, typename NamedParameters>
+auto vertex_point_map(const Mesh& mesh, const NamedParameters& np)
+{
+  if constexpr (is_named<NamedParameters, internal_np::vertex_point_t>)
+    return CGAL::parameters::get_parameter(np, internal_np::vertex_point);
+  else
+    return get(CGAL::vertex_point, mesh);
+}
+
+/// The name of the part that a segment becomes: of the named parameter `part_names`, or made of the id.
+template <typename NamedParameters>
+std::string part_name(long long id, const NamedParameters& np)
+{
+  if constexpr (is_named<NamedParameters, parameters::part_names_t>) {
+    const auto& names = CGAL::parameters::get_parameter_reference(np, parameters::part_names_t());
+    try {
+      return names.at(id);
+    } catch (const std::out_of_range&) {
+      throw Invalid_input("part_names has no name for segment " + std::to_string(id));
+    }
+  } else
+    return "segment_" + std::to_string(id);
+}
+
+/// Collects faces of a mesh as an indexed triangle mesh that holds their vertices only; polygons become fans.
+template <typename Mesh, typename VertexPointMap>
+class Part_mesh_builder
+{
+  using vertex_descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  using face_descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
+
+public:
+  Part_mesh_builder(const Mesh& mesh, const VertexPointMap& points) : mesh_(&mesh), vertex_points_(points) {}
+
+  void add_face(face_descriptor face)
+  {
+    std::vector<int> corners;
+    const auto first = halfedge(face, *mesh_);
+    auto h = first;
+    do {
+      corners.push_back(index_of(target(h, *mesh_)));
+      h = next(h, *mesh_);
+    } while (h != first);
+    for (std::size_t k = 2; k < corners.size(); ++k)
+      triangles_.emplace_back(corners[0], corners[k - 1], corners[k]);
+  }
+
+  Points points() const { return matrix<Points>(points_); }
+  Eigen::Matrix3Xi triangles() const { return matrix<Eigen::Matrix3Xi>(triangles_); }
+
+private:
+  template <typename Matrix, typename Column>
+  static Matrix matrix(const std::vector<Column>& columns)
+  {
+    Matrix result(3, Eigen::Index(columns.size()));
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      result.col(Eigen::Index(i)) = columns[i];
+    return result;
+  }
+
+  int index_of(vertex_descriptor v)
+  {
+    const auto [position, is_new] = indices_.emplace(v, int(points_.size()));
+    if (is_new) {
+      const auto& p = get(vertex_points_, v);
+      points_.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    }
+    return position->second;
+  }
+
+  const Mesh* mesh_;
+  VertexPointMap vertex_points_;
+  std::map<vertex_descriptor, int> indices_;
+  std::vector<Point> points_;
+  std::vector<Eigen::Vector3i> triangles_;
+};
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_PART_MESH_H

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "abstraction/spatial_graph.h"
+
+#include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+Spatial_graph_view::Spatial_graph_view(const Spatial_graph& graph)
+    : points_(&graph.points), graph_(static_cast<std::size_t>(graph.points.cols()))
+{
+  for (const auto& [a, b] : graph.edges) {
+    if (a != b) {
+      add_edge(a, b);
+    }
+  }
+}
+
+void Spatial_graph_view::add_edge(int a, int b)
+{
+  const auto next = neighbours(a);
+  if (std::find(next.begin(), next.end(), b) == next.end()) {
+    boost::add_edge(a, b, graph_);
+  }
+}
+
+void Spatial_graph_view::connect_near(double radius)
+{
+  std::vector<int> order(static_cast<std::size_t>(size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [this](int a, int b) { return point(a).x() != point(b).x() ? point(a).x() < point(b).x() : a < b; });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t j = i + 1; j < order.size() && point(order[j]).x() - point(order[i]).x() < radius; ++j) {
+      if (length(order[i], order[j]) < radius) {
+        add_edge(order[i], order[j]);
+      }
+    }
+  }
+}
+
+std::vector<std::pair<int, int>> Spatial_graph_view::edges() const
+{
+  std::vector<std::pair<int, int>> result;
+  for (int a = 0; a < size(); ++a) {
+    for (int b : neighbours(a)) {
+      if (a < b) {
+        result.emplace_back(a, b);
+      }
+    }
+  }
+  return result;
+}
+
+double Spatial_graph_view::total_length() const
+{
+  double result = 0;
+  for (const auto& [a, b] : edges()) {
+    result += length(a, b);
+  }
+  return result;
+}
+
+Spatial_graph_view::Shortest_paths Spatial_graph_view::shortest_paths(int source, const Edge_length& edge_length) const
+{
+  // Of vertices equally far away the one of the lower index goes first: a distance is a length and the vertex's index
+  using Distance = std::pair<double, int>;
+  const auto n = static_cast<std::size_t>(size());
+  std::vector<Distance> distances(n);
+  Shortest_paths result{Eigen::VectorXd(size()), std::vector<int>(n)};
+  const auto index = boost::get(boost::vertex_index, graph_);
+  const auto length_and_target = [&](auto edge) {
+    const int a = static_cast<int>(boost::source(edge, graph_)), b = static_cast<int>(boost::target(edge, graph_));
+    return Distance(edge_length(a, b), b);
+  };
+  using Edge = boost::graph_traits<decltype(graph_)>::edge_descriptor;
+  boost::dijkstra_shortest_paths(
+      graph_, source,
+      boost::weight_map(boost::make_function_property_map<Edge>(length_and_target))
+          .distance_map(boost::make_iterator_property_map(distances.begin(), index))
+          .predecessor_map(boost::make_iterator_property_map(result.predecessors.begin(), index))
+          .distance_compare(std::less<Distance>())
+          .distance_combine(
+              [](const Distance& d, const Distance& step) { return Distance(d.first + step.first, step.second); })
+          .distance_inf(Distance(std::numeric_limits<double>::infinity(), -1))
+          .distance_zero(Distance(0, -1)));
+  for (int v = 0; v < size(); ++v) {
+    result.distances[v] = distances[static_cast<std::size_t>(v)].first;
+  }
+  return result;
+}
+
+Eigen::VectorXd Spatial_graph_view::distances_from(int source) const
+{
+  return shortest_paths(source, [this](int a, int b) { return length(a, b); }).distances;
+}
+
+int Spatial_graph_view::farthest(const Eigen::VectorXd& distances) const
+{
+  int result = 0;
+  double largest = -1;
+  for (int v = 0; v < size(); ++v) {
+    if (distances[v] > largest && distances[v] < std::numeric_limits<double>::infinity()) {
+      largest = distances[v];
+      result = v;
+    }
+  }
+  return result;
+}
+
+std::vector<int> Spatial_graph_view::path(int from, int to) const
+{
+  return path(from, to, [this](int a, int b) { return length(a, b); });
+}
+
+std::vector<int> Spatial_graph_view::path(int from, int to, const Edge_length& edge_length) const
+{
+  const Shortest_paths paths = shortest_paths(from, edge_length);
+  if (!(paths.distances[to] < std::numeric_limits<double>::infinity())) {
+    return {};
+  }
+  std::vector<int> result{to};
+  while (result.back() != from) {
+    result.push_back(paths.predecessors[static_cast<std::size_t>(result.back())]);
+  }
+  std::reverse(result.begin(), result.end());
+  return result;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "base/eigen_system.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+Eigen_system eigen_system(const Eigen::Matrix3d& symmetric)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(symmetric);
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+Eigen::Matrix3d scatter_matrix(const Points& points) { return points * points.transpose(); }
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "blend/In_between_shape.h"
+
+#include "blend/Affine_motion.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+In_between_shape::In_between_shape(const Blend_structure& blend, const Task_times& times, double t)
+    : blend_(blend),
+      t_(t),
+      points_(blend.parts.size()),
+      surface_(blend.parts.size(), -1),
+      remaining_(blend.parts.size(), 1)
+{
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Blend_part& part = blend.parts[i];
+    const double own = std::clamp((t - times[i][0]) / (times[i][1] - times[i][0]), 0., 1.);
+    if (part.morph) {
+      surface_[i] = part.morph->surface(own);
+      for (int surface : {0, 1})
+        points_[i][std::size_t(surface)] = part.points(surface, own);
+    } else {
+      remaining_[i] = part.end() == 0 ? 1 - own : own;
+    }
+  }
+}
+
+void In_between_shape::set_unmatched(std::size_t part, Points points)
+{
+  points_[part][0] = std::move(points);
+  if (remaining_[part] > 0) surface_[part] = 0;
+}
+
+In_between_shape::Tree In_between_shape::tree(std::size_t part) const
+{
+  Tree result = *blend_.parts[part].trees[std::size_t(surface_[part])];
+  refit(result, part);
+  return result;
+}
+
+In_between_shape::Trees In_between_shape::trees() const
+{
+  Trees result(points_.size());
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (is_there(i)) result[i] = tree(i);
+  return result;
+}
+
+void In_between_shape::refit(Tree& tree, std::size_t part) const
+{
+  const Eigen::Matrix3Xi& triangles = blend_.parts[part].triangles(surface_[part]);
+  tree.move([&](std::size_t t) { return triangle_of(points(part), triangles, t); });
+}
+
+void In_between_shape::apply(const Affine_motion& motion, std::size_t part)
+{
+  for (Points& surface : points_[part])
+    motion.apply(surface);
+}
+
+double In_between_shape::needed_rise(std::size_t part) const
+{
+  const Blend_part& standing = blend_.parts[part];
+  if (!standing.stands) return std::max(0., ground() - lowest(part));
+  const double level = (1 - t_) * standing.foot[0] + t_ * standing.foot[1];
+  return ground() + level - lowest(part);
+}
+
+void In_between_shape::add_disconnection(double gap) { widest_disconnection_ = std::max(widest_disconnection_, gap); }
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_IN_BETWEEN_SHAPE_H
+#define CGAL_SHAPE_CORRESPONDENCE_BLEND_IN_BETWEEN_SHAPE_H
+
+#include "blend/Blend_structure.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+struct Affine_motion;
+
+/// When each part's task begins and ends.
+using Task_times = std::vector<std::array<double, 2>>;
+
+/// The surfaces of the parts of a blend at a time strictly between its ends. Parts and surfaces are named by index.
+class In_between_shape
+{
+public:
+  using Tree = contacts::Triangle_tree;
+  using Trees = std::vector<std::optional<Tree>>; ///< by part, of the surface that there is
+
+  // Over the height
+  static constexpr double closed_gap = 1e-4;            ///< a gap that is none
+  static constexpr double widest_connected_gap = 0.005; ///< between components, over what the ends have
+  /// Of a part's full size: what is smaller is moved as it is, not stretched, which would tear what it becomes apart.
+  static constexpr double least_stretched = 0.1;
+
+  /// Matched parts morph, each for itself; the others are not there yet.
+  In_between_shape(const Blend_structure& blend, const Task_times& times, double t);
+
+  const Blend_structure& blend() const { return blend_; }
+  const Blend_part& part(std::size_t part) const { return blend_.parts[part]; }
+  std::size_t number_of_parts() const { return points_.size(); }
+  double time() const { return t_; }
+
+  /// The one of a part's surfaces that there is, or -1.
+  int surface(std::size_t part) const { return surface_[part]; }
+  bool is_there(std::size_t part) const { return surface_[part] >= 0; }
+  const Points& points(std::size_t part, int surface) const { return points_[part][std::size_t(surface)]; }
+  /// Of the surface that there is.
+  const Points& points(std::size_t part) const { return points(part, surface_[part]); }
+  Points& points(std::size_t part) { return points_[part][std::size_t(surface_[part])]; }
+  /// How much there is of an unmatched part, in [0, 1].
+  double remaining(std::size_t part) const { return remaining_[part]; }
+  /// An unmatched part is there as far as something of it remains.
+  void set_unmatched(std::size_t part, Points points);
+
+  Tree tree(std::size_t part) const;
+  Trees trees() const;
+  /// Moves a tree of a part's surface to where that is now.
+  void refit(Tree& tree, std::size_t part) const;
+  /// Moves all surfaces of a part.
+  void apply(const Affine_motion& motion, std::size_t part);
+
+  /// The height of the ground.
+  double ground() const { return (1 - t_) * blend_.ground[0] + t_ * blend_.ground[1]; }
+  double lowest(std::size_t part) const { return points(part).row(1).minCoeff(); }
+  /// How far a part is to rise to be as high above the ground as it is, in between, at the ends, if it stands there, or
+  /// else to be above the ground.
+  double needed_rise(std::size_t part) const;
+
+  /// How far components were from each other, at most, before they were reconnected.
+  double widest_disconnection() const { return widest_disconnection_; }
+  void add_disconnection(double gap);
+
+private:
+  const Blend_structure& blend_;
+  double t_;
+  std::vector<std::array<Points, 2>> points_; ///< by part and surface
+  std::vector<int> surface_;
+  std::vector<double> remaining_;
+  double widest_disconnection_ = 0;
+};
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_IN_BETWEEN_SHAPE_H

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "blend/Part_morph.h"
+
+#include "map/Charted_mesh.h"
+#include "map/Part_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target,
+                       const std::optional<bool>& forward)
+    : source_(charts.source), target_(charts.target)
+{
+  constexpr double longest_edge = 0.3; // in coordinates, of 2 from end to end
+  const Charted_mesh a = finely_charted(source, source_, longest_edge);
+  const Charted_mesh b = finely_charted(target, target_, longest_edge);
+  if (forward) {
+    forward_ = *forward;
+    surfaces_ = forward_ ? surface_pair(a, b) : surface_pair(b, a);
+    return;
+  }
+  Surface_pair ahead = surface_pair(a, b), back = surface_pair(b, a);
+  forward_ = ahead.second.reach() <= back.second.reach();
+  surfaces_ = std::move(forward_ ? ahead : back);
+}
+
+Points Part_morph::points(int surface, double t) const
+{
+  constexpr double instant = 1e-12; // the least time for a motion
+  const Part_chart chart = Part_chart::between(source_, target_, t);
+  const Moving_surface& mesh = moving(surface);
+  const double own_time = forward_ ? t : 1 - t;
+  const double moved = std::clamp((own_time - mesh.begin) / std::max(mesh.end - mesh.begin, instant), 0., 1.);
+  Points result(3, mesh.coordinates[0].cols());
+  for (Eigen::Index i = 0; i < result.cols(); ++i) {
+    const Point k = (1 - moved) * mesh.coordinates[0].col(i) + moved * mesh.coordinates[1].col(i);
+    const Point off = (1 - own_time) * mesh.offsets[0].col(i) + own_time * mesh.offsets[1].col(i);
+    result.col(i) = chart(k) + chart.frame(k) * off;
+  }
+  return result;
+}
+
+double Part_morph::Moving_surface::reach() const
+{
+  return std::sqrt((coordinates[1] - coordinates[0]).colwise().squaredNorm().maxCoeff());
+}
+
+Part_morph::Moving_surface Part_morph::at_rest(const Charted_mesh& mesh)
+{
+  Moving_surface result;
+  result.triangles = mesh.triangles;
+  result.coordinates = {mesh.coordinates, mesh.coordinates};
+  result.offsets = {mesh.offsets, mesh.offsets};
+  return result;
+}
+
+Part_morph::Surface_pair Part_morph::surface_pair(const Charted_mesh& a, const Charted_mesh& b)
+{
+  constexpr double shortest = 0.1; // share of the time, so that what has a short way does not take it in an instant
+  Surface_pair result;
+  Moving_surface& first = result.first = at_rest(a);
+  const Points normals_a = chart_normals(a), normals_b = chart_normals(b);
+  const Place_finder target(b.coordinates, b.triangles, normals_b);
+  for (Eigen::Index i = 0; i < a.points.cols(); ++i) {
+    const Mesh_place place = target(a.coordinates.col(i), normals_a.col(i));
+    first.coordinates[1].col(i) = place.of(b.coordinates, b.triangles);
+    first.offsets[1].col(i) = place.of(b.offsets, b.triangles);
+  }
+  Moving_surface& second = result.second = at_rest(b);
+  const Place_finder reached(first.coordinates[1], a.triangles, normals_a);
+  for (Eigen::Index i = 0; i < b.points.cols(); ++i) {
+    const Mesh_place place = reached(b.coordinates.col(i), normals_b.col(i));
+    second.coordinates[0].col(i) = place.of(first.coordinates[1], a.triangles);
+    second.offsets[0].col(i) = place.of(a.offsets, a.triangles);
+  }
+  const double first_reach = first.reach(), both = first_reach + second.reach();
+  result.change = both > 0 ? std::clamp(first_reach / both, shortest, 1 - shortest) : 1;
+  first.end = second.begin = result.change;
+  return result;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_MIRROR_IMAGES_H
+#define CGAL_SHAPE_CORRESPONDENCE_BLEND_MIRROR_IMAGES_H
+
+#include "map/Charted_mesh.h"
+#include "map/Part_pair.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+inline Point mirrored(Point p)
+{
+  p.x() = -p.x();
+  return p;
+}
+
+inline Points mirrored(Points points)
+{
+  points.row(0) = -points.row(0);
+  return points;
+}
+
+/// The root mean square distance of some of the points, mirrored in x = 0, from a surface.
+double mirror_distance(const Points& points, const contacts::Triangle_tree& surface);
+
+/// Root mean square distance of some points of surfaces, mirrored in x = 0, from surfaces.
+/// \param trees those that there are
+double mirror_residual(const std::vector<const Points*>& surfaces,
+                       const std::vector<std::optional<contacts::Triangle_tree>>& trees);
+
+/// The mirror images in x = 0 of the parts of a shape, by index: a part that is its own image has itself.
+class Mirror_images
+{
+public:
+  static constexpr std::size_t none = std::size_t(-1);
+
+  Mirror_images() = default;
+  explicit Mirror_images(const std::vector<Part_mesh>& parts);
+
+  std::size_t operator[](std::size_t part) const { return images_.empty() ? none : images_[part]; }
+
+private:
+  std::vector<std::size_t> images_;
+};
+
+/// Adds the mirror image of every pair that has one: what a part becomes, its image becomes the image of.
+void add_mirrored(Part_pairs& pairs, const Mirror_images& source, const Mirror_images& target);
+
+/// Gives parts that are mirror images of each other charts that are, too, so that what they are divided among, and what
+/// is divided among them, is divided alike.
+void mirror_charts(const std::vector<Part_mesh>& parts, const Mirror_images& images, std::vector<Part_chart>& charts);
+
+/// Charts of a pair that is its own mirror image: boxes upright on the mirror plane.
+Pair_charts upright_charts(const Points& source, const Points& target);
+
+/// The turn by which a pair that is its own mirror image keeps the mirror plane where it is, on the way, too; none if
+/// its charts do not allow one.
+std::optional<Eigen::Matrix3d> mirrored_turn(const Part_pair& pair, const Charted_shape& source,
+                                             const Charted_shape& target);
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_MIRROR_IMAGES_H

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "blend/Affine_motion.h"
+#include "blend/in_between_steps.h"
+#include "blend/mirror_images.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+namespace {
+
+/// The middle of the lowest points of a part.
+Point foot(const In_between_shape& shape, std::size_t part)
+{
+  constexpr double level = 1e-3; // of the height, over the lowest one
+  const Points& points = shape.points(part);
+  const double low = shape.lowest(part);
+  Point sum = Point::Zero();
+  int count = 0;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    if (points(1, i) <= low + level) sum += points.col(i), ++count;
+  return sum / count;
+}
+
+/// Stretches a part that stands down to its place on the ground, and one that is in the ground up out of it; what is
+/// highest stays. What is beyond half of its height, the whole part moves.
+void put_foot(In_between_shape& shape, std::size_t part)
+{
+  constexpr double flat = 1e-6; // of the height: the least size that is stretched
+  const double rise = shape.needed_rise(part);
+  const double high = shape.points(part).row(1).maxCoeff(), height = std::max(high - shape.lowest(part), flat);
+  const double stretch = std::clamp(rise, -height / 2, height / 2);
+  Affine_motion motion{Point(0, high, 0), Point(0, rise - stretch, 0), Eigen::Matrix3d::Zero()};
+  motion.gradient(1, 1) = -stretch / height;
+  shape.apply(motion, part);
+}
+
+class Contact_relaxation
+{
+public:
+  explicit Contact_relaxation(In_between_shape& shape)
+      : shape_(shape), trees_(shape.trees()), nearest_(shape.blend().contacts.size())
+  {}
+
+  /// Moves all parts once, if any contact is open or any foot is off its place. Returns whether there was one.
+  bool improve()
+  {
+    Affine_motion_solver solver(bodies());
+    const bool are_closed = add_contacts(solver), is_grounded = add_feet(solver);
+    if (are_closed && is_grounded) return false;
+    move(solver.solve());
+    return true;
+  }
+
+private:
+  std::vector<Moving_body> bodies() const
+  {
+    constexpr double inertia = 0.01; // of a part as large as the shape is high, against a contact's 1
+    std::vector<Moving_body> result(shape_.number_of_parts());
+    for (std::size_t part = 0; part < result.size(); ++part) {
+      if (!shape_.is_there(part)) continue;
+      const contacts::Box& box = trees_[part]->box();
+      const double size = std::max(box.diagonal().norm(), In_between_shape::least_stretched * shape_.part(part).size);
+      result[part] = {box.center(), size, inertia * size};
+    }
+    return result;
+  }
+
+  /// Returns whether none is open.
+  bool add_contacts(Affine_motion_solver& solver)
+  {
+    constexpr double closed = In_between_shape::closed_gap;
+    bool are_closed = true;
+    for (std::size_t i = 0; i < nearest_.size(); ++i) {
+      const Contact_constraint& contact = shape_.blend().contacts[i];
+      const auto [a, b] = contact.parts;
+      const double allowed = contact.allowed_gap(shape_.time());
+      const contacts::Closest_pair closest = trees_[a]->nearly_closest(*trees_[b], allowed + closed, nearest_[i]);
+      const double gap = std::sqrt(closest.squared);
+      if (gap + In_between_shape::widest_connected_gap < allowed) continue; // it holds nothing
+      Point step = Point::Zero();
+      if (gap > allowed + closed) {
+        step = (gap - allowed) / gap * (closest.second - closest.first);
+        are_closed = false;
+      }
+      solver.add_contact(a, closest.first, b, closest.second, step);
+      const Blend_part &first = shape_.part(a), &second = shape_.part(b);
+      if (first.has_image() && second.has_image())
+        solver.add_contact(first.image, mirrored(closest.first), second.image, mirrored(closest.second),
+                           mirrored(step));
+    }
+    return are_closed;
+  }
+
+  /// Returns whether all are where they belong.
+  bool add_feet(Affine_motion_solver& solver) const
+  {
+    bool is_grounded = true;
+    for (std::size_t part = 0; part < shape_.number_of_parts(); ++part) {
+      if (!shape_.is_there(part)) continue;
+      const double rise = shape_.needed_rise(part);
+      if (!shape_.part(part).stands && rise <= 0) continue;
+      solver.add_rise(part, foot(shape_, part), rise);
+      is_grounded = is_grounded && std::abs(rise) <= In_between_shape::closed_gap;
+    }
+    return is_grounded;
+  }
+
+  void move(const std::vector<Affine_motion>& motions)
+  {
+    for (std::size_t part = 0; part < motions.size(); ++part) {
+      const Blend_part& moved = shape_.part(part);
+      shape_.apply(moved.has_image() ? motions[part].symmetrised(motions[moved.image]) : motions[part], part);
+      if (!shape_.is_there(part)) continue;
+      put_foot(shape_, part);
+      shape_.refit(*trees_[part], part);
+    }
+  }
+
+  In_between_shape& shape_;
+  In_between_shape::Trees trees_;
+  std::vector<contacts::Triangle_pair> nearest_; ///< by contact, where it was closest
+};
+
+} // namespace
+
+Relaxation relax_contacts(In_between_shape& shape)
+{
+  constexpr int most_rounds = 20;
+  Contact_relaxation relaxation(shape);
+  for (int round = 0; round < most_rounds; ++round)
+    if (!relaxation.improve()) return round == 0 ? Relaxation::NOTHING_TO_DO : Relaxation::CLOSED;
+  return Relaxation::OPEN;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL

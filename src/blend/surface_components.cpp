@@ -1,0 +1,106 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "blend/surface_components.h"
+
+#include "base/quantized.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace internal {
+
+std::vector<Surface_connection> shortest_connections(const std::vector<const contacts::Triangle_tree*>& surfaces,
+                                                     Disjoint_sets components)
+{
+  constexpr bool measured = false, bounded = true; // what is measured comes first
+  using Candidate = std::tuple<long, bool, std::size_t, std::size_t, double>;
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue;
+  for (std::size_t a = 0; a < surfaces.size(); ++a)
+    for (std::size_t b = a + 1; b < surfaces.size(); ++b) {
+      if (components[a] == components[b]) continue;
+      const double bound = surfaces[a]->box().exteriorDistance(surfaces[b]->box());
+      queue.emplace(quantized(bound), bounded, a, b, bound);
+    }
+  std::vector<Surface_connection> result;
+  while (!queue.empty()) {
+    const auto [key, kind, a, b, length] = queue.top();
+    queue.pop();
+    if (components[a] == components[b]) continue;
+    if (kind == bounded) {
+      contacts::Closest_pair closest;
+      surfaces[a]->improve_closest(*surfaces[b], closest);
+      const double exact = std::sqrt(closest.squared);
+      queue.emplace(quantized(exact), measured, a, b, exact);
+      continue;
+    }
+    components.unite(a, b);
+    result.push_back({{a, b}, length});
+  }
+  return result;
+}
+
+double widest_gap(const std::vector<contacts::Triangle_tree>& surfaces)
+{
+  std::vector<const contacts::Triangle_tree*> pointers;
+  for (const contacts::Triangle_tree& surface : surfaces)
+    pointers.push_back(&surface);
+  const std::vector<Surface_connection> connections = shortest_connections(pointers, Disjoint_sets(surfaces.size()));
+  return connections.empty() ? 0 : connections.back().length;
+}
+
+std::vector<contacts::Triangle_tree> trees_of(const std::vector<Part_mesh>& parts)
+{
+  std::vector<contacts::Triangle_tree> result;
+  for (const Part_mesh& part : parts)
+    result.push_back(tree_of(part.points, part.triangles));
+  return result;
+}
+
+Surface_components::Surface_components(std::vector<Tree> surfaces, double widest)
+    : surfaces_(std::move(surfaces)), components_(surfaces_.size())
+{
+  for (std::size_t a = 0; a < surfaces_.size(); ++a)
+    for (std::size_t b = a + 1; b < surfaces_.size(); ++b)
+      if (components_[a] != components_[b] && surfaces_[a].is_within(surfaces_[b], widest * widest)) unite(a, b);
+}
+
+std::optional<std::size_t> Surface_components::smallest() const
+{
+  std::map<std::size_t, double> sizes;
+  for (std::size_t a = 0; a < surfaces_.size(); ++a)
+    sizes[components_[a]] += surfaces_[a].box().diagonal().norm();
+  if (sizes.size() < 2) return std::nullopt;
+  const auto is_smaller = [](const auto& a, const auto& b) { return quantized(a.second) < quantized(b.second); };
+  return std::min_element(sizes.begin(), sizes.end(), is_smaller)->first;
+}
+
+Surface_components::Connection Surface_components::shortest_connection(std::size_t component) const
+{
+  std::size_t other = 0;
+  while (components_[other] == component)
+    ++other;
+  Connection shortest{component, other, {}};
+  for (std::size_t a = 0; a < surfaces_.size(); ++a)
+    for (std::size_t b = 0; b < surfaces_.size(); ++b) {
+      if (components_[a] != component || components_[b] == component ||
+          surfaces_[a].box().squaredExteriorDistance(surfaces_[b].box()) >= shortest.closest.squared)
+        continue;
+      const contacts::Closest_pair pair = surfaces_[a].nearly_closest(surfaces_[b]);
+      if (pair.squared < shortest.closest.squared) shortest = {a, b, pair};
+    }
+  return shortest;
+}
+
+} // namespace internal
+} // namespace Shape_correspondence
+} // namespace CGAL

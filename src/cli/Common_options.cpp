@@ -1,0 +1,98 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cli/Common_options.h"
+
+#include <boost/algorithm/string/join.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+
+namespace {
+
+void check_between(const std::string& option, double value, double least, double most)
+{
+  if (value >= least && value <= most) return;
+  std::ostringstream message;
+  message << "--" << option << " must be between " << least << " and " << most << ", not " << value;
+  throw Usage_error(message.str());
+}
+
+void check_positive(const std::string& option, double value)
+{
+  if (!(value > 0)) throw Usage_error("--" + option + " must be more than 0");
+}
+
+void check_abstraction(const Abstraction_options& options)
+{
+  check_positive("edge-length", options.edge_length);
+  check_positive("stop-volume", options.stop_volume);
+  check_positive("time-limit", options.time_limit);
+  check_at_least("triangles", options.triangles, 100);
+  check_at_least("max-iterations", options.maximum_iterations, 1);
+  check_at_least("curve-points", options.curve_points, 2);
+  check_at_least("sheet-points", options.sheet_points, 2);
+}
+
+} // namespace
+
+Point Common_options::up_vector() const
+{
+  return up == "x" ? Point::UnitX() : up == "z" ? Point::UnitZ() : Point::UnitY();
+}
+
+Symmetry_options Common_options::symmetry_options() const
+{
+  Symmetry_options result;
+  result.enabled = !no_symmetry;
+  result.tolerance = symmetry_tolerance;
+  const auto allows = [words = words_of(symmetries)](const char* kind) {
+    return std::find(words.begin(), words.end(), kind) != words.end();
+  };
+  result.reflection = allows("reflection");
+  result.rotation = allows("rotation");
+  result.translation = allows("translation");
+  return result;
+}
+
+std::vector<std::string> words_of(const std::string& list)
+{
+  std::vector<std::string> words;
+  std::istringstream in(list);
+  for (std::string word; std::getline(in, word, ',');)
+    words.push_back(word);
+  return words;
+}
+
+void check(const Common_options& options)
+{
+  check_word("up", options.up, {"x", "y", "z", "auto"});
+  for (const std::string& kind : words_of(options.symmetries))
+    check_word("symmetries", kind, {"reflection", "rotation", "translation"});
+  check_between("symmetry-tolerance", options.symmetry_tolerance, 0, 0.5);
+  check_between("contact-tolerance", options.contact_tolerance, 0, 0.5);
+  check_word("progress", options.progress, {"auto", "always", "never"});
+  check_abstraction(options.abstraction);
+}
+
+void check_word(const std::string& option, const std::string& value, const std::vector<std::string>& known)
+{
+  if (std::find(known.begin(), known.end(), value) != known.end()) return;
+  throw Usage_error("--" + option + " cannot be '" + value + "'; known are: " + boost::algorithm::join(known, ", "));
+}
+
+void check_at_least(const std::string& option, int value, int least)
+{
+  if (value < least)
+    throw Usage_error("--" + option + " must be at least " + std::to_string(least) + ", not " + std::to_string(value));
+}
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL

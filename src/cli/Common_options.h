@@ -1,0 +1,70 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COMMON_OPTIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_CLI_COMMON_OPTIONS_H
+
+#include <CGAL/Shape_correspondence/abstract_part.h>
+#include <CGAL/Shape_correspondence/detect_symmetry_groups.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace cli {
+
+/// The command line is not one that the program understands: exit status 2.
+class Usage_error : public std::runtime_error
+{
+public:
+  explicit Usage_error(const std::string& message) : std::runtime_error(message) {}
+};
+
+/// What every command knows.
+struct Common_options
+{
+  std::string json;              ///< empty: none
+  std::string glb;               ///< empty: none
+  std::string html;              ///< empty: none
+  std::string cache;             ///< empty: none
+  std::string up = "y";          ///< x, y, z or auto
+  std::string progress = "auto"; ///< auto, always or never
+  bool no_symmetry = false;
+  double symmetry_tolerance = 0.05;
+  std::string symmetries = "reflection,rotation,translation";
+  double contact_tolerance = 0.02;
+  bool segment = false;
+  Abstraction_options abstraction;
+  bool quiet = false;
+  int threads = 0; ///< 0: all
+  long seed = 0;
+
+  /// The upright direction; y where it is to be found.
+  Point up_vector() const;
+  bool finds_up() const { return up == "auto"; }
+  Symmetry_options symmetry_options() const;
+  /// Whether a table belongs on standard output: not where the JSON goes.
+  bool prints_table() const { return !quiet && json != "-"; }
+};
+
+/// The words of a list with commas in between.
+std::vector<std::string> words_of(const std::string& list);
+
+/// Checks the values of common options but for the outputs. \throw Usage_error
+void check(const Common_options& options);
+
+/// Throws `Usage_error` if `value` is none of `known`.
+void check_word(const std::string& option, const std::string& value, const std::vector<std::string>& known);
+
+/// Throws `Usage_error` if `value` is less than `least`.
+void check_at_least(const std::string& option, int value, int least);
+
+} // namespace cli
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_COMMON_OPTIONS_H

@@ -1,0 +1,132 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/Json_field.h"
+#include "io/input_file.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+void Json_field::fail(const std::string& what) const
+{
+  throw Invalid_input(file_ + ": " + (place_.empty() ? "the document" : place_) + " " + what);
+}
+
+bool Json_field::has(const std::string& key) const
+{
+  if (!value_->is_object()) fail("is not an object {...}");
+  return value_->contains(key);
+}
+
+bool Json_field::has(const std::string& key, const std::string& text) const
+{
+  return value_->is_object() && value_->value(key, nlohmann::json()) == text;
+}
+
+Json_field Json_field::operator[](const std::string& key) const
+{
+  if (!has(key)) fail("has no key \"" + key + "\"");
+  return at((*value_)[key], place_.empty() ? key : place_ + "." + key);
+}
+
+std::vector<Json_field> Json_field::elements() const
+{
+  if (!value_->is_array()) fail("is not an array [...]");
+  std::vector<Json_field> result;
+  for (std::size_t i = 0; i < value_->size(); ++i)
+    result.push_back(at((*value_)[i], place_ + "[" + std::to_string(i) + "]"));
+  return result;
+}
+
+std::vector<Json_field> Json_field::elements(std::size_t size, const char* meaning) const
+{
+  std::vector<Json_field> result = elements();
+  if (result.size() != size)
+    fail("is not " + std::string(meaning) + ": it has " + std::to_string(result.size()) + " elements instead of " +
+         std::to_string(size));
+  return result;
+}
+
+double Json_field::number() const
+{
+  if (!value_->is_number()) fail("is not a number");
+  const double result = value_->get<double>();
+  if (!std::isfinite(result)) fail("is not a finite number");
+  return result;
+}
+
+double Json_field::number_at_least_0() const
+{
+  const double result = number();
+  if (result < 0) fail("is negative");
+  return result;
+}
+
+int Json_field::integer() const
+{
+  if (!value_->is_number_integer()) fail("is not a whole number");
+  return value_->get<int>();
+}
+
+bool Json_field::boolean() const
+{
+  if (!value_->is_boolean()) fail("is neither true nor false");
+  return value_->get<bool>();
+}
+
+bool Json_field::is_null() const { return value_->is_null(); }
+
+std::string Json_field::text() const
+{
+  if (!value_->is_string()) fail("is not a string");
+  return value_->get<std::string>();
+}
+
+std::vector<std::string> Json_field::texts() const
+{
+  std::vector<std::string> result;
+  for (const Json_field& element : elements())
+    result.push_back(element.text());
+  return result;
+}
+
+Point Json_field::point() const
+{
+  const std::vector<Json_field> coordinates = elements(3, "a point [x, y, z]");
+  return Point(coordinates[0].number(), coordinates[1].number(), coordinates[2].number());
+}
+
+Point Json_field::unit_vector() const
+{
+  const Point result = point();
+  if (std::abs(result.norm() - 1) > 1e-6) fail("is not a unit vector");
+  return result;
+}
+
+Json_field read_json(std::istream& in, const std::string& file)
+{
+  try {
+    return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(in)), file, ""};
+  } catch (const nlohmann::json::exception& error) {
+    throw Invalid_input(file + ": it is not a JSON document (" + error.what() + ")");
+  }
+}
+
+Json_field read_json_file(const std::string& path)
+{
+  std::ifstream in = open_input(path);
+  return read_json(in, path);
+}
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_JSON_FIELD_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_JSON_FIELD_H
+
+#include <CGAL/Shape_correspondence/Points.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// A value in a JSON document that knows where it is, so that every complaint names the file and the place.
+class Json_field
+{
+public:
+  /// Throws `Invalid_input`: file, place, `what`.
+  [[noreturn]] void fail(const std::string& what) const;
+
+  bool has(const std::string& key) const;
+  /// Whether it is an object that has this text at this key.
+  bool has(const std::string& key, const std::string& text) const;
+  Json_field operator[](const std::string& key) const; ///< fails where the key is missing
+
+  std::vector<Json_field> elements() const; ///< of an array
+  std::vector<Json_field> elements(std::size_t size, const char* meaning) const;
+
+  double number() const;
+  double number_at_least_0() const;
+  int integer() const;
+  bool boolean() const;
+  bool is_null() const;
+  std::string text() const;
+  std::vector<std::string> texts() const; ///< of an array
+  Point point() const;
+  Point unit_vector() const;
+
+private:
+  friend Json_field read_json(std::istream& in, const std::string& file);
+
+  using Value = std::shared_ptr<const nlohmann::json>; ///< keeps the whole document
+
+  Json_field(Value value, const std::string& file, std::string place)
+      : value_(std::move(value)), file_(file), place_(std::move(place))
+  {}
+
+  Json_field at(const nlohmann::json& value, std::string place) const { return {Value(value_, &value), file_, place}; }
+
+  Value value_;
+  std::string file_;
+  std::string place_;
+};
+
+/// The JSON document in a stream. \throw Invalid_input if it is none; names `file`
+Json_field read_json(std::istream& in, const std::string& file);
+
+/// The JSON document in a file. \throw Invalid_input if it cannot be read or is none
+Json_field read_json_file(const std::string& path);
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_JSON_FIELD_H

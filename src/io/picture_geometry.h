@@ -1,0 +1,34 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_PICTURE_GEOMETRY_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_PICTURE_GEOMETRY_H
+
+#include "io/glb_builder.h"
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// A surface that is smooth where faces meet at less than 35° and has edges elsewhere.
+Drawn_mesh shaded(const Points& points, const Eigen::Matrix3Xi& triangles);
+
+/// A round tube along a polyline.
+Drawn_mesh tube(const Points& polyline, bool closed, double radius);
+
+/// The surface of a grid of points, row by row.
+Drawn_mesh patch(const Points& grid, int rows, int cols);
+
+/// A small sphere.
+Drawn_mesh sphere(const Point& centre, double radius);
+
+/// All of them as one.
+Drawn_mesh joined(const std::vector<Drawn_mesh>& meshes);
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_PICTURE_GEOMETRY_H

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Who includes whom, held against the tables of src/README.md.
+
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/split.hpp>
+#include <boost/algorithm/string/trim.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path root = fs::path(SHAPE_CORRESPONDENCE_DATA_DIR).parent_path();
+const fs::path public_folder = root / "include/CGAL/Shape_correspondence", private_folder = root / "src";
+const std::string public_prefix = "CGAL/Shape_correspondence/";
+
+std::vector<std::string> cells(std::string text, const char* separators)
+{
+  std::vector<std::string> result;
+  boost::algorithm::split(result, text, boost::algorithm::is_any_of(separators));
+  for (std::string& cell : result)
+    boost::algorithm::trim(cell);
+  return result;
+}
+
+struct Floor_plan
+{
+  std::vector<std::string> rooms;
+  std::map<std::string, std::set<std::string>> may_include; ///< by room
+  std::map<std::string, std::string> headers;               ///< the room of a public header without a source
+};
+
+Floor_plan read_plan()
+{
+  Floor_plan plan;
+  std::ifstream in(private_folder / "README.md");
+  bool is_line_of_room = true;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line[0] != '|' || line[1] == '-') continue;
+    const std::vector<std::string> cell = cells(line, "|"); // the first and the last are empty
+    if (cell[1] == "room") continue;
+    if (cell[1] == "public header") {
+      is_line_of_room = false;
+    } else if (is_line_of_room) {
+      plan.rooms.push_back(cell.at(1));
+      for (const std::string& room : cells(cell.at(3), ","))
+        if (!room.empty()) plan.may_include[cell[1]].insert(room);
+    } else {
+      plan.headers[cell[1]] = cell.at(2);
+    }
+  }
+  return plan;
+}
+
+/// Files of the package by the names that they are included by.
+std::map<std::string, fs::path> package_files()
+{
+  std::map<std::string, fs::path> files;
+  for (const auto& [folder, prefix] : {std::pair(private_folder, std::string()), {public_folder, public_prefix}})
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+      if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp")
+        files[prefix + entry.path().lexically_relative(folder).generic_string()] = entry.path();
+  return files;
+}
+
+/// The files of the package that each one includes.
+std::map<std::string, std::vector<std::string>> package_includes()
+{
+  const std::map<std::string, fs::path> files = package_files();
+  std::map<std::string, std::vector<std::string>> result;
+  for (const auto& [name, path] : files) {
+    std::vector<std::string>& included = result[name];
+    std::ifstream in(path);
+    for (std::string line; std::getline(in, line);) {
+      if (line.compare(0, 9, "#include ") != 0) continue;
+      const std::string target = line.substr(10, line.find_first_of("\">", 10) - 10);
+      if (files.count(target)) included.push_back(target);
+    }
+  }
+  return result;
+}
+
+/// The room of a file; empty if there is none.
+std::string room_of(const std::string& file, const Floor_plan& plan)
+{
+  if (file.compare(0, public_prefix.size(), public_prefix) != 0) return file.substr(0, file.find('/'));
+  const std::string name = fs::path(file.substr(public_prefix.size())).replace_extension().generic_string();
+  const auto listed = plan.headers.find(name);
+  if (listed != plan.headers.end()) return listed->second;
+  const std::string source = fs::path(name).filename().string() + ".cpp";
+  for (const std::string& room : plan.rooms)
+    if (fs::exists(private_folder / room / source)) return room;
+  return "";
+}
+
+/// Follows includes in depth. \return a file that includes itself in the end; empty if there is none
+std::string file_in_circle(const std::string& file, const std::map<std::string, std::vector<std::string>>& includes,
+                           std::map<std::string, int>& state)
+{
+  enum { NEW, OPEN, DONE };
+  if (state[file] != NEW) return state[file] == OPEN ? file : "";
+  state[file] = OPEN;
+  for (const std::string& included : includes.at(file)) {
+    const std::string found = file_in_circle(included, includes, state);
+    if (!found.empty()) return found;
+  }
+  state[file] = DONE;
+  return "";
+}
+
+} // namespace
+
+TEST_CASE("The plan goes downward: a room may include rooms of the lines above only")
+{
+  const Floor_plan plan = read_plan();
+  REQUIRE(plan.rooms.size() >= 12);
+  std::set<std::string> above;
+  for (const std::string& room : plan.rooms) {
+    INFO(room);
+    CHECK(fs::is_directory(private_folder / room));
+    if (plan.may_include.count(room))
+      for (const std::string& other : plan.may_include.at(room)) {
+        INFO(other);
+        CHECK(above.count(other));
+      }
+    above.insert(room);
+  }
+}
+
+TEST_CASE("Every file has a room")
+{
+  const Floor_plan plan = read_plan();
+  const std::set<std::string> rooms(plan.rooms.begin(), plan.rooms.end());
+  for (const auto& [file, path] : package_files()) {
+    INFO(file);
+    CHECK(rooms.count(room_of(file, plan)));
+  }
+  for (const auto& [header, room] : plan.headers) {
+    INFO(header);
+    CHECK(fs::exists(public_folder / (header + ".h")));
+  }
+}
+
+TEST_CASE("Files include what the plan allows")
+{
+  const Floor_plan plan = read_plan();
+  std::set<std::pair<std::string, std::string>> arrows;
+  for (const auto& [file, included] : package_includes())
+    for (const std::string& target : included) {
+      const std::string from = room_of(file, plan), to = room_of(target, plan);
+      if (from == to) continue;
+      INFO(file << " (" << from << ") includes " << target << " (" << to << ")");
+      CHECK((plan.may_include.count(from) && plan.may_include.at(from).count(to)));
+      arrows.emplace(from, to);
+    }
+  for (const auto& [room, others] : plan.may_include)
+    for (const std::string& other : others) {
+      INFO("the plan lets " << room << " include " << other << ", which it does not");
+      CHECK(arrows.count({room, other}));
+    }
+}
+
+TEST_CASE("No files include each other in a circle")
+{
+  const auto includes = package_includes();
+  REQUIRE(includes.size() > 100);
+  std::map<std::string, int> state;
+  for (const auto& [file, included] : includes)
+    CHECK(file_in_circle(file, includes, state) == "");
+}
