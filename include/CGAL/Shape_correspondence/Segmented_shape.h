@@ -40,13 +40,17 @@ struct Shape_part
 class Segmented_shape
 {
 public:
+  /// A shape without parts.
   /// \param name names the shape in messages and files
   /// \param up the upright direction, a unit vector
   explicit Segmented_shape(std::string name = "shape", const Point& up = Point::UnitY());
 
   /// Builds a shape of a range of pairs (name, triangle mesh).
   /// \tparam NamedMeshRange a range of pairs of a `std::string` and a model of `FaceListGraph`
-  /// \param np named parameters for every mesh, as `add_mesh()` takes them
+  /// \param meshes the parts
+  /// \param name names the shape in messages and files
+  /// \param up the upright direction, a unit vector
+  /// \param np optional named parameters for every mesh, those of `add_mesh()`
   template <typename NamedMeshRange, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   static Segmented_shape from_meshes(const NamedMeshRange& meshes, std::string name = "shape",
                                      const Point& up = Point::UnitY(), const NamedParameters& np = NamedParameters());
@@ -55,11 +59,15 @@ public:
   /// makes it: the faces of an id become a part, parts in ascending order of their ids.
   /// \tparam TriangleMesh a model of `FaceListGraph`
   /// \tparam SegmentIdMap a model of `ReadablePropertyMap`, face descriptor to an integer
+  /// \param mesh the surface of the shape
+  /// \param segment_ids the segment of every face
+  /// \param name names the shape in messages and files
+  /// \param up the upright direction, a unit vector
   /// \param np an optional sequence of named parameters among the ones listed below
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{part_names}
-  ///     \cgalParamDescription{the names of the parts by segment id (`parameters::part_names()` in parameters.h)}
+  ///     \cgalParamDescription{the names of the parts by segment id (`parameters::part_names()`)}
   ///     \cgalParamType{a container with `at(id)`, such as a `std::vector<std::string>` or a
   ///                    `std::map<int, std::string>`}
   ///     \cgalParamDefault{`segment_i` for the id `i`}
@@ -92,7 +100,9 @@ public:
 
   /// Adds a part given as a triangle mesh; throws as `add_part()` does.
   /// \tparam TriangleMesh a model of `FaceListGraph`
-  /// \param np an optional named parameter
+  /// \param name the name of the part
+  /// \param mesh its surface
+  /// \param np an optional named parameter, listed below
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{vertex_point_map}
