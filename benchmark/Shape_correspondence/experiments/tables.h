@@ -77,8 +77,10 @@ inline void table2(const Dataset& dataset)
   };
   const auto xu = co_analyzed([](const Structural_graph& source, const Structural_graph& target) {
     const auto [a, b] = peers::boxed_pair(source, target);
-    const Part_pairs pairs = peers::match_xu_2012(a, b);
-    return Part_map{pairs, std::vector<double>(pairs.size(), 1)};
+    Part_map result;
+    for (const auto& [i, j] : peers::match_xu_2012(a, b))
+      result.pairs.push_back({i, j, 1});
+    return result;
   });
   std::vector<std::string> heading{"method"};
   for (const Category& category : dataset)
