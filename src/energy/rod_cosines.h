@@ -218,10 +218,11 @@ answer(const Rod_block* const* rods, const Sample_lanes& first, int n, const Sam
   }
   Rod_answer<Sources> result;
   alignas(64) float lanes[block_lanes];
-  for (int s = 0; s < Sources; ++s) {
-    std::memcpy(lanes, totals.cosines[s], sizeof lanes);
-    result.squared_cosines[s] = sum_of_block<Width>(lanes);
-  }
+  if constexpr (Sources > 0)
+    for (int s = 0; s < Sources; ++s) {
+      std::memcpy(lanes, totals.cosines[s], sizeof lanes);
+      result.squared_cosines[s] = sum_of_block<Width>(lanes);
+    }
   if (Least) {
     std::memcpy(lanes, totals.least, sizeof lanes);
     result.least_squared_length = *std::min_element(lanes, lanes + block_lanes);
