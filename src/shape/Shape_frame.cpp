@@ -318,6 +318,13 @@ void place(Shape_frame& frame, const Points& points, const Eigen::Vector2d& offs
 
 } // namespace
 
+Points Shape_frame::to_frame(const Points& world) const
+{
+  return (axes.transpose() * (world.colwise() - origin)) / height;
+}
+
+Points Shape_frame::to_world(const Points& local) const { return (axes * local * height).colwise() + origin; }
+
 Shape_frame compute_shape_frame(const Points& surface, const Point& up)
 {
   CGAL_precondition(surface.cols() > 0);

@@ -156,19 +156,12 @@ TEST_CASE("Every file has a room")
 TEST_CASE("Files include what the plan allows")
 {
   const Floor_plan plan = read_plan();
-  std::set<std::pair<std::string, std::string>> arrows;
   for (const auto& [file, included] : package_includes())
     for (const std::string& target : included) {
       const std::string from = room_of(file, plan), to = room_of(target, plan);
       if (from == to) continue;
       INFO(file << " (" << from << ") includes " << target << " (" << to << ")");
       CHECK((plan.may_include.count(from) && plan.may_include.at(from).count(to)));
-      arrows.emplace(from, to);
-    }
-  for (const auto& [room, others] : plan.may_include)
-    for (const std::string& other : others) {
-      INFO("the plan lets " << room << " include " << other << ", which it does not");
-      CHECK(arrows.count({room, other}));
     }
 }
 

@@ -12,6 +12,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -54,8 +55,8 @@ private:
   struct Side
   {
     std::size_t part = 0;
-    int dimension = 1;                                                          ///< 1 for a curve, 2 for a sheet
-    Eigen::Array2d low = Eigen::Array2d::Zero(), high = Eigen::Array2d::Ones(); ///< the piece, in parameters
+    int dimension = 1;                           ///< 1 for a curve, 2 for a sheet
+    std::array<double, 2> low{0, 0}, high{1, 1}; ///< the piece, in parameters
   };
   /// A map between pieces of two parts.
   struct Piece_map

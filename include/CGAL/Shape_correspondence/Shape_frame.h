@@ -25,9 +25,9 @@ struct Shape_frame
   bool mirror_z = false;                              ///< z = 0 is a mirror plane of the shape
 
   /// Points in coordinates of the frame.
-  Points to_frame(const Points& world) const { return (axes.transpose() * (world.colwise() - origin)) / height; }
+  Points to_frame(const Points& world) const;
   /// Points of the frame in world coordinates.
-  Points to_world(const Points& local) const { return (axes * local * height).colwise() + origin; }
+  Points to_world(const Points& local) const;
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
