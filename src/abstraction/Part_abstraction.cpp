@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "abstraction/curve_and_sheet_geometry.h"
@@ -13,8 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 Point Curve::operator()(double t) const
@@ -84,5 +81,4 @@ double solidity(double volume, double hull_volume)
   return volume > 0 && hull_volume > 0 ? std::min(1., volume / hull_volume) : 1.;
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_ABSTRACT_MESH_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_ABSTRACT_MESH_H
+#pragma once
 
 #include "abstraction/bounding_box.h"
 #include "abstraction/canonical_form.h"
@@ -26,8 +23,7 @@
 #include <optional>
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 namespace internal {
 
 constexpr std::size_t surface_points_of_a_part = 256;
@@ -354,7 +350,4 @@ Part_abstraction Bounding_box_abstraction::operator()(const Shape_part& part, co
   result.report.blob = !is_sheet && internal::is_compact(box.extents);
   return result;
 }
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_ABSTRACT_MESH_H
+} // namespace CGAL::Shape_correspondence

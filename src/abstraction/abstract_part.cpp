@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "abstraction/abstract_mesh.h"
@@ -12,8 +10,7 @@
 
 #include <mutex>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
@@ -159,5 +156,4 @@ template std::vector<Part_abstraction> abstract_parts<CGAL::Sequential_tag>(cons
 template std::vector<Part_abstraction> abstract_parts<CGAL::Parallel_tag>(const Segmented_shape&, const Shape_frame&,
                                                                           const Abstraction_options&);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_BOUNDING_BOX_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_BOUNDING_BOX_H
+#pragma once
 
 #include "base/eigen_system.h"
 
@@ -13,9 +10,7 @@
 #include <algorithm>
 #include <array>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// The diagonal of the axis-parallel bounding box; 0 of no points.
 inline double diagonal(const Points& points)
@@ -107,8 +102,4 @@ inline bool is_compact(const Eigen::Vector3d& extents)
   return extents[1] > 0.2 * extents[0] && extents[2] >= 0.5 * extents[1];
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_BOUNDING_BOX_H
+} // namespace CGAL::Shape_correspondence::internal

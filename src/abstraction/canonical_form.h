@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CANONICAL_FORM_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CANONICAL_FORM_H
+#pragma once
 
 #include "abstraction/curve_and_sheet_geometry.h"
 
@@ -21,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// The same mesh whatever the order of its vertices and triangles, and with rounding noise in its coordinates or not:
 /// coordinates on a grid, equal vertices merged, vertices and triangles sorted, no triangle twice.
@@ -162,8 +157,4 @@ inline void make_canonical(Sheet& sheet)
   }
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CANONICAL_FORM_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CONGRUENCE_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CONGRUENCE_H
+#pragma once
 
 #include "abstraction/surface_samples.h"
 #include "base/Nearest_points.h"
@@ -23,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// A motion: x goes to linear * x + offset.
 struct Motion
@@ -192,8 +187,4 @@ inline std::vector<Congruence> find_congruences(const std::vector<Part_mesh>& me
   return result;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CONGRUENCE_H
+} // namespace CGAL::Shape_correspondence::internal

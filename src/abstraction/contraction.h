@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CONTRACTION_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CONTRACTION_H
+#pragma once
 
 #include "abstraction/inside_test.h"
 #include "base/deadline.h"
@@ -19,9 +16,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// A closed mesh on its way to its skeleton.
 struct Contracting_mesh
@@ -159,8 +154,4 @@ inline Points contracted(const Contracting_mesh& input, const Flow_weights& weig
   return result;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CONTRACTION_H
+} // namespace CGAL::Shape_correspondence::internal

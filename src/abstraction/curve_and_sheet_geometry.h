@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CURVE_AND_SHEET_GEOMETRY_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CURVE_AND_SHEET_GEOMETRY_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 
@@ -19,8 +16,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 namespace internal {
 
 /// A cell of a uniform subdivision and the position in it, in [0, 1].
@@ -194,7 +190,4 @@ inline Eigen::Vector2d nearest_parameter_on_sheet(const Sheet& sheet, const Poin
 
 } // namespace internal
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_CURVE_AND_SHEET_GEOMETRY_H
+} // namespace CGAL::Shape_correspondence

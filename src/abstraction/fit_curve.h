@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_FIT_CURVE_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_FIT_CURVE_H
+#pragma once
 
 #include "abstraction/curve_and_sheet_geometry.h"
 #include "abstraction/inside_test.h"
@@ -20,9 +17,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// A curve taken from a skeleton.
 struct Fitted_curve
@@ -293,8 +288,4 @@ inline Fitted_curve fit_curve(const Spatial_graph& skeleton, const Points& axis,
   return result;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_FIT_CURVE_H
+} // namespace CGAL::Shape_correspondence::internal

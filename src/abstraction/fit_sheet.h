@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_FIT_SHEET_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_FIT_SHEET_H
+#pragma once
 
 #include "abstraction/curve_and_sheet_geometry.h"
 #include "base/eigen_system.h"
@@ -22,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 struct Fitted_sheet
 {
@@ -351,8 +346,4 @@ inline Fitted_sheet fit_bent_sheet(const Points& axis, const Points& layout, dou
   return result;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_FIT_SHEET_H
+} // namespace CGAL::Shape_correspondence::internal

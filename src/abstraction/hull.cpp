@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "abstraction/hull.h"
@@ -18,9 +16,7 @@
 #include <map>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 /// Hull vertices of points that lie in a plane: those of the rectangle or polygon in it.
@@ -107,6 +103,4 @@ Convex_hull convex_hull(const Points& points)
   return measured_hull(hull);
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,17 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_HULL_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_HULL_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
 #include <CGAL/Shape_correspondence/version.h>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 struct Convex_hull
 {
@@ -21,8 +16,4 @@ struct Convex_hull
 
 Convex_hull convex_hull(const Points& points);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_HULL_H
+} // namespace CGAL::Shape_correspondence::internal

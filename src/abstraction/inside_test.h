@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_INSIDE_TEST_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_INSIDE_TEST_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
@@ -13,9 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// Tells which points a closed mesh encloses, by the parity of crossings of a ray along z. Triangles are found by a
 /// grid over their projections. A point within rounding error of an edge's projection may be judged wrongly.
@@ -107,8 +102,4 @@ private:
   std::vector<std::vector<Eigen::Index>> bins_;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_INSIDE_TEST_H
+} // namespace CGAL::Shape_correspondence::internal

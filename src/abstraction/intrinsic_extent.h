@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_INTRINSIC_EXTENT_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_INTRINSIC_EXTENT_H
+#pragma once
 
 #include "abstraction/spatial_graph.h"
 #include "base/eigen_system.h"
@@ -14,9 +11,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// A layout of a graph in space that keeps its geodesic distances: what is bent becomes straight.
 struct Intrinsic_layout
@@ -76,8 +71,4 @@ inline Intrinsic_layout intrinsic_layout(const Spatial_graph_view& graph)
   return result;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_INTRINSIC_EXTENT_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_MEDIAL_POLES_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_MEDIAL_POLES_H
+#pragma once
 
 #include "abstraction/inside_test.h"
 #include "abstraction/spatial_graph.h"
@@ -16,9 +13,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// Normals of vertices, the mean of their faces' by area, pointing outwards.
 inline Points vertex_normals(const Part_mesh& mesh)
@@ -93,8 +88,4 @@ inline Spatial_graph medial_graph(const Part_mesh& mesh)
   return result;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_MEDIAL_POLES_H
+} // namespace CGAL::Shape_correspondence::internal

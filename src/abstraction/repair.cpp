@@ -1,9 +1,6 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "abstraction/bounding_box.h"
 #include "abstraction/repair.h"
 #include "abstraction/bounding_box.h"
 #include "shape/meshes.h"
@@ -33,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -330,6 +325,4 @@ Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& d
   return to_part_mesh(mesh);
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPAIR_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPAIR_H
+#pragma once
 
 #include "base/deadline.h"
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// A part made fit for the flow.
 struct Repaired_part
@@ -32,8 +27,4 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline);
 /// \throw Flow_failure
 Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& deadline);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPAIR_H
+} // namespace CGAL::Shape_correspondence::internal

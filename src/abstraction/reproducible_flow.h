@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPRODUCIBLE_FLOW_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPRODUCIBLE_FLOW_H
+#pragma once
 
 #include "shape/meshes.h"
 
@@ -12,9 +9,7 @@
 
 #include <functional>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// A kernel of our own, so that the mesh inside the flow has a type of our own, for which the order of its edges can be
 /// defined.
@@ -25,9 +20,7 @@ using Flow = CGAL::Mean_curvature_flow_skeletonization<Halfedge_mesh, Flow_trait
 using Flow_mesh = Flow::Meso_skeleton;
 using Flow_edge = boost::graph_traits<Flow_mesh>::edge_descriptor;
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal
 
 /// The flow collapses short edges in the order of a `std::set` of edges. By default that is the order of their
 /// addresses, which differs from run to run, and so does the skeleton. The flow numbers all halfedges before each
@@ -46,5 +39,3 @@ private:
     return (std::min)(edge.halfedge()->id(), edge.halfedge()->opposite()->id());
   }
 };
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPRODUCIBLE_FLOW_H

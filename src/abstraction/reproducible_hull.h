@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPRODUCIBLE_HULL_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPRODUCIBLE_HULL_H
+#pragma once
 
 #include "shape/meshes.h"
 
@@ -13,9 +10,7 @@
 
 #include <functional>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// Makes the hull's traits, and so the triangulation inside the hull algorithm, types of our own.
 struct Hull_mesh_tag;
@@ -25,9 +20,7 @@ using Hull_triangulation =
     CGAL::Triangulation_data_structure_2<CGAL::Convex_hull_vertex_base_2<CGAL::GT3_for_CH3<Hull_traits>>,
                                          CGAL::Convex_hull_face_base_2<Hull_traits>>;
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal
 
 /// The hull algorithm goes round the border of what a point sees from the first vertex in a `std::map`. By default that
 /// is the one of the lowest address, and the order of the hull's vertices and faces differs from run to run.
@@ -38,5 +31,3 @@ struct std::less<CGAL::Shape_correspondence::internal::Hull_triangulation::Verte
 
   bool operator()(const Vertex_handle& a, const Vertex_handle& b) const { return a->point() < b->point(); }
 };
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REPRODUCIBLE_HULL_H

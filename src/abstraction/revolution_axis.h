@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REVOLUTION_AXIS_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REVOLUTION_AXIS_H
+#pragma once
 
 #include "base/Nearest_points.h"
 #include "base/eigen_system.h"
@@ -18,9 +15,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// The axis of a body of revolution.
 struct Revolution_axis
@@ -100,8 +95,4 @@ inline std::optional<Revolution_axis> revolution_axis(const Points& surface, dou
   return result;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_REVOLUTION_AXIS_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,12 +1,10 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "abstraction/skeletonize.h"
 #include "abstraction/contraction.h"
 #include "abstraction/medial_poles.h"
 #include "abstraction/reproducible_flow.h"
-#include "abstraction/skeletonize.h"
 #include "shape/meshes.h"
 
 #include <Eigen/Geometry>
@@ -15,9 +13,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 struct Area_and_volume
@@ -182,6 +178,4 @@ double Stepwise_flow::area_kept() const { return state_->area_kept(); }
 
 Spatial_graph Stepwise_flow::curve_skeleton() { return state_->curve_skeleton(); }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SKELETONIZE_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SKELETONIZE_H
+#pragma once
 
 #include "abstraction/spatial_graph.h"
 #include "base/deadline.h"
@@ -14,9 +11,7 @@
 
 #include <memory>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// The mean curvature flow of one closed mesh (Tagliasacchi et al. 2012), run step by step.
 class Stepwise_flow
@@ -45,8 +40,4 @@ private:
   std::unique_ptr<State> state_;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SKELETONIZE_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "abstraction/spatial_graph.h"
@@ -12,9 +10,7 @@
 #include <limits>
 #include <numeric>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 Spatial_graph_view::Spatial_graph_view(const Spatial_graph& graph)
     : points_(&graph.points), graph_(static_cast<std::size_t>(graph.points.cols()))
@@ -137,6 +133,4 @@ std::vector<int> Spatial_graph_view::path(int from, int to, const Edge_length& e
   return result;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SPATIAL_GRAPH_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SPATIAL_GRAPH_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
 
@@ -15,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// A graph embedded in space: a curve skeleton, or a medial axis as far as a mesh's vertices and edges show it.
 struct Spatial_graph
@@ -77,8 +72,4 @@ private:
   boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> graph_;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SPATIAL_GRAPH_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SURFACE_SAMPLES_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SURFACE_SAMPLES_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
@@ -15,9 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// Areas of triangles, summed up to each of them.
 inline std::vector<double> cumulative_areas(const Part_mesh& mesh)
@@ -128,8 +123,4 @@ inline Points even_surface_points(const Part_mesh& mesh, std::size_t n)
   return farthest_points(candidates, n);
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_SURFACE_SAMPLES_H
+} // namespace CGAL::Shape_correspondence::internal

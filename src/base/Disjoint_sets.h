@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BASE_DISJOINT_SETS_H
-#define CGAL_SHAPE_CORRESPONDENCE_BASE_DISJOINT_SETS_H
+#pragma once
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -13,9 +10,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// The numbers from 0 on in disjoint sets, to begin with one in each. A set is named by its smallest number, so that
 /// names do not depend on the order in which sets were united; Boost names it by the one that is quickest to find.
@@ -50,8 +45,4 @@ private:
   std::size_t number_of_sets_;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BASE_DISJOINT_SETS_H
+} // namespace CGAL::Shape_correspondence::internal

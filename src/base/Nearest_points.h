@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BASE_NEAREST_POINTS_H
-#define CGAL_SHAPE_CORRESPONDENCE_BASE_NEAREST_POINTS_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
 
@@ -15,9 +12,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// A static kd-tree, median split, in an array: the nearest of some points. Equally near points are told apart by the
 /// order of the tree, which the points alone decide. With 256 points, as many as stand for a part's surface, a query
@@ -119,8 +114,4 @@ private:
   std::vector<int> split_axes_;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BASE_NEAREST_POINTS_H
+} // namespace CGAL::Shape_correspondence::internal

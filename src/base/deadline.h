@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BASE_DEADLINE_H
-#define CGAL_SHAPE_CORRESPONDENCE_BASE_DEADLINE_H
+#pragma once
 
 #include <chrono>
 #include <functional>
@@ -12,9 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// Thrown inside the room only: the flow cannot treat a part, something else must stand in. The message says why.
 class Flow_failure : public std::runtime_error
@@ -73,8 +68,4 @@ private:
   Clock clock_;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BASE_DEADLINE_H
+} // namespace CGAL::Shape_correspondence::internal

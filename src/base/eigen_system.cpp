@@ -1,15 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/eigen_system.h"
 
 #include <Eigen/Eigenvalues>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 Eigen_system eigen_system(const Eigen::Matrix3d& symmetric)
 {
@@ -19,6 +15,4 @@ Eigen_system eigen_system(const Eigen::Matrix3d& symmetric)
 
 Eigen::Matrix3d scatter_matrix(const Points& points) { return points * points.transpose(); }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

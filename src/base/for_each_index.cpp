@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
@@ -10,9 +8,7 @@
 #include <tbb/partitioner.h>
 #endif
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 void for_each_index(std::size_t n, bool parallel, const std::function<void(std::size_t)>& work)
 {
@@ -34,6 +30,4 @@ void for_each_index(std::size_t n, bool parallel, const std::function<void(std::
     work(i);
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BASE_FOR_EACH_INDEX_H
-#define CGAL_SHAPE_CORRESPONDENCE_BASE_FOR_EACH_INDEX_H
+#pragma once
 
 #include <CGAL/tags.h>
 
@@ -12,9 +9,7 @@
 #include <functional>
 #include <type_traits>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// Calls `work` for 0, 1, …, n - 1; `parallel`: several at a time, where TBB is there.
 void for_each_index(std::size_t n, bool parallel, const std::function<void(std::size_t)>& work);
@@ -26,8 +21,4 @@ void for_each_index(std::size_t n, const std::function<void(std::size_t)>& work)
   for_each_index(n, std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>, work);
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BASE_FOR_EACH_INDEX_H
+} // namespace CGAL::Shape_correspondence::internal

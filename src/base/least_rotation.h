@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BASE_LEAST_ROTATION_H
-#define CGAL_SHAPE_CORRESPONDENCE_BASE_LEAST_ROTATION_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
 
@@ -12,9 +9,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// The rotation by the least angle that turns one direction to another. For opposite ones it is the half turn about
 /// what the Householder reflection that maps `from` to the x axis maps the z axis to.
@@ -40,8 +35,4 @@ inline Eigen::Quaterniond least_rotation(const Point& from, const Point& to)
   return result;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BASE_LEAST_ROTATION_H
+} // namespace CGAL::Shape_correspondence::internal

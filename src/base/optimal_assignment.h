@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BASE_OPTIMAL_ASSIGNMENT_H
-#define CGAL_SHAPE_CORRESPONDENCE_BASE_OPTIMAL_ASSIGNMENT_H
+#pragma once
 
 #include <Eigen/Core>
 
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 // Minimum-cost assignment of every row to a column of its own, by shortest augmenting paths (Jonker and Volgenant
 // 1987), O(rows² cols). Among equal costs lower columns win. \pre rows <= cols
@@ -54,8 +49,4 @@ inline std::vector<std::size_t> optimal_assignment(const Eigen::MatrixXd& cost)
   return col_of;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BASE_OPTIMAL_ASSIGNMENT_H
+} // namespace CGAL::Shape_correspondence::internal

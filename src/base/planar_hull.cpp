@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/planar_hull.h"
@@ -9,9 +7,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 constexpr double relative_noise = 1e-9; // of the area of a triangle, over the square of the points' extent
@@ -75,6 +71,4 @@ Eigen::Vector2d least_rectangle_direction(const Planar_points& hull)
   return result;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,18 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BASE_PLANAR_HULL_H
-#define CGAL_SHAPE_CORRESPONDENCE_BASE_PLANAR_HULL_H
+#pragma once
 
 #include <Eigen/Core>
 
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 using Planar_points = std::vector<Eigen::Vector2d>;
 
@@ -31,8 +26,4 @@ Planar_points planar_hull(Planar_points points);
 /// rectangle for 965. Time O(n²) for n vertices, 4 µs on average there.
 Eigen::Vector2d least_rectangle_direction(const Planar_points& hull);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BASE_PLANAR_HULL_H
+} // namespace CGAL::Shape_correspondence::internal

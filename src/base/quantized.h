@@ -1,16 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BASE_QUANTIZED_H
-#define CGAL_SHAPE_CORRESPONDENCE_BASE_QUANTIZED_H
+#pragma once
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 // Numbers that a motion of the shape changes by rounding alone are compared after rounding to this grid, so that ties
 // stay ties and are settled by index.
@@ -28,8 +23,4 @@ inline long quantized(double value)
 // Squared length, in units of the shape's height, under which a vector has no direction
 constexpr double zero_squared_length = 1e-18;
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BASE_QUANTIZED_H
+} // namespace CGAL::Shape_correspondence::internal

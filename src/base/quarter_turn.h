@@ -1,16 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BASE_QUARTER_TURN_H
-#define CGAL_SHAPE_CORRESPONDENCE_BASE_QUARTER_TURN_H
+#pragma once
 
 #include <Eigen/Core>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 // Quarter turn about y as an exact rotation: no rounding, so that a self-match costs exactly 0.
 inline Eigen::Matrix3d quarter_turn(int turns)
@@ -23,8 +18,4 @@ inline Eigen::Matrix3d quarter_turn(int turns)
   return turn;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BASE_QUARTER_TURN_H
+} // namespace CGAL::Shape_correspondence::internal

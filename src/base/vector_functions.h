@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BASE_VECTOR_FUNCTIONS_H
-#define CGAL_SHAPE_CORRESPONDENCE_BASE_VECTOR_FUNCTIONS_H
+#pragma once
 
 // Functions that are compiled for several sets of vector instructions, of which the running machine takes its best.
 // They give the same bits as long as no multiplication and addition are fused, which compilers do where they can.
@@ -27,5 +24,3 @@
 #else
 #define CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions) CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION inline
 #endif
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BASE_VECTOR_FUNCTIONS_H

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/Affine_motion.h"
@@ -10,9 +8,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 void Affine_motion::apply(Points& points) const
 {
@@ -114,6 +110,4 @@ void Affine_motion_solver::add(Entries& entries, std::size_t a, int i, std::size
   entries.emplace_back(index(a, i), index(b, j), value);
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_AFFINE_MOTION_H
-#define CGAL_SHAPE_CORRESPONDENCE_BLEND_AFFINE_MOTION_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
 
@@ -14,9 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// Moves every point by a translation that changes linearly with its place.
 struct Affine_motion
@@ -82,8 +77,4 @@ private:
   Points right_;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_AFFINE_MOTION_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/Blend_ends.h"
@@ -10,9 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 bool is_mirrored_in_x(const Blend_input& input)
@@ -51,6 +47,4 @@ void Blend_ends::add(const Blend_input& input, std::size_t end)
   widest_gap[end] = internal::widest_gap(trees_of(meshes[end]));
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_BLEND_ENDS_H
-#define CGAL_SHAPE_CORRESPONDENCE_BLEND_BLEND_ENDS_H
+#pragma once
 
 #include "blend/mirror_images.h"
 
@@ -12,9 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// A shape that is blended, as it is given.
 struct Blend_input
@@ -40,8 +35,4 @@ private:
   void add(const Blend_input& input, std::size_t end);
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_BLEND_ENDS_H
+} // namespace CGAL::Shape_correspondence::internal

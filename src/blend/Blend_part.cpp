@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/Blend_part.h"
@@ -10,9 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 const Eigen::Matrix3Xi& Blend_part::triangles(int surface) const
 {
@@ -57,6 +53,4 @@ std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end,
   return result;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

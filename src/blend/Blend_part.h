@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_BLEND_PART_H
-#define CGAL_SHAPE_CORRESPONDENCE_BLEND_BLEND_PART_H
+#pragma once
 
 #include "blend/Part_morph.h"
 #include "blend/Unmatched_part.h"
@@ -19,9 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 struct Blend_ends;
 struct Blend_input;
@@ -93,8 +88,4 @@ std::vector<Attachment> without_diverging(std::vector<Attachment> attachments, d
 
 inline contacts::Box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_BLEND_PART_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,18 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "blend/Blend_structure.h"
 #include "base/quarter_turn.h"
 #include "blend/Blend_ends.h"
-#include "blend/Blend_structure.h"
 #include "blend/surface_components.h"
 
 #include <Eigen/Geometry>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 double end_asymmetry_of(const std::vector<Part_mesh>& meshes)
@@ -64,6 +60,4 @@ Point Blend_structure::up(double t) const
   return unit_or(between, shapes[0].up());
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

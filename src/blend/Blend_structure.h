@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_BLEND_STRUCTURE_H
-#define CGAL_SHAPE_CORRESPONDENCE_BLEND_BLEND_STRUCTURE_H
+#pragma once
 
 #include "blend/Blend_part.h"
 #include "blend/contact_constraints.h"
@@ -14,9 +11,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// What a blend is made of, whatever its schedule: its parts, the contacts that are to be kept, and what both shapes
 /// have at large. Lengths are over the height, in the common frame of both shapes; arrays are by end.
@@ -45,8 +40,4 @@ private:
   std::array<Shape_frame, 2> frames_; ///< turned so that both shapes look alike
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_BLEND_STRUCTURE_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/In_between_shape.h"
@@ -10,9 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 In_between_shape::In_between_shape(const Blend_structure& blend, const Task_times& times, double t)
     : blend_(blend),
@@ -77,6 +73,4 @@ double In_between_shape::needed_rise(std::size_t part) const
 
 void In_between_shape::add_disconnection(double gap) { widest_disconnection_ = std::max(widest_disconnection_, gap); }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_IN_BETWEEN_SHAPE_H
-#define CGAL_SHAPE_CORRESPONDENCE_BLEND_IN_BETWEEN_SHAPE_H
+#pragma once
 
 #include "blend/Blend_structure.h"
 
@@ -13,9 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 struct Affine_motion;
 
@@ -82,8 +77,4 @@ private:
   double widest_disconnection_ = 0;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_IN_BETWEEN_SHAPE_H
+} // namespace CGAL::Shape_correspondence::internal

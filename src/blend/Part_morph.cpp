@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/Part_morph.h"
@@ -12,9 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target,
                        const std::optional<bool>& forward)
@@ -88,6 +84,4 @@ Part_morph::Surface_pair Part_morph::surface_pair(const Charted_mesh& a, const C
   return result;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

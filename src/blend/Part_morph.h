@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_PART_MORPH_H
-#define CGAL_SHAPE_CORRESPONDENCE_BLEND_PART_MORPH_H
+#pragma once
 
 #include "map/Part_chart.h"
 
@@ -13,9 +10,7 @@
 #include <array>
 #include <optional>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 struct Charted_mesh;
 struct Pair_charts;
@@ -73,8 +68,4 @@ private:
   Surface_pair surfaces_;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_PART_MORPH_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,15 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/Unmatched_part.h"
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 Unmatched_part::Unmatched_part(const Part_chart& chart, const Part_mesh& mesh, const std::vector<Point>& anchors)
     : chart_(chart), mesh_(mesh), vanished_(3, mesh.points.cols())
@@ -45,6 +41,4 @@ Point Unmatched_part::vanished(const Point& p) const
   return middle_ + (std::clamp(chart_.coordinates(p)[axis_], low_, high_) - mean_) * slope_;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

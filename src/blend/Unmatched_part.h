@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_UNMATCHED_PART_H
-#define CGAL_SHAPE_CORRESPONDENCE_BLEND_UNMATCHED_PART_H
+#pragma once
 
 #include "map/Part_chart.h"
 
@@ -12,9 +9,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// A part without counterpart, which shrinks, or grows in reverse. It shrinks to where it is attached to other parts:
 /// to a point or, between attachments far from each other, to a straight segment.
@@ -44,8 +39,4 @@ private:
   double low_ = 0, high_ = 0, mean_ = 0;                 ///< of the anchors' ones
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_UNMATCHED_PART_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,18 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_BLEND_QUALITY_H
-#define CGAL_SHAPE_CORRESPONDENCE_BLEND_BLEND_QUALITY_H
+#pragma once
 
 #include "blend/In_between_shape.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 Blend_quality quality(const In_between_shape& shape);
 
@@ -22,8 +17,4 @@ double end_asymmetry(const Blend_structure& blend);
 /// The quality, and what does not hold within the tolerances of `Shape_blend`.
 Blend_check check(const In_between_shape& shape);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_BLEND_QUALITY_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/contact_constraints.h"
@@ -15,9 +13,7 @@
 #include <map>
 #include <optional>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 using Index_pair = std::array<std::size_t, 2>; // of parts, the smaller one first
@@ -189,6 +185,4 @@ std::vector<Contact_constraint> contact_constraints(const std::array<Blend_input
   return Contact_chooser(inputs, parts, tolerance, ends.widest_gap).kept();
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

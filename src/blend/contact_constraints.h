@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_CONTACT_CONSTRAINTS_H
-#define CGAL_SHAPE_CORRESPONDENCE_BLEND_CONTACT_CONSTRAINTS_H
+#pragma once
 
 #include "blend/Blend_part.h"
 
@@ -12,9 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 struct Blend_ends;
 struct Blend_input;
@@ -39,8 +34,4 @@ struct Contact_constraint
 std::vector<Contact_constraint> contact_constraints(const std::array<Blend_input, 2>& inputs, const Blend_ends& ends,
                                                     const std::vector<Blend_part>& parts, double tolerance);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_CONTACT_CONSTRAINTS_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/in_between_steps.h"
@@ -10,9 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 /// Closes contacts and reconnects components, in turns, since the one may undo the other.
@@ -53,6 +49,4 @@ In_between_shape in_between_shape(const Blend_structure& blend, const Task_times
   return shape;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,16 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_IN_BETWEEN_STEPS_H
-#define CGAL_SHAPE_CORRESPONDENCE_BLEND_IN_BETWEEN_STEPS_H
+#pragma once
 
 #include "blend/In_between_shape.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// The shape of a blend at `t`, strictly between its ends: the steps below, in turns.
 In_between_shape in_between_shape(const Blend_structure& blend, const Task_times& times, double t);
@@ -36,8 +31,4 @@ Relaxation relax_contacts(In_between_shape& shape);
 /// Returns whether there were any.
 bool reconnect_components(In_between_shape& shape);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_IN_BETWEEN_STEPS_H
+} // namespace CGAL::Shape_correspondence::internal

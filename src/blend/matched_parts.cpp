@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/Blend_ends.h"
@@ -12,9 +10,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 constexpr std::size_t none = Blend_task::no_part;
@@ -162,6 +158,4 @@ std::vector<Blend_part> matched_parts(const Blend_ends& ends, const Corresponden
   return Matched_part_maker(ends, correspondence).parts();
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "base/quantized.h"
 #include "blend/mirror_images.h"
+#include "base/quantized.h"
 #include "blend/surface_components.h"
 #include "map/Charted_mesh.h"
 #include "map/piece_of.h"
@@ -15,9 +13,7 @@
 #include <tuple>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 /// Whether the mirror image of a box is near to another box.
@@ -189,6 +185,4 @@ std::optional<Eigen::Matrix3d> mirrored_turn(const Part_pair& pair, const Charte
   });
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_MIRROR_IMAGES_H
-#define CGAL_SHAPE_CORRESPONDENCE_BLEND_MIRROR_IMAGES_H
+#pragma once
 
 #include "map/Charted_mesh.h"
 #include "map/Part_pair.h"
@@ -13,9 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 inline Point mirrored(Point p)
 {
@@ -67,8 +62,4 @@ Pair_charts upright_charts(const Points& source, const Points& target);
 std::optional<Eigen::Matrix3d> mirrored_turn(const Part_pair& pair, const Charted_shape& source,
                                              const Charted_shape& target);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_MIRROR_IMAGES_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/surface_components.h"
@@ -15,9 +13,7 @@
 #include <tuple>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 std::vector<Surface_connection> shortest_connections(const std::vector<const contacts::Triangle_tree*>& surfaces,
                                                      Disjoint_sets components)
@@ -101,6 +97,4 @@ Surface_components::Connection Surface_components::shortest_connection(std::size
   return shortest;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

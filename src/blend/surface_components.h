@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_SURFACE_COMPONENTS_H
-#define CGAL_SHAPE_CORRESPONDENCE_BLEND_SURFACE_COMPONENTS_H
+#pragma once
 
 #include "base/Disjoint_sets.h"
 #include "map/Charted_mesh.h"
@@ -14,9 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// The shortest line between two surfaces.
 struct Surface_connection
@@ -72,8 +67,4 @@ private:
   Disjoint_sets components_;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_SURFACE_COMPONENTS_H
+} // namespace CGAL::Shape_correspondence::internal

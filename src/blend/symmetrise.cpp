@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/Affine_motion.h"
@@ -11,9 +9,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 /// How far parts are to be symmetric: wholly from the end of the first quarter to the begin of the last one.
@@ -83,6 +79,4 @@ void symmetrise_surfaces(In_between_shape& shape, std::size_t part)
   }
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

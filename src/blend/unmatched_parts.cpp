@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/quantized.h"
@@ -11,9 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 /// Adds the parts of one end.
@@ -203,6 +199,4 @@ std::vector<Attachment> without_diverging(std::vector<Attachment> attachments, d
   }
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

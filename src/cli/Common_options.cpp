@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Common_options.h"
@@ -10,9 +8,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 namespace {
 
@@ -93,6 +89,4 @@ void check_at_least(const std::string& option, int value, int least)
     throw Usage_error("--" + option + " must be at least " + std::to_string(least) + ", not " + std::to_string(value));
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

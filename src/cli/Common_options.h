@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COMMON_OPTIONS_H
-#define CGAL_SHAPE_CORRESPONDENCE_CLI_COMMON_OPTIONS_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
 #include <CGAL/Shape_correspondence/detect_symmetry_groups.h>
@@ -13,9 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 /// The command line is not one that the program understands: exit status 2.
 class Usage_error : public std::runtime_error
@@ -63,8 +58,4 @@ void check_word(const std::string& option, const std::string& value, const std::
 /// Throws `Usage_error` if `value` is less than `least`.
 void check_at_least(const std::string& option, int value, int least);
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_COMMON_OPTIONS_H
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/collection_analysis.h"
@@ -24,9 +22,7 @@
 #include <iostream>
 #include <thread>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -181,6 +177,4 @@ void run_collection(const std::vector<std::string>& arguments)
   if (options.tile.empty() && team.is_first()) write_outputs(analysed(shapes, options, work), shapes, common, options);
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

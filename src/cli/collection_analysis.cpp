@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/collection_analysis.h"
@@ -12,9 +10,7 @@
 #include <map>
 #include <set>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 namespace {
 
 constexpr std::size_t largest_clustered_whole = 100; // shapes whose maps are all clustered, unless told otherwise
@@ -132,6 +128,4 @@ Analysis analysed(const Collection_shapes& shapes, const Collection_options& opt
   return analysis;
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

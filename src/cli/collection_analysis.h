@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_ANALYSIS_H
-#define CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_ANALYSIS_H
+#pragma once
 
 #include "cli/collection_options.h"
 #include "cli/collection_shapes.h"
@@ -15,9 +12,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 /// What is found out, and the maps that it is made of.
 struct Analysis
@@ -31,8 +26,4 @@ struct Analysis
 /// of `co_analysis()`.
 Analysis analysed(const Collection_shapes& shapes, const Collection_options& options, Collection_work& work);
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_ANALYSIS_H
+} // namespace CGAL::Shape_correspondence::cli

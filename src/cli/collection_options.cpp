@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/collection_options.h"
@@ -10,9 +8,7 @@
 
 #include <sstream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 namespace po = boost::program_options;
 
@@ -123,6 +119,4 @@ std::string key_of(const Match_options& match, const Collection_options& options
   return key.str();
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_OPTIONS_H
-#define CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_OPTIONS_H
+#pragma once
 
 #include "cli/Common_options.h"
 #include "cli/match_options.h"
@@ -14,9 +11,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 /// The options that only this command has.
 struct Collection_options
@@ -40,8 +35,4 @@ void check(Collection_options& options, const Common_options& common,
 std::string key_of(const Match_options& match, const Collection_options& options,
                    const boost::program_options::variables_map& values);
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_OPTIONS_H
+} // namespace CGAL::Shape_correspondence::cli

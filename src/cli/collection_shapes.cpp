@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/collection_shapes.h"
@@ -23,9 +21,7 @@
 #include <mutex>
 #include <sstream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -229,6 +225,4 @@ Structural_graph Collection_shapes::graph(std::size_t shape) const
   return IO::read_structural_graph_json(in, path);
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

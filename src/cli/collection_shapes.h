@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_SHAPES_H
-#define CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_SHAPES_H
+#pragma once
 
 #include "cli/Common_options.h"
 #include "cli/team.h"
@@ -15,9 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 /// A shape of a collection; its graph is kept elsewhere.
 struct Collection_shape
@@ -57,8 +52,4 @@ private:
   std::vector<Structural_graph> graphs_; // in memory
 };
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_SHAPES_H
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/collection_work.h"
@@ -8,9 +6,7 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 void Collection_work::run(Team& team)
 {
@@ -41,6 +37,4 @@ void Collection_work::run(Team& team)
   });
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_WORK_H
-#define CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_WORK_H
+#pragma once
 
 #include "cli/collection_options.h"
 #include "cli/collection_shapes.h"
@@ -19,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 /// The pairs of a collection, from the store or matched.
 class Collection_work
@@ -65,8 +60,4 @@ private:
   const Common_options& common_;
 };
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_COLLECTION_WORK_H
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/command_line.h"
@@ -8,9 +6,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 namespace po = boost::program_options;
 
@@ -145,6 +141,4 @@ bool is_given(const po::variables_map& values, const std::string& option)
   return !value.empty() && !value.defaulted();
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_COMMAND_LINE_H
-#define CGAL_SHAPE_CORRESPONDENCE_CLI_COMMAND_LINE_H
+#pragma once
 
 #include "cli/Common_options.h"
 
@@ -14,9 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 /// A group of options, without any as yet.
 boost::program_options::options_description option_group(const std::string& title);
@@ -51,8 +46,4 @@ Arguments parse(const std::vector<std::string>& arguments, const boost::program_
 /// Whether an option is given, rather than left at its default.
 bool is_given(const boost::program_options::variables_map& values, const std::string& option);
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_COMMAND_LINE_H
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/command_line.h"
@@ -21,9 +19,7 @@
 #include <map>
 #include <numeric>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 namespace fs = std::filesystem;
 namespace po = boost::program_options;
@@ -323,6 +319,4 @@ void run_evaluate(const std::vector<std::string>& arguments)
   if (common.prints_table()) print(evaluation, results, evaluate.worst);
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

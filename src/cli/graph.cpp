@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/command_line.h"
@@ -18,9 +16,7 @@
 
 #include <iostream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 namespace po = boost::program_options;
 
@@ -119,6 +115,4 @@ void run_graph(const std::vector<std::string>& arguments)
   if (common.prints_table()) print_graph(parsed.inputs[0], shape.graph);
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

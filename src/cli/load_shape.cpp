@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/load_shape.h"
@@ -22,9 +20,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -172,6 +168,4 @@ std::vector<std::string> warnings_of(const std::vector<std::string>& paths, cons
   return result;
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_LOAD_SHAPE_H
-#define CGAL_SHAPE_CORRESPONDENCE_CLI_LOAD_SHAPE_H
+#pragma once
 
 #include "cli/Common_options.h"
 
@@ -15,9 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 /// An input of a command: its structural graph, its model where it is one, and the seconds that it took.
 struct Loaded_shape
@@ -45,8 +40,4 @@ std::vector<std::string> warnings_of(const std::vector<std::string>& paths, cons
 bool is_json_file(const std::string& path);
 bool is_graph_file(const std::string& path);
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_LOAD_SHAPE_H
+} // namespace CGAL::Shape_correspondence::cli

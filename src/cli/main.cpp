@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Common_options.h"
@@ -12,9 +10,7 @@
 #include <filesystem>
 #include <iostream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 namespace {
 
 enum Exit_status { done = 0, unusable_input = 1, bad_usage = 2 };
@@ -96,9 +92,7 @@ int run(const std::vector<std::string>& arguments)
 }
 
 } // namespace
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli
 
 int main(int argc, char* argv[])
 {

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/clock.h"
@@ -19,9 +17,7 @@
 
 #include <iostream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 namespace po = boost::program_options;
 
@@ -98,6 +94,4 @@ void run_match(const std::vector<std::string>& arguments)
   if (common.prints_table()) write_match_table(std::cout, ranked[0], source.graph, target.graph);
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_MATCH_OPTIONS_H
-#define CGAL_SHAPE_CORRESPONDENCE_CLI_MATCH_OPTIONS_H
+#pragma once
 
 #include "cli/program_options_fwd.h"
 
@@ -12,9 +9,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 /// The options of the search as they are written on the command line.
 struct Match_options
@@ -40,8 +35,4 @@ Search_options search_options(const Match_options& match, const boost::program_o
 /// \throw Invalid_input if the shape `path` has no part of such a name
 std::vector<std::size_t> chosen_parts(const std::string& names, const Structural_graph& graph, const std::string& path);
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_MATCH_OPTIONS_H
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/match_table.h"
@@ -9,9 +7,7 @@
 #include <algorithm>
 #include <ostream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
@@ -63,6 +59,4 @@ void write_match_table(std::ostream& out, const Correspondence& c, const Structu
     out << "warning: " << warning << '\n';
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/outputs.h"
@@ -9,9 +7,7 @@
 
 #include <set>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 void check_outputs(const std::vector<std::string>& files)
 {
@@ -28,6 +24,4 @@ void write_output(const std::string& file, const std::function<void(std::ostream
   if (!file.empty()) IO::write_atomically(file, write);
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

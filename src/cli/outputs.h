@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_OUTPUTS_H
-#define CGAL_SHAPE_CORRESPONDENCE_CLI_OUTPUTS_H
+#pragma once
 
 #include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 /// Checks the output files that options name, before long work; empty ones are not asked for. `-` is standard output.
 /// \throw Usage_error if two are the same file, Invalid_input if one cannot be written
@@ -22,8 +17,4 @@ void check_outputs(const std::vector<std::string>& files);
 /// Writes an output file, all of it or nothing; none if it is not asked for. \throw Invalid_input if that fails
 void write_output(const std::string& file, const std::function<void(std::ostream&)>& write);
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_OUTPUTS_H
+} // namespace CGAL::Shape_correspondence::cli

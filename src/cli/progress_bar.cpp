@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/progress_bar.h"
@@ -10,9 +8,7 @@
 #include <iostream>
 #include <unistd.h>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 namespace {
 
 constexpr std::size_t bar_width = 30;
@@ -59,6 +55,4 @@ void Progress_bar::show(std::size_t done, std::size_t total)
   shown_ = true;
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_PROGRESS_BAR_H
-#define CGAL_SHAPE_CORRESPONDENCE_CLI_PROGRESS_BAR_H
+#pragma once
 
 #include "cli/Common_options.h"
 
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 /// A progress bar on standard error, with the time left where that is more than a moment; it vanishes at the end.
 class Progress_bar
@@ -34,8 +29,4 @@ private:
   double begin_, last_shown_ = 0; // seconds
 };
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_PROGRESS_BAR_H
+} // namespace CGAL::Shape_correspondence::cli

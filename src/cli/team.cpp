@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/team.h"
@@ -15,9 +13,7 @@
 #include <cstdlib>
 #endif
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 #ifdef SHAPE_CORRESPONDENCE_WITH_MPI
 
 namespace mpi = boost::mpi;
@@ -172,6 +168,4 @@ std::vector<std::size_t> Team::from_first(std::vector<std::size_t> numbers) { re
 
 Team::~Team() = default;
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_TEAM_H
-#define CGAL_SHAPE_CORRESPONDENCE_CLI_TEAM_H
+#pragma once
 
 #include <cstddef>
 #include <functional>
@@ -12,9 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 /// The processes that work on one collection: this one, or those that `mpirun` started, where the program was built
 /// with MPI. All processes of a team make the same calls in the same order.
@@ -44,8 +39,4 @@ private:
   std::unique_ptr<Impl> impl_; // null: this process alone
 };
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_TEAM_H
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/text_table.h"
@@ -11,9 +9,7 @@
 #include <ostream>
 #include <sstream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 namespace {
 
 /// Characters of a UTF-8 text.
@@ -60,6 +56,4 @@ std::string listed(const std::vector<std::string>& words)
   return words.empty() ? "-" : boost::algorithm::join(words, ", ");
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/thread_limit.h"
@@ -9,9 +7,7 @@
 #include <tbb/global_control.h>
 #endif
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 Thread_limit::Thread_limit(int threads)
 {
@@ -23,6 +19,4 @@ Thread_limit::Thread_limit(int threads)
 #endif
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,16 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_THREAD_LIMIT_H
-#define CGAL_SHAPE_CORRESPONDENCE_CLI_THREAD_LIMIT_H
+#pragma once
 
 #include <memory>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 /// While it lives, no more threads work than this; 0 sets no limit.
 class Thread_limit
@@ -22,8 +17,4 @@ private:
   std::shared_ptr<void> control_;
 };
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_THREAD_LIMIT_H
+} // namespace CGAL::Shape_correspondence::cli

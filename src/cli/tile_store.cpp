@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/tile_store.h"
@@ -15,9 +13,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -152,6 +148,4 @@ void Tile_store::insert(const std::string& name, const std::vector<Rated_map>& p
     IO::write_checked_file(path(name), title(name), bytes);
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_TILE_STORE_H
-#define CGAL_SHAPE_CORRESPONDENCE_CLI_TILE_STORE_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
@@ -13,9 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 /// Finished work by name, in a folder or, without one, in memory. In a folder a tile is there as a whole or not at all,
 /// whenever the program is killed, and many processes may use it at a time. One that is damaged counts as missing.
@@ -37,8 +32,4 @@ private:
   std::map<std::string, std::string> in_memory_;
 };
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_TILE_STORE_H
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/tiles.h"
@@ -8,9 +6,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 namespace {
 
 constexpr std::size_t least_block = 4, largest_block = 64, usual_blocks = 8;
@@ -76,6 +72,4 @@ std::vector<Rated_map> Tiles::computed(std::size_t tile, const Energy_matrix_opt
   return match_pairs<CGAL::Parallel_if_available_tag>(graphs, local_pairs, options);
 }
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::cli

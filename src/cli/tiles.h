@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_CLI_TILES_H
-#define CGAL_SHAPE_CORRESPONDENCE_CLI_TILES_H
+#pragma once
 
 #include "cli/collection_shapes.h"
 
@@ -15,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace cli {
+namespace CGAL::Shape_correspondence::cli {
 
 /// All ordered pairs of a collection, cut into tiles: the pairs of two blocks of shapes, either way. Every tile is
 /// named by all that its result depends on, so that one whose shapes or options changed is another tile.
@@ -52,8 +47,4 @@ private:
   std::vector<Tile> tiles_;
 };
 
-} // namespace cli
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_CLI_TILES_H
+} // namespace CGAL::Shape_correspondence::cli

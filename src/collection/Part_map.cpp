@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Shape_correspondence/Correspondence.h>
@@ -9,8 +7,7 @@
 #include <algorithm>
 #include <map>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 Part_map part_map(const Correspondence& correspondence)
 {
@@ -54,5 +51,4 @@ Part_map composed(const Part_map& first, const Part_map& second)
   return result;
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

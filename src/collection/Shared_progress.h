@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_COLLECTION_SHARED_PROGRESS_H
-#define CGAL_SHAPE_CORRESPONDENCE_COLLECTION_SHARED_PROGRESS_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>
@@ -15,9 +12,7 @@
 #include <functional>
 #include <mutex>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 inline void check(const Energy_matrix_options& options)
 {
@@ -49,8 +44,4 @@ private:
   std::mutex mutex_;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_COLLECTION_SHARED_PROGRESS_H
+} // namespace CGAL::Shape_correspondence::internal

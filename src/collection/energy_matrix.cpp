@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
@@ -17,8 +15,7 @@
 #include <mutex>
 #include <set>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 double distance_energy(const Correspondence& correspondence, double unmatched_energy)
@@ -109,5 +106,4 @@ template Energy_matrix energy_matrix<CGAL::Sequential_tag>(const std::vector<Str
 template Energy_matrix energy_matrix<CGAL::Parallel_tag>(const std::vector<Structural_graph>&,
                                                          const Energy_matrix_options&);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

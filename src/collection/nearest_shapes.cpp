@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
@@ -11,8 +9,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
@@ -76,5 +73,4 @@ template Nearest_shapes nearest_shapes<CGAL::Parallel_tag>(const Structural_grap
                                                            const std::function<Structural_graph(std::size_t)>&,
                                                            std::size_t, const Energy_matrix_options&);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

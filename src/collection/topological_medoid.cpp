@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -16,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 std::size_t topological_medoid(const Eigen::MatrixXd& distances)
 {
@@ -163,5 +160,4 @@ Sampled_medoid sampled_medoid(std::size_t n, const std::function<double(std::siz
   return Medoid_search(n, distance, options).run();
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

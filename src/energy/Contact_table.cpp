@@ -1,14 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/Contact_table.h"
 
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 Matching_problem::Contact_table::Contact_table(const Matching_problem& problem)
     : problem_(problem), fitted_(problem.fitted_), pair_of_(fitted_.number_of_lanes() * fitted_.number_of_lanes(), none)
@@ -141,5 +138,4 @@ const Structural_rods& Matching_problem::Contact_table::rods(const Fitted& first
   return segment_rods_.back().rods;
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_CONTACT_TABLE_H
-#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_CONTACT_TABLE_H
+#pragma once
 
 #include "energy/Matching_problem.h"
 
@@ -14,8 +11,7 @@
 #include <deque>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 // Computes the energies of all contacts by the labels of their two parts. What is to be compared is listed first, so
 // that the rods of a pair of target pieces are found once, for all contacts that may turn into it.
@@ -94,7 +90,4 @@ private:
   std::vector<std::uint32_t> known_;           // comparisons by two fitted pieces
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_CONTACT_TABLE_H
+} // namespace CGAL::Shape_correspondence

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_DEFORMABLE_SHAPE_H
-#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_DEFORMABLE_SHAPE_H
+#pragma once
 
 #include "energy/Structural_rods.h"
 #include "structure/align_shapes.h"
@@ -15,8 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// A shape that is deformed, or that another one is deformed into, with what the energy measures of it. This is found
 /// when it is first asked for and shared by copies, so that a shape that is matched many times is measured once, and
@@ -44,7 +40,4 @@ private:
   std::shared_ptr<Measures> measures_;
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_DEFORMABLE_SHAPE_H
+} // namespace CGAL::Shape_correspondence

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/quantized.h"
@@ -10,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 double deformation_energy(const Energy_terms& terms, const Energy_weights& weights)
 {
@@ -36,5 +33,4 @@ double split_energy(const std::vector<double>& solidity_ratios)
   return 1 - std::sqrt(sum / double(solidity_ratios.size()));
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_FITTED_PIECES_H
-#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_FITTED_PIECES_H
+#pragma once
 
 #include "energy/Deformable_shape.h"
 #include "energy/Piece_list.h"
@@ -15,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 // A source piece after it was fitted to a target piece.
 struct Fitted_piece
@@ -93,8 +88,4 @@ private:
   std::vector<std::uint32_t> images_;    // fitted pieces
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_FITTED_PIECES_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATCHING_PROBLEM_H
-#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATCHING_PROBLEM_H
+#pragma once
 
 #include "energy/Deformable_shape.h"
 #include "energy/Fitted_pieces.h"
@@ -18,8 +15,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// The most target groups that a group may be matched to, which bounds time and memory for shapes of hundreds of
 /// groups.
@@ -103,7 +99,4 @@ private:
   Pairwise_energy energy_;
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATCHING_PROBLEM_H
+} // namespace CGAL::Shape_correspondence

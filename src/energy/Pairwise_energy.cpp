@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Shape_correspondence/Pairwise_energy.h>
@@ -8,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 double Pairwise_energy::root_sum(const Root_term& term, const Assignment& assignment) const
 {
@@ -51,5 +48,4 @@ double Pairwise_energy::lower_bound() const
   return sum;
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_PIECE_LIST_H
-#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_PIECE_LIST_H
+#pragma once
 
 #include "energy/cut_curves.h"
 
@@ -12,9 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 // The parts of a shape, then the segments of curves that were asked for, each numbered once.
 class Piece_list
@@ -53,8 +48,4 @@ private:
   std::vector<Sampled_part> segments_;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_PIECE_LIST_H
+} // namespace CGAL::Shape_correspondence::internal

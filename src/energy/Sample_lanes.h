@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_SAMPLE_LANES_H
-#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_SAMPLE_LANES_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
 
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 constexpr int maximum_samples = 36; // of a part: e × e
 constexpr int block_lanes = 16;     // of the widest vectors
@@ -67,8 +62,4 @@ struct alignas(64) Rod_block
 // keeps them from being 0.
 constexpr float zero_rod = 1e-9f;
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_SAMPLE_LANES_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/Structural_rods.h"
@@ -14,8 +12,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
@@ -118,5 +115,4 @@ double least_distance(const Sample_lanes& first, int first_count, const Sample_l
       double(rod_kernels().least_length(nullptr, first, first_count, second, second_count).least_squared_length));
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_STRUCTURAL_RODS_H
-#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_STRUCTURAL_RODS_H
+#pragma once
 
 #include "energy/Sample_lanes.h"
 
@@ -12,8 +9,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// E_d and E_c of one pair of connected parts.
 struct Rod_energy
@@ -66,7 +62,4 @@ double least_distance(const Points& first, const Points& second);
 double least_distance(const internal::Sample_lanes& first, int first_count, const internal::Sample_lanes& second,
                       int second_count);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_STRUCTURAL_RODS_H
+} // namespace CGAL::Shape_correspondence

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/Structure_preservation.h"
@@ -11,8 +9,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 namespace {
 
@@ -120,5 +117,4 @@ void Structure_preservation::operator()(const std::vector<char>& matched,
   }
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_STRUCTURE_PRESERVATION_H
-#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_STRUCTURE_PRESERVATION_H
+#pragma once
 
 #include "structure/align_shapes.h"
 
@@ -12,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// Structure preservation (paper, section 5): how far the parts of unmatched groups move. A part follows the points
 /// where it touches others, breadth-first from the matched ones; the members of a group follow their representative,
@@ -51,7 +47,4 @@ private:
   std::vector<std::size_t> order_; // unmatched groups that something matched reaches, breadth-first
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_STRUCTURE_PRESERVATION_H
+} // namespace CGAL::Shape_correspondence

@@ -1,17 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_UNIT_BOX_H
-#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_UNIT_BOX_H
+#pragma once
 
 #include "base/quantized.h"
 #include "structure/align_shapes.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 // The unit box of a group: a direction in which the group has no extent counts as its middle.
 class Unit_box
@@ -36,8 +31,4 @@ private:
 
 inline double quantized_distance(const Point& a, const Point& b) { return double(quantized((a - b).norm())); }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_UNIT_BOX_H
+} // namespace CGAL::Shape_correspondence::internal

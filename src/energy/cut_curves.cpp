@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/cut_curves.h"
@@ -12,8 +10,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 Sampled_part segment(const Sampled_part& curve, int index, int count)
@@ -108,5 +105,4 @@ Group_label cut_curves(const Aligned_shape& source, std::size_t source_group, co
   return result;
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

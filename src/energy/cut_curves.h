@@ -1,15 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_CUT_CURVES_H
-#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_CUT_CURVES_H
+#pragma once
 
 #include "energy/match_groups.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// The `index`-th of `count` equally long pieces of a curve, sampled like a part (paper, section 5: cutting).
 /// \pre the part is an open curve
@@ -22,7 +18,4 @@ Sampled_part segment(const Sampled_part& curve, int index, int count);
 Group_label cut_curves(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
                        const Group_label& label);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_CUT_CURVES_H
+} // namespace CGAL::Shape_correspondence

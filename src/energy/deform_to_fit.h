@@ -1,17 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_DEFORM_TO_FIT_H
-#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_DEFORM_TO_FIT_H
+#pragma once
 
 #include "structure/align_shapes.h"
 
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// Deform-to-fit (paper, section 5): how `source` takes the shape of `target`. Its sample i goes to sample [i] of the
 /// target. Centres are aligned, then extremities are matched by proximity: of the 2 directions of a curve, the 8
@@ -24,7 +20,4 @@ const std::vector<int>& deform_to_fit(const Sampled_part& source, const Sampled_
 /// columns.
 Points lifted_samples(const Sampled_part& part, Eigen::Index count);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_DEFORM_TO_FIT_H
+} // namespace CGAL::Shape_correspondence

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATCH_GROUPS_H
-#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATCH_GROUPS_H
+#pragma once
 
 #include "structure/align_shapes.h"
 
@@ -13,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// A piece of a part: the whole, or one of `count` equally long segments of a curve.
 struct Piece
@@ -57,7 +53,4 @@ double solidity_ratio(const Aligned_shape::Group& source, const Aligned_shape::G
 Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
                          std::size_t target_group);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATCH_GROUPS_H
+} // namespace CGAL::Shape_correspondence

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_ROD_COSINES_H
-#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_ROD_COSINES_H
+#pragma once
 
 #include "base/vector_functions.h"
 #include "energy/Sample_lanes.h"
@@ -21,9 +18,7 @@
 // nanosecond with AVX-512, 4.8 with AVX2, 1.4 with SSE2 and 0.4 with none, against 1.7 of the same sums by Eigen's
 // arrays (on an AVX-512 machine).
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 template <int Width>
 struct Lane_vector
@@ -286,8 +281,4 @@ inline const Rod_kernels& rod_kernels()
   return fastest;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_ROD_COSINES_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_B_SPLINE_H
-#define CGAL_SHAPE_CORRESPONDENCE_IO_B_SPLINE_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
 
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// The values at `t` in [0, 1] of the basis of a B-spline with `n` control points and clamped uniform knots; cubic, or
 /// of the highest degree that so few points have (recurrence of Cox and de Boor).
@@ -56,8 +51,4 @@ struct B_spline
   }
 };
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_IO_B_SPLINE_H
+} // namespace CGAL::Shape_correspondence::IO

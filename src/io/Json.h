@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_JSON_H
-#define CGAL_SHAPE_CORRESPONDENCE_IO_JSON_H
+#pragma once
 
 #include <cstddef>
 #include <initializer_list>
@@ -13,9 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// A JSON value to be written. Objects keep the order in which their keys were set.
 ///
@@ -79,8 +74,4 @@ private:
   std::vector<Json> elements_;
 };
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_IO_JSON_H
+} // namespace CGAL::Shape_correspondence::IO

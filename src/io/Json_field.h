@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_JSON_FIELD_H
-#define CGAL_SHAPE_CORRESPONDENCE_IO_JSON_FIELD_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
 
@@ -16,9 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// A value in a JSON document that knows where it is, so that every complaint names the file and the place.
 class Json_field
@@ -67,8 +62,4 @@ Json_field read_json(std::istream& in, const std::string& file);
 /// The JSON document in a file. \throw Invalid_input if it cannot be read or is none
 Json_field read_json_file(const std::string& path);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_IO_JSON_FIELD_H
+} // namespace CGAL::Shape_correspondence::IO

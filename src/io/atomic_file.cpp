@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/atomic_file.h"
@@ -16,9 +14,7 @@
 #include <iostream>
 #include <unistd.h>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 namespace fs = std::filesystem;
@@ -177,6 +173,4 @@ void make_folder(const std::string& path, const std::string& use)
                         "); choose another folder");
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

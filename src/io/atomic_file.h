@@ -1,18 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_ATOMIC_FILE_H
-#define CGAL_SHAPE_CORRESPONDENCE_IO_ATOMIC_FILE_H
+#pragma once
 
 #include <functional>
 #include <iosfwd>
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// Throws `Invalid_input` if `path` cannot be written; to be called before long work, leaves nothing behind.
 /// `-` is standard output.
@@ -35,8 +30,4 @@ void write_folder_atomically(const std::string& path, const std::function<void(c
 /// \throw Invalid_input if that fails; names the folder
 void make_folder(const std::string& path, const std::string& use);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_IO_ATOMIC_FILE_H
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/checked_file.h"
@@ -10,9 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 namespace {
 
@@ -41,6 +37,4 @@ std::optional<std::string> read_checked_file(const std::string& path, const std:
   return content;
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,15 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 Json shapes_json(const Collection& collection)
@@ -142,6 +138,4 @@ void write_nearest_json(std::ostream& out, const Nearest_in_collection& found)
   result.write(out);
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/colours.h"
@@ -10,9 +8,7 @@
 
 // Colours are spread in Oklab (B. Ottosson, 2020), a space in which distances are differences that people see.
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 using Oklab = Eigen::Vector3d; // lightness, green-red, blue-yellow
@@ -68,6 +64,4 @@ std::vector<Colour> distinct_colours(std::size_t n)
   return colours;
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

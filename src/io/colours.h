@@ -1,18 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_COLOURS_H
-#define CGAL_SHAPE_CORRESPONDENCE_IO_COLOURS_H
+#pragma once
 
 #include <Eigen/Core>
 
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// Linear red, green, blue in [0, 1], as glTF wants them.
 using Colour = Eigen::Vector3d;
@@ -23,8 +18,4 @@ std::vector<Colour> distinct_colours(std::size_t n);
 /// The colour of what corresponds to nothing.
 inline Colour grey() { return Colour(0.45, 0.45, 0.45); }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_IO_COLOURS_H
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/Json.h"
@@ -12,9 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr const char* match_format = "shape_correspondence/match";
@@ -184,6 +180,4 @@ Correspondence correspondence_of(const Named_correspondence& named, const Struct
 
 bool is_correspondence_json(const std::string& file) { return read_json_file(file).has("format", match_format); }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/drawn_shape.h"
@@ -11,9 +9,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr double gap = 0.25;             // between the shapes, over the wider one's width
@@ -113,6 +109,4 @@ std::vector<int> add_match_materials(Glb_builder& glb, const Correspondence& cor
   return result;
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_DRAWN_SHAPE_H
-#define CGAL_SHAPE_CORRESPONDENCE_IO_DRAWN_SHAPE_H
+#pragma once
 
 #include "io/glb_builder.h"
 
@@ -16,9 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// A shape in the frame in which it is drawn.
 class Drawn_shape
@@ -66,8 +61,4 @@ std::vector<int> match_numbers(const Correspondence& correspondence, std::size_t
 std::vector<int> add_match_materials(Glb_builder& glb, const Correspondence& correspondence, std::size_t sources,
                                      std::size_t targets);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_IO_DRAWN_SHAPE_H
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_FRAME_OF_ABSTRACTIONS_H
-#define CGAL_SHAPE_CORRESPONDENCE_IO_FRAME_OF_ABSTRACTIONS_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/Shape_frame.h>
 
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// The frame of a shape of which nothing but the abstractions is known.
 inline Shape_frame frame_of_abstractions(const std::vector<Part_abstraction>& parts, const Point& up)
@@ -28,8 +23,4 @@ inline Shape_frame frame_of_abstractions(const std::vector<Part_abstraction>& pa
   return compute_shape_frame(all, up);
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_IO_FRAME_OF_ABSTRACTIONS_H
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/glb_builder.h"
@@ -12,9 +10,7 @@
 #include <cstring>
 #include <ostream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 // Numbers of the glTF 2.0 specification
@@ -220,6 +216,4 @@ void Glb_builder::write(std::ostream& out, const std::vector<int>& roots) const
   out << header << chunks;
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

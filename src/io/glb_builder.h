@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_GLB_BUILDER_H
-#define CGAL_SHAPE_CORRESPONDENCE_IO_GLB_BUILDER_H
+#pragma once
 
 #include "io/Json.h"
 
@@ -16,9 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// Triangles ready to be drawn: a normal a vertex.
 struct Drawn_mesh
@@ -69,8 +64,4 @@ private:
   std::string buffer_;
 };
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_IO_GLB_BUILDER_H
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/input_file.h"
@@ -12,9 +10,7 @@
 #include <filesystem>
 #include <locale>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 namespace fs = std::filesystem;
 
@@ -33,6 +29,4 @@ std::string lower_extension(const std::string& path)
   return boost::algorithm::to_lower_copy(fs::path(path).extension().string(), std::locale::classic());
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>
@@ -8,9 +6,7 @@
 #include <charconv>
 #include <ostream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr std::size_t npy_alignment = 64;
@@ -62,6 +58,4 @@ void write_csv(std::ostream& out, const Eigen::MatrixXd& matrix, const std::vect
   }
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/model_parts.h"
@@ -10,9 +8,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 // Corners that bend back by less than this, over the polygon's area, count as straight.
@@ -139,6 +135,4 @@ Part_mesh weld(const std::vector<Point>& corners)
   return mesh;
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

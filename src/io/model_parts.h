@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_MODEL_PARTS_H
-#define CGAL_SHAPE_CORRESPONDENCE_IO_MODEL_PARTS_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// A part as the readers of the formats deliver it: a name and the corners of its triangles, three after three.
 struct Model_part
@@ -38,8 +33,4 @@ void add_polygon(const std::vector<Point>& polygon, std::vector<Point>& corners)
 /// \pre all coordinates are finite
 Part_mesh weld(const std::vector<Point>& corners);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_IO_MODEL_PARTS_H
+} // namespace CGAL::Shape_correspondence::IO

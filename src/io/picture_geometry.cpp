@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/picture_geometry.h"
@@ -9,9 +7,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr double cosine_of_smooth_edge = 0.82; // 35°
@@ -199,6 +195,4 @@ Drawn_mesh joined(const std::vector<Drawn_mesh>& meshes)
   return result;
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,16 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_PICTURE_GEOMETRY_H
-#define CGAL_SHAPE_CORRESPONDENCE_IO_PICTURE_GEOMETRY_H
+#pragma once
 
 #include "io/glb_builder.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// A surface that is smooth where faces meet at less than 35° and has edges elsewhere.
 Drawn_mesh shaded(const Points& points, const Eigen::Matrix3Xi& triangles);
@@ -27,8 +22,4 @@ Drawn_mesh sphere(const Point& centre, double radius);
 /// All of them as one.
 Drawn_mesh joined(const std::vector<Drawn_mesh>& meshes);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_IO_PICTURE_GEOMETRY_H
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/model_parts.h"
@@ -15,9 +13,7 @@
 // An own reader for Wavefront OBJ: assimp keeps coordinates as float, so a shape far from the origin would lose digits,
 // and CGAL's reader drops the names of objects and groups.
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 std::string_view trimmed(std::string_view text)
@@ -184,6 +180,4 @@ private:
 
 std::vector<Model_part> read_obj_parts(const std::string& file) { return Obj_reader(file).read(); }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

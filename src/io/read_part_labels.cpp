@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/Json_field.h"
@@ -11,9 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 namespace fs = std::filesystem;
 
@@ -87,6 +83,4 @@ std::vector<Labelled_shape> read_part_labels(const std::string& path)
   return shapes;
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

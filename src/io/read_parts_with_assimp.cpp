@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/model_parts.h"
@@ -14,9 +12,7 @@
 // What is left as it is in the file: the tree of nodes with their names. Steps of assimp that merge nodes or meshes
 // would lose the parts. COLLADA files say which way is up; assimp's root node turns them to y up.
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 using Transform = Eigen::Matrix4d;
@@ -90,6 +86,4 @@ std::vector<Model_part> read_parts_with_assimp(const std::string& file)
   return parts;
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/input_file.h"
@@ -12,9 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 namespace fs = std::filesystem;
@@ -156,6 +152,4 @@ Segmented_shape read_segmented_shape(const std::string& path, const Point& up)
   return read_file(path, up);
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

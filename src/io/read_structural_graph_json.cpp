@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/Json_field.h"
@@ -14,9 +12,7 @@
 #include <map>
 #include <set>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 using Part_indices = std::map<std::string, std::size_t>;
@@ -324,6 +320,4 @@ Structural_graph read_structural_graph_json(std::istream& in, const std::string&
   return read_graph(read_json(in, file_name), options);
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/B_spline.h"
@@ -18,9 +16,7 @@
 #include <set>
 #include <sstream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 using Tree = boost::property_tree::ptree;
@@ -325,6 +321,4 @@ Structural_graph read_structural_graph_xml(std::istream& in, const std::string& 
   return Document_reader(document->second, file_name)(up, options);
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

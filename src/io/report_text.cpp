@@ -1,13 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/report_text.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 const char* name_of(Abstraction_report::Method method)
 {
@@ -83,6 +79,4 @@ std::string kind_of(const Part_abstraction& part)
   return part.is_sheet() ? "sheet" : part.is_closed_curve() ? "closed curve" : "curve";
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_REPORT_TEXT_H
-#define CGAL_SHAPE_CORRESPONDENCE_IO_REPORT_TEXT_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// The words of a report, as files have them.
 const char* name_of(Abstraction_report::Method method);
@@ -27,8 +22,4 @@ const char* name_of(Symmetry_type type);
 std::string name_of(const Symmetry& symmetry);
 std::string kind_of(const Part_abstraction& part);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_IO_REPORT_TEXT_H
+} // namespace CGAL::Shape_correspondence::IO

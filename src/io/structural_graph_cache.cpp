@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/atomic_file.h"
@@ -17,9 +15,7 @@
 #include <sstream>
 #include <type_traits>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 /// To be raised with every change that makes another graph of the same shape and options.
@@ -120,6 +116,4 @@ void Structural_graph_cache::insert(const Structural_graph& graph) const
   write_checked_file(path(shape.content), title(shape.content), text.str());
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
@@ -15,9 +13,7 @@
 #include <cstring>
 #include <ostream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr double hold_seconds = 0.5, motion_seconds = 2;
@@ -175,6 +171,4 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
   result.write(out);
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/colours.h"
@@ -8,9 +6,7 @@
 
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr double surface_alpha = 0.25;
@@ -64,6 +60,4 @@ void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph
   glb.write(out, {glb.add_node(drawn.name(), nodes, Point::Zero())});
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

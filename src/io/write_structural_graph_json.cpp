@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/Json.h"
@@ -11,9 +9,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 Json point(const Point& p) { return {p.x(), p.y(), p.z()}; }
@@ -162,6 +158,4 @@ void write_structural_graph_json(std::ostream& out, const Structural_graph& grap
   result.write(out);
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

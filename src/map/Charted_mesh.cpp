@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "map/Charted_mesh.h"
@@ -12,9 +10,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 Eigen::Vector3d barycentric(const Point& p, const contacts::Triangle& t)
@@ -146,6 +142,4 @@ Mesh_place Place_finder::operator()(const Point& p, const Point& normal) const
   return best;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MAP_CHARTED_MESH_H
-#define CGAL_SHAPE_CORRESPONDENCE_MAP_CHARTED_MESH_H
+#pragma once
 
 #include "map/Part_chart.h"
 #include "shape/Triangle_tree.h"
@@ -16,9 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// A mesh in the coordinates of a chart.
 struct Charted_mesh
@@ -81,8 +76,4 @@ private:
   std::array<std::vector<Eigen::Index>, 6> numbers_;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MAP_CHARTED_MESH_H
+} // namespace CGAL::Shape_correspondence::internal

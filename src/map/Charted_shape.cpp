@@ -1,15 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "map/Charted_shape.h"
 
 #include "base/quarter_turn.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 Points to_common_frame(const Shape_frame& frame, int quarter_turns, const Points& world)
 {
@@ -32,6 +28,4 @@ Charted_shape charted_shape(const Structural_graph& graph, int quarter_turns,
   return result;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MAP_CHARTED_SHAPE_H
-#define CGAL_SHAPE_CORRESPONDENCE_MAP_CHARTED_SHAPE_H
+#pragma once
 
 #include "map/Part_chart.h"
 
@@ -12,9 +9,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// A shape in the common frame: height 1, standing on the ground.
 struct Charted_shape
@@ -30,8 +25,4 @@ Points to_common_frame(const Shape_frame& frame, int quarter_turns, const Points
 Charted_shape charted_shape(const Structural_graph& graph, int quarter_turns,
                             const std::vector<const Points*>& surfaces);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MAP_CHARTED_SHAPE_H
+} // namespace CGAL::Shape_correspondence::internal

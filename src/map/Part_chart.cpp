@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "map/Part_chart.h"
@@ -18,9 +16,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 Point some_normal(const Point& direction)
@@ -441,6 +437,4 @@ Part_chart Part_chart::between(const Part_chart& a, const Part_chart& b, double 
   return along(spine, across, half);
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MAP_PART_CHART_H
-#define CGAL_SHAPE_CORRESPONDENCE_MAP_PART_CHART_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// A part's own coordinates: the cube [-1, 1]³ laid around its abstraction, so that the part's surface just fits in.
 ///
@@ -95,8 +90,4 @@ inline Point unit_or(const Point& v, const Point& otherwise)
   return v.squaredNorm() > 1e-24 ? v.normalized() : otherwise;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MAP_PART_CHART_H
+} // namespace CGAL::Shape_correspondence::internal

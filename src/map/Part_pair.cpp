@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "map/Part_pair.h"
@@ -12,9 +10,7 @@
 #include <tuple>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 std::vector<Eigen::Matrix3d> cube_rotations()
 {
@@ -183,6 +179,4 @@ Pair_charts pair_charts(const Part_pair& pair, const Charted_shape& source, cons
   }
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

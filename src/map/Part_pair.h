@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MAP_PART_PAIR_H
-#define CGAL_SHAPE_CORRESPONDENCE_MAP_PART_PAIR_H
+#pragma once
 
 #include "map/matched_members.h"
 
@@ -18,9 +15,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 using Chart_box = Eigen::AlignedBox3d;
 
@@ -73,8 +68,4 @@ struct Pair_charts
 Pair_charts pair_charts(const Part_pair& pair, const Charted_shape& source, const Charted_shape& target,
                         const Points& source_piece, const Points& target_piece);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MAP_PART_PAIR_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MAP_SUBDIVISION_H
-#define CGAL_SHAPE_CORRESPONDENCE_MAP_SUBDIVISION_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
 
@@ -15,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// A mesh under subdivision. Edges are split for all of their triangles alike, so that a closed mesh stays closed.
 class Subdivision
@@ -129,8 +124,4 @@ private:
   std::vector<std::array<int, 3>> triangles_;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MAP_SUBDIVISION_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,18 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MAP_CHECK_MODEL_H
-#define CGAL_SHAPE_CORRESPONDENCE_MAP_CHECK_MODEL_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// Throws `Invalid_input` if a model does not have the parts of a graph.
 inline void check_model(const Structural_graph& graph, const Segmented_shape& shape)
@@ -26,8 +21,4 @@ inline void check_model(const Structural_graph& graph, const Segmented_shape& sh
                         "built from this model");
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MAP_CHECK_MODEL_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "map/fill_section.h"
@@ -17,9 +15,7 @@
 #include <map>
 #include <optional>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 // Fills a section by a triangulation of the plane that is constrained by its sides.
@@ -142,6 +138,4 @@ Section_filling fill_section(const Planar_points& vertices, const std::vector<Se
   return Section_filler(vertices, sides)();
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

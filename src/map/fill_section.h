@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MAP_FILL_SECTION_H
-#define CGAL_SHAPE_CORRESPONDENCE_MAP_FILL_SECTION_H
+#pragma once
 
 #include "base/planar_hull.h"
 
@@ -13,9 +10,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// From vertex to vertex, counter-clockwise around what the sides of a section enclose.
 using Section_side = std::array<int, 2>;
@@ -32,8 +27,4 @@ struct Section_filling
 /// takes triangles without area. O(n log n) for n sides, as a rule.
 Section_filling fill_section(const Planar_points& vertices, const std::vector<Section_side>& sides);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MAP_FILL_SECTION_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_NORMALIZED_SHAPE_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_NORMALIZED_SHAPE_H
+#pragma once
 
 #include "matching/part_assemblies.h"
 #include "structure/align_shapes.h"
@@ -14,9 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 using Axes = Eigen::Array3d;
 using Surface = Eigen::ArrayX3d; // a point a row
@@ -50,8 +45,4 @@ struct Normalized_shape
 
 Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assemblies& assemblies);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_NORMALIZED_SHAPE_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_PART_COSTS_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_PART_COSTS_H
+#pragma once
 
 #include "matching/part_assemblies.h"
 #include "structure/align_shapes.h"
@@ -16,8 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// The cost of every part of the source (row) corresponding to every part of the target (column), by index of the
 /// aligned shapes. Symmetric: with the shapes swapped, the transposed matrix.
@@ -65,7 +61,4 @@ double set_cost(const Eigen::MatrixXd& costs, const std::vector<std::size_t>& ro
 /// added. \pre the matrix has rows and columns
 double mean_least_cost(const Eigen::MatrixXd& costs);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_PART_COSTS_H
+} // namespace CGAL::Shape_correspondence

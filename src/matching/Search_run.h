@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_SEARCH_RUN_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_SEARCH_RUN_H
+#pragma once
 
 #include "energy/Matching_problem.h"
 
@@ -13,9 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 // One run of the search: the source of its problem is the shape that is deformed.
 struct Search_run
@@ -49,8 +44,4 @@ void collect_unmatched(std::size_t source_parts, std::size_t target_parts, Corre
 Correspondence correspondence_of(const Search_run& run, const Solution& solution,
                                  const std::vector<double>& min_marginals);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_SEARCH_RUN_H
+} // namespace CGAL::Shape_correspondence::internal

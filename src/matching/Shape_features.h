@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_SHAPE_FEATURES_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_SHAPE_FEATURES_H
+#pragma once
 
 #include "matching/Normalized_shape.h"
 
@@ -12,9 +9,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 // What `match_parts()` knows of a shape.
 struct Shape_features
@@ -29,8 +24,4 @@ struct Shape_features
   bool has_chain() const;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_SHAPE_FEATURES_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_SHAPE_LAYOUT_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_SHAPE_LAYOUT_H
+#pragma once
 
 #include "base/quantized.h"
 #include "structure/align_shapes.h"
@@ -12,9 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 constexpr double ground_tolerance = 0.03; // of the height: a part that starts lower stands on the ground
 
@@ -83,8 +78,4 @@ struct Shape_layout
   }
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_SHAPE_LAYOUT_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/box_costs.h"
@@ -11,9 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
@@ -133,6 +129,4 @@ Eigen::MatrixXd costs_after_warping(const Boxes& a, const Boxes& b, const Eigen:
   return costs_of_kind + (given + (source_warped + target_warped)) / 3;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

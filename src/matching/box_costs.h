@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_BOX_COSTS_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_BOX_COSTS_H
+#pragma once
 
 #include "matching/Normalized_shape.h"
 
@@ -12,9 +9,7 @@
 
 #include <Eigen/Core>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 // The costs that no place changes.
 double cost_of_kind(const Part_extent& a, const Part_extent& b, const Part_cost_weights& weights);
@@ -31,8 +26,4 @@ Eigen::MatrixXd costs_after_warping(const Boxes& a, const Boxes& b, const Eigen:
 // both times: with the shapes swapped, the same bits.
 Eigen::ArrayXXd mutual_softmax(const Eigen::MatrixXd& costs);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_BOX_COSTS_H
+} // namespace CGAL::Shape_correspondence::internal

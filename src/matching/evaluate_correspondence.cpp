@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -14,8 +12,7 @@
 #include <random>
 #include <set>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 namespace {
 
 /// The parts with one coarse label, and their fine labels.
@@ -221,5 +218,4 @@ Evaluation mean_scores(const std::vector<Scored_correspondence>& scores, const E
   return result;
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

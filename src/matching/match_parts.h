@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_MATCH_PARTS_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_MATCH_PARTS_H
+#pragma once
 
 #include "matching/Part_costs.h"
 
@@ -14,8 +11,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// A part-to-part correspondence. What has no counterpart is in no pair.
 struct Part_matching
@@ -47,7 +43,4 @@ struct Part_matching
 Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
                           const Part_matching_options& options = {});
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_MATCH_PARTS_H
+} // namespace CGAL::Shape_correspondence

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_NEAREST_POINTS_KERNEL_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_NEAREST_POINTS_KERNEL_H
+#pragma once
 
 #include "base/vector_functions.h"
 
@@ -19,9 +16,7 @@
 // library is compiled for one set of instructions: two sets of 32 points take 0.4 µs with AVX2 or AVX-512, 1.0 µs with
 // SSE2, 1.8 µs with none, and 1.5 µs by Eigen's arrays (on an AVX-512 machine).
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 // Points, coordinate by coordinate, and padding that is near to nothing.
 class Point_lanes
@@ -129,8 +124,4 @@ inline const Nearest_squared_kernel& nearest_squared_kernel()
   return fastest;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_NEAREST_POINTS_KERNEL_H
+} // namespace CGAL::Shape_correspondence::internal

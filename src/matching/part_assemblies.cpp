@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/part_assemblies.h"
@@ -11,8 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
@@ -185,5 +182,4 @@ private:
 
 Part_assemblies part_assemblies(const Aligned_shape& shape) { return Assembly_finder(shape).run(); }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

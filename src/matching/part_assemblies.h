@@ -1,18 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_PART_ASSEMBLIES_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_PART_ASSEMBLIES_H
+#pragma once
 
 #include "structure/align_shapes.h"
 
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// A regular arrangement, a row or a chain, has so many parts or more; a symmetry group of so many may correspond to
 /// one part as a whole.
@@ -49,7 +45,4 @@ struct Part_assemblies
 /// The assemblies of a shape, by places, contacts and symmetry groups alone. O(n (n + c)) for n parts and c contacts.
 Part_assemblies part_assemblies(const Aligned_shape& shape);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_PART_ASSEMBLIES_H
+} // namespace CGAL::Shape_correspondence

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/part_blocks.h"
@@ -12,9 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
@@ -137,6 +133,4 @@ std::vector<Block> joined_blocks(const Match_matrix& confident, const Shape_feat
       .run(options.shared_counterpart);
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

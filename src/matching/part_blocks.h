@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_PART_BLOCKS_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_PART_BLOCKS_H
+#pragma once
 
 #include "matching/Shape_features.h"
 
@@ -13,9 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 using Match_matrix = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
@@ -32,8 +27,4 @@ struct Block
 std::vector<Block> joined_blocks(const Match_matrix& confident, const Shape_features& source,
                                  const Shape_features& target, const Part_matching_options& options);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_PART_BLOCKS_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/row_frame.h"
@@ -12,9 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
@@ -120,6 +116,4 @@ std::vector<std::size_t> row_with_frame(const std::vector<std::size_t>& row, con
   return Row_frame_finder(shape, layout, main_surface, is_in_chain).with_frame(row);
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

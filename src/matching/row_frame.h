@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_ROW_FRAME_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_ROW_FRAME_H
+#pragma once
 
 #include "matching/Shape_layout.h"
 
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 constexpr std::size_t no_part = std::size_t(-1);
 
@@ -26,8 +21,4 @@ std::vector<std::size_t> row_with_frame(const std::vector<std::size_t>& row, con
                                         const Shape_layout& layout, std::size_t main_surface,
                                         const std::vector<char>& is_in_chain);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_ROW_FRAME_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,13 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/surface_distances.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
@@ -70,6 +66,4 @@ double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a,
   return (nearest.mean() + sum / n) / 2;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

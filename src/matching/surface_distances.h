@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_SURFACE_DISTANCES_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_SURFACE_DISTANCES_H
+#pragma once
 
 #include "matching/Normalized_shape.h"
 #include "matching/nearest_points_kernel.h"
 
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 // Distances of the points of the parts of one shape from the parts of another: [part](point, other part).
 using Point_distances = std::vector<Eigen::ArrayXXd>;
@@ -33,8 +28,4 @@ double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a,
 double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i,
                const std::vector<std::size_t>& parts);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_SURFACE_DISTANCES_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "search/Tangents.h"
@@ -10,9 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 Tangents::Tangents(const Pairwise_energy& energy, const std::vector<std::size_t>& order, std::size_t table_limit)
     : energy_(energy), order_(order), unary_(order.size())
@@ -81,6 +77,4 @@ std::vector<std::size_t> elimination_order(const Pairwise_energy& energy)
   return min_fill_order(energy.number_of_variables(), edges);
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

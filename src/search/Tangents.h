@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SEARCH_TANGENTS_H
-#define CGAL_SHAPE_CORRESPONDENCE_SEARCH_TANGENTS_H
+#pragma once
 
 #include "search/message_passing.h"
 #include "search/mini_bucket_bound.h"
@@ -15,9 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 // The energy with its root terms replaced by tangents: a sum of terms of one and of two variables, nowhere above the
 // energy, since -sqrt is convex.
@@ -60,8 +55,4 @@ private:
 // The order of the variables, of which the last are eliminated first.
 std::vector<std::size_t> elimination_order(const Pairwise_energy& energy);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_SEARCH_TANGENTS_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,18 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SEARCH_BEAM_SEARCH_H
-#define CGAL_SHAPE_CORRESPONDENCE_SEARCH_BEAM_SEARCH_H
+#pragma once
 
 #include "energy/Matching_problem.h"
 
 #include <CGAL/Shape_correspondence/Beam_options.h>
 #include <CGAL/Shape_correspondence/Search_result.h>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// Pruned beam search (paper, section 5): groups are assigned one by one, from the best-connected one outwards, so that
 /// no state is found twice. A partial solution is rated by the energy of the whole shape, in which parts of unassigned
@@ -23,7 +19,4 @@ namespace Shape_correspondence {
 /// \throw Invalid_input if the width or the number of expansions is under 1
 Search_result beam_search(const Matching_problem& problem, const Beam_options& options = {});
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_SEARCH_BEAM_SEARCH_H
+} // namespace CGAL::Shape_correspondence

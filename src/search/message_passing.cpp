@@ -1,15 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "search/message_passing.h"
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 void Message_passing::operator()(std::vector<Eigen::VectorXd>& unary, std::vector<Pair_cost>& pairs, int sweeps)
 {
@@ -63,6 +59,4 @@ void Message_passing::pass(const Eigen::VectorXd& unary, const std::vector<Pair_
   }
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SEARCH_MESSAGE_PASSING_H
-#define CGAL_SHAPE_CORRESPONDENCE_SEARCH_MESSAGE_PASSING_H
+#pragma once
 
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 // A term of two variables, the first one before the second in the order.
 struct Pair_cost
@@ -24,8 +19,8 @@ struct Pair_cost
 
 // Sequential tree-reweighted message passing (TRW-S, Kolmogorov 2006): moves costs between terms that share a variable,
 // so that the sum of the least costs of all terms rises and no assignment's cost changes. Repeated for similar costs of
-// the same variables, it goes on from the messages that it had. Neither Boost nor CGAL has it, or mini-buckets; toulbar2,
-// a program that solves such problems, is what the exact search is tested against.
+// the same variables, it goes on from the messages that it had. Neither Boost nor CGAL has it, or mini-buckets;
+// toulbar2, a program that solves such problems, is what the exact search is tested against.
 class Message_passing
 {
 public:
@@ -49,8 +44,4 @@ private:
   Eigen::VectorXd sum_, moved_;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_SEARCH_MESSAGE_PASSING_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "search/mini_bucket_bound.h"
@@ -9,9 +7,7 @@
 #include <iterator>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
@@ -146,6 +142,4 @@ void Mini_bucket_bound::eliminate(const Mini_buckets::Elimination& elimination)
   if (message.scope.empty()) bound_ += values[-1];
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::internal

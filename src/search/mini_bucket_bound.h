@@ -1,17 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SEARCH_MINI_BUCKET_BOUND_H
-#define CGAL_SHAPE_CORRESPONDENCE_SEARCH_MINI_BUCKET_BOUND_H
+#pragma once
 
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 // A cost table over a few variables, numbered by their position in the search order. `scope` is ascending; its last
 // variable runs fastest, so that a row over it is contiguous.
@@ -112,8 +107,4 @@ private:
   double bound_ = 0;
 };
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_SEARCH_MINI_BUCKET_BOUND_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shape/has_area.h"
@@ -13,8 +11,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
@@ -90,5 +87,4 @@ void Segmented_shape::add_part(std::string name, Part_mesh mesh)
   parts_.push_back({std::move(name), std::move(mesh)});
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/Nearest_points.h"
@@ -19,8 +17,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
@@ -231,10 +228,7 @@ private:
 };
 
 /// The least rotation that turns `up` to y.
-Eigen::Matrix3d upright_rotation(const Point& up)
-{
-  return least_rotation(up, Point::UnitY()).toRotationMatrix();
-}
+Eigen::Matrix3d upright_rotation(const Point& up) { return least_rotation(up, Point::UnitY()).toRotationMatrix(); }
 
 /// A rotation about y whose x axis is a horizontal direction.
 Eigen::Matrix3d axes_of_side(const Eigen::Vector2d& side)
@@ -341,5 +335,4 @@ Shape_frame compute_shape_frame(const Points& surface, const Point& up)
   return result;
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

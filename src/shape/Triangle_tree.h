@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SHAPE_TRIANGLE_TREE_H
-#define CGAL_SHAPE_CORRESPONDENCE_SHAPE_TRIANGLE_TREE_H
+#pragma once
 
 #include "shape/triangle_distance.h"
 
@@ -16,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace contacts {
 
 using Box = Eigen::AlignedBox3d;
@@ -367,8 +362,4 @@ private:
 };
 
 } // namespace contacts
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_SHAPE_TRIANGLE_TREE_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/planar_hull.h"
@@ -17,8 +15,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
@@ -110,5 +107,4 @@ Point estimate_up(const Segmented_shape& shape)
   return Point::Unit(best);
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

@@ -1,18 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SHAPE_HAS_AREA_H
-#define CGAL_SHAPE_CORRESPONDENCE_SHAPE_HAS_AREA_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <Eigen/Geometry>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 /// Whether a mesh has a surface to speak of, not just slivers.
 inline bool has_area(const Part_mesh& mesh)
@@ -31,8 +26,4 @@ inline bool has_area(const Part_mesh& mesh)
   return false;
 }
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_SHAPE_HAS_AREA_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SHAPE_MESHES_H
-#define CGAL_SHAPE_CORRESPONDENCE_SHAPE_MESHES_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
@@ -15,9 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 using Mesh_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh_point = Mesh_kernel::Point_3;
@@ -45,8 +40,4 @@ Part_mesh to_part_mesh(const Halfedge_mesh& mesh);
 /// \pre the triangles make a manifold, consistently oriented
 Halfedge_mesh to_halfedge_mesh(const Part_mesh& mesh);
 
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_SHAPE_MESHES_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SHAPE_SAMPLE_TRIANGLES_H
-#define CGAL_SHAPE_CORRESPONDENCE_SHAPE_SAMPLE_TRIANGLES_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
 
@@ -14,9 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace contacts {
 
 /// Points on a piece of surface and the area that each stands for.
@@ -57,8 +52,4 @@ inline Surface_samples sample_triangles(const std::vector<Sampled_triangle>& tri
 }
 
 } // namespace contacts
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_SHAPE_SAMPLE_TRIANGLES_H
+} // namespace CGAL::Shape_correspondence::internal

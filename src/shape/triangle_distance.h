@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_SHAPE_TRIANGLE_DISTANCE_H
-#define CGAL_SHAPE_CORRESPONDENCE_SHAPE_TRIANGLE_DISTANCE_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
 
@@ -15,9 +12,7 @@
 #include <limits>
 #include <optional>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace contacts {
 
 using Triangle = std::array<Point, 3>;
@@ -151,8 +146,4 @@ inline bool are_within(const Triangle& a, const Triangle& b, double squared)
 }
 
 } // namespace contacts
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_SHAPE_TRIANGLE_DISTANCE_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_EXPLANATION_H
-#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_EXPLANATION_H
+#pragma once
 
 #include "structure/Part_relations.h"
 
@@ -14,9 +11,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
 constexpr double copy_tolerance = 0.4;    ///< over the tolerance
@@ -104,8 +99,4 @@ inline bool confirm(Part_relations& parts, const Explanation& explanation)
 }
 
 } // namespace symmetry
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_EXPLANATION_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_RELATIONS_H
-#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_RELATIONS_H
+#pragma once
 
 #include "structure/Part_signature.h"
 
@@ -14,9 +11,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
 constexpr double least_position_tolerance = 0.01; ///< over the shape's height; for parts that are small
@@ -275,8 +270,4 @@ private:
 };
 
 } // namespace symmetry
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_RELATIONS_H
+} // namespace CGAL::Shape_correspondence::internal

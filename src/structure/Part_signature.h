@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_SIGNATURE_H
-#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_SIGNATURE_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/Shape_frame.h>
@@ -16,9 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
 constexpr int sheet_samples = 16;      ///< along each side, of a sheet that stands for its part's surface
@@ -217,8 +212,4 @@ inline bool surfaces_agree(const Part_signature& a, const Part_signature& b, con
 }
 
 } // namespace symmetry
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_SIGNATURE_H
+} // namespace CGAL::Shape_correspondence::internal

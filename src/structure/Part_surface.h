@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_SURFACE_H
-#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_SURFACE_H
+#pragma once
 
 #include "shape/Triangle_tree.h"
 #include "shape/sample_triangles.h"
@@ -15,9 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace contacts {
 
 inline Box widened(const Box& box, double by)
@@ -132,8 +127,4 @@ private:
 };
 
 } // namespace contacts
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_PART_SURFACE_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
@@ -16,8 +14,7 @@
 #include <map>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 namespace {
 namespace graph {
 
@@ -291,5 +288,4 @@ bool are_same_structural_graphs(const Structural_graph& a, const Structural_grap
   return graph::Comparison(a, b, tolerance)();
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_ALIGN_SHAPES_H
-#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_ALIGN_SHAPES_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
@@ -14,8 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// The paper's e: a curve has e samples, a sheet e × e (the authors' value).
 constexpr int samples_per_side = 6;
@@ -80,7 +76,4 @@ std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t c
 /// Where both shapes have one mirror plane, half turns only.
 std::vector<int> alignment_turns(const Shape_frame& source, const Shape_frame& target);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_ALIGN_SHAPES_H
+} // namespace CGAL::Shape_correspondence

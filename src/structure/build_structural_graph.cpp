@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shape/sample_triangles.h"
@@ -20,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
@@ -153,5 +150,4 @@ template Structural_graph build_structural_graph<CGAL::Sequential_tag>(const Seg
 template Structural_graph build_structural_graph<CGAL::Parallel_tag>(const Segmented_shape&, const Structure_options&,
                                                                      Structure_times*);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
@@ -16,8 +14,7 @@
 #include <limits>
 #include <optional>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 using namespace internal;
 using namespace internal::contacts;
 
@@ -356,5 +353,4 @@ template std::vector<Contact> detect_contacts<CGAL::Parallel_tag>(const Segmente
                                                                   const Shape_frame&, const Contact_options&,
                                                                   std::vector<std::string>&);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "structure/reflections.h"
@@ -14,8 +12,7 @@
 #include <set>
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 using namespace internal;
 using namespace internal::symmetry;
 
@@ -199,5 +196,4 @@ std::vector<Part_group> detect_symmetry_groups(const std::vector<Part_abstractio
   return groups;
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence

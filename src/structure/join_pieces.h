@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_JOIN_PIECES_H
-#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_JOIN_PIECES_H
+#pragma once
 
 #include "base/Disjoint_sets.h"
 
@@ -19,9 +16,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace contacts {
 
 /// Two parts and how near they are, 0 where they overlap.
@@ -82,8 +77,4 @@ inline void sort_by_parts(std::vector<Near_pair>& near)
 }
 
 } // namespace contacts
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_JOIN_PIECES_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,16 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_REFLECTIONS_H
-#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_REFLECTIONS_H
+#pragma once
 
 #include "structure/Explanation.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
 /// Least sine of the angles of what is between a turned pair with plane and normal.
@@ -189,8 +184,4 @@ inline Symmetry self_symmetry(Part_relations& parts, std::size_t i)
 }
 
 } // namespace symmetry
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_REFLECTIONS_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,17 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_RINGS_H
-#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_RINGS_H
+#pragma once
 
 #include "base/eigen_system.h"
 #include "structure/Explanation.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
 constexpr double full_turn = 2 * EIGEN_PI;
@@ -202,8 +197,4 @@ inline void add_rings(const Part_relations& parts, const std::vector<std::size_t
 }
 
 } // namespace symmetry
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_RINGS_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,18 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_ROWS_H
-#define CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_ROWS_H
+#pragma once
 
 #include "structure/Explanation.h"
 
 #include <set>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
 constexpr double uneven_spacing = 0.3; ///< how far a step of a row may be from the mean step, over the latter
@@ -94,8 +89,4 @@ inline void add_rows(const Part_relations& parts, const std::vector<std::size_t>
 }
 
 } // namespace symmetry
-} // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURE_ROWS_H
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,14 +1,10 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "viewer/collection_page.h"
 #include "viewer/html_text.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr const char* page_style = R"page(#all { flex: 1 1 55%; overflow: auto; padding: 0 1em 1em; min-width: 0; }
@@ -239,6 +235,4 @@ void write_collection_page(std::ostream& out, const Json& data)
   write_page(out, "Collection of shapes", page_style, page_body, data, page_script);
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

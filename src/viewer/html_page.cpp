@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "viewer/html_page.h"
@@ -9,9 +7,7 @@
 #include <cstdint>
 #include <ostream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr const char* page_style = R"page(#view { flex: 1 1 60%; position: relative; min-width: 0; }
@@ -273,6 +269,4 @@ void Html_page::add_row(const std::vector<int>& things, const Colour& colour, co
 
 void Html_page::write(std::ostream& out) const { write_page(out, "", page_style, page_body, data_, page_script); }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_VIEWER_HTML_PAGE_H
-#define CGAL_SHAPE_CORRESPONDENCE_VIEWER_HTML_PAGE_H
+#pragma once
 
 #include "io/colours.h"
 #include "io/glb_builder.h"
@@ -14,9 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// A page with a picture of coloured layers, which the mouse turns, and a table. Things are what the mouse points at:
 /// it shows their details and lights up their layers and rows.
@@ -46,8 +41,4 @@ private:
   Json data_;
 };
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_VIEWER_HTML_PAGE_H
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_VIEWER_HTML_TEXT_H
-#define CGAL_SHAPE_CORRESPONDENCE_VIEWER_HTML_TEXT_H
+#pragma once
 
 #include "io/Json.h"
 #include "io/colours.h"
@@ -16,9 +13,7 @@
 #include <ostream>
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// From linear light to what screens are given.
 inline std::array<double, 3> screen_colour(const Colour& colour)
@@ -84,8 +79,4 @@ const element = (tag, text, parent) => { const e = document.createElement(tag); 
       << "</script>\n</body>\n</html>\n";
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_VIEWER_HTML_TEXT_H
+} // namespace CGAL::Shape_correspondence::IO

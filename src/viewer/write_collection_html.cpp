@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/colours.h"
@@ -14,9 +12,7 @@
 #include <limits>
 #include <numeric>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr int curve_points = 9, sheet_points = 4; // of a picture
@@ -198,6 +194,4 @@ void write_collection_html(std::ostream& out, const Collection& collection,
   write_collection_page(out, data);
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/drawn_shape.h"
@@ -14,9 +12,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr double surface_alpha = 0.35;
@@ -145,6 +141,4 @@ void write_correspondence_html(std::ostream& out, const Correspondence& correspo
   page.write(out);
 }
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,7 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 //
 // This file is part of the CGAL package Shape_correspondence.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Shape_correspondence developers
 
 #ifndef CGAL_SHAPE_CORRESPONDENCE_DEFORMATION_ENERGY_H
 #define CGAL_SHAPE_CORRESPONDENCE_DEFORMATION_ENERGY_H
