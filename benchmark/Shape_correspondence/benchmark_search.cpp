@@ -8,6 +8,7 @@
 // the beam is from the optimum, the speed of the rod kernel against the machine's best loop, and synthetic problems.
 //   benchmark_search GRAPH.json GRAPH.json ...     all pairs of the graphs given that are in one folder
 #include "energy/Structural_rods.h"
+#include "energy/rod_cosines.h"
 #include "matching/match_parts.h"
 #include "search/beam_search.h"
 

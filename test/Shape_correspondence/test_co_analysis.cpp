@@ -29,7 +29,7 @@ Part_map certain(const Part_pairs& pairs)
 TEST_CASE("The matrix has the mean of both directions, parts numbered shape after shape")
 {
   const std::vector<Shape_pair_map> maps{
-      {0, 1, {{{0, 0}, {1, 1}}, {.8, .5}}}, {1, 0, {{{0, 0}}, {.4}}}, {1, 2, {{{1, 0}}, {.3}}}};
+      {0, 1, {{{0, 0, .8}, {1, 1, .5}}}}, {1, 0, {{{0, 0, .4}}}}, {1, 2, {{{1, 0, .3}}}}};
   const Part_matrix matrix = part_matrix({2, 2, 1}, maps, 0);
   CHECK(matrix.first == std::vector<std::size_t>{0, 2, 4, 5});
   Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(5, 5);

@@ -22,7 +22,7 @@ TEST_CASE("All that is found out about a collection is in its JSON, by names")
   collection.energies << 0, 1, 9, 3, 0, 1, 7, 1, 0;
   collection.medoid = 1;
   collection.tree = {{0, 1}, {1, 2}};
-  collection.bridges = {{0, 2, {{{0, 1, 2}, 2}, 9, {{{1, 0}}, {.5}}}}};
+  collection.bridges = {{0, 2, {{{0, 1, 2}, 2}, 9, {{{1, 0, .5}}}}}};
   collection.bridge_count = 1;
   collection.co_analysis = {{{0, 1}, {0}, {Co_analysis::none, 1}}, 2, 5, 4};
   collection.co_analysis_shape_pairs = 3;
@@ -54,7 +54,7 @@ TEST_CASE("The nearest shapes with their pairs of parts by names")
   IO::Nearest_in_collection found;
   found.query = {"q", "q.obj", {"top", "leg"}};
   found.shapes = {{"a", "a.obj", {"seat"}}, {"b", "b.obj", {"x", "y"}}};
-  found.nearest.shapes = {{1, .25, {{{0, 1}, {1, 0}}, {.5, 1}}}};
+  found.nearest.shapes = {{1, .25, {{{0, 1, .5}, {1, 0, 1}}}}};
   found.nearest.evaluations = 2;
   std::ostringstream out;
   IO::write_nearest_json(out, found);

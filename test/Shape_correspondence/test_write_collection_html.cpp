@@ -28,7 +28,7 @@ TEST_CASE("The page holds all shapes, their clusters, the tree and the maps, and
   collection.tree = {{0, 1}};
   collection.co_analysis = {{{0, Co_analysis::none, 1, 1, 1, 1}, {0, 1, 1, 1, 1}}, 2, 5, 0};
   std::ostringstream out;
-  const std::vector<Shape_pair_map> maps{{0, 1, {{{0, 0}}, {.756}}}, {1, 0, {{{0, 0}}, {.756}}}};
+  const std::vector<Shape_pair_map> maps{{0, 1, {{{0, 0, .756}}}}, {1, 0, {{{0, 0, .756}}}}};
   IO::write_collection_html(
       out, collection, [&](std::size_t i) { return graphs[i]; }, maps);
   const std::string page = out.str();
@@ -76,7 +76,7 @@ TEST_CASE("Of very many shapes the page shows some from every branch of the tree
   collection.medoid = half + 7;
   std::size_t drawn = 0;
   std::ostringstream out;
-  const std::vector<Shape_pair_map> maps{{collection.medoid, collection.medoid, {{{0, 0}}, {1}}}};
+  const std::vector<Shape_pair_map> maps{{collection.medoid, collection.medoid, {{{0, 0, 1}}}}};
   const auto graph = [&](std::size_t) {
     ++drawn;
     return chair;
