@@ -56,7 +56,7 @@ inline Part_abstraction sheet(const std::string& name, const Point& corner, cons
 
 inline Contact contact(const Shape_structure& shape, std::size_t a, std::size_t b, const Point& where)
 {
-  return {{a, b}, {nearest_parameter(shape.parts[a], where), nearest_parameter(shape.parts[b], where)}};
+  return {{a, b}, {nearest_parameter(shape.parts[a], where), nearest_parameter(shape.parts[b], where)}, {}};
 }
 
 inline Part_group group(std::vector<std::size_t> parts, Symmetry_type type = Symmetry_type::SELF,
