@@ -26,20 +26,6 @@ Part_map certain(const Part_pairs& pairs)
 
 } // namespace
 
-TEST_CASE("The matrix has the mean of both directions, parts numbered shape after shape")
-{
-  const std::vector<Shape_pair_map> maps{
-      {0, 1, {{{0, 0, .8}, {1, 1, .5}}}}, {1, 0, {{{0, 0, .4}}}}, {1, 2, {{{1, 0, .3}}}}};
-  const Part_matrix matrix = part_matrix({2, 2, 1}, maps, 0);
-  CHECK(matrix.first == std::vector<std::size_t>{0, 2, 4, 5});
-  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(5, 5);
-  expected(0, 2) = expected(2, 0) = .6;
-  expected(1, 3) = expected(3, 1) = .25;
-  expected(3, 4) = expected(4, 3) = .3;
-  CHECK(Eigen::MatrixXd(matrix.confidences).isApprox(expected));
-  CHECK(matrix.rejected == 0);
-}
-
 TEST_CASE("Pairs that third shapes contradict are rejected")
 {
   // Parts 0 and 1 of four shapes, each with its like; but one map swaps them
