@@ -7,6 +7,9 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
+/// The least size of a part that is stretched, of the shape's height; guards divisions by sizes.
+constexpr double least_stretched_size = 1e-6;
+
 /// The shape of a blend at `t`, strictly between its ends: the steps below, in turns.
 In_between_shape in_between_shape(const Blend_structure& blend, const Task_times& times, double t);
 

@@ -30,9 +30,9 @@ Point foot(const In_between_shape& shape, std::size_t part)
 /// highest stays. What is beyond half of its height, the whole part moves.
 void put_foot(In_between_shape& shape, std::size_t part)
 {
-  constexpr double flat = 1e-6; // of the height: the least size that is stretched
   const double rise = shape.needed_rise(part);
-  const double high = shape.points(part).row(1).maxCoeff(), height = std::max(high - shape.lowest(part), flat);
+  const double high = shape.points(part).row(1).maxCoeff(),
+               height = std::max(high - shape.lowest(part), least_stretched_size);
   const double stretch = std::clamp(rise, -height / 2, height / 2);
   Affine_motion motion{Point(0, high, 0), Point(0, rise - stretch, 0), Eigen::Matrix3d::Zero()};
   motion.gradient(1, 1) = -stretch / height;

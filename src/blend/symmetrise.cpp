@@ -23,7 +23,6 @@ bool has_image(const In_between_shape& shape, std::size_t part)
 
 void symmetrise_boxes(In_between_shape& shape)
 {
-  constexpr double flat = 1e-6; // of the height: the least size that is stretched
   const double share = mirror_share(shape.time());
   std::vector<contacts::Box> boxes(shape.number_of_parts());
   for (std::size_t part = 0; part < boxes.size(); ++part)
@@ -33,7 +32,7 @@ void symmetrise_boxes(In_between_shape& shape)
     const contacts::Box& image = boxes[shape.part(part).image];
     const Point middle = boxes[part].center(), size = boxes[part].sizes();
     const Point translation = share / 2 * (mirrored(Point(image.center())) - middle);
-    const Point growth = share / 2 * (image.sizes() - size).cwiseQuotient(size.cwiseMax(flat));
+    const Point growth = share / 2 * (image.sizes() - size).cwiseQuotient(size.cwiseMax(least_stretched_size));
     shape.apply(Affine_motion{middle, translation, growth.asDiagonal()}, part);
   }
 }

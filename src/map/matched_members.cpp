@@ -37,13 +37,13 @@ std::vector<Connected_parts> connected_parts(const Part_pairs& pairs, std::size_
 /// Where parts lie among each other: their middles in the box around all of them.
 Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
 {
-  constexpr double flat = 0.02; // of the shape's height: no extent to tell places by
+  constexpr double least_extent = 0.02; // of the shape's height: below it, an axis tells no places apart
   Points result(3, Eigen::Index(parts.size()));
   for (std::size_t i = 0; i < parts.size(); ++i)
     result.col(Eigen::Index(i)) = shape.charts[parts[i]](Point::Zero());
   const Point low = result.rowwise().minCoeff(), extent = result.rowwise().maxCoeff() - low;
   for (int axis = 0; axis < 3; ++axis) {
-    if (extent[axis] < flat)
+    if (extent[axis] < least_extent)
       result.row(axis).setConstant(0.5);
     else
       result.row(axis) = (result.row(axis).array() - low[axis]) / extent[axis];
@@ -56,7 +56,7 @@ Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
 /// symmetrically.
 Part_pairs matched_by_place(const Connected_parts& sets, const Charted_shape& source, const Charted_shape& target)
 {
-  constexpr double as_near = 0.02;
+  constexpr double as_near = 0.02; // of the unit box: members that are hardly farther than the nearest one match, too
   const Points from = places(source, sets.source), to = places(target, sets.target);
   Eigen::MatrixXd cost(from.cols(), to.cols());
   for (Eigen::Index i = 0; i < cost.rows(); ++i)

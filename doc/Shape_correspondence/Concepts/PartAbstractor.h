@@ -25,8 +25,8 @@ public:
   unknown. `report` tells how the abstraction was made; `report.fallback` is a reason to warn the user, or empty.
 
   \param part the part. Its mesh is in the frame of the shape (unit height, y up), or of the part alone when called by
-    `abstract_part()`. Equal vertices are merged, no triangle occurs twice, and at least one has a positive area. The mesh
-    may be open, non-manifold, of several components, and intersect itself.
+    `abstract_part()`. Equal vertices are merged, no triangle occurs twice, and at least one has a positive area. The
+  mesh may be open, non-manifold, of several components, and intersect itself.
   \param options the options of the call, among them the kind of abstraction wanted, `options.kind_of(part.name)`
   */
   CGAL::Shape_correspondence::Part_abstraction
