@@ -194,7 +194,7 @@ TEST_CASE("A compact body of revolution becomes a curve along its axis")
   const auto check = [&](const std::vector<Eigen::Vector2d>& profile, double height) {
     const Part_abstraction part = abstraction_of(moved(turned(profile), tilt, Point(1, 2, 3)));
     REQUIRE_FALSE(part.is_sheet());
-    CHECK(part.report.method == Method::REVOLUTION_AXIS);
+    CHECK(part.report.method == Method::AXIS);
     CHECK(part.report.blob);
     const Points& points = part.control_points();
     const Point along = points.col(15) - points.col(0);
@@ -217,7 +217,7 @@ TEST_CASE("A compact body of revolution becomes a curve along its axis")
     }));
     CHECK(part.report.tube);
     CHECK_FALSE(part.report.blob);
-    CHECK(part.report.method == Method::REVOLUTION_AXIS);
+    CHECK(part.report.method == Method::AXIS);
     CHECK(part.control_points().row(1).maxCoeff() == Approx(h).epsilon(0.05));
     CHECK(part.control_points().row(0).cwiseAbs().maxCoeff() < 0.02);
   }
