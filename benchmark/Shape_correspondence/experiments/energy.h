@@ -30,6 +30,20 @@ inline void figure4(const Dataset& dataset)
   compare(dataset, methods, "energy");
 }
 
+/// Flips: the search for all alignments that the shapes' symmetry leaves, as in the paper, and for the one nearest to the
+/// given orientation; by both searches.
+inline void alignments(const Dataset& dataset)
+{
+  std::vector<std::pair<std::string, peers::Peer>> methods;
+  for (const auto& [name, method] : {std::make_pair("beam", paper_options()), std::make_pair("exact", exact_options())})
+    for (const int count : {0, 1}) {
+      Search_options options = method;
+      options.alignments = count;
+      methods.emplace_back(std::string(name) + (count ? ", nearest alignment" : ", all alignments"), ours(options));
+    }
+  compare(dataset, methods, "search");
+}
+
 /// Over all pairs, energies relative to the least proven one.
 inline void figure10(const Dataset& dataset, const Options& options)
 {
