@@ -23,12 +23,16 @@ Eigen::Matrix<double, 6, 1> extremes(const Aligned_shape::Group& group)
   return result;
 }
 
-// The target groups that a source group may be matched to: all, or the nearest ones, in their order.
+// The target groups that a source group may be matched to: all that the symmetry allows, or any if it allows none, or
+// the nearest ones, in their order.
 std::vector<std::size_t> candidates(const Aligned_shape::Group& group, const Aligned_shape& target)
 {
+  const bool none_may = std::none_of(target.groups.begin(), target.groups.end(),
+                                     [&](const Aligned_shape::Group& other) { return may_match(group, other); });
   std::vector<std::pair<long, std::size_t>> nearest;
   for (std::size_t h = 0; h < target.groups.size(); ++h)
-    nearest.emplace_back(quantized((extremes(group) - extremes(target.groups[h])).norm()), h);
+    if (none_may || may_match(group, target.groups[h]))
+      nearest.emplace_back(quantized((extremes(group) - extremes(target.groups[h])).norm()), h);
   if (nearest.size() > maximum_labels) {
     std::sort(nearest.begin(), nearest.end());
     nearest.resize(maximum_labels);

@@ -44,11 +44,16 @@ Operation topological_operation(std::size_t source_size, std::size_t target_size
 
 double solidity_ratio(const Aligned_shape::Group& source, const Aligned_shape::Group& target)
 {
-  const bool single = source.parts.size() == 1 && target.parts.size() == 1;
+  const bool one_to_one = source.parts.size() == target.parts.size();
   const bool rotational =
       source.symmetry.type == Symmetry_type::ROTATION || target.symmetry.type == Symmetry_type::ROTATION;
-  if (single || rotational) return 1;
+  if (one_to_one || rotational) return 1;
   return std::min(source.solidity, target.solidity) / std::max(source.solidity, target.solidity);
+}
+
+bool may_match(const Aligned_shape::Group& source, const Aligned_shape::Group& target)
+{
+  return source.parts.size() == 1 || target.parts.size() > 1 || target.symmetry.type == Symmetry_type::SELF;
 }
 
 Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,

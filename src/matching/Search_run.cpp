@@ -161,6 +161,20 @@ void collect_groups(const Matching_problem& problem, const Assignment& assignmen
   std::sort(correspondence.pairs.begin(), correspondence.pairs.end(), is_before);
 }
 
+// Whether a search had to leave the paper's rule that a group becomes a group or a self-symmetric part.
+bool merges_into_asymmetric_part(const Search_run& run, const Assignment& assignment)
+{
+  if (run.result.summary.method == "parts") return false;
+  const Matching_problem& problem = run.problem;
+  for (std::size_t g = 0; g < assignment.size(); ++g) {
+    const std::size_t label = std::size_t(assignment[g]);
+    if (problem.is_unmatched(g, label)) continue;
+    if (!may_match(problem.source().groups[g], problem.target().groups[problem.label(g, label).target_group]))
+      return true;
+  }
+  return false;
+}
+
 } // namespace
 
 Correspondence correspondence_of(const Search_run& run, const Solution& solution,
@@ -178,6 +192,10 @@ Correspondence correspondence_of(const Search_run& run, const Solution& solution
     correspondence.warnings.push_back("There are " + std::to_string(run.problem.target().groups.size()) +
                                       " groups to choose from; each was given the " + std::to_string(maximum_labels) +
                                       " nearest in place and size to choose from.");
+  if (merges_into_asymmetric_part(run, solution.assignment))
+    correspondence.warnings.push_back(
+        "A group of parts was merged into one part that is not symmetric by itself: there "
+        "is neither a group nor a symmetric part that it could have become.");
   collect_groups(run.problem, solution.assignment, min_marginals, correspondence);
   return correspondence;
 }
