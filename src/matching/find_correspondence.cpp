@@ -153,6 +153,15 @@ Matching_problem::Shared_shape participating(Matching_problem::Shared_shape shap
 
 } // namespace
 
+Search_options paper_options()
+{
+  Search_options options;
+  options.method = Search_method::BEAM;
+  options.alignments = 0;
+  options.coarse_target = false;
+  return options;
+}
+
 // By quarter turn.
 struct Prepared_shape::Alignments
 {
@@ -185,6 +194,7 @@ public:
   {
     check(options);
     source_ = participating(source.alignments_->aligned(0), options.source_parts, options.maximum_parts);
+    if (options.maximum_parts > 0 && !options.coarse_target) options_.both_directions = false;
   }
 
   std::vector<Correspondence> ranked(const Prepared_shape& target) const
@@ -208,7 +218,8 @@ private:
   Correspondence matched_parts(const Prepared_shape& target) const;
   Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const
   {
-    return participating(target.alignments_->aligned(quarter_turns), options_.target_parts, options_.maximum_parts);
+    return participating(target.alignments_->aligned(quarter_turns), options_.target_parts,
+                         options_.coarse_target ? options_.maximum_parts : 0);
   }
   double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;
 
