@@ -55,11 +55,11 @@ public:
       : problem_(problem),
         shape_(problem.source()),
         preserve_structure_(shape_),
-        displacement_(Points::Zero(3, Eigen::Index(shape_.parts.size()))),
+        motions_(shape_.parts.size()),
         contact_displacement_(shape_.contacts.size()),
         matched_(shape_.groups.size()),
         energies_(shape_.contacts.size()),
-        moved_by_(displacement_)
+        moved_by_(motions_)
   {
     for (const Sampled_part& part : shape_.parts)
       moved_.emplace_back(part.samples);
@@ -78,7 +78,7 @@ public:
     (*this)(assignment); // the parent before has most of it
     has_parent_ = true;
     parent_ = assignment;
-    parent_displacement_ = displacement_;
+    parent_motions_ = motions_;
     parent_energies_ = energies_;
   }
 
@@ -92,7 +92,7 @@ public:
         if (matched_[group])
           contact_displacement_[contact][side] = contact_movement_[2 * contact + side][std::size_t(assignment[group])];
       }
-    preserve_structure_(matched_, contact_displacement_, displacement_);
+    preserve_structure_(matched_, contact_displacement_, motions_);
     for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
       energies_[contact] =
           same_as_parent(contact, assignment) ? parent_energies_[contact] : contact_energy(contact, assignment);
@@ -126,8 +126,7 @@ private:
     for (std::size_t part : shape_.contacts[contact].parts) {
       const std::size_t group = shape_.group_of[part];
       if (assignment[group] != parent_[group]) return false;
-      if (!matched_[group] && displacement_.col(Eigen::Index(part)) != parent_displacement_.col(Eigen::Index(part)))
-        return false;
+      if (!matched_[group] && !(motions_[part] == parent_motions_[part])) return false;
     }
     return true;
   }
@@ -135,13 +134,16 @@ private:
   // The samples of an unmatched part, moved; often they were moved like that before.
   const Sample_lanes& moved(std::size_t part)
   {
-    const Eigen::Index column = Eigen::Index(part);
-    if (moved_by_.col(column) == displacement_.col(column)) return moved_[part];
+    const Part_motion& motion = motions_[part];
+    if (moved_by_[part] == motion) return moved_[part];
     const Points& samples = shape_.parts[part].samples;
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-      for (Eigen::Index i = 0; i < samples.cols(); ++i)
-        moved_[part].coordinates[axis][i] = float(samples(axis, i) + displacement_(axis, column));
-    moved_by_.col(column) = displacement_.col(column);
+    for (Eigen::Index i = 0; i < samples.cols(); ++i) {
+      const Point sample = samples.col(i);
+      const Point to = sample + motion.shift + motion.stretch * (sample - shape_.parts[part].centroid);
+      for (Eigen::Index axis = 0; axis < 3; ++axis)
+        moved_[part].coordinates[axis][i] = float(to[axis]);
+    }
+    moved_by_[part] = motion;
     return moved_[part];
   }
 
@@ -155,9 +157,11 @@ private:
       if (!matched_[group] && assignment[group] != unassigned) return {}; // left unmatched, has its own cost
 
     if (!matched_[g] && !matched_[h]) {
-      // Parts that move alike keep their rods
-      const Point difference = displacement_.col(Eigen::Index(parts[0])) - displacement_.col(Eigen::Index(parts[1]));
-      if (difference.squaredNorm() < zero_rod) return {};
+      // Parts that are displaced alike and not stretched keep their rods
+      const Part_motion &first = motions_[parts[0]], &second = motions_[parts[1]];
+      if ((first.shift - second.shift).squaredNorm() + first.stretch.squaredNorm() + second.stretch.squaredNorm() <
+          zero_rod)
+        return {};
       return problem_.rods(contact, false, false).energy(moved(parts[0]), moved(parts[1]));
     }
 
@@ -185,15 +189,15 @@ private:
   const Aligned_shape& shape_;
   Structure_preservation preserve_structure_;
   std::vector<std::vector<Point>> contact_movement_; // by side of contact and label
-  Points displacement_;
+  std::vector<Part_motion> motions_;                 // by part
   std::vector<std::array<Point, 2>> contact_displacement_;
   std::vector<char> matched_;
   std::vector<Rod_energy> energies_;
   std::vector<Sample_lanes> moved_; // by part, its samples moved by
-  Points moved_by_;
+  std::vector<Part_motion> moved_by_;
   bool has_parent_ = false;
   Assignment parent_;
-  Points parent_displacement_;
+  std::vector<Part_motion> parent_motions_;
   std::vector<Rod_energy> parent_energies_;
 };
 
