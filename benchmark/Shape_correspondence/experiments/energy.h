@@ -63,6 +63,7 @@ inline void figure10(const Dataset& dataset, const Options& options)
         beam.both_directions = false;
         beam.beam.beam_width = widths[k];
         const double begin = now();
+        beam.alignments = exact.alignments;
         const double energy = find_correspondence(category.graphs[s], category.graphs[t], beam).energy;
         seconds[k] += now() - begin;
         excess[k] += energy / best.energy;
