@@ -4,6 +4,7 @@
 #include "energy/match_groups.h"
 #include "base/optimal_assignment.h"
 #include "energy/Unit_box.h"
+#include "energy/divide_sheets.h"
 
 #include <algorithm>
 
@@ -35,6 +36,17 @@ std::vector<std::vector<std::size_t>> assign_members(const Eigen::MatrixXd& cost
 
 } // namespace
 
+bool overlap(const Piece& a, const Piece& b)
+{
+  if (a.part != b.part) return false;
+  const auto meet = [](double low, double high, double other_low, double other_high) {
+    return low < other_high && other_low < high;
+  };
+  // Segments of a curve, then rectangles of a sheet; the whole is both
+  return meet(a.index * b.count, (a.index + 1) * b.count, b.index * a.count, (b.index + 1) * a.count) &&
+         meet(a.low[0], a.high[0], b.low[0], b.high[0]) && meet(a.low[1], a.high[1], b.low[1], b.high[1]);
+}
+
 Operation topological_operation(std::size_t source_size, std::size_t target_size)
 {
   if (source_size == target_size) return Operation::MATCH;
@@ -56,8 +68,10 @@ bool may_match(const Aligned_shape::Group& source, const Aligned_shape::Group& t
   return source.parts.size() == 1 || target.parts.size() > 1 || target.symmetry.type == Symmetry_type::SELF;
 }
 
-Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
-                         std::size_t target_group)
+namespace {
+
+Group_label match_members(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
+                          std::size_t target_group)
 {
   const auto& from = source.groups[source_group].parts;
   const auto& to = target.groups[target_group].parts;
@@ -90,6 +104,16 @@ Group_label match_groups(const Aligned_shape& source, std::size_t source_group, 
       for (std::size_t i : preimages[j])
         label.images[i].push_back({{from[i]}, {to[j]}});
   }
+  return label;
+}
+
+} // namespace
+
+Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
+                         std::size_t target_group)
+{
+  Group_label label = match_members(source, source_group, target, target_group);
+  divide_sheets(source, target, label);
   return label;
 }
 

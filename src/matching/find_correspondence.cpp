@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/quantized.h"
+#include "energy/divide_sheets.h"
 #include "matching/Search_run.h"
 #include "matching/match_parts.h"
 
@@ -58,6 +59,7 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
       label.operation = topological_operation(group.parts.size(), parts.size());
       if (target.groups[label.target_group].parts == parts)
         label.solidity_ratio = solidity_ratio(group, target.groups[label.target_group]);
+      divide_sheets(source, target, label);
     }
     labels.push_back({std::move(label)});
   }

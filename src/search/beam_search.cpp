@@ -8,7 +8,11 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -46,6 +50,23 @@ std::vector<std::size_t> assignment_order(const Aligned_shape& shape)
   return order;
 }
 
+// The sample of a piece at a sample of its part; none if that is on another piece.
+std::optional<std::size_t> sample_on_piece(const Piece& piece, std::size_t at)
+{
+  constexpr int last = samples_per_side - 1;
+  if (piece.is_segment()) return at * std::size_t(piece.count) - std::size_t(piece.index * last);
+  if (!piece.is_rectangle()) return at;
+  std::size_t result = 0;
+  const std::array<std::size_t, 2> station{at / samples_per_side, at % samples_per_side};
+  for (std::size_t axis : {0, 1}) {
+    const double place = double(station[axis]) / last;
+    if (place < piece.low[axis] || place > piece.high[axis]) return std::nullopt;
+    const double on_piece = (place - piece.low[axis]) / (piece.high[axis] - piece.low[axis]);
+    result = result * samples_per_side + std::size_t(std::lround(on_piece * last));
+  }
+  return result;
+}
+
 // Rates partial solutions: contacts between assigned groups by the tables, others by rods with propagated parts. What
 // an expansion leaves alone keeps the energy that it has in the parent.
 class Partial_energy
@@ -54,6 +75,7 @@ public:
   explicit Partial_energy(const Matching_problem& problem)
       : problem_(problem),
         shape_(problem.source()),
+        piece_rods_(shape_.contacts.size()),
         preserve_structure_(shape_),
         motions_(shape_.parts.size()),
         contact_displacement_(shape_.contacts.size()),
@@ -105,19 +127,20 @@ private:
   {
     const Points& samples = shape_.parts[shape_.contacts[contact].parts[std::size_t(side)]].samples;
     const std::size_t at = shape_.contacts[contact].samples[std::size_t(side)];
-    const Fitted_range clones = problem_.touching(contact, side, label);
-    if (clones.empty()) return Point::Zero();
     Point sum = Point::Zero();
-    for (std::size_t clone : clones) {
+    int count = 0;
+    for (std::size_t clone : problem_.touching(contact, side, label)) {
       const Fitted_piece& fitted = problem_.fitted()[clone];
+      const std::optional<std::size_t> on_piece = sample_on_piece(fitted.source, at);
+      if (!on_piece) continue;
       const Points& target = problem_.fitted().target_piece(fitted.target_index).samples;
-      const std::size_t count = fitted.order->size();
-      const std::size_t on_piece =
-          at * std::size_t(fitted.source.count) - std::size_t(fitted.source.index) * (samples_per_side - 1);
-      const std::size_t from = on_piece * (count / std::size_t(samples.cols()));
-      sum += target.col((*fitted.order)[from] / int(count / std::size_t(target.cols())));
+      const std::size_t size = fitted.order->size();
+      const std::size_t from = *on_piece * (size / std::size_t(samples.cols()));
+      sum += target.col((*fitted.order)[from] / int(size / std::size_t(target.cols())));
+      ++count;
     }
-    return sum / double(clones.size()) - samples.col(Eigen::Index(at));
+    if (count == 0) return Point::Zero();
+    return sum / double(count) - samples.col(Eigen::Index(at));
   }
 
   bool same_as_parent(std::size_t contact, const Assignment& assignment) const
@@ -168,25 +191,45 @@ private:
     // One side is assigned: the propagated part keeps to the nearest of its clones
     const int side = matched_[g] ? 0 : 1;
     const std::size_t matched_part = parts[std::size_t(side)], moved_part = parts[std::size_t(1 - side)];
-    const Eigen::Index own = shape_.parts[matched_part].samples.cols();
     const Sample_lanes& other = moved(moved_part);
     Rod_energy best;
     double best_cost = std::numeric_limits<double>::infinity();
     const Energy_weights& weights = problem_.options().weights;
     for (std::size_t clone : problem_.touching(contact, side, std::size_t(assignment[shape_.group_of[matched_part]]))) {
       const Fitted_piece& fitted = problem_.fitted()[clone];
-      const bool lift = Eigen::Index(fitted.order->size()) != own && fitted.source.count == 1;
       const Sample_lanes& taken = problem_.fitted().samples(fitted);
-      const Rod_energy energy = side == 0 ? problem_.rods(contact, lift, false).energy(taken, other)
-                                          : problem_.rods(contact, false, lift).energy(other, taken);
+      const Structural_rods& before = rods(contact, side, fitted);
+      const Rod_energy energy = side == 0 ? before.energy(taken, other) : before.energy(other, taken);
       const double cost = weights.distortion * energy.distortion + weights.connectedness * energy.connectedness;
       if (cost < best_cost) best = energy, best_cost = cost;
     }
     return best;
   }
 
+  // The rods of a contact of which one side is a piece of a matched part, the other a whole part.
+  const Structural_rods& rods(std::size_t contact, int side, const Fitted_piece& fitted)
+  {
+    if (fitted.source.is_whole()) return problem_.rods(contact, side == 0 && fitted.lifted, side == 1 && fitted.lifted);
+    const std::size_t size = fitted.order->size();
+    for (const Piece_rods& known : piece_rods_[contact])
+      if (known.side == side && known.piece == fitted.source_index && known.size == size) return known.rods;
+    const Points piece = lifted_samples(problem_.fitted().source_piece(fitted.source_index), Eigen::Index(size));
+    const Points& other = shape_.parts[shape_.contacts[contact].parts[std::size_t(1 - side)]].samples;
+    piece_rods_[contact].push_back(
+        {side, fitted.source_index, size, side == 0 ? Structural_rods(piece, other) : Structural_rods(other, piece)});
+    return piece_rods_[contact].back().rods;
+  }
+
+  struct Piece_rods
+  {
+    int side;
+    std::size_t piece, size;
+    Structural_rods rods;
+  };
+
   const Matching_problem& problem_;
   const Aligned_shape& shape_;
+  std::vector<std::deque<Piece_rods>> piece_rods_; // by contact
   Structure_preservation preserve_structure_;
   std::vector<std::vector<Point>> contact_movement_; // by side of contact and label
   std::vector<Part_motion> motions_;                 // by part

@@ -6,6 +6,7 @@
 #include "deformed_parts.h"
 #include "energy/Matching_problem.h"
 #include "energy/Structural_rods.h"
+#include "energy/divide_sheets.h"
 #include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
@@ -110,7 +111,7 @@ TEST_CASE("Both ends of a contact on one target part: the authors' charge for th
       CHECK(problem.contact_energy(contact, label, label).connectedness == collapsed_connectedness);
 }
 
-TEST_CASE("A part that splits: the contact's energy is the mean over clones, each with its nearest counterpart")
+TEST_CASE("A sheet that splits: the contact's energy is the mean over its pieces, each with its counterpart")
 {
   const Matching_problem problem(align_shape(chair()), align_shape(slatted_chair()));
   const Aligned_shape &source = problem.source(), &target = problem.target();
@@ -122,14 +123,24 @@ TEST_CASE("A part that splits: the contact's energy is the mean over clones, eac
   for (std::size_t contact = 0; contact < source.contacts.size(); ++contact) {
     const auto& parts = source.contacts[contact].parts;
     if (std::minmax(parts[0], parts[1]) != std::minmax(seat, back)) continue;
-    double sum = 0;
-    for (std::size_t slat : {1, 2, 3}) {
-      const auto image = [&](std::size_t part) { return target.parts[part_of(target, part == seat ? 0 : slat)]; };
-      const Points first = deformed(source.parts[parts[0]], image(parts[0])),
-                   second = deformed(source.parts[parts[1]], image(parts[1]));
-      sum += problem.rods(contact, false, false).energy(first, second).distortion;
-    }
+    // The slats lie at -.2, 0 and .2 and are as wide as each other: each is a third of the back, from left to right
+    const Sampled_part& sheet = source.parts[back];
+    const bool along_u =
+        std::abs(sheet.samples(0, samples_per_side * (samples_per_side - 1)) - sheet.samples(0, 0)) > .1;
+    const bool from_left = sheet.samples(0, 0) < 0;
     const bool seat_first = parts[0] == seat;
+    double sum = 0;
+    for (int k : {0, 1, 2}) {
+      std::array<double, 2> low{0, 0}, high{1, 1};
+      low[along_u ? 0 : 1] = k / 3.;
+      high[along_u ? 0 : 1] = (k + 1) / 3.;
+      const Sampled_part piece = rectangle(sheet, low, high);
+      const Points seat_now = deformed(source.parts[seat], target.parts[part_of(target, 0)]);
+      const Points piece_now = deformed(piece, target.parts[part_of(target, from_left ? 1 + k : 3 - k)]);
+      const Structural_rods rods = seat_first ? Structural_rods(source.parts[seat].samples, piece.samples)
+                                              : Structural_rods(piece.samples, source.parts[seat].samples);
+      sum += (seat_first ? rods.energy(seat_now, piece_now) : rods.energy(piece_now, seat_now)).distortion;
+    }
     const Rod_energy energy =
         problem.contact_energy(contact, seat_first ? target_seat : slats, seat_first ? slats : target_seat);
     CHECK(energy.distortion == Approx(sum / 3));
@@ -147,7 +158,8 @@ TEST_CASE("A cut post costs nothing where the pieces stand on each other, and sp
       shape.parts.push_back(curve(std::to_string(i), {0, i / double(pieces), 0}, {0, (i + 1) / double(pieces), 0}));
       shape.contacts.push_back(contact(shape, members.back() - 1, members.back(), {0, i / double(pieces), 0}));
     }
-    return make_structural_graph(std::move(shape), {group({0}), group(members, Symmetry_type::TRANSLATION)});
+    const Symmetry_type type = pieces == 1 ? Symmetry_type::SELF : Symmetry_type::TRANSLATION;
+    return make_structural_graph(std::move(shape), {group({0}), group(members, type)});
   };
   const Aligned_shape whole = align_shape(post(1)), cut = align_shape(post(2));
   for (const bool forward : {true, false}) {
