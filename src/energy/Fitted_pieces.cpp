@@ -23,7 +23,7 @@ Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape
 {
   for (std::size_t part = 0; part < source.parts.size(); ++part) {
     const std::size_t group = source.group_of[part];
-    const auto& parts = source.groups[group].parts;
+    const auto& parts = source.group(group).parts;
     const std::size_t member = std::size_t(std::find(parts.begin(), parts.end(), part) - parts.begin());
     fitted_begin_.push_back(fitted_.size());
     label_begin_.push_back(image_begin_.size());

@@ -7,6 +7,9 @@
 
 #include <Eigen/Core>
 
+#include <boost/graph/properties.hpp>
+#include <boost/pending/queue.hpp>
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -43,7 +46,7 @@ public:
 
   explicit Structure_preservation(const Aligned_shape& shape);
 
-  /// Moves the parts of unmatched groups; makes no allocation.
+  /// Moves the parts of unmatched groups.
   /// \param matched by group
   /// \param contact_displacement by contact, the movement of the contact point on the first and on the second part
   /// where that part is matched
@@ -67,6 +70,7 @@ private:
   };
 
   Handles handles(std::size_t group) const;
+  void visit(const std::vector<char>& matched);
   double place(std::size_t group, const std::vector<char>& matched,
                const std::vector<std::array<Point, 2>>& contact_displacement);
   void stretch(std::size_t group, const std::vector<char>& matched,
@@ -77,6 +81,12 @@ private:
   std::vector<Handles> handles_;            // by group
   Points displacement_;                     // by part
   std::vector<char> placed_;
+
+  // Of the visit, by group
+  boost::queue<std::size_t> queue_;
+  std::vector<boost::default_color_type> colours_;
+  std::vector<int> layer_;
+  std::vector<std::size_t> sources_;
   std::vector<std::size_t> order_; // unmatched groups that something matched reaches, breadth-first
 };
 

@@ -51,7 +51,7 @@ std::vector<std::size_t> matching_segments(const Sampled_part& curve, const Unit
 Group_label cut_curves(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
                        const Group_label& label)
 {
-  const auto &from = source.groups[source_group].parts, &to = target.groups[label.target_group].parts;
+  const auto &from = source.group(source_group).parts, &to = target.group(label.target_group).parts;
   Group_label result = label;
   const auto centroids = [](const Aligned_shape& shape, const std::vector<std::size_t>& parts) {
     std::vector<Point> points;
@@ -62,7 +62,7 @@ Group_label cut_curves(const Aligned_shape& source, std::size_t source_group, co
   const auto all_curves = [](const Aligned_shape& shape, const std::vector<std::size_t>& parts) {
     return std::all_of(parts.begin(), parts.end(), [&](std::size_t part) { return is_open_curve(shape.parts[part]); });
   };
-  const Unit_box from_box(source.groups[source_group]), to_box(target.groups[label.target_group]);
+  const Unit_box from_box(source.boxes[source_group]), to_box(target.boxes[label.target_group]);
 
   for (std::vector<Image>& images : result.images) {
     const std::size_t part = images[0].source.part;

@@ -54,16 +54,18 @@ Operation topological_operation(std::size_t source_size, std::size_t target_size
   return source_size == 1 ? Operation::SPLIT : Operation::DUPLICATE;
 }
 
-double solidity_ratio(const Aligned_shape::Group& source, const Aligned_shape::Group& target)
+double solidity_ratio(const Part_group& source, const Part_group& target)
 {
   const bool one_to_one = source.parts.size() == target.parts.size();
   const bool rotational =
       source.symmetry.type == Symmetry_type::ROTATION || target.symmetry.type == Symmetry_type::ROTATION;
   if (one_to_one || rotational) return 1;
-  return std::min(source.solidity, target.solidity) / std::max(source.solidity, target.solidity);
+  const double before = solidity(source.volume, source.hull_volume);
+  const double after = solidity(target.volume, target.hull_volume);
+  return std::min(before, after) / std::max(before, after);
 }
 
-bool may_match(const Aligned_shape::Group& source, const Aligned_shape::Group& target)
+bool may_match(const Part_group& source, const Part_group& target)
 {
   return source.parts.size() == 1 || target.parts.size() > 1 || target.symmetry.type == Symmetry_type::SELF;
 }
@@ -73,12 +75,12 @@ namespace {
 Group_label match_members(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
                           std::size_t target_group)
 {
-  const auto& from = source.groups[source_group].parts;
-  const auto& to = target.groups[target_group].parts;
+  const auto& from = source.group(source_group).parts;
+  const auto& to = target.group(target_group).parts;
   Group_label label;
   label.target_group = target_group;
   label.operation = topological_operation(from.size(), to.size());
-  label.solidity_ratio = solidity_ratio(source.groups[source_group], target.groups[target_group]);
+  label.solidity_ratio = solidity_ratio(source.group(source_group), target.group(target_group));
   label.images.resize(from.size());
   if (from.size() == 1 || to.size() == 1) {
     for (std::size_t i = 0; i < from.size(); ++i)
@@ -87,7 +89,7 @@ Group_label match_members(const Aligned_shape& source, std::size_t source_group,
     return label;
   }
 
-  const Unit_box from_box(source.groups[source_group]), to_box(target.groups[target_group]);
+  const Unit_box from_box(source.boxes[source_group]), to_box(target.boxes[target_group]);
   Eigen::MatrixXd cost(from.size(), to.size());
   for (Eigen::Index i = 0; i < cost.rows(); ++i)
     for (Eigen::Index j = 0; j < cost.cols(); ++j)

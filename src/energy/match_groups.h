@@ -55,11 +55,11 @@ Operation topological_operation(std::size_t source_size, std::size_t target_size
 
 /// S_i of Eq. 5: 1 between groups of equal size, whose parts correspond one to one, and where one side is a rotational
 /// group.
-double solidity_ratio(const Aligned_shape::Group& source, const Aligned_shape::Group& target);
+double solidity_ratio(const Part_group& source, const Part_group& target);
 
 /// Whether a search may match a group to another one (paper, section 5): to a group, or to a single part if that is
 /// self-symmetric; a single part to anything.
-bool may_match(const Aligned_shape::Group& source, const Aligned_shape::Group& target);
+bool may_match(const Part_group& source, const Part_group& target);
 
 /// Group matching (paper, section 5): the parts of a source group and those of a target group, centroids in the groups'
 /// unit boxes, matched one to one by optimal assignment as far as numbers allow; every member left over goes to the

@@ -46,7 +46,7 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
     images[pair.source].push_back(pair.target);
 
   std::vector<std::vector<Group_label>> labels;
-  for (const Aligned_shape::Group& group : source.groups) {
+  for (const Part_group& group : groups(source)) {
     Group_label label;
     for (std::size_t part : group.parts) {
       label.images.emplace_back();
@@ -57,8 +57,8 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
     if (!parts.empty()) {
       label.target_group = target.group_of[parts[0]];
       label.operation = topological_operation(group.parts.size(), parts.size());
-      if (target.groups[label.target_group].parts == parts)
-        label.solidity_ratio = solidity_ratio(group, target.groups[label.target_group]);
+      if (target.group(label.target_group).parts == parts)
+        label.solidity_ratio = solidity_ratio(group, target.group(label.target_group));
       divide_sheets(source, target, label);
     }
     labels.push_back({std::move(label)});

@@ -22,30 +22,26 @@ using namespace internal;
 namespace {
 
 // The order of assignment: the group with most contacts first, then always the one with most contacts to those before.
-std::vector<std::size_t> assignment_order(const Aligned_shape& shape)
+std::vector<std::size_t> assignment_order(const Aligned_shape::Graph& graph)
 {
-  const Eigen::Index n = Eigen::Index(shape.groups.size());
-  Eigen::MatrixXi contacts = Eigen::MatrixXi::Zero(n, n);
-  for (const Aligned_shape::Contact& contact : shape.contacts) {
-    const Eigen::Index g = Eigen::Index(shape.group_of[contact.parts[0]]),
-                       h = Eigen::Index(shape.group_of[contact.parts[1]]);
-    if (g != h) ++contacts(g, h), ++contacts(h, g);
-  }
-  const Eigen::VectorXi degree = contacts.rowwise().sum();
+  const std::size_t n = num_vertices(graph);
+  std::vector<std::size_t> degree(n, 0), to_placed(n, 0), order;
+  for (const auto& edge : boost::make_iterator_range(edges(graph)))
+    for (std::size_t group : {source(edge, graph), target(edge, graph)})
+      degree[group] += graph[edge].contacts.size();
 
-  std::vector<std::size_t> order;
-  std::vector<char> placed(std::size_t(n), 0);
-  Eigen::VectorXi to_placed = Eigen::VectorXi::Zero(n);
-  while (order.size() < std::size_t(n)) {
-    Eigen::Index best = n;
-    for (Eigen::Index g = 0; g < n; ++g) {
-      if (placed[std::size_t(g)]) continue;
+  std::vector<char> placed(n, 0);
+  while (order.size() < n) {
+    std::size_t best = n;
+    for (std::size_t g = 0; g < n; ++g) {
+      if (placed[g]) continue;
       if (best == n || std::make_pair(to_placed[g], degree[g]) > std::make_pair(to_placed[best], degree[best]))
         best = g;
     }
-    order.push_back(std::size_t(best));
-    placed[std::size_t(best)] = 1;
-    to_placed += contacts.col(best);
+    order.push_back(best);
+    placed[best] = 1;
+    for (const auto& edge : boost::make_iterator_range(out_edges(best, graph)))
+      to_placed[target(edge, graph)] += graph[edge].contacts.size();
   }
   return order;
 }
@@ -79,7 +75,7 @@ public:
         preserve_structure_(shape_),
         motions_(shape_.parts.size()),
         contact_displacement_(shape_.contacts.size()),
-        matched_(shape_.groups.size()),
+        matched_(shape_.number_of_groups()),
         energies_(shape_.contacts.size()),
         moved_by_(motions_)
   {
@@ -272,9 +268,9 @@ Search_result beam_search(const Matching_problem& problem, const Beam_options& o
 
   Search_result result;
   Partial_energy partial_energy(problem);
-  std::vector<Assignment> beam{Assignment(problem.source().groups.size(), unassigned)}, next;
+  std::vector<Assignment> beam{Assignment(problem.source().number_of_groups(), unassigned)}, next;
   std::vector<Expansion> level;
-  for (std::size_t group : assignment_order(problem.source())) {
+  for (std::size_t group : assignment_order(problem.source().graph)) {
     level.clear();
     for (std::size_t parent = 0; parent < beam.size(); ++parent) {
       partial_energy.set_parent(beam[parent]);

@@ -43,7 +43,7 @@ TEST_CASE("The tables add up to the terms of an assignment, in both norms")
     options.unmatched_cost = 0.3;
     const Matching_problem problem(align_shape(slatted_chair()), align_shape(chair()), options);
     for (std::size_t start = 0; start < 5; ++start) {
-      Assignment assignment(problem.source().groups.size());
+      Assignment assignment(problem.source().number_of_groups());
       for (std::size_t g = 0; g < assignment.size(); ++g)
         assignment[g] = int((g * 7 + start) % problem.number_of_labels(g));
       const Energy_terms terms = problem.terms(assignment);
@@ -58,7 +58,7 @@ TEST_CASE("The pooled norm by hand: one norm over the rods of all contacts, the 
   options.norm = Energy_norm::POOLED;
   const Matching_problem pooled(align_shape(chair()), align_shape(slatted_chair()), options);
   const Matching_problem sums(align_shape(chair()), align_shape(slatted_chair()));
-  Assignment assignment(pooled.source().groups.size(), 0);
+  Assignment assignment(pooled.source().number_of_groups(), 0);
   double kept = 0, count = 0, connectedness = 0;
   for (std::size_t contact = 0; contact < sums.source().contacts.size(); ++contact) {
     const Rod_energy energy = sums.contact_energy(contact, 0, 0);
@@ -77,8 +77,8 @@ TEST_CASE("Coarse correspondence: the most prominent groups only")
 {
   const Aligned_shape shape = align_shape(chair());
   const Matching_problem problem(restricted(shape, most_prominent_parts(shape, 2)), shape);
-  REQUIRE(problem.source().groups.size() == 2); // seat and back
-  for (const Aligned_shape::Group& group : problem.source().groups)
+  REQUIRE(problem.source().number_of_groups() == 2); // seat and back
+  for (const Part_group& group : groups(problem.source()))
     CHECK(group.parts.size() == 1);
   CHECK(problem.source().contacts.size() == 1);
 }
@@ -89,13 +89,16 @@ TEST_CASE("A group left unmatched costs its contacts, or once without contacts")
   options.unmatched_cost = 0.25;
   const Matching_problem problem(align_shape(chair()), align_shape(chair()), options);
   const Aligned_shape& shape = problem.source();
-  for (std::size_t g = 0; g < shape.groups.size(); ++g) {
-    Assignment assignment(shape.groups.size());
+  for (std::size_t g = 0; g < shape.number_of_groups(); ++g) {
+    Assignment assignment(shape.number_of_groups());
     for (std::size_t h = 0; h < assignment.size(); ++h)
       assignment[h] = int(h);
     assignment[g] = int(problem.number_of_labels(g)) - 1;
     REQUIRE(problem.is_unmatched(g, std::size_t(assignment[g])));
-    CHECK(problem.energy()(assignment) == Approx(0.25 * double(shape.groups[g].contacts.size())));
+    const auto contacts = std::count_if(shape.contacts.begin(), shape.contacts.end(), [&](const Sampled_contact& c) {
+      return shape.group_of[c.parts[0]] == g || shape.group_of[c.parts[1]] == g;
+    });
+    CHECK(problem.energy()(assignment) == Approx(0.25 * double(contacts)));
   }
   Shape_structure lone;
   lone.parts = {curve("a", {0, 0, 0}, {0, 1, 0})};
@@ -107,7 +110,7 @@ TEST_CASE("Both ends of a contact on one target part: the authors' charge for th
 {
   const Matching_problem problem(align_shape(chair(false)), align_shape(chair(false)));
   for (std::size_t contact = 0; contact < problem.source().contacts.size(); ++contact)
-    for (std::size_t label = 0; label < problem.target().groups.size(); ++label)
+    for (std::size_t label = 0; label < problem.target().number_of_groups(); ++label)
       CHECK(problem.contact_energy(contact, label, label).connectedness == collapsed_connectedness);
 }
 
@@ -165,7 +168,7 @@ TEST_CASE("A cut post costs nothing where the pieces stand on each other, and sp
   for (const bool forward : {true, false}) {
     const Matching_problem problem(forward ? whole : cut, forward ? cut : whole);
     const std::size_t base =
-        problem.source().parts[problem.source().groups[0].parts[0]].kind == Sampled_part::Kind::SHEET ? 0 : 1;
+        problem.source().parts[problem.source().group(0).parts[0]].kind == Sampled_part::Kind::SHEET ? 0 : 1;
     const std::size_t posts = 1 - base, labels = problem.number_of_labels(posts);
     const Operation operation = problem.label(posts, labels - 1).operation;
     CHECK(operation == (forward ? Operation::CUT : Operation::JOIN));

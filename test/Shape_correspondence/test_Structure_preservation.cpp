@@ -28,7 +28,7 @@ TEST_CASE("Structure preservation: unmatched parts follow their contacts, member
 {
   const Aligned_shape shape = align_shape(chair());
   const std::size_t seat = index_of(shape, 0);
-  std::vector<char> matched(shape.groups.size(), 0);
+  std::vector<char> matched(shape.number_of_groups(), 0);
   matched[shape.group_of[seat]] = 1;
 
   // The seat is widened by 0.1 on either side and raised by 0.2
@@ -92,7 +92,7 @@ TEST_CASE("Structure preservation: a bar is stretched between the legs that it s
   const Aligned_shape legs =
       align_shape(make_structural_graph(std::move(shape), {group({0}), group({1}), group({3}), group({4}),
                                                            group({2, 5}, Symmetry_type::REFLECTION, Point::UnitZ())}));
-  std::vector<char> matched(legs.groups.size(), 1);
+  std::vector<char> matched(legs.number_of_groups(), 1);
   const std::size_t bars = legs.group_of[index_of(legs, 2)];
   matched[bars] = 0;
   std::vector<std::array<Point, 2>> contact_displacement(legs.contacts.size());

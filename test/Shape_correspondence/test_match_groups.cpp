@@ -34,7 +34,7 @@ TEST_CASE("Groups: members one to one by place, then the left-over ones to the n
   CHECK(legs.operation == Operation::MATCH);
   for (std::size_t i = 0; i < 2; ++i) {
     REQUIRE(legs.images[i].size() == 1);
-    const std::size_t from = plain.original[plain.groups[group_with(plain, 2)].parts[i]];
+    const std::size_t from = plain.original[plain.group(group_with(plain, 2)).parts[i]];
     CHECK(slats.original[legs.images[i][0].target.part] == from + 2); // left to left, right to right
   }
 
@@ -60,9 +60,10 @@ TEST_CASE("Groups: members one to one by place, then the left-over ones to the n
 TEST_CASE("Solidity ratio: of groups of different sizes, without rotation")
 {
   const auto group = [](std::size_t size, double solidity, Symmetry_type type = Symmetry_type::REFLECTION) {
-    Aligned_shape::Group result;
+    Part_group result;
     result.parts.resize(size);
-    result.solidity = solidity;
+    result.volume = solidity;
+    result.hull_volume = 1;
     result.symmetry.type = type;
     return result;
   };
