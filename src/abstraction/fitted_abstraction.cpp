@@ -20,12 +20,13 @@ using namespace internal;
 
 namespace {
 
-/// Whether the medial axis of a part is a layer, as that of a cushion, however thick; a block with edges has sheets
-/// towards them.
-bool is_layer(const Intrinsic_layout& layout)
+/// Whether the medial axis of a part is a layer, as that of a thick cushion; a block with edges has sheets towards
+/// them, and a pebble hardly more than a point.
+bool is_layer(const Intrinsic_layout& layout, double thickness)
 {
-  const double most_depth = 0.3; // over its width
-  return layout.extents[2] < most_depth * layout.extents[1];
+  const double most_depth = 0.3;         // over its width
+  const double most_thickness = 2. / 3.; // of the part, over its length
+  return layout.extents[2] < most_depth * layout.extents[1] && thickness < most_thickness * layout.extents[0];
 }
 
 /// What a part is like when it is measured along itself. A blade is long, but far wider than thick; a block is compact
@@ -48,7 +49,7 @@ Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, 
     const bool is_blade = extents[1] > least_blade_width * extents[0] && thickness < blade_thickness * extents[1];
     return is_blade ? Intrinsic_kind::BLADE : Intrinsic_kind::ELONGATED;
   }
-  if (!is_layer(layout) && thickness > least_thickness * extents[0] && box[2] > least_height * box[0] &&
+  if (!is_layer(layout, thickness) && thickness > least_thickness * extents[0] && box[2] > least_height * box[0] &&
       box[2] > plate_height * box[1]) {
     return Intrinsic_kind::BLOCK;
   }
@@ -65,10 +66,10 @@ bool is_slender(const Revolution_axis& axis, double thickness, bool has_handle)
 }
 
 /// Whether a body of revolution with such a medial axis is one indeed, as a wheel, not a cushion with rounded corners.
-bool is_round(const Revolution_axis& axis, const Intrinsic_layout& layout)
+bool is_round(const Revolution_axis& axis, const Intrinsic_layout& layout, double thickness)
 {
   const double most_deviation = 0.08; // over the radius; an octagon's is 0.076
-  return !is_layer(layout) || axis.deviation < most_deviation;
+  return !is_layer(layout, thickness) || axis.deviation < most_deviation;
 }
 
 /// Whether a part that is compact along itself is so for its walls only, as a carcass of boards.
@@ -99,7 +100,7 @@ class Fitter : public Solid_abstractor
     const Intrinsic_kind measured = intrinsic_kind(layout, thickness, box.extents);
     const std::optional<Revolution_axis> revolution = axis_of_revolution(solid, measured);
     report().phases.fit = lap();
-    if (revolution && is_slender(*revolution, thickness, has_handle) && is_round(*revolution, layout)) {
+    if (revolution && is_slender(*revolution, thickness, has_handle) && is_round(*revolution, layout, thickness)) {
       report().tube = has_handle;
       use_axis(revolution->curve(mesh().points, options().curve_points));
       return;
