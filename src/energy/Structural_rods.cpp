@@ -37,11 +37,13 @@ int append_row(const Point& from, const Points& to, int count, std::vector<Rod_b
 
 } // namespace
 
-Structural_rods::Structural_rods(const Points& first, const Points& second)
-    : first_count_(int(first.cols())), second_count_(int(second.cols()))
+void Structural_rods::assign(const Points& first, const Points& second)
 {
+  first_count_ = int(first.cols());
+  second_count_ = int(second.cols());
   CGAL_precondition(first_count_ <= maximum_samples && second_count_ <= maximum_samples);
   const int in_blocks = samples_in_blocks(second_count_);
+  rods_.clear();
   rods_.reserve(
       std::size_t(first_count_ * blocks_of(in_blocks) + (second_count_ - in_blocks) * blocks_of(first_count_)));
   int directionless = 0;
@@ -55,6 +57,7 @@ Structural_rods::Structural_rods(const Points& first, const Points& second)
       rod_kernels().both(&rods, Sample_lanes(first), first_count_, Sample_lanes(second), second_count_);
   unmoved_ = double(unmoved.squared_cosines[0]);
   shortest_ = std::sqrt(double(unmoved.least_squared_length));
+  longest_ = 0;
   for (int j = 0; j < second_count_; ++j)
     longest_ = std::max(longest_, (first.colwise() - second.col(j)).colwise().norm().maxCoeff());
 }
