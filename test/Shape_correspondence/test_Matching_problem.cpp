@@ -114,17 +114,14 @@ TEST_CASE("A part that splits: the contact's energy is the mean over clones, eac
 {
   const Matching_problem problem(align_shape(chair()), align_shape(slatted_chair()));
   const Aligned_shape &source = problem.source(), &target = problem.target();
-  const auto part_of = [](const Aligned_shape& shape, std::size_t original) {
-    return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());
-  };
-  const std::size_t seat = part_of(source, 0), back = part_of(source, 1);
-  const std::size_t target_seat = target.group_of[part_of(target, 0)], slats = target.group_of[part_of(target, 1)];
+  const std::size_t seat = index_of(source, 0), back = index_of(source, 1);
+  const std::size_t target_seat = target.group_of[index_of(target, 0)], slats = target.group_of[index_of(target, 1)];
   for (std::size_t contact = 0; contact < source.contacts.size(); ++contact) {
     const auto& parts = source.contacts[contact].parts;
     if (std::minmax(parts[0], parts[1]) != std::minmax(seat, back)) continue;
     double sum = 0;
     for (std::size_t slat : {1, 2, 3}) {
-      const auto image = [&](std::size_t part) { return target.parts[part_of(target, part == seat ? 0 : slat)]; };
+      const auto image = [&](std::size_t part) { return target.parts[index_of(target, part == seat ? 0 : slat)]; };
       const Points first = deformed(source.parts[parts[0]], image(parts[0])),
                    second = deformed(source.parts[parts[1]], image(parts[1]));
       sum += problem.rods(contact, false, false).energy(first, second).distortion;

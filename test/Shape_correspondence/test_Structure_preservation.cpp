@@ -8,21 +8,11 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
-
-namespace {
-
-std::size_t index_of(const Aligned_shape& shape, std::size_t original)
-{
-  return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());
-}
-
-} // namespace
 
 TEST_CASE("Structure preservation: unmatched parts follow their contacts, members their generator")
 {
@@ -69,4 +59,21 @@ TEST_CASE("Structure preservation: a chain between two matched ends settles to a
   preserve_structure(matched, contact_displacement, displacement);
   for (std::size_t i : {1, 2, 3})
     CHECK(displacement(1, Eigen::Index(index_of(chain, i))) == Approx(0.1 * double(i)).margin(0.005));
+}
+
+TEST_CASE("Structure preservation: the members of a rotational group move turned about its axis")
+{
+  // Four points around a matched one. The first, to the left, is moved to the left, up and to the front; a quarter turn
+  // about up takes (x, y, z) to (z, y, -x)
+  const auto around = group({1, 2, 3, 4}, Symmetry_type::ROTATION, Point::UnitY());
+  const Aligned_shape shape = align_shape(
+      point_graph({{0, -1, 0}, {-1, 0, 0}, {0, 0, -1}, {0, 0, 1}, {1, 0, 0}}, {{0, 1}}, {group({0}), around}));
+  const std::vector<std::array<Point, 2>> contact_displacement(1, {Point(-.1, .2, .05), Point::Zero()});
+  Points displacement = Points::Zero(3, 5);
+  Structure_preservation preserve_structure(shape);
+  preserve_structure({1, 0}, contact_displacement, displacement);
+  CHECK(displacement.col(1).isApprox(Point(-.1, .2, .05)));
+  CHECK(displacement.col(2).isApprox(Point(-.05, .2, -.1)));
+  CHECK(displacement.col(3).isApprox(Point(.05, .2, .1)));
+  CHECK(displacement.col(4).isApprox(Point(.1, .2, -.05)));
 }

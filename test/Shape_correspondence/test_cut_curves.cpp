@@ -9,7 +9,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -17,11 +16,6 @@ using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
 
 namespace {
-
-std::size_t index_of(const Aligned_shape& shape, std::size_t original)
-{
-  return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());
-}
 
 // A post 1 high, or the same in two or three pieces on top of each other, on a base.
 Structural_graph post(const std::vector<double>& heights)

@@ -8,20 +8,10 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <set>
 
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
-
-namespace {
-
-std::size_t index_of(const Aligned_shape& shape, std::size_t original)
-{
-  return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());
-}
-
-} // namespace
 
 TEST_CASE("Groups: members one to one by place, then the left-over ones to the nearest")
 {
