@@ -59,6 +59,31 @@ TEST_CASE("Structure preservation: a chain between two matched ends settles to a
   preserve_structure(matched, contact_displacement, displacement);
   for (std::size_t i : {1, 2, 3})
     CHECK(displacement(1, Eigen::Index(index_of(chain, i))) == Approx(0.1 * double(i)).margin(0.005));
+
+  // Where parts were before has no say: with the one end matched all go with it, with none they go back
+  matched[chain.group_of[index_of(chain, 0)]] = 0;
+  preserve_structure(matched, contact_displacement, displacement);
+  for (std::size_t i : {0, 1, 2, 3})
+    CHECK(displacement(1, Eigen::Index(index_of(chain, i))) == Approx(0.4));
+  preserve_structure(std::vector<char>(5, 0), contact_displacement, displacement);
+  CHECK(displacement.isZero());
+}
+
+TEST_CASE("Structure preservation: a group follows the member that touches most, by the mean of what that one touches")
+{
+  // A mirror pair, the right one on two matched points, the left one on one
+  const Aligned_shape shape = align_shape(
+      point_graph({{-1, -1, 0}, {1, -1, -1}, {1, -1, 1}, {-1, 0, 0}, {1, 0, 0}}, {{0, 3}, {1, 4}, {2, 4}},
+                  {group({0}), group({1}), group({2}), group({3, 4}, Symmetry_type::REFLECTION, Point::UnitX())}));
+  std::vector<std::array<Point, 2>> contact_displacement(3, {Point::Zero(), Point::Zero()});
+  contact_displacement[0][0] = Point(0, 0, .5);
+  contact_displacement[1][0] = Point(.1, 0, 0);
+  contact_displacement[2][0] = Point(.3, .2, 0);
+  Points displacement = Points::Zero(3, 5);
+  Structure_preservation preserve_structure(shape);
+  preserve_structure({1, 1, 1, 0}, contact_displacement, displacement);
+  CHECK(displacement.col(4).isApprox(Point(.2, .1, 0)));
+  CHECK(displacement.col(3).isApprox(Point(-.2, .1, 0)));
 }
 
 TEST_CASE("Structure preservation: the members of a rotational group move turned about its axis")

@@ -134,6 +134,51 @@ TEST_CASE("Contacts of parts not yet assigned count")
   CHECK(result.best().energy == Approx(0).margin(1e-6));
 }
 
+TEST_CASE("A part that pulls on one not yet assigned changes all contacts of that one")
+{
+  // A right angle with all three corners in contact, assigned in the order a, b, c; in the target it is half as large,
+  // to the right. a takes 0, and c goes along. If b takes 1, c is pulled half the way back: its rod to b turns from
+  // (0, 2) to (-0.5, 2), which costs 0.03, and grows, 0.6; that to a turns by 0.01. If b takes 2, its rod to a turns by
+  // 45 degrees, 0.29, and that to c from (0, 2) to (-0.5, 1.5), 0.05, but c's rod to a grows as well: 0.6 and 0.03
+  const Structural_graph source = point_graph({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}}, {{0, 1}, {0, 2}, {1, 2}});
+  const Structural_graph target = point_graph({{1, 0, 0}, {2, 0, 0}, {2, 1, 0}}, {{0, 1}, {0, 2}, {1, 2}});
+  const Matching_problem problem(align_shape(source), align_shape(target));
+  const Search_result result = beam_search(problem, {1, 1});
+  CHECK(result.best().assignment == Assignment{0, 1, 2});
+  CHECK(result.best().energy == Approx(0).margin(1e-6));
+}
+
+TEST_CASE("What touches a part that splits moves with the mean of its clones and keeps to the nearest one")
+{
+  // Three points on top of each other; in the target, the middle one is two, 0.3 down and up. The middle is assigned
+  // first. If it takes the lowest point, or the pair, which leaves the others where they are, each 0.7 from a clone, no
+  // rod turns or grows: both stay in a beam of two. Under the lowest point there is nothing for the lowest part,
+  // which costs 1 at least; the pair costs 0.6 for the farther clone of either contact, and half of that is the mean
+  const Structural_graph source = point_graph({{0, 0, 0}, {0, 1, 0}, {0, 2, 0}}, {{0, 1}, {1, 2}});
+  const Structural_graph target =
+      point_graph({{0, 0, 0}, {0, .7, 0}, {0, 1.3, 0}, {0, 2, 0}}, {{0, 1}, {1, 2}, {2, 3}},
+                  {group({0}), group({1, 2}, Symmetry_type::TRANSLATION, {0, .6, 0}), group({3})});
+  const Matching_problem problem(align_shape(source), align_shape(target));
+  const Search_result result = beam_search(problem, {2, 2});
+  CHECK(result.best().assignment == Assignment{0, 1, 2});
+  CHECK(result.best().energy == Approx(2 * 0.6 / 2));
+}
+
+TEST_CASE("Contacts of a group left unmatched cost what that costs, and no more")
+{
+  // A right angle with all three corners in contact; in the target, the corner to the right is half as near, and the
+  // upper one is off by an angle of cosine 0.8. That costs 0.2, and 0.01 for the rod between them; to leave the upper
+  // one unmatched, 0.1 for either contact
+  const Structural_graph source = point_graph({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1}, {0, 2}, {1, 2}});
+  const Structural_graph target = point_graph({{0, 0, 0}, {.5, 0, 0}, {-.6, .8, 0}}, {{0, 1}, {0, 2}});
+  Matching_options options;
+  options.unmatched_cost = 0.1;
+  const Matching_problem problem(align_shape(source), align_shape(target), options);
+  const Search_result result = beam_search(problem, {100, 100});
+  CHECK(result.best().energy == Approx(0.2));
+  CHECK(result.best().assignment == Assignment{0, 1, 3});
+}
+
 TEST_CASE("A part may split into a rotational group at no cost")
 {
   // b is above a. In the target two points are above 0, and one is off by an angle of cosine 0.96. A solidity of 0.1

@@ -140,6 +140,22 @@ TEST_CASE("The shape that deforms at less energy per connected pair is deformed"
   }
 }
 
+TEST_CASE("Where a group is not given all groups to choose from, nothing is proven")
+{
+  std::vector<Point> row;
+  for (int i = 0; i < 65; ++i)
+    row.emplace_back(.1 * i, 0, 0);
+  Search_options options;
+  options.method = Search_method::EXACT;
+  options.both_directions = false;
+  const Structural_graph pair = point_graph({row[0], row[1]}, {{0, 1}});
+  const Correspondence c = find_correspondence(pair, point_graph(row, {{0, 1}}), options);
+  CHECK(!c.optimal);
+  CHECK(c.warnings.size() == 1);
+  row.pop_back();
+  CHECK(find_correspondence(pair, point_graph(row, {{0, 1}}), options).optimal);
+}
+
 TEST_CASE("Moving, scaling and turning a shape changes no pair")
 {
   const Pairs expected = part_pairs(find_correspondence(chair(), slatted_chair(), least_energy()).pairs);

@@ -45,3 +45,20 @@ TEST_CASE("Groups: members one to one by place, then the left-over ones to the n
       taken.insert(image.target.part);
   CHECK(taken.size() == 3); // every target part is somebody's image
 }
+
+TEST_CASE("Groups: members are matched by their places in unit boxes, one left over goes to the nearest")
+{
+  // At 0 and 1 of the one box, at 0, 0.8 and 1 of the other
+  const Aligned_shape two = align_shape(point_graph({{0, -1, 0}, {10, 0, 0}, {12, 0, 0}}, {{0, 1}},
+                                                    {group({0}), group({1, 2}, Symmetry_type::TRANSLATION)}));
+  const Aligned_shape three = align_shape(point_graph({{0, -1, 0}, {0, 0, 0}, {.8, 0, 0}, {1, 0, 0}}, {{0, 1}},
+                                                      {group({0}), group({1, 2, 3}, Symmetry_type::TRANSLATION)}));
+  const Group_label duplicate = match_groups(two, 1, three, 1), merge = match_groups(three, 1, two, 1);
+  REQUIRE(duplicate.images[0].size() == 1);
+  REQUIRE(duplicate.images[1].size() == 2);
+  CHECK(duplicate.images[0][0].target.part == 1);
+  CHECK(duplicate.images[1][0].target.part == 2);
+  CHECK(duplicate.images[1][1].target.part == 3);
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK(merge.images[i][0].target.part == (i == 0 ? 1 : 2));
+}
