@@ -108,6 +108,27 @@ TEST_CASE("Groups are assigned from the best-connected one outwards")
   CHECK(result.best().energy == Approx(0).margin(1e-6));
 }
 
+TEST_CASE("After the best-connected group come those in contact with it")
+{
+  // Points above each other, so that a rod costs nothing as long as it stays upright and does not grow. a, at the
+  // ground, has contacts with two leaves and with b above them, b with c, and c with two leaves above it. With a beam
+  // of one, a, b and c take the lowest points, one above the other. If c, which has more contacts than b, came second,
+  // it would take the place next to a, and there would be none for b in between
+  const auto at = [](const std::vector<double>& heights) {
+    std::vector<Point> places;
+    for (double height : heights)
+      places.emplace_back(0, height, 0);
+    return places;
+  };
+  const Structural_graph source =
+      point_graph(at({0, .3, .6, 1, 2, 3, 3.5}), {{0, 1}, {0, 2}, {0, 3}, {3, 4}, {4, 5}, {4, 6}});
+  const Structural_graph target = point_graph(at({0, .1, .2, .3}), {{0, 1}, {1, 2}, {2, 3}});
+  const Matching_problem problem(align_shape(source), align_shape(target));
+  const Search_result result = beam_search(problem, {1, 1});
+  CHECK(result.best().assignment == Assignment{0, 1, 1, 1, 2, 3, 3});
+  CHECK(result.best().energy == Approx(0).margin(1e-6));
+}
+
 TEST_CASE("Parts not yet assigned move along")
 {
   // b is above a, and in the target 2 above 0. With a taken to 0, b goes with it and nothing is lost; if b stayed, the
@@ -131,6 +152,21 @@ TEST_CASE("Contacts of parts not yet assigned count")
   const Matching_problem problem(align_shape(source), align_shape(target));
   const Search_result result = beam_search(problem, {1, 1});
   CHECK(result.best().assignment == Assignment{0, 2, 3});
+  CHECK(result.best().energy == Approx(0).margin(1e-6));
+}
+
+TEST_CASE("Contacts between two parts not yet assigned count")
+{
+  // Points above each other: a at 0, d at 1.5, b at 2, c at 3, in contact around: a - b - d - c - a; in the target,
+  // there is another one at 1. a is assigned first, to 0, then b. If b took 1 or 1.5, lower by s, no rod of a or b
+  // would grow, but d would follow by 2 s / 3 and c by s / 3, and the rod between them would. So b takes 2, and d and c
+  // find points at no cost. Within 0.5 under 1 there is none for d
+  const Structural_graph source =
+      point_graph({{0, 0, 0}, {0, 1.5, 0}, {0, 2, 0}, {0, 3, 0}}, {{0, 2}, {0, 3}, {1, 2}, {1, 3}});
+  const Structural_graph target = point_graph({{0, 0, 0}, {0, 1, 0}, {0, 1.5, 0}, {0, 2, 0}, {0, 3, 0}}, {{0, 1}});
+  const Matching_problem problem(align_shape(source), align_shape(target));
+  const Search_result result = beam_search(problem, {1, 1});
+  CHECK(result.best().assignment == Assignment{0, 2, 3, 3});
   CHECK(result.best().energy == Approx(0).margin(1e-6));
 }
 
@@ -162,6 +198,28 @@ TEST_CASE("What touches a part that splits moves with the mean of its clones and
   const Search_result result = beam_search(problem, {2, 2});
   CHECK(result.best().assignment == Assignment{0, 1, 2});
   CHECK(result.best().energy == Approx(2 * 0.6 / 2));
+}
+
+TEST_CASE("What touches a part follows it where it touches it")
+{
+  // A post with a point 0.5 above it. In the target a post half as high, and a point 0.4 above it; and beside it a post
+  // as high as the first. If the point goes with the top of the post, the lower post costs nothing and is taken, as it
+  // has the lower label; if it went with the foot, 1 above the top, E_c would be 1 / 1.5
+  const auto posts = [](const std::vector<double>& heights, const Point& above) {
+    Shape_structure shape;
+    std::vector<Part_group> groups;
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      shape.parts.push_back(curve("post", {5. * double(i), 0, 0}, {5. * double(i), heights[i], 0}));
+    shape.parts.push_back(curve("point", above, above));
+    shape.contacts.push_back(contact(shape, 0, heights.size(), above));
+    for (std::size_t i = 0; i < shape.parts.size(); ++i)
+      groups.push_back(group({i}));
+    return align_shape(make_structural_graph(std::move(shape), std::move(groups)));
+  };
+  const Matching_problem problem(posts({1}, {0, 1.5, 0}), posts({.5, 1}, {0, .9, 0}));
+  const Search_result result = beam_search(problem, {1, 1});
+  CHECK(result.best().assignment == Assignment{0, 2});
+  CHECK(result.best().energy == Approx(0).margin(1e-6));
 }
 
 TEST_CASE("Contacts of a group left unmatched cost what that costs, and no more")

@@ -6,16 +6,15 @@
 #include "base/quantized.h"
 #include "brute_force.h"
 #include "hand_made_graphs.h"
-#include "search/Tangents.h"
+#include "random_tables.h"
 #include "search/beam_search.h"
+#include "search/message_passing.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/exact_search.h>
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -23,7 +22,6 @@
 #include <new>
 #include <random>
 #include <string>
-#include <vector>
 
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
@@ -65,23 +63,6 @@ Structural_graph random_graph(std::mt19937& random, std::size_t group_count)
     for (std::size_t b = a + 1; b < shape.parts.size(); ++b)
       if (b == a + 1 || unit(random) < .25) shape.contacts.push_back(contact(shape, a, b, point()));
   return make_structural_graph(std::move(shape), std::move(groups));
-}
-
-// Random tables on a random graph in which every variable has up to `width` earlier neighbours.
-Pairwise_energy random_tables(std::mt19937& random, std::size_t variables, int labels, std::size_t width)
-{
-  std::uniform_real_distribution<double> unit(0, 1);
-  Pairwise_energy energy;
-  Pairwise_energy::Root_term split{0.4, double(variables), {}, {}};
-  for (std::size_t v = 0; v < variables; ++v) {
-    energy.unary.push_back(Eigen::VectorXd::NullaryExpr(labels, [&] { return unit(random); }));
-    split.unary.push_back(Eigen::VectorXd::NullaryExpr(labels, [&] { return unit(random); }));
-    // The neighbours lie among the `width` variables before, so that the graph's width is at most that
-    for (std::size_t u = v - std::min(v, width); u < v; ++u)
-      energy.edges.push_back({u, v, Eigen::MatrixXd::NullaryExpr(labels, labels, [&] { return unit(random); })});
-  }
-  energy.root_terms.push_back(split);
-  return energy;
 }
 
 } // namespace
@@ -190,58 +171,6 @@ TEST_CASE("Message passing moves costs, no assignment's energy changes, and the 
   pass_messages(unary, pairs, 1);
   CHECK(sum(a) == Approx(before_a));
   CHECK(bound() > bound_after - 1e-3);
-}
-
-namespace {
-
-// Checks the bounds of all completions of `labels` up to a level; returns the least value of the tangent among them.
-template <typename Check_leaf>
-double check_bounds(const internal::Tangent_bound& tangent, bool exact, std::size_t level, double cost,
-                    std::vector<int>& labels, const Check_leaf& check_leaf)
-{
-  if (level == labels.size()) {
-    check_leaf(cost);
-    return cost;
-  }
-  std::array<double, 3> costs, bounds;
-  tangent.tables.extend(level, labels, cost, costs.data(), bounds.data());
-  double least = std::numeric_limits<double>::infinity();
-  for (int l = 0; l < 3; ++l) {
-    labels[level] = l;
-    const double below = check_bounds(tangent, exact, level + 1, costs[l], labels, check_leaf);
-    CHECK(bounds[l] <= below + 1e-9);
-    if (exact) CHECK(bounds[l] == Approx(below).margin(1e-9));
-    least = std::min(least, below);
-  }
-  return least;
-}
-
-} // namespace
-
-TEST_CASE("Bounds by tangents: nowhere above the energy, on it where they touch; exact unless buckets are split")
-{
-  std::mt19937 random(11);
-  for (const std::size_t table_limit : {27, 9}) {
-    const Pairwise_energy energy = random_tables(random, 5, 3, 2);
-    const std::vector<std::size_t> order = internal::elimination_order(energy);
-    const Assignment touched{2, 0, 1, 2, 1};
-    internal::Tangents tangents(energy, order, table_limit);
-    const bool exact = table_limit == 27;
-    CHECK(tangents.exact() == exact);
-    internal::Tangent_bound tangent = tangents.make();
-    tangents.touch({energy.root_sum(energy.root_terms[0], touched)}, tangent);
-
-    std::vector<int> labels(5);
-    const double least = check_bounds(tangent, exact, 0, tangent.offset, labels, [&](double cost) {
-      Assignment assignment(5);
-      for (std::size_t i = 0; i < 5; ++i)
-        assignment[order[i]] = labels[i];
-      CHECK(cost <= energy(assignment) + 1e-9);
-      if (assignment == touched) CHECK(cost == Approx(energy(assignment)));
-    });
-    CHECK(tangent.bound() <= least + 1e-9);
-    if (exact) CHECK(tangent.bound() == Approx(least).margin(1e-9));
-  }
 }
 
 TEST_CASE("The node limit ends the search with a gap, not with a wrong proof")
