@@ -147,8 +147,10 @@ std::string name_of(const SC::Symmetry& symmetry)
     return "rotation " + std::to_string(symmetry.order);
   case SC::Symmetry_type::TRANSLATION:
     return "translation";
-  default:
+  case SC::Symmetry_type::SELF:
     return "self";
+  default:
+    return "none";
   }
 }
 

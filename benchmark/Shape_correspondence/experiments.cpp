@@ -30,6 +30,7 @@ of shapes of a category are matched, or those of DATA/pairs.json: [[CATEGORY, SO
   table2       co-analysis: coarse precision of labels that are consistent over a category
   table3       precision and recall against Xu et al. 2012, and without symmetry
   peers        all methods side by side
+  alignments   the least energy over all alignments, or for the one nearest to the given orientation
   figure4      the energy with each term switched off
   figure10     energy against beam width, the proven optimum beside it; FOLDER/figure10.svg
   figure11     coarse correspondences of the most prominent parts
@@ -61,6 +62,7 @@ Experiment experiment(const std::string& name)
                                                       {"table2", of_data_alone(table2)},
                                                       {"table3", of_data_alone(table3)},
                                                       {"peers", of_data_alone(compare_peers)},
+                                                      {"alignments", of_data_alone(alignments)},
                                                       {"figure4", of_data_alone(figure4)},
                                                       {"figure10", figure10},
                                                       {"figure11", of_data_alone(figure11)},

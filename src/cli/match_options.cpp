@@ -55,9 +55,9 @@ void switch_off(const std::string& term, Energy_weights& weights)
   (term == "distortion" ? weights.distortion : term == "split" ? weights.split : weights.connectedness) = 0;
 }
 
-int parse_alignments(const Match_options& match)
+int parse_alignments(const Match_options& match, bool is_front_given)
 {
-  if (match.alignments == "auto") return match.front == "given" ? 1 : 0;
+  if (match.alignments == "auto") return match.front == "given" && (is_front_given || !match.paper) ? 1 : 0;
   const int number = parse_number<int>("alignments", match.alignments);
   check_at_least("alignments", number, 1);
   return number;
@@ -95,7 +95,8 @@ po::options_description match_options(Match_options& match)
       "the "
       "paper's pruned beam search) or exact (least deformation energy, with a proof); auto: parts, or what the other "
       "options need");
-  add("paper", po::bool_switch(&match.paper), "match as the paper does: the same as --search beam");
+  add("paper", po::bool_switch(&match.paper),
+      "match as the paper does: --search beam --front auto, and --max-parts of the source alone");
   add("min-confidence", number(match.search.min_confidence)->value_name("P"),
       "leave out pairs of parts that are less probable, between 0 and 1; of --search parts");
   add("beam-width", number(match.search.beam.beam_width)->value_name("K"),
@@ -105,10 +106,14 @@ po::options_description match_options(Match_options& match)
   add("direction", po::value(&match.direction)->value_name("WHICH")->default_value(match.direction),
       "which shapes are deformed: both, or forward (the source only)");
   add("max-parts", po::value(&match.search.maximum_parts)->value_name("N"),
-      "coarse correspondence of the N most prominent parts of either shape; default: all parts");
+      "coarse correspondence of the N most prominent parts; default: all parts");
+  add("max-parts-of", po::value(&match.coarse_shapes)->value_name("WHICH")->default_value(match.coarse_shapes),
+      "the shapes that --max-parts selects parts of: both, or source (the paper's way; the source is deformed into all "
+      "of "
+      "the target); auto: source with --paper, else both");
   add("front", po::value(&match.front)->value_name("HOW")->default_value(match.front),
       "of the alignments that the shapes' own symmetry leaves: given takes the one nearest to their orientation in the "
-      "files, auto the best-scoring one");
+      "files, auto the best-scoring one (the default with --paper)");
   add("alignments", po::value(&match.alignments)->value_name("N")->default_value(match.alignments),
       "how many alignments are tried, nearest to the given orientation first; auto: one with --front given, all with "
       "--front auto");
@@ -140,6 +145,7 @@ Search_options search_options(const Match_options& match, const po::variables_ma
   check_word("search", match.method, {"auto", "parts", "beam", "exact"});
   check_word("direction", match.direction, {"both", "forward"});
   check_word("front", match.front, {"given", "auto"});
+  check_word("max-parts-of", match.coarse_shapes, {"auto", "both", "source"});
   check_word("norm", match.norm, {"sum", "pooled"});
   check_at_least("solutions", match.search.solutions, 1);
   if (!(match.search.min_confidence >= 0 && match.search.min_confidence <= 1))
@@ -152,7 +158,8 @@ Search_options search_options(const Match_options& match, const po::variables_ma
   Search_options search = match.search;
   search.method = search_method(match, values);
   search.both_directions = match.direction == "both";
-  search.alignments = parse_alignments(match);
+  search.alignments = parse_alignments(match, is_given(values, "front"));
+  search.coarse_target = match.coarse_shapes == "both" || (match.coarse_shapes == "auto" && !match.paper);
   search.matching.weights = parse_weights(match.weights);
   if (values.count("without")) switch_off(match.without, search.matching.weights);
   search.matching.norm = match.norm == "pooled" ? Energy_norm::POOLED : Energy_norm::SUM;

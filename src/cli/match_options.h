@@ -19,6 +19,7 @@ struct Match_options
   std::string direction = "both";
   std::string alignments = "auto";
   std::string front = "given";
+  std::string coarse_shapes = "auto";
   std::string weights = "0.6,0.4";
   std::string norm = "sum";
   std::string without;

@@ -25,7 +25,7 @@ void Matching_problem::Contact_table::list(std::size_t contact)
       touching_[side].push_back(problem_.touching(contact, side, label));
   }
   known_.assign(count_[0] * count_[1], none);
-  first_segment_rods_ = segment_rods_.size();
+  first_piece_rods_ = piece_rods_.size();
   for (std::size_t a = 0; a < touching_[0].size(); ++a)
     for (std::size_t b = 0; b < touching_[1].size(); ++b) {
       const std::size_t before = compared_.size();
@@ -50,7 +50,7 @@ void Matching_problem::Contact_table::compute(std::vector<Rod_energy>& result)
   comparisons_.clear();
   counts_.clear();
   compared_.clear();
-  segment_rods_.clear();
+  piece_rods_.clear();
 }
 
 void Matching_problem::Contact_table::list(const Range& first, const Range& second)
@@ -122,20 +122,20 @@ void Matching_problem::Contact_table::compare()
 
 const Structural_rods& Matching_problem::Contact_table::rods(const Fitted& first, const Fitted& second)
 {
-  if (first.source.count == 1 && second.source.count == 1) return problem_.rods(contact_, first.lifted, second.lifted);
+  if (first.source.is_whole() && second.source.is_whole()) return problem_.rods(contact_, first.lifted, second.lifted);
   const Eigen::Index n = Eigen::Index(first.order->size()), m = Eigen::Index(second.order->size());
-  for (std::size_t i = first_segment_rods_; i < segment_rods_.size(); ++i) {
-    const Segment_rods& known = segment_rods_[i];
+  for (std::size_t i = first_piece_rods_; i < piece_rods_.size(); ++i) {
+    const Piece_rods& known = piece_rods_[i];
     if (known.first == first.source_index && known.second == second.source_index && known.counts[0] == n &&
         known.counts[1] == m)
       return known.rods;
   }
-  segment_rods_.push_back({first.source_index,
-                           second.source_index,
-                           {n, m},
-                           Structural_rods(lifted_samples(fitted_.source_piece(first.source_index), n),
-                                           lifted_samples(fitted_.source_piece(second.source_index), m))});
-  return segment_rods_.back().rods;
+  piece_rods_.push_back({first.source_index,
+                         second.source_index,
+                         {n, m},
+                         Structural_rods(lifted_samples(fitted_.source_piece(first.source_index), n),
+                                         lifted_samples(fitted_.source_piece(second.source_index), m))});
+  return piece_rods_.back().rods;
 }
 
 } // namespace CGAL::Shape_correspondence

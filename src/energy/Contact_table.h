@@ -64,8 +64,8 @@ private:
 
   const Structural_rods& rods(const Fitted& first, const Fitted& second);
 
-  // The rods between pieces of which one is a segment, with as many samples
-  struct Segment_rods
+  // The rods between pieces of which one is no whole part, with as many samples
+  struct Piece_rods
   {
     std::size_t first, second;
     std::array<Eigen::Index, 2> counts;
@@ -79,12 +79,12 @@ private:
   std::vector<Comparison> comparisons_; // of contact after contact
   std::vector<std::uint32_t> counts_;   // by contact and labels: how many comparisons
   std::vector<std::uint32_t> compared_; // which ones, those of all labels in a row
-  std::deque<Segment_rods> segment_rods_;
+  std::deque<Piece_rods> piece_rods_;
   std::vector<const Structural_rods*> rods_; // that are compared with those of a target pair
   std::vector<double> distortions_;
 
   // Of the contact that is being listed
-  std::size_t contact_ = 0, first_segment_rods_ = 0;
+  std::size_t contact_ = 0, first_piece_rods_ = 0;
   std::array<std::size_t, 2> begin_, count_;   // the fitted pieces of either side
   std::array<std::vector<Range>, 2> touching_; // by label
   std::vector<std::uint32_t> known_;           // comparisons by two fitted pieces

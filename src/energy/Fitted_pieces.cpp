@@ -19,11 +19,11 @@ int segment_of_sample(std::size_t sample, int count)
 
 Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape& target,
                              const std::vector<std::vector<Group_label>>& labels)
-    : source_pieces_(source), target_pieces_(target)
+    : source_pieces_(source), target_pieces_(target), part_distances_(target.part_distances())
 {
   for (std::size_t part = 0; part < source.parts.size(); ++part) {
     const std::size_t group = source.group_of[part];
-    const auto& parts = source.groups[group].parts;
+    const auto& parts = source.group(group).parts;
     const std::size_t member = std::size_t(std::find(parts.begin(), parts.end(), part) - parts.begin());
     fitted_begin_.push_back(fitted_.size());
     label_begin_.push_back(image_begin_.size());
@@ -35,7 +35,6 @@ Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape
   }
   fitted_begin_.push_back(fitted_.size());
   image_begin_.push_back(images_.size());
-  measure_target_pieces(target);
 }
 
 // The index of a fitted piece among those of its part, the last part that has any.
@@ -65,26 +64,9 @@ Fitted_range Fitted_pieces::touching(std::size_t part, std::size_t sample, std::
   const Fitted_range clones = images(part, label);
   for (const std::uint32_t& image : clones) {
     const Piece& piece = fitted_[image].source;
-    if (piece.count > 1 && piece.index == segment_of_sample(sample, piece.count)) return {&image, &image + 1};
+    if (piece.is_segment() && piece.index == segment_of_sample(sample, piece.count)) return {&image, &image + 1};
   }
   return clones;
-}
-
-// Those of whole parts are known.
-void Fitted_pieces::measure_target_pieces(const Deformable_shape& target)
-{
-  const Eigen::Index parts = Eigen::Index(target_pieces_.number_of_parts()), n = Eigen::Index(target_pieces_.size());
-  target_distances_ = target.part_distances();
-  if (n == parts) return;
-  target_distances_.conservativeResize(n, n);
-  std::vector<Sample_lanes> lanes;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Points& samples = target_pieces_[std::size_t(i)].samples;
-    lanes.emplace_back(samples);
-    for (Eigen::Index j = 0; i >= parts && j <= i; ++j)
-      target_distances_(i, j) = target_distances_(j, i) = least_distance(
-          lanes.back(), int(samples.cols()), lanes[std::size_t(j)], int(target_pieces_[std::size_t(j)].samples.cols()));
-  }
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -60,25 +60,26 @@ public:
   const Sample_lanes& samples(const Fitted_piece& fitted) const { return lanes_[fitted.lanes]; }
   // `Fitted_piece::lanes` are less than this.
   std::size_t number_of_lanes() const { return lanes_.size(); }
-  // The least distance of two target pieces.
+  // The least distance of two target pieces. Those of whole parts are known.
   double target_distance(const Fitted_piece& first, const Fitted_piece& second) const
   {
-    return target_distances_(Eigen::Index(first.target_index), Eigen::Index(second.target_index));
+    if (first.target.is_whole() && second.target.is_whole())
+      return part_distances_(Eigen::Index(first.target.part), Eigen::Index(second.target.part));
+    return least_distance(samples(first), int(first.order->size()), samples(second), int(second.order->size()));
   }
   // E_c of two fitted pieces, `rods` those between their sources.
   double connectedness(const Structural_rods& rods, const Fitted_piece& first, const Fitted_piece& second) const
   {
-    if (first.target_index == second.target_index) return collapsed_connectedness;
+    if (overlap(first.target, second.target)) return collapsed_connectedness;
     return rods.connectedness(target_distance(first, second));
   }
 
 private:
   std::uint32_t fit(const Image& image);
   std::size_t lanes_of(std::size_t target_piece, const std::vector<int>& order);
-  void measure_target_pieces(const Deformable_shape& target);
 
   Piece_list source_pieces_, target_pieces_;
-  Eigen::MatrixXd target_distances_;
+  const Eigen::MatrixXd& part_distances_; // of the target
   std::vector<Fitted_piece> fitted_;
   std::vector<std::size_t> fitted_begin_; // by part
   std::vector<Sample_lanes> lanes_;

@@ -15,20 +15,25 @@ using namespace internal;
 
 namespace {
 
-// Least and greatest coordinates of a group.
-Eigen::Matrix<double, 6, 1> extremes(const Aligned_shape::Group& group)
+// How far the sides of two boxes are from each other.
+double distance(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b)
 {
-  Eigen::Matrix<double, 6, 1> result;
-  result << group.box.min(), group.box.max();
-  return result;
+  Eigen::Matrix<double, 6, 1> difference;
+  difference << a.min() - b.min(), a.max() - b.max();
+  return difference.norm();
 }
 
-// The target groups that a source group may be matched to: all, or the nearest ones, in their order.
-std::vector<std::size_t> candidates(const Aligned_shape::Group& group, const Aligned_shape& target)
+// The target groups that a source group may be matched to: all that the symmetry allows, or any if it allows none, or
+// the nearest ones, in their order.
+std::vector<std::size_t> candidates(const Aligned_shape& source, std::size_t group, const Aligned_shape& target)
 {
+  const auto all = groups(target);
+  const bool none_may = std::none_of(all.begin(), all.end(),
+                                     [&](const Part_group& other) { return may_match(source.group(group), other); });
   std::vector<std::pair<long, std::size_t>> nearest;
-  for (std::size_t h = 0; h < target.groups.size(); ++h)
-    nearest.emplace_back(quantized((extremes(group) - extremes(target.groups[h])).norm()), h);
+  for (std::size_t h = 0; h < target.number_of_groups(); ++h)
+    if (none_may || may_match(source.group(group), target.group(h)))
+      nearest.emplace_back(quantized(distance(source.boxes[group], target.boxes[h])), h);
   if (nearest.size() > maximum_labels) {
     std::sort(nearest.begin(), nearest.end());
     nearest.resize(maximum_labels);
@@ -43,7 +48,7 @@ std::vector<std::size_t> candidates(const Aligned_shape::Group& group, const Ali
 std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_t group, const Aligned_shape& target,
                                          const Matching_options& options)
 {
-  const std::vector<std::size_t> matched = candidates(source.groups[group], target);
+  const std::vector<std::size_t> matched = candidates(source, group, target);
   std::vector<Group_label> result;
   result.reserve(2 * matched.size() + 1);
   for (std::size_t candidate : matched)
@@ -55,7 +60,7 @@ std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_
   }
   if (options.unmatched_cost < Matching_options::never) {
     result.emplace_back();
-    result.back().images.resize(source.groups[group].parts.size());
+    result.back().images.resize(source.group(group).parts.size());
   }
   return result;
 }
@@ -64,7 +69,7 @@ std::vector<std::vector<Group_label>> all_labels(const Aligned_shape& source, co
                                                  const Matching_options& options)
 {
   std::vector<std::vector<Group_label>> result;
-  for (std::size_t g = 0; g < source.groups.size(); ++g)
+  for (std::size_t g = 0; g < source.number_of_groups(); ++g)
     result.push_back(labels_of_group(source, g, target, options));
   return result;
 }
@@ -74,7 +79,7 @@ std::vector<std::vector<Group_label>> all_labels(const Aligned_shape& source, co
 Matching_problem::Matching_problem(Shared_shape source, Shared_shape target, const Matching_options& options)
     : Matching_problem(source, target, all_labels(*source, *target, options), options)
 {
-  has_shortlists_ = target_->groups.size() > maximum_labels;
+  has_shortlists_ = target_->number_of_groups() > maximum_labels;
 }
 
 Matching_problem::Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options)
@@ -123,7 +128,7 @@ void Matching_problem::fill_cut_energies()
     cut_energies_[g].resize(labels_[g].size());
     for (std::size_t l = 0; l < labels_[g].size(); ++l) {
       if (labels_[g][l].operation != Operation::CUT) continue;
-      for (std::size_t part : source().groups[g].parts)
+      for (std::size_t part : source().group(g).parts)
         for (std::size_t a : fitted_.images(part, l))
           for (std::size_t b : fitted_.images(part, l)) {
             const Fitted_piece &first = fitted_[a], &second = fitted_[b];
@@ -136,6 +141,13 @@ void Matching_problem::fill_cut_energies()
           }
     }
   }
+}
+
+// Of the whole parts, unlifted.
+double Matching_problem::number_of_rods(std::size_t contact) const
+{
+  const auto& parts = source().contacts[contact].parts;
+  return double(source().parts[parts[0]].samples.cols() * source().parts[parts[1]].samples.cols());
 }
 
 // Eq. 1 as a sum over labels of groups and pairs of groups. The root terms are w_s E_s (`split_energy()`, Eq. 5), and a
@@ -156,48 +168,44 @@ void Matching_problem::add_up_energy()
       split.unary[g][l] = label.solidity_ratio * label.solidity_ratio;
       const Rod_energy& cut = cut_energies_[g][std::size_t(l)];
       energy_.unary[g][l] = weights.distortion * cut.distortion + weights.connectedness * cut.connectedness;
-      if (is_unmatched(g, std::size_t(l)) && source().groups[g].contacts.empty())
-        energy_.unary[g][l] = options_.unmatched_cost;
+      if (is_unmatched(g, std::size_t(l)) && is_isolated(source(), g)) energy_.unary[g][l] = options_.unmatched_cost;
     }
   }
 
-  Eigen::MatrixXi edge_of = Eigen::MatrixXi::Constant(Eigen::Index(n), Eigen::Index(n), -1);
   const double contact_count = double(std::max<std::size_t>(1, source().contacts.size()));
+  const auto group = [&](std::size_t contact, std::size_t side) {
+    return source().group_of[source().contacts[contact].parts[side]];
+  };
+  // Adds what a contact costs with labels a and b of its groups to the energy, or what it keeps to the pooled norm
+  const auto add = [&](std::size_t contact, std::size_t a, std::size_t b, double& cost, double& kept) {
+    const Rod_energy energy = contact_energy(contact, a, b);
+    if (pooled) kept += number_of_rods(contact) * (1 - energy.distortion) * (1 - energy.distortion);
+    if (is_unmatched(group(contact, 0), a) || is_unmatched(group(contact, 1), b))
+      cost += options_.unmatched_cost;
+    else
+      cost += pooled ? weights.connectedness * energy.connectedness / contact_count
+                     : weights.distortion * energy.distortion + weights.connectedness * energy.connectedness;
+  };
   for (std::size_t contact = 0; contact < source().contacts.size(); ++contact) {
-    const auto& parts = source().contacts[contact].parts;
-    const double rod_count = double(source().parts[parts[0]].samples.cols() * source().parts[parts[1]].samples.cols());
-    rods.count += rod_count;
-    const std::size_t g = source().group_of[parts[0]], h = source().group_of[parts[1]];
-    const auto add = [&](std::size_t a, std::size_t b, double& cost, double& kept) {
-      const Rod_energy energy = contact_energy(contact, a, b);
-      if (pooled) kept += rod_count * (1 - energy.distortion) * (1 - energy.distortion);
-      if (is_unmatched(g, a) || is_unmatched(h, b))
-        cost += options_.unmatched_cost;
-      else
-        cost += pooled ? weights.connectedness * energy.connectedness / contact_count
-                       : weights.distortion * energy.distortion + weights.connectedness * energy.connectedness;
-    };
-    if (g == h) {
-      for (std::size_t a = 0; a < labels_[g].size(); ++a)
-        add(a, a, energy_.unary[g][Eigen::Index(a)], rods.unary[g][Eigen::Index(a)]);
-      continue;
+    rods.count += number_of_rods(contact);
+    const std::size_t g = group(contact, 0);
+    if (g != group(contact, 1)) continue; // an edge has it
+    for (std::size_t a = 0; a < labels_[g].size(); ++a)
+      add(contact, a, a, energy_.unary[g][Eigen::Index(a)], rods.unary[g][Eigen::Index(a)]);
+  }
+  const Aligned_shape::Graph& graph = source().graph;
+  for (const auto& edge : boost::make_iterator_range(edges(graph))) {
+    const auto [low, high] = std::minmax({boost::source(edge, graph), boost::target(edge, graph)});
+    Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(Eigen::Index(labels_[low].size()), Eigen::Index(labels_[high].size())),
+                    kept = cost;
+    for (std::size_t contact : graph[edge].contacts) {
+      const bool forward = group(contact, 0) == low;
+      for (Eigen::Index a = 0; a < cost.rows(); ++a)
+        for (Eigen::Index b = 0; b < cost.cols(); ++b)
+          add(contact, std::size_t(forward ? a : b), std::size_t(forward ? b : a), cost(a, b), kept(a, b));
     }
-    const std::size_t low = std::min(g, h), high = std::max(g, h);
-    int& edge = edge_of(Eigen::Index(low), Eigen::Index(high));
-    if (edge < 0) {
-      edge = int(energy_.edges.size());
-      const Eigen::MatrixXd zero =
-          Eigen::MatrixXd::Zero(Eigen::Index(labels_[low].size()), Eigen::Index(labels_[high].size()));
-      energy_.edges.push_back({low, high, zero});
-      rods.edge.push_back(zero);
-    }
-    Eigen::MatrixXd &cost = energy_.edges[std::size_t(edge)].cost, &kept = rods.edge[std::size_t(edge)];
-    for (Eigen::Index a = 0; a < Eigen::Index(labels_[g].size()); ++a)
-      for (Eigen::Index b = 0; b < Eigen::Index(labels_[h].size()); ++b)
-        if (g == low)
-          add(std::size_t(a), std::size_t(b), cost(a, b), kept(a, b));
-        else
-          add(std::size_t(a), std::size_t(b), cost(b, a), kept(b, a));
+    energy_.edges.push_back({low, high, std::move(cost)});
+    rods.edge.push_back(std::move(kept));
   }
   if (weights.split > 0) energy_.root_terms.push_back(std::move(split));
   if (pooled && weights.distortion > 0 && rods.count > 0) energy_.root_terms.push_back(std::move(rods));
@@ -229,7 +237,7 @@ Energy_terms Matching_problem::terms(const Assignment& assignment, const std::ve
     const Rod_energy& energy = contacts[contact];
     terms.distortion += energy.distortion;
     terms.connectedness += energy.connectedness;
-    const double rods = double(source().parts[parts[0]].samples.cols() * source().parts[parts[1]].samples.cols());
+    const double rods = number_of_rods(contact);
     rod_count += rods;
     kept += rods * (1 - energy.distortion) * (1 - energy.distortion);
   }
@@ -244,7 +252,7 @@ Energy_terms Matching_problem::terms(const Assignment& assignment, const std::ve
     solidity_ratios[g] = labels_[g][l].solidity_ratio;
     terms.distortion += cut_energies_[g][l].distortion;
     terms.connectedness += cut_energies_[g][l].connectedness;
-    if (is_unmatched(g, l) && source().groups[g].contacts.empty()) terms.unmatched += options_.unmatched_cost;
+    if (is_unmatched(g, l) && is_isolated(source(), g)) terms.unmatched += options_.unmatched_cost;
   }
   terms.split = split_energy(solidity_ratios);
   return terms;

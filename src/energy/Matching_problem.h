@@ -86,6 +86,7 @@ private:
   void fill_contact_energies();
   void fill_cut_energies();
   void add_up_energy();
+  double number_of_rods(std::size_t contact) const;
 
   Shared_shape source_, target_;
   Matching_options options_;

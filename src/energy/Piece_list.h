@@ -4,48 +4,48 @@
 #pragma once
 
 #include "energy/cut_curves.h"
+#include "energy/divide_sheets.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
-// The parts of a shape, then the segments of curves that were asked for, each numbered once.
+// The parts of a shape, then the pieces of parts that were asked for, each numbered once.
 class Piece_list
 {
 public:
-  explicit Piece_list(const Aligned_shape& shape) : parts_(&shape.parts) {}
+  explicit Piece_list(const Aligned_shape& shape) : parts_(&shape.parts), of_part_(shape.parts.size()) {}
 
-  std::size_t size() const { return parts_->size() + segments_.size(); }
-  std::size_t number_of_parts() const { return parts_->size(); }
+  std::size_t size() const { return parts_->size() + pieces_.size(); }
 
   std::size_t index(const Piece& piece)
   {
-    if (piece.count == 1) return piece.part;
-    // All segments of a cut follow each other
-    const Piece first{piece.part, 0, piece.count};
-    auto found = std::find(cuts_.begin(), cuts_.end(), first);
-    std::size_t begin = 0;
-    for (auto cut = cuts_.begin(); cut != found; ++cut)
-      begin += std::size_t(cut->count);
-    if (found == cuts_.end()) {
-      cuts_.push_back(first);
-      for (int i = 0; i < piece.count; ++i)
-        segments_.push_back(segment((*parts_)[piece.part], i, piece.count));
-    }
-    return parts_->size() + begin + std::size_t(piece.index);
+    if (piece.is_whole()) return piece.part;
+    for (std::size_t known : of_part_[piece.part])
+      if (pieces_[known].piece == piece) return parts_->size() + known;
+    const Sampled_part& part = (*parts_)[piece.part];
+    of_part_[piece.part].push_back(pieces_.size());
+    pieces_.push_back(
+        {piece, piece.is_segment() ? segment(part, piece.index, piece.count) : rectangle(part, piece.low, piece.high)});
+    return size() - 1;
   }
 
   const Sampled_part& operator[](std::size_t index) const
   {
-    return index < parts_->size() ? (*parts_)[index] : segments_[index - parts_->size()];
+    return index < parts_->size() ? (*parts_)[index] : pieces_[index - parts_->size()].samples;
   }
 
 private:
+  struct Sampled_piece
+  {
+    Piece piece;
+    Sampled_part samples;
+  };
+
   const std::vector<Sampled_part>* parts_;
-  std::vector<Piece> cuts_; // the first segment of each
-  std::vector<Sampled_part> segments_;
+  std::vector<Sampled_piece> pieces_;
+  std::vector<std::vector<std::size_t>> of_part_; // pieces, by part
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -18,8 +18,8 @@ struct Rod_energy
   double connectedness = 0;
 };
 
-/// E_c of two connected parts that become one and the same part: the connection is lost, the parts are not apart. The
-/// paper is silent; this is the authors' charge.
+/// E_c of two connected parts that become one and the same part, or overlapping pieces of one: the connection is lost,
+/// the parts are not apart. The paper is silent; this is the authors' charge.
 constexpr double collapsed_connectedness = 0.5;
 
 /// The structural rods of a pair of connected parts before the deformation (paper, section 4.3): all vectors from a

@@ -12,14 +12,14 @@ namespace CGAL::Shape_correspondence::internal {
 class Unit_box
 {
 public:
-  explicit Unit_box(const Aligned_shape::Group& group)
+  explicit Unit_box(const Eigen::AlignedBox3d& box)
   {
     constexpr double least_extent = 0.02; // of the shape's height; under it, sides are not told apart
     for (int axis = 0; axis < 3; ++axis) {
-      const double extent = group.box.sizes()[axis];
+      const double extent = box.sizes()[axis];
       const bool has_none = extent < least_extent;
       scale_[axis] = has_none ? 0 : 1 / extent;
-      origin_[axis] = has_none ? 0.5 : -group.box.min()[axis] / extent;
+      origin_[axis] = has_none ? 0.5 : -box.min()[axis] / extent;
     }
   }
 

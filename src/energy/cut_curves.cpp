@@ -3,7 +3,6 @@
 
 #include "energy/cut_curves.h"
 #include "base/optimal_assignment.h"
-#include "energy/Structural_rods.h"
 #include "energy/Unit_box.h"
 
 #include <CGAL/assertions.h>
@@ -47,25 +46,12 @@ std::vector<std::size_t> matching_segments(const Sampled_part& curve, const Unit
   return optimal_assignment(cost);
 }
 
-// Whether parts that are to follow each other as segments (part `i` is segment `segments[i]`) lie in a row.
-bool lie_in_row(const Aligned_shape& shape, const std::vector<std::size_t>& parts,
-                const std::vector<std::size_t>& segments)
-{
-  constexpr double widest_gap = 0.05; // between consecutive segments, of the shape's height
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    for (std::size_t j = 0; j < parts.size(); ++j)
-      if (segments[j] == segments[i] + 1 &&
-          least_distance(shape.parts[parts[i]].samples, shape.parts[parts[j]].samples) > widest_gap)
-        return false;
-  return true;
-}
-
 } // namespace
 
 Group_label cut_curves(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
                        const Group_label& label)
 {
-  const auto &from = source.groups[source_group].parts, &to = target.groups[label.target_group].parts;
+  const auto &from = source.group(source_group).parts, &to = target.group(label.target_group).parts;
   Group_label result = label;
   const auto centroids = [](const Aligned_shape& shape, const std::vector<std::size_t>& parts) {
     std::vector<Point> points;
@@ -76,7 +62,7 @@ Group_label cut_curves(const Aligned_shape& source, std::size_t source_group, co
   const auto all_curves = [](const Aligned_shape& shape, const std::vector<std::size_t>& parts) {
     return std::all_of(parts.begin(), parts.end(), [&](std::size_t part) { return is_open_curve(shape.parts[part]); });
   };
-  const Unit_box from_box(source.groups[source_group]), to_box(target.groups[label.target_group]);
+  const Unit_box from_box(source.boxes[source_group]), to_box(target.boxes[label.target_group]);
 
   for (std::vector<Image>& images : result.images) {
     const std::size_t part = images[0].source.part;
@@ -85,7 +71,6 @@ Group_label cut_curves(const Aligned_shape& source, std::size_t source_group, co
       parts.push_back(image.target.part);
     if (parts.size() < 2 || !is_open_curve(source.parts[part]) || !all_curves(target, parts)) continue;
     const auto segments = matching_segments(source.parts[part], from_box, centroids(target, parts), to_box);
-    if (!lie_in_row(target, parts, segments)) continue;
     for (std::size_t i = 0; i < images.size(); ++i)
       images[i].source = {part, int(segments[i]), int(parts.size())};
     result.operation = Operation::CUT;
@@ -97,7 +82,6 @@ Group_label cut_curves(const Aligned_shape& source, std::size_t source_group, co
         members.push_back(i), parts.push_back(from[i]);
     if (parts.size() < 2 || !is_open_curve(target.parts[part]) || !all_curves(source, parts)) continue;
     const auto segments = matching_segments(target.parts[part], to_box, centroids(source, parts), from_box);
-    if (!lie_in_row(source, parts, segments)) continue;
     for (std::size_t i = 0; i < members.size(); ++i)
       result.images[members[i]][0].target = {part, int(segments[i]), int(parts.size())};
     result.operation = Operation::JOIN;

@@ -13,8 +13,8 @@ Sampled_part segment(const Sampled_part& curve, int index, int count);
 
 /// The label with curves cut (paper, section 5): a source curve that turns into several curves is cut into as many
 /// equally long segments, each of which turns into one (`Operation::CUT`); several curves that turn into one become its
-/// segments (`Operation::JOIN`). Segments and curves are matched by their places in the groups' unit boxes, and the
-/// curves must lie in a row. The label itself where there is nothing to cut.
+/// segments (`Operation::JOIN`). Segments and curves are matched by their places in the groups' unit boxes. The label
+/// itself where there is nothing to cut.
 Group_label cut_curves(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
                        const Group_label& label);
 

@@ -4,6 +4,7 @@
 #include "energy/match_groups.h"
 #include "base/optimal_assignment.h"
 #include "energy/Unit_box.h"
+#include "energy/divide_sheets.h"
 
 #include <algorithm>
 
@@ -35,6 +36,17 @@ std::vector<std::vector<std::size_t>> assign_members(const Eigen::MatrixXd& cost
 
 } // namespace
 
+bool overlap(const Piece& a, const Piece& b)
+{
+  if (a.part != b.part) return false;
+  const auto meet = [](double low, double high, double other_low, double other_high) {
+    return low < other_high && other_low < high;
+  };
+  // Segments of a curve, then rectangles of a sheet; the whole is both
+  return meet(a.index * b.count, (a.index + 1) * b.count, b.index * a.count, (b.index + 1) * a.count) &&
+         meet(a.low[0], a.high[0], b.low[0], b.high[0]) && meet(a.low[1], a.high[1], b.low[1], b.high[1]);
+}
+
 Operation topological_operation(std::size_t source_size, std::size_t target_size)
 {
   if (source_size == target_size) return Operation::MATCH;
@@ -42,24 +54,33 @@ Operation topological_operation(std::size_t source_size, std::size_t target_size
   return source_size == 1 ? Operation::SPLIT : Operation::DUPLICATE;
 }
 
-double solidity_ratio(const Aligned_shape::Group& source, const Aligned_shape::Group& target)
+double solidity_ratio(const Part_group& source, const Part_group& target)
 {
-  const bool single = source.parts.size() == 1 && target.parts.size() == 1;
+  const bool one_to_one = source.parts.size() == target.parts.size();
   const bool rotational =
       source.symmetry.type == Symmetry_type::ROTATION || target.symmetry.type == Symmetry_type::ROTATION;
-  if (single || rotational) return 1;
-  return std::min(source.solidity, target.solidity) / std::max(source.solidity, target.solidity);
+  if (one_to_one || rotational) return 1;
+  const double before = solidity(source.volume, source.hull_volume);
+  const double after = solidity(target.volume, target.hull_volume);
+  return std::min(before, after) / std::max(before, after);
 }
 
-Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
-                         std::size_t target_group)
+bool may_match(const Part_group& source, const Part_group& target)
 {
-  const auto& from = source.groups[source_group].parts;
-  const auto& to = target.groups[target_group].parts;
+  return source.parts.size() == 1 || target.parts.size() > 1 || target.symmetry.type == Symmetry_type::SELF;
+}
+
+namespace {
+
+Group_label match_members(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
+                          std::size_t target_group)
+{
+  const auto& from = source.group(source_group).parts;
+  const auto& to = target.group(target_group).parts;
   Group_label label;
   label.target_group = target_group;
   label.operation = topological_operation(from.size(), to.size());
-  label.solidity_ratio = solidity_ratio(source.groups[source_group], target.groups[target_group]);
+  label.solidity_ratio = solidity_ratio(source.group(source_group), target.group(target_group));
   label.images.resize(from.size());
   if (from.size() == 1 || to.size() == 1) {
     for (std::size_t i = 0; i < from.size(); ++i)
@@ -68,7 +89,7 @@ Group_label match_groups(const Aligned_shape& source, std::size_t source_group, 
     return label;
   }
 
-  const Unit_box from_box(source.groups[source_group]), to_box(target.groups[target_group]);
+  const Unit_box from_box(source.boxes[source_group]), to_box(target.boxes[target_group]);
   Eigen::MatrixXd cost(from.size(), to.size());
   for (Eigen::Index i = 0; i < cost.rows(); ++i)
     for (Eigen::Index j = 0; j < cost.cols(); ++j)
@@ -85,6 +106,16 @@ Group_label match_groups(const Aligned_shape& source, std::size_t source_group, 
       for (std::size_t i : preimages[j])
         label.images[i].push_back({{from[i]}, {to[j]}});
   }
+  return label;
+}
+
+} // namespace
+
+Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
+                         std::size_t target_group)
+{
+  Group_label label = match_members(source, source_group, target, target_group);
+  divide_sheets(source, target, label);
   return label;
 }
 

@@ -7,22 +7,31 @@
 
 #include <CGAL/Shape_correspondence/Geotopo_operation.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
 
-/// A piece of a part: the whole, or one of `count` equally long segments of a curve.
+/// A piece of a part: the whole, one of `count` equally long segments of a curve, or a rectangle of a sheet.
 struct Piece
 {
   std::size_t part = 0;
   int index = 0, count = 1;
+  std::array<double, 2> low{0, 0}, high{1, 1}; ///< of the sheet's parameters
+
+  bool is_segment() const { return count > 1; }
+  bool is_rectangle() const { return low[0] > 0 || low[1] > 0 || high[0] < 1 || high[1] < 1; }
+  bool is_whole() const { return !is_segment() && !is_rectangle(); }
 
   friend bool operator==(const Piece& a, const Piece& b)
   {
-    return a.part == b.part && a.index == b.index && a.count == b.count;
+    return a.part == b.part && a.index == b.index && a.count == b.count && a.low == b.low && a.high == b.high;
   }
 };
+
+/// Whether two pieces have more than a boundary in common.
+bool overlap(const Piece& a, const Piece& b);
 
 /// What a piece of a source part turns into.
 struct Image
@@ -44,12 +53,18 @@ struct Group_label
 /// What becomes of a group of so many parts that turns into a group of so many: match, split, duplicate or merge.
 Operation topological_operation(std::size_t source_size, std::size_t target_size);
 
-/// S_i of Eq. 5: 1 between single parts and where one side is a rotational group.
-double solidity_ratio(const Aligned_shape::Group& source, const Aligned_shape::Group& target);
+/// S_i of Eq. 5: 1 between groups of equal size, whose parts correspond one to one, and where one side is a rotational
+/// group.
+double solidity_ratio(const Part_group& source, const Part_group& target);
+
+/// Whether a search may match a group to another one (paper, section 5): to a group, or to a single part if that is
+/// self-symmetric; a single part to anything.
+bool may_match(const Part_group& source, const Part_group& target);
 
 /// Group matching (paper, section 5): the parts of a source group and those of a target group, centroids in the groups'
 /// unit boxes, matched one to one by optimal assignment as far as numbers allow; every member left over goes to the
-/// nearest one of the other side. So no target part stays free while another is taken twice without need.
+/// nearest one of the other side. So no target part stays free while another is taken twice without need. Sheets that
+/// split or merge are divided (`divide_sheets()`).
 Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
                          std::size_t target_group);
 

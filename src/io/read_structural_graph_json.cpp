@@ -157,7 +157,8 @@ Symmetry read_symmetry(const Json_field& group)
                                                                  {"reflection", Symmetry_type::REFLECTION},
                                                                  {"rotation", Symmetry_type::ROTATION},
                                                                  {"translation", Symmetry_type::TRANSLATION}});
-  if (symmetry.type == Symmetry_type::REFLECTION || (symmetry.type == Symmetry_type::SELF && group.has("plane"))) {
+  if (symmetry.type == Symmetry_type::SELF && !group.has("plane")) symmetry.type = Symmetry_type::NONE;
+  if (symmetry.type == Symmetry_type::REFLECTION || symmetry.type == Symmetry_type::SELF) {
     symmetry.point = group["plane"]["point"].point();
     symmetry.direction = group["plane"]["normal"].unit_vector();
   } else if (symmetry.type == Symmetry_type::ROTATION) {
@@ -192,8 +193,8 @@ Part_group read_group(const Json_field& field, const std::vector<Part_abstractio
   }
   if (group.parts.empty()) field["parts"].fail("is empty");
   group.symmetry = read_symmetry(field);
-  if (group.symmetry.type == Symmetry_type::SELF && group.parts.size() > 1)
-    field.fail("has several parts; their symmetry cannot be \"self\"");
+  const bool is_of_one = group.symmetry.type == Symmetry_type::NONE || group.symmetry.type == Symmetry_type::SELF;
+  if (is_of_one && group.parts.size() > 1) field.fail("has several parts; their symmetry cannot be \"self\"");
   const bool alone = group.parts.size() == 1;
   group.volume = field.has("volume") ? field["volume"].number_at_least_0() : total_volume(group.parts, parts);
   if (field.has("hull_volume"))

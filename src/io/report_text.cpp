@@ -56,6 +56,8 @@ std::vector<std::string> flags_of(const Abstraction_report& report)
 const char* name_of(Symmetry_type type)
 {
   switch (type) {
+  case Symmetry_type::NONE:
+    return "none";
   case Symmetry_type::SELF:
     return "self";
   case Symmetry_type::REFLECTION:
@@ -65,7 +67,7 @@ const char* name_of(Symmetry_type type)
   case Symmetry_type::TRANSLATION:
     return "translation";
   }
-  return "self";
+  return "none";
 }
 
 std::string name_of(const Symmetry& symmetry)

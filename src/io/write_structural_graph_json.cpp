@@ -80,11 +80,12 @@ Json part(const Part_abstraction& part)
 
 void set_symmetry(Json& group, const Symmetry& symmetry)
 {
-  group["symmetry"] = name_of(symmetry.type);
+  // In files, what has no symmetry is "self" without a plane
+  group["symmetry"] = name_of(symmetry.type == Symmetry_type::NONE ? Symmetry_type::SELF : symmetry.type);
   switch (symmetry.type) {
+  case Symmetry_type::NONE:
+    return;
   case Symmetry_type::SELF:
-    if (symmetry.direction.isZero()) return;
-    [[fallthrough]];
   case Symmetry_type::REFLECTION:
     group["plane"] = {{"point", point(symmetry.point)}, {"normal", point(symmetry.direction)}};
     break;

@@ -3,6 +3,7 @@
 
 #include "map/Part_pair.h"
 
+#include "base/divide_box.h"
 #include "base/quantized.h"
 
 #include <algorithm>
@@ -55,65 +56,32 @@ Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, Pa
   return *best_turn(source, target, kind, [](const Eigen::Matrix3d&) { return true; });
 }
 
-/// What a part is divided among: middle and half extents along the axes of the part, and the piece.
-struct Share
-{
-  Point middle, half;
-  Chart_box* piece;
-};
-
-/// Divides a box among shares as they are arranged: along the axis that they are spread over most, in proportion to
-/// their extents; those of one place along it are divided on. What lies about one middle shares the box.
-void divide(const Chart_box& box, std::vector<Share> shares)
-{
-  constexpr double apart = 0.25;     // a spread that tells, over the largest extent of a share
-  constexpr double one_place = 0.15; // over the spread
-  int axis = -1;
-  double spread = 0;
-  for (int a = 0; a < 3; ++a) {
-    double low = shares[0].middle[a], high = low, extent = 0;
-    for (const Share& share : shares) {
-      low = std::min(low, share.middle[a]);
-      high = std::max(high, share.middle[a]);
-      extent = std::max(extent, 2 * share.half[a]);
-    }
-    if (quantized(high - low) > quantized(spread) && high - low > apart * extent) axis = a, spread = high - low;
-  }
-  if (axis < 0) {
-    for (const Share& share : shares)
-      *share.piece = box;
-    return;
-  }
-  std::stable_sort(shares.begin(), shares.end(),
-                   [&](const Share& a, const Share& b) { return a.middle[axis] < b.middle[axis]; });
-  std::vector<std::vector<Share>> clusters;
-  for (const Share& share : shares) {
-    if (clusters.empty() || share.middle[axis] - clusters.back().front().middle[axis] > one_place * spread)
-      clusters.emplace_back();
-    clusters.back().push_back(share);
-  }
-  std::vector<double> ends{0};
-  for (const std::vector<Share>& cluster : clusters) {
-    double extent = Part_chart::least_half_extent;
-    for (const Share& share : cluster)
-      extent = std::max(extent, share.half[axis]);
-    ends.push_back(ends.back() + extent);
-  }
-  for (std::size_t c = 0; c < clusters.size(); ++c) {
-    Chart_box part = box;
-    const double low = box.min()[axis], extent = box.sizes()[axis] / ends.back();
-    if (c > 0) part.min()[axis] = low + extent * ends[c];
-    if (c + 1 < clusters.size()) part.max()[axis] = low + extent * ends[c + 1];
-    divide(part, std::move(clusters[c]));
-  }
-}
-
-Share share_of(const Part_chart& divided, const Part_chart& other, Chart_box& piece)
+/// Where another part lies along the axes of a part that is divided.
+Share share_of(const Part_chart& divided, const Part_chart& other)
 {
   const Eigen::Matrix3d axes = divided.axes();
-  return {axes.transpose() * other(Point::Zero()), (axes.transpose() * other.axes()).cwiseAbs() * other.half_extents(),
-          &piece};
+  return {axes.transpose() * other(Point::Zero()), (axes.transpose() * other.axes()).cwiseAbs() * other.half_extents()};
 }
+
+/// The shares of a part, and the pieces that they get.
+struct Division
+{
+  std::vector<Share> shares;
+  std::vector<Chart_box*> pieces;
+
+  void add(const Share& share, Chart_box& piece)
+  {
+    shares.push_back(share);
+    pieces.push_back(&piece);
+  }
+
+  void divide() const
+  {
+    const std::vector<Chart_box> boxes = divide_box(whole_chart(), shares);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      *pieces[i] = boxes[i];
+  }
+};
 
 } // namespace
 
@@ -136,17 +104,17 @@ Pair_kind pair_kind(const Part_pair& pair, const Charted_shape& source, const Ch
 std::vector<Part_pair> piece_pairs(const Charted_shape& source, const Charted_shape& target, const Part_pairs& paired)
 {
   std::vector<Part_pair> result(paired.size());
-  std::vector<std::vector<Share>> of_source(source.charts.size()), of_target(target.charts.size());
+  std::vector<Division> of_source(source.charts.size()), of_target(target.charts.size());
   for (std::size_t i = 0; i < paired.size(); ++i) {
     Part_pair& pair = result[i];
     std::tie(pair.source, pair.target) = paired[i];
     const Part_chart &from = source.charts[pair.source], &to = target.charts[pair.target];
-    of_source[pair.source].push_back(share_of(from, to, pair.source_piece));
-    of_target[pair.target].push_back(share_of(to, from, pair.target_piece));
+    of_source[pair.source].add(share_of(from, to), pair.source_piece);
+    of_target[pair.target].add(share_of(to, from), pair.target_piece);
   }
-  for (const auto* shares : {&of_source, &of_target})
-    for (const std::vector<Share>& of_part : *shares)
-      if (of_part.size() > 1) divide(whole_chart(), of_part);
+  for (const auto* divisions : {&of_source, &of_target})
+    for (const Division& division : *divisions)
+      division.divide();
   for (Part_pair& pair : result) {
     const auto [from, to] = piece_charts(pair, source, target);
     pair.turn = best_turn(from, to, pair_kind(pair, source, target));

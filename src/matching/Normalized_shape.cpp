@@ -69,10 +69,10 @@ void add_box(Boxes& boxes, Eigen::Index row, const Surface& surface)
 // Groups and panels, as one part each.
 void add_unions(Normalized_shape& result, const Aligned_shape& shape, const Part_assemblies& assemblies)
 {
-  for (const Aligned_shape::Group& group : shape.groups)
+  for (const Part_group& group : groups(shape))
     if (group.parts.size() >= minimum_repetition) result.unions.push_back(group.parts);
   for (const std::vector<std::size_t>& panel : assemblies.panels)
-    if (shape.groups[shape.group_of[panel[0]]].parts != panel) result.unions.push_back(panel);
+    if (shape.group(shape.group_of[panel[0]]).parts != panel) result.unions.push_back(panel);
   const auto is_all = [&](const std::vector<std::size_t>& parts) { return parts.size() == shape.parts.size(); };
   result.unions.erase(std::remove_if(result.unions.begin(), result.unions.end(), is_all), result.unions.end());
 

@@ -23,8 +23,8 @@ constexpr double union_charge = 1;  // added where a part corresponds to a set o
 Eigen::MatrixXd shared_in_groups(const Eigen::MatrixXd& costs, const Aligned_shape& source, const Aligned_shape& target)
 {
   Eigen::MatrixXd result(costs.rows(), costs.cols());
-  for (const Aligned_shape::Group& g : source.groups)
-    for (const Aligned_shape::Group& h : target.groups) {
+  for (const Part_group& g : groups(source))
+    for (const Part_group& h : groups(target)) {
       const double group_cost = set_cost(costs, g.parts, h.parts);
       for (std::size_t i : g.parts)
         for (std::size_t j : h.parts) {

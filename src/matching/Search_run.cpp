@@ -44,7 +44,7 @@ Search_run::Search_run(const Shared_shape& source, const Shared_shape& target, i
       direction(Direction::SOURCE_TO_TARGET),
       turns(turns)
 {
-  const Assignment assignment(source->groups.size(), 0);
+  const Assignment assignment(source->number_of_groups(), 0);
   result.solutions = {{problem.energy()(assignment), assignment}};
   result.summary.method = "parts";
   result.summary.states = result.summary.evaluations = 1;
@@ -98,7 +98,7 @@ std::vector<Rod_energy> share_energy(const Matching_problem& problem, const Assi
 {
   const Aligned_shape& shape = problem.source();
   std::vector<Rod_energy> group_energy;
-  for (std::size_t g = 0; g < shape.groups.size(); ++g)
+  for (std::size_t g = 0; g < shape.number_of_groups(); ++g)
     group_energy.push_back(problem.cut_energy(g, std::size_t(assignment[g])));
   for (std::size_t contact = 0; contact < shape.contacts.size(); ++contact) {
     const auto& parts = shape.contacts[contact].parts;
@@ -140,10 +140,10 @@ void collect_groups(const Matching_problem& problem, const Assignment& assignmen
   const Energy_weights& weights = problem.options().weights;
   const bool forward = correspondence.direction == Direction::SOURCE_TO_TARGET;
   const std::vector<Rod_energy> group_energy = share_energy(problem, assignment, correspondence);
-  for (std::size_t g = 0; g < shape.groups.size(); ++g) {
+  for (std::size_t g = 0; g < shape.number_of_groups(); ++g) {
     const Group_label& label = problem.label(g, std::size_t(assignment[g]));
     Group_match match;
-    match.source = original_parts(shape, shape.groups[g].parts);
+    match.source = original_parts(shape, shape.group(g).parts);
     match.target = original_parts(other, image_parts(label));
     match.operation = label.operation;
     match.distortion = group_energy[g].distortion;
@@ -161,6 +161,20 @@ void collect_groups(const Matching_problem& problem, const Assignment& assignmen
   std::sort(correspondence.pairs.begin(), correspondence.pairs.end(), is_before);
 }
 
+// Whether a search had to leave the paper's rule that a group becomes a group or a self-symmetric part.
+bool merges_into_asymmetric_part(const Search_run& run, const Assignment& assignment)
+{
+  if (run.result.summary.method == "parts") return false;
+  const Matching_problem& problem = run.problem;
+  for (std::size_t g = 0; g < assignment.size(); ++g) {
+    const std::size_t label = std::size_t(assignment[g]);
+    if (problem.is_unmatched(g, label)) continue;
+    if (!may_match(problem.source().group(g), problem.target().group(problem.label(g, label).target_group)))
+      return true;
+  }
+  return false;
+}
+
 } // namespace
 
 Correspondence correspondence_of(const Search_run& run, const Solution& solution,
@@ -175,9 +189,13 @@ Correspondence correspondence_of(const Search_run& run, const Solution& solution
   correspondence.optimal = run.result.optimal;
   correspondence.search = run.result.summary;
   if (run.problem.has_shortlists())
-    correspondence.warnings.push_back("There are " + std::to_string(run.problem.target().groups.size()) +
+    correspondence.warnings.push_back("There are " + std::to_string(run.problem.target().number_of_groups()) +
                                       " groups to choose from; each was given the " + std::to_string(maximum_labels) +
                                       " nearest in place and size to choose from.");
+  if (merges_into_asymmetric_part(run, solution.assignment))
+    correspondence.warnings.push_back(
+        "A group of parts was merged into one part that is not symmetric by itself: there "
+        "is neither a group nor a symmetric part that it could have become.");
   collect_groups(run.problem, solution.assignment, min_marginals, correspondence);
   return correspondence;
 }

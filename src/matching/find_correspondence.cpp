@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/quantized.h"
+#include "energy/divide_sheets.h"
 #include "matching/Search_run.h"
 #include "matching/match_parts.h"
 
@@ -45,7 +46,7 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
     images[pair.source].push_back(pair.target);
 
   std::vector<std::vector<Group_label>> labels;
-  for (const Aligned_shape::Group& group : source.groups) {
+  for (const Part_group& group : groups(source)) {
     Group_label label;
     for (std::size_t part : group.parts) {
       label.images.emplace_back();
@@ -56,8 +57,9 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
     if (!parts.empty()) {
       label.target_group = target.group_of[parts[0]];
       label.operation = topological_operation(group.parts.size(), parts.size());
-      if (target.groups[label.target_group].parts == parts)
-        label.solidity_ratio = solidity_ratio(group, target.groups[label.target_group]);
+      if (target.group(label.target_group).parts == parts)
+        label.solidity_ratio = solidity_ratio(group, target.group(label.target_group));
+      divide_sheets(source, target, label);
     }
     labels.push_back({std::move(label)});
   }
@@ -153,6 +155,15 @@ Matching_problem::Shared_shape participating(Matching_problem::Shared_shape shap
 
 } // namespace
 
+Search_options paper_options()
+{
+  Search_options options;
+  options.method = Search_method::BEAM;
+  options.alignments = 0;
+  options.coarse_target = false;
+  return options;
+}
+
 // By quarter turn.
 struct Prepared_shape::Alignments
 {
@@ -185,6 +196,7 @@ public:
   {
     check(options);
     source_ = participating(source.alignments_->aligned(0), options.source_parts, options.maximum_parts);
+    if (options.maximum_parts > 0 && !options.coarse_target) options_.both_directions = false;
   }
 
   std::vector<Correspondence> ranked(const Prepared_shape& target) const
@@ -208,7 +220,8 @@ private:
   Correspondence matched_parts(const Prepared_shape& target) const;
   Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const
   {
-    return participating(target.alignments_->aligned(quarter_turns), options_.target_parts, options_.maximum_parts);
+    return participating(target.alignments_->aligned(quarter_turns), options_.target_parts,
+                         options_.coarse_target ? options_.maximum_parts : 0);
   }
   double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;
 

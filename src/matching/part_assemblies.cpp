@@ -45,7 +45,7 @@ public:
     result.legs = legs(result.support);
     result.is_on_ground = layout_.is_on_ground;
     result.is_in_chain = is_in_chain_;
-    for (const Aligned_shape::Group& group : shape_.groups)
+    for (const Part_group& group : groups(shape_))
       if (is_row(group) && !is_in_chain_[group.parts[0]])
         add_panel(row_with_frame(group.parts, shape_, layout_, main_surface_, is_in_chain_), result.panels);
     for (const std::vector<std::size_t>& chain : chains_)

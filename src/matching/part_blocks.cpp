@@ -24,7 +24,7 @@ std::vector<Block> blocks_of(const Match_matrix& pairs, const Shape_features& so
       sets.unite(first + parts[0], first + part);
   };
   const auto join_sets = [&](const Shape_features& features, std::size_t first) {
-    for (const Aligned_shape::Group& group : features.shape.groups)
+    for (const Part_group& group : groups(features.shape))
       if (group.parts.size() >= minimum_repetition) join_all(group.parts, first);
     for (const std::vector<std::size_t>& panel : features.assemblies.panels)
       join_all(panel, first);

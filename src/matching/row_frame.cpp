@@ -68,7 +68,7 @@ private:
   // May a part frame a row, by its role? Knobs in a row do not frame the drawers that they are on.
   bool may_frame(std::size_t part, bool row_is_on_ground, bool row_is_above_main_surface) const
   {
-    if (is_in_chain_[part] || is_row(shape_.groups[shape_.group_of[part]])) return false;
+    if (is_in_chain_[part] || is_row(shape_.group(shape_.group_of[part]))) return false;
     if (layout_.is_on_ground[part] && !row_is_on_ground) return false;
     return !row_is_above_main_surface || is_less(layout_.boxes[main_surface_].middle(), layout_.boxes[part].middle());
   }
@@ -104,7 +104,7 @@ private:
 
 } // namespace
 
-bool is_row(const Aligned_shape::Group& group)
+bool is_row(const Part_group& group)
 {
   return group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= minimum_repetition;
 }

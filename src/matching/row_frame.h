@@ -13,7 +13,7 @@ namespace CGAL::Shape_correspondence::internal {
 constexpr std::size_t no_part = std::size_t(-1);
 
 // Is the group a row of `minimum_repetition` parts or more?
-bool is_row(const Aligned_shape::Group& group);
+bool is_row(const Part_group& group);
 
 // The parts of a row and its frame (the rails and posts around slats): the connected parts in its plane, farther and
 // farther away. \param main_surface the part that is the shape's main surface, or `no_part`

@@ -8,7 +8,11 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -18,32 +22,45 @@ using namespace internal;
 namespace {
 
 // The order of assignment: the group with most contacts first, then always the one with most contacts to those before.
-std::vector<std::size_t> assignment_order(const Aligned_shape& shape)
+std::vector<std::size_t> assignment_order(const Aligned_shape::Graph& graph)
 {
-  const Eigen::Index n = Eigen::Index(shape.groups.size());
-  Eigen::MatrixXi contacts = Eigen::MatrixXi::Zero(n, n);
-  for (const Aligned_shape::Contact& contact : shape.contacts) {
-    const Eigen::Index g = Eigen::Index(shape.group_of[contact.parts[0]]),
-                       h = Eigen::Index(shape.group_of[contact.parts[1]]);
-    if (g != h) ++contacts(g, h), ++contacts(h, g);
-  }
-  const Eigen::VectorXi degree = contacts.rowwise().sum();
+  const std::size_t n = num_vertices(graph);
+  std::vector<std::size_t> degree(n, 0), to_placed(n, 0), order;
+  for (const auto& edge : boost::make_iterator_range(edges(graph)))
+    for (std::size_t group : {source(edge, graph), target(edge, graph)})
+      degree[group] += graph[edge].contacts.size();
 
-  std::vector<std::size_t> order;
-  std::vector<char> placed(std::size_t(n), 0);
-  Eigen::VectorXi to_placed = Eigen::VectorXi::Zero(n);
-  while (order.size() < std::size_t(n)) {
-    Eigen::Index best = n;
-    for (Eigen::Index g = 0; g < n; ++g) {
-      if (placed[std::size_t(g)]) continue;
+  std::vector<char> placed(n, 0);
+  while (order.size() < n) {
+    std::size_t best = n;
+    for (std::size_t g = 0; g < n; ++g) {
+      if (placed[g]) continue;
       if (best == n || std::make_pair(to_placed[g], degree[g]) > std::make_pair(to_placed[best], degree[best]))
         best = g;
     }
-    order.push_back(std::size_t(best));
-    placed[std::size_t(best)] = 1;
-    to_placed += contacts.col(best);
+    order.push_back(best);
+    placed[best] = 1;
+    for (const auto& edge : boost::make_iterator_range(out_edges(best, graph)))
+      to_placed[target(edge, graph)] += graph[edge].contacts.size();
   }
   return order;
+}
+
+// The sample of a piece at a sample of its part; none if that is on another piece.
+std::optional<std::size_t> sample_on_piece(const Piece& piece, std::size_t at)
+{
+  constexpr int last = samples_per_side - 1;
+  if (piece.is_segment()) return at * std::size_t(piece.count) - std::size_t(piece.index * last);
+  if (!piece.is_rectangle()) return at;
+  std::size_t result = 0;
+  const std::array<std::size_t, 2> station{at / samples_per_side, at % samples_per_side};
+  for (std::size_t axis : {0, 1}) {
+    const double place = double(station[axis]) / last;
+    if (place < piece.low[axis] || place > piece.high[axis]) return std::nullopt;
+    const double on_piece = (place - piece.low[axis]) / (piece.high[axis] - piece.low[axis]);
+    result = result * samples_per_side + std::size_t(std::lround(on_piece * last));
+  }
+  return result;
 }
 
 // Rates partial solutions: contacts between assigned groups by the tables, others by rods with propagated parts. What
@@ -54,12 +71,13 @@ public:
   explicit Partial_energy(const Matching_problem& problem)
       : problem_(problem),
         shape_(problem.source()),
+        piece_rods_(shape_.contacts.size()),
         preserve_structure_(shape_),
-        displacement_(Points::Zero(3, Eigen::Index(shape_.parts.size()))),
+        motions_(shape_.parts.size()),
         contact_displacement_(shape_.contacts.size()),
-        matched_(shape_.groups.size()),
+        matched_(shape_.number_of_groups()),
         energies_(shape_.contacts.size()),
-        moved_by_(displacement_)
+        moved_by_(motions_)
   {
     for (const Sampled_part& part : shape_.parts)
       moved_.emplace_back(part.samples);
@@ -78,7 +96,7 @@ public:
     (*this)(assignment); // the parent before has most of it
     has_parent_ = true;
     parent_ = assignment;
-    parent_displacement_ = displacement_;
+    parent_motions_ = motions_;
     parent_energies_ = energies_;
   }
 
@@ -92,7 +110,7 @@ public:
         if (matched_[group])
           contact_displacement_[contact][side] = contact_movement_[2 * contact + side][std::size_t(assignment[group])];
       }
-    preserve_structure_(matched_, contact_displacement_, displacement_);
+    preserve_structure_(matched_, contact_displacement_, motions_);
     for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
       energies_[contact] =
           same_as_parent(contact, assignment) ? parent_energies_[contact] : contact_energy(contact, assignment);
@@ -105,19 +123,20 @@ private:
   {
     const Points& samples = shape_.parts[shape_.contacts[contact].parts[std::size_t(side)]].samples;
     const std::size_t at = shape_.contacts[contact].samples[std::size_t(side)];
-    const Fitted_range clones = problem_.touching(contact, side, label);
-    if (clones.empty()) return Point::Zero();
     Point sum = Point::Zero();
-    for (std::size_t clone : clones) {
+    int count = 0;
+    for (std::size_t clone : problem_.touching(contact, side, label)) {
       const Fitted_piece& fitted = problem_.fitted()[clone];
+      const std::optional<std::size_t> on_piece = sample_on_piece(fitted.source, at);
+      if (!on_piece) continue;
       const Points& target = problem_.fitted().target_piece(fitted.target_index).samples;
-      const std::size_t count = fitted.order->size();
-      const std::size_t on_piece =
-          at * std::size_t(fitted.source.count) - std::size_t(fitted.source.index) * (samples_per_side - 1);
-      const std::size_t from = on_piece * (count / std::size_t(samples.cols()));
-      sum += target.col((*fitted.order)[from] / int(count / std::size_t(target.cols())));
+      const std::size_t size = fitted.order->size();
+      const std::size_t from = *on_piece * (size / std::size_t(samples.cols()));
+      sum += target.col((*fitted.order)[from] / int(size / std::size_t(target.cols())));
+      ++count;
     }
-    return sum / double(clones.size()) - samples.col(Eigen::Index(at));
+    if (count == 0) return Point::Zero();
+    return sum / double(count) - samples.col(Eigen::Index(at));
   }
 
   bool same_as_parent(std::size_t contact, const Assignment& assignment) const
@@ -126,8 +145,7 @@ private:
     for (std::size_t part : shape_.contacts[contact].parts) {
       const std::size_t group = shape_.group_of[part];
       if (assignment[group] != parent_[group]) return false;
-      if (!matched_[group] && displacement_.col(Eigen::Index(part)) != parent_displacement_.col(Eigen::Index(part)))
-        return false;
+      if (!matched_[group] && !(motions_[part] == parent_motions_[part])) return false;
     }
     return true;
   }
@@ -135,13 +153,16 @@ private:
   // The samples of an unmatched part, moved; often they were moved like that before.
   const Sample_lanes& moved(std::size_t part)
   {
-    const Eigen::Index column = Eigen::Index(part);
-    if (moved_by_.col(column) == displacement_.col(column)) return moved_[part];
+    const Part_motion& motion = motions_[part];
+    if (moved_by_[part] == motion) return moved_[part];
     const Points& samples = shape_.parts[part].samples;
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-      for (Eigen::Index i = 0; i < samples.cols(); ++i)
-        moved_[part].coordinates[axis][i] = float(samples(axis, i) + displacement_(axis, column));
-    moved_by_.col(column) = displacement_.col(column);
+    for (Eigen::Index i = 0; i < samples.cols(); ++i) {
+      const Point sample = samples.col(i);
+      const Point to = sample + motion.shift + motion.stretch * (sample - shape_.parts[part].centroid);
+      for (Eigen::Index axis = 0; axis < 3; ++axis)
+        moved_[part].coordinates[axis][i] = float(to[axis]);
+    }
+    moved_by_[part] = motion;
     return moved_[part];
   }
 
@@ -155,45 +176,67 @@ private:
       if (!matched_[group] && assignment[group] != unassigned) return {}; // left unmatched, has its own cost
 
     if (!matched_[g] && !matched_[h]) {
-      // Parts that move alike keep their rods
-      const Point difference = displacement_.col(Eigen::Index(parts[0])) - displacement_.col(Eigen::Index(parts[1]));
-      if (difference.squaredNorm() < zero_rod) return {};
+      // Parts that are displaced alike and not stretched keep their rods
+      const Part_motion &first = motions_[parts[0]], &second = motions_[parts[1]];
+      if ((first.shift - second.shift).squaredNorm() + first.stretch.squaredNorm() + second.stretch.squaredNorm() <
+          zero_rod)
+        return {};
       return problem_.rods(contact, false, false).energy(moved(parts[0]), moved(parts[1]));
     }
 
     // One side is assigned: the propagated part keeps to the nearest of its clones
     const int side = matched_[g] ? 0 : 1;
     const std::size_t matched_part = parts[std::size_t(side)], moved_part = parts[std::size_t(1 - side)];
-    const Eigen::Index own = shape_.parts[matched_part].samples.cols();
     const Sample_lanes& other = moved(moved_part);
     Rod_energy best;
     double best_cost = std::numeric_limits<double>::infinity();
     const Energy_weights& weights = problem_.options().weights;
     for (std::size_t clone : problem_.touching(contact, side, std::size_t(assignment[shape_.group_of[matched_part]]))) {
       const Fitted_piece& fitted = problem_.fitted()[clone];
-      const bool lift = Eigen::Index(fitted.order->size()) != own && fitted.source.count == 1;
       const Sample_lanes& taken = problem_.fitted().samples(fitted);
-      const Rod_energy energy = side == 0 ? problem_.rods(contact, lift, false).energy(taken, other)
-                                          : problem_.rods(contact, false, lift).energy(other, taken);
+      const Structural_rods& before = rods(contact, side, fitted);
+      const Rod_energy energy = side == 0 ? before.energy(taken, other) : before.energy(other, taken);
       const double cost = weights.distortion * energy.distortion + weights.connectedness * energy.connectedness;
       if (cost < best_cost) best = energy, best_cost = cost;
     }
     return best;
   }
 
+  // The rods of a contact of which one side is a piece of a matched part, the other a whole part.
+  const Structural_rods& rods(std::size_t contact, int side, const Fitted_piece& fitted)
+  {
+    if (fitted.source.is_whole()) return problem_.rods(contact, side == 0 && fitted.lifted, side == 1 && fitted.lifted);
+    const std::size_t size = fitted.order->size();
+    for (const Piece_rods& known : piece_rods_[contact])
+      if (known.side == side && known.piece == fitted.source_index && known.size == size) return known.rods;
+    const Points piece = lifted_samples(problem_.fitted().source_piece(fitted.source_index), Eigen::Index(size));
+    const Points& other = shape_.parts[shape_.contacts[contact].parts[std::size_t(1 - side)]].samples;
+    piece_rods_[contact].push_back(
+        {side, fitted.source_index, size, side == 0 ? Structural_rods(piece, other) : Structural_rods(other, piece)});
+    return piece_rods_[contact].back().rods;
+  }
+
+  struct Piece_rods
+  {
+    int side;
+    std::size_t piece, size;
+    Structural_rods rods;
+  };
+
   const Matching_problem& problem_;
   const Aligned_shape& shape_;
+  std::vector<std::deque<Piece_rods>> piece_rods_; // by contact
   Structure_preservation preserve_structure_;
   std::vector<std::vector<Point>> contact_movement_; // by side of contact and label
-  Points displacement_;
+  std::vector<Part_motion> motions_;                 // by part
   std::vector<std::array<Point, 2>> contact_displacement_;
   std::vector<char> matched_;
   std::vector<Rod_energy> energies_;
   std::vector<Sample_lanes> moved_; // by part, its samples moved by
-  Points moved_by_;
+  std::vector<Part_motion> moved_by_;
   bool has_parent_ = false;
   Assignment parent_;
-  Points parent_displacement_;
+  std::vector<Part_motion> parent_motions_;
   std::vector<Rod_energy> parent_energies_;
 };
 
@@ -225,9 +268,9 @@ Search_result beam_search(const Matching_problem& problem, const Beam_options& o
 
   Search_result result;
   Partial_energy partial_energy(problem);
-  std::vector<Assignment> beam{Assignment(problem.source().groups.size(), unassigned)}, next;
+  std::vector<Assignment> beam{Assignment(problem.source().number_of_groups(), unassigned)}, next;
   std::vector<Expansion> level;
-  for (std::size_t group : assignment_order(problem.source())) {
+  for (std::size_t group : assignment_order(problem.source().graph)) {
     level.clear();
     for (std::size_t parent = 0; parent < beam.size(); ++parent) {
       partial_energy.set_parent(beam[parent]);

@@ -73,32 +73,39 @@ std::size_t nearest_sample(const Points& samples, const Point& p)
   return std::size_t(nearest);
 }
 
-// Fills in what follows from the groups' parts: their boxes and `group_of`.
-void complete_groups(Aligned_shape& shape)
+// Makes the graph of groups, in their order, and of the contacts between them.
+void build_graph(std::vector<Part_group> groups, Aligned_shape& shape)
 {
+  shape.graph = Aligned_shape::Graph();
   shape.group_of.resize(shape.parts.size());
-  for (std::size_t g = 0; g < shape.groups.size(); ++g) {
-    Eigen::AlignedBox3d& box = shape.groups[g].box;
-    box.setEmpty();
-    for (std::size_t part : shape.groups[g].parts) {
-      shape.group_of[part] = g;
+  shape.boxes.clear();
+  for (Part_group& group : groups) {
+    Eigen::AlignedBox3d box;
+    for (std::size_t part : group.parts) {
+      shape.group_of[part] = shape.boxes.size();
       box.extend(Point(shape.parts[part].samples.rowwise().minCoeff()));
       box.extend(Point(shape.parts[part].samples.rowwise().maxCoeff()));
     }
+    shape.boxes.push_back(box);
+    add_vertex(std::move(group), shape.graph);
   }
-}
-
-// Fills in the contacts of every group.
-void list_contacts(Aligned_shape& shape)
-{
   for (std::size_t c = 0; c < shape.contacts.size(); ++c) {
     const std::size_t g = shape.group_of[shape.contacts[c].parts[0]], h = shape.group_of[shape.contacts[c].parts[1]];
-    shape.groups[g].contacts.push_back(c);
-    if (h != g) shape.groups[h].contacts.push_back(c);
+    if (g == h) continue;
+    auto [connected, found] = edge(g, h, shape.graph);
+    if (!found) connected = add_edge(g, h, shape.graph).first;
+    shape.graph[connected].contacts.push_back(c);
   }
 }
 
 } // namespace
+
+bool is_isolated(const Aligned_shape& shape, std::size_t group)
+{
+  return out_degree(group, shape.graph) == 0 &&
+         std::none_of(shape.contacts.begin(), shape.contacts.end(),
+                      [&](const Aligned_shape::Contact& contact) { return shape.group_of[contact.parts[0]] == group; });
+}
 
 Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is_kept)
 {
@@ -111,31 +118,29 @@ Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is
     result.original.push_back(shape.original[part]);
     result.prominence.push_back(shape.prominence[part]);
   }
-  for (const Aligned_shape::Group& group : shape.groups) {
-    Aligned_shape::Group smaller = group;
+  std::vector<Part_group> kept_groups;
+  for (const Part_group& group : groups(shape)) {
+    Part_group smaller = group;
     smaller.parts.clear();
-    smaller.contacts.clear();
     for (std::size_t part : group.parts)
       if (is_kept[part]) smaller.parts.push_back(index[part]);
-    if (!smaller.parts.empty()) result.groups.push_back(std::move(smaller));
+    if (!smaller.parts.empty()) kept_groups.push_back(std::move(smaller));
   }
   for (Aligned_shape::Contact contact : shape.contacts) {
     if (!is_kept[contact.parts[0]] || !is_kept[contact.parts[1]]) continue;
     contact.parts = {index[contact.parts[0]], index[contact.parts[1]]};
     result.contacts.push_back(contact);
   }
-  complete_groups(result);
-  list_contacts(result);
+  build_graph(std::move(kept_groups), result);
   return result;
 }
 
 Aligned_shape ungrouped(Aligned_shape shape)
 {
-  shape.groups.assign(shape.parts.size(), {});
+  std::vector<Part_group> single(shape.parts.size());
   for (std::size_t part = 0; part < shape.parts.size(); ++part)
-    shape.groups[part].parts = {part};
-  complete_groups(shape);
-  list_contacts(shape);
+    single[part].parts = {part};
+  build_graph(std::move(single), shape);
   return shape;
 }
 
@@ -143,18 +148,18 @@ std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t c
 {
   const auto prominence = [&](std::size_t group) {
     double most = 0;
-    for (std::size_t part : shape.groups[group].parts)
+    for (std::size_t part : shape.group(group).parts)
       most = std::max(most, shape.prominence[part]);
     return most;
   };
-  std::vector<std::size_t> order(shape.groups.size());
+  std::vector<std::size_t> order(shape.number_of_groups());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return prominence(a) > prominence(b); });
   std::vector<char> is_kept(shape.parts.size(), 0);
   std::size_t kept = 0;
   for (std::size_t group : order) {
-    const auto& parts = shape.groups[group].parts;
+    const auto& parts = shape.group(group).parts;
     if (kept > 0 && kept + parts.size() > count) break;
     for (std::size_t part : parts)
       is_kept[part] = 1;
@@ -188,21 +193,21 @@ std::vector<std::size_t> add_parts(const Shape_structure& shape, const Eigen::Ma
   return rank;
 }
 
-void add_groups(const Structural_graph& graph, const Eigen::Matrix3d& turn, const std::vector<std::size_t>& rank,
-                Aligned_shape& result)
+std::vector<Part_group> aligned_groups(const Structural_graph& graph, const Eigen::Matrix3d& turn,
+                                       const std::vector<std::size_t>& rank)
 {
+  std::vector<Part_group> result;
   for (std::size_t v = 0; v < num_vertices(graph); ++v) {
-    Aligned_shape::Group group;
-    for (std::size_t part : graph[v].parts)
-      group.parts.push_back(rank[part]);
+    Part_group group = graph[v];
+    for (std::size_t& part : group.parts)
+      part = rank[part];
     std::sort(group.parts.begin(), group.parts.end());
-    group.symmetry = in_common_frame(graph[v].symmetry, structure(graph).frame, turn);
-    group.solidity = solidity(graph[v].volume, graph[v].hull_volume);
-    result.groups.push_back(std::move(group));
+    group.symmetry = in_common_frame(group.symmetry, structure(graph).frame, turn);
+    result.push_back(std::move(group));
   }
-  std::sort(result.groups.begin(), result.groups.end(),
-            [](const Aligned_shape::Group& a, const Aligned_shape::Group& b) { return a.parts[0] < b.parts[0]; });
-  complete_groups(result);
+  std::sort(result.begin(), result.end(),
+            [](const Part_group& a, const Part_group& b) { return a.parts[0] < b.parts[0]; });
+  return result;
 }
 
 // One contact a pair of parts.
@@ -228,7 +233,6 @@ void add_contacts(const Shape_structure& shape, const Eigen::Matrix3d& turn, con
     return a.parts == b.parts;
   };
   result.contacts.erase(std::unique(result.contacts.begin(), result.contacts.end(), same_parts), result.contacts.end());
-  list_contacts(result);
 }
 
 } // namespace
@@ -240,8 +244,8 @@ Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns)
   const Eigen::Matrix3d turn = quarter_turn(quarter_turns);
   Aligned_shape result;
   const std::vector<std::size_t> rank = add_parts(shape, turn, result);
-  add_groups(graph, turn, rank, result);
   add_contacts(shape, turn, rank, result);
+  build_graph(aligned_groups(graph, turn, rank), result);
   return result;
 }
 

@@ -7,6 +7,10 @@
 
 #include <Eigen/Geometry>
 
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/range/adaptor/transformed.hpp>
+#include <boost/range/iterator_range.hpp>
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -30,33 +34,46 @@ struct Sampled_part
   Points surface; ///< at most `surface_samples` points spread over the surface; the samples where it is unknown
 };
 
+/// A pair of connected parts, once however many regions they touch in.
+struct Sampled_contact
+{
+  std::array<std::size_t, 2> parts;   ///< ascending
+  std::array<std::size_t, 2> samples; ///< the sample of either part nearest to the (first) contact
+};
+
 /// A shape in the common frame (paper, section 5, "Initial alignment"): it stands on the ground, centred, has height 1.
-/// Parts, groups and contacts are in an order that depends on their places alone, not on the file, so that whatever is
-/// settled by an index is settled alike for a shape that was moved or shuffled.
+/// It is the structural graph with samples in the place of parts, and it is what is searched. Parts, groups and
+/// contacts are in an order that depends on their places alone, not on the file, so that whatever is settled by an
+/// index is settled alike for a shape that was moved or shuffled.
 struct Aligned_shape
 {
-  struct Group
-  {
-    std::vector<std::size_t> parts;
-    Eigen::AlignedBox3d box;           ///< of its parts' samples
-    Symmetry symmetry;                 ///< in the common frame
-    double solidity = 1;               ///< summed volumes over the volume of the common hull
-    std::vector<std::size_t> contacts; ///< those of its parts, ascending
-  };
-  /// A pair of connected parts, once however many regions they touch in.
-  struct Contact
-  {
-    std::array<std::size_t, 2> parts;   ///< ascending
-    std::array<std::size_t, 2> samples; ///< the sample of either part nearest to the (first) contact
-  };
+  using Contact = Sampled_contact;
+  /// Vertices are symmetry groups, edges are groups in contact, as in `Structural_graph`; the parts and contacts that
+  /// they name are the ones here.
+  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Part_group, Group_contact>;
 
+  Graph graph;
+  std::vector<Eigen::AlignedBox3d> boxes; ///< of every group, around its parts' samples
   std::vector<Sampled_part> parts;
   std::vector<std::size_t> original; ///< of every part, its index in the structural graph
   std::vector<double> prominence;    ///< of every part, its volume (an estimate where unknown)
-  std::vector<Group> groups;
-  std::vector<std::size_t> group_of; ///< of every part
-  std::vector<Contact> contacts;
+  std::vector<std::size_t> group_of; ///< of every part, its vertex
+  std::vector<Contact> contacts;     ///< those inside of groups, too, which have no edge
+
+  std::size_t number_of_groups() const { return num_vertices(graph); }
+  const Part_group& group(std::size_t vertex) const { return graph[vertex]; }
 };
+
+/// The groups of a shape, in their order.
+inline auto groups(const Aligned_shape& shape)
+{
+  return boost::make_iterator_range(vertices(shape.graph)) |
+         boost::adaptors::transformed(
+             [&shape](std::size_t vertex) -> const Part_group& { return shape.graph[vertex]; });
+}
+
+/// Whether the parts of a group touch nothing, not even each other.
+bool is_isolated(const Aligned_shape& shape, std::size_t group);
 
 /// Samples a shape in its own frame, turned by quarter turns about the up axis (counter-clockwise seen from above).
 Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns = 0);

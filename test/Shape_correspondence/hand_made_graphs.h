@@ -69,7 +69,7 @@ inline Part_group group(std::vector<std::size_t> parts, Symmetry_type type = Sym
   Part_group result;
   result.parts = std::move(parts);
   result.symmetry.type = type;
-  result.symmetry.direction = direction;
+  result.symmetry.direction = type == Symmetry_type::SELF ? Point::UnitX() : direction;
   result.volume = solidity;
   result.hull_volume = 1;
   return result;

@@ -6,6 +6,7 @@
 #include "deformed_parts.h"
 #include "energy/Matching_problem.h"
 #include "energy/Structural_rods.h"
+#include "energy/divide_sheets.h"
 #include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
@@ -42,7 +43,7 @@ TEST_CASE("The tables add up to the terms of an assignment, in both norms")
     options.unmatched_cost = 0.3;
     const Matching_problem problem(align_shape(slatted_chair()), align_shape(chair()), options);
     for (std::size_t start = 0; start < 5; ++start) {
-      Assignment assignment(problem.source().groups.size());
+      Assignment assignment(problem.source().number_of_groups());
       for (std::size_t g = 0; g < assignment.size(); ++g)
         assignment[g] = int((g * 7 + start) % problem.number_of_labels(g));
       const Energy_terms terms = problem.terms(assignment);
@@ -57,7 +58,7 @@ TEST_CASE("The pooled norm by hand: one norm over the rods of all contacts, the 
   options.norm = Energy_norm::POOLED;
   const Matching_problem pooled(align_shape(chair()), align_shape(slatted_chair()), options);
   const Matching_problem sums(align_shape(chair()), align_shape(slatted_chair()));
-  Assignment assignment(pooled.source().groups.size(), 0);
+  Assignment assignment(pooled.source().number_of_groups(), 0);
   double kept = 0, count = 0, connectedness = 0;
   for (std::size_t contact = 0; contact < sums.source().contacts.size(); ++contact) {
     const Rod_energy energy = sums.contact_energy(contact, 0, 0);
@@ -76,8 +77,8 @@ TEST_CASE("Coarse correspondence: the most prominent groups only")
 {
   const Aligned_shape shape = align_shape(chair());
   const Matching_problem problem(restricted(shape, most_prominent_parts(shape, 2)), shape);
-  REQUIRE(problem.source().groups.size() == 2); // seat and back
-  for (const Aligned_shape::Group& group : problem.source().groups)
+  REQUIRE(problem.source().number_of_groups() == 2); // seat and back
+  for (const Part_group& group : groups(problem.source()))
     CHECK(group.parts.size() == 1);
   CHECK(problem.source().contacts.size() == 1);
 }
@@ -88,13 +89,16 @@ TEST_CASE("A group left unmatched costs its contacts, or once without contacts")
   options.unmatched_cost = 0.25;
   const Matching_problem problem(align_shape(chair()), align_shape(chair()), options);
   const Aligned_shape& shape = problem.source();
-  for (std::size_t g = 0; g < shape.groups.size(); ++g) {
-    Assignment assignment(shape.groups.size());
+  for (std::size_t g = 0; g < shape.number_of_groups(); ++g) {
+    Assignment assignment(shape.number_of_groups());
     for (std::size_t h = 0; h < assignment.size(); ++h)
       assignment[h] = int(h);
     assignment[g] = int(problem.number_of_labels(g)) - 1;
     REQUIRE(problem.is_unmatched(g, std::size_t(assignment[g])));
-    CHECK(problem.energy()(assignment) == Approx(0.25 * double(shape.groups[g].contacts.size())));
+    const auto contacts = std::count_if(shape.contacts.begin(), shape.contacts.end(), [&](const Sampled_contact& c) {
+      return shape.group_of[c.parts[0]] == g || shape.group_of[c.parts[1]] == g;
+    });
+    CHECK(problem.energy()(assignment) == Approx(0.25 * double(contacts)));
   }
   Shape_structure lone;
   lone.parts = {curve("a", {0, 0, 0}, {0, 1, 0})};
@@ -106,11 +110,11 @@ TEST_CASE("Both ends of a contact on one target part: the authors' charge for th
 {
   const Matching_problem problem(align_shape(chair(false)), align_shape(chair(false)));
   for (std::size_t contact = 0; contact < problem.source().contacts.size(); ++contact)
-    for (std::size_t label = 0; label < problem.target().groups.size(); ++label)
+    for (std::size_t label = 0; label < problem.target().number_of_groups(); ++label)
       CHECK(problem.contact_energy(contact, label, label).connectedness == collapsed_connectedness);
 }
 
-TEST_CASE("A part that splits: the contact's energy is the mean over clones, each with its nearest counterpart")
+TEST_CASE("A sheet that splits: the contact's energy is the mean over its pieces, each with its counterpart")
 {
   const Matching_problem problem(align_shape(chair()), align_shape(slatted_chair()));
   const Aligned_shape &source = problem.source(), &target = problem.target();
@@ -119,14 +123,24 @@ TEST_CASE("A part that splits: the contact's energy is the mean over clones, eac
   for (std::size_t contact = 0; contact < source.contacts.size(); ++contact) {
     const auto& parts = source.contacts[contact].parts;
     if (std::minmax(parts[0], parts[1]) != std::minmax(seat, back)) continue;
-    double sum = 0;
-    for (std::size_t slat : {1, 2, 3}) {
-      const auto image = [&](std::size_t part) { return target.parts[index_of(target, part == seat ? 0 : slat)]; };
-      const Points first = deformed(source.parts[parts[0]], image(parts[0])),
-                   second = deformed(source.parts[parts[1]], image(parts[1]));
-      sum += problem.rods(contact, false, false).energy(first, second).distortion;
-    }
+    // The slats lie at -.2, 0 and .2 and are as wide as each other: each is a third of the back, from left to right
+    const Sampled_part& sheet = source.parts[back];
+    const bool along_u =
+        std::abs(sheet.samples(0, samples_per_side * (samples_per_side - 1)) - sheet.samples(0, 0)) > .1;
+    const bool from_left = sheet.samples(0, 0) < 0;
     const bool seat_first = parts[0] == seat;
+    double sum = 0;
+    for (int k : {0, 1, 2}) {
+      std::array<double, 2> low{0, 0}, high{1, 1};
+      low[along_u ? 0 : 1] = k / 3.;
+      high[along_u ? 0 : 1] = (k + 1) / 3.;
+      const Sampled_part piece = rectangle(sheet, low, high);
+      const Points seat_now = deformed(source.parts[seat], target.parts[index_of(target, 0)]);
+      const Points piece_now = deformed(piece, target.parts[index_of(target, from_left ? 1 + k : 3 - k)]);
+      const Structural_rods rods = seat_first ? Structural_rods(source.parts[seat].samples, piece.samples)
+                                              : Structural_rods(piece.samples, source.parts[seat].samples);
+      sum += (seat_first ? rods.energy(seat_now, piece_now) : rods.energy(piece_now, seat_now)).distortion;
+    }
     const Rod_energy energy =
         problem.contact_energy(contact, seat_first ? target_seat : slats, seat_first ? slats : target_seat);
     CHECK(energy.distortion == Approx(sum / 3));
@@ -157,13 +171,14 @@ TEST_CASE("A cut post costs nothing where the pieces stand on each other, and sp
       shape.parts.push_back(curve(std::to_string(i), {0, i / double(pieces), 0}, {0, (i + 1) / double(pieces), 0}));
       shape.contacts.push_back(contact(shape, members.back() - 1, members.back(), {0, i / double(pieces), 0}));
     }
-    return make_structural_graph(std::move(shape), {group({0}), group(members, Symmetry_type::TRANSLATION)});
+    const Symmetry_type type = pieces == 1 ? Symmetry_type::SELF : Symmetry_type::TRANSLATION;
+    return make_structural_graph(std::move(shape), {group({0}), group(members, type)});
   };
   const Aligned_shape whole = align_shape(post(1)), cut = align_shape(post(2));
   for (const bool forward : {true, false}) {
     const Matching_problem problem(forward ? whole : cut, forward ? cut : whole);
     const std::size_t base =
-        problem.source().parts[problem.source().groups[0].parts[0]].kind == Sampled_part::Kind::SHEET ? 0 : 1;
+        problem.source().parts[problem.source().group(0).parts[0]].kind == Sampled_part::Kind::SHEET ? 0 : 1;
     const std::size_t posts = 1 - base, labels = problem.number_of_labels(posts);
     const Operation operation = problem.label(posts, labels - 1).operation;
     CHECK(operation == (forward ? Operation::CUT : Operation::JOIN));

@@ -159,7 +159,7 @@ TEST_CASE("Contacts between two parts not yet assigned count")
 {
   // Points above each other: a at 0, d at 1.5, b at 2, c at 3, in contact around: a - b - d - c - a; in the target,
   // there is another one at 1. a is assigned first, to 0, then b. If b took 1 or 1.5, lower by s, no rod of a or b
-  // would grow, but d would follow by 2 s / 3 and c by s / 3, and the rod between them would. So b takes 2, and d and c
+  // would grow, but d would follow by 3 s / 4 and c by s / 4, and the rod between them would. So b takes 2, and d and c
   // find points at no cost. Within 0.5 under 1 there is none for d
   const Structural_graph source =
       point_graph({{0, 0, 0}, {0, 1.5, 0}, {0, 2, 0}, {0, 3, 0}}, {{0, 2}, {0, 3}, {1, 2}, {1, 3}});

@@ -77,7 +77,8 @@ TEST_CASE("A curve that is cut corresponds by its segments, in either direction"
       shape.parts.push_back(curve(std::to_string(i), {0, low, 0}, {0, high, 0}));
       shape.contacts.push_back(contact(shape, members.back() - 1, members.back(), {0, low, 0}));
     }
-    return make_structural_graph(std::move(shape), {group({0}), group(members, Symmetry_type::TRANSLATION)});
+    const Symmetry_type type = pieces == 1 ? Symmetry_type::SELF : Symmetry_type::TRANSLATION;
+    return make_structural_graph(std::move(shape), {group({0}), group(members, type)});
   };
   for (const bool both_directions : {false, true}) {
     Search_options options = least_energy();
@@ -186,6 +187,52 @@ TEST_CASE("Coarse correspondence leaves the lesser parts out and says so")
   const Correspondence c = find_correspondence(chair(), chair(), coarse);
   CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {1, 1}});
   CHECK(c.unmatched_source == std::vector<std::size_t>{2, 3, 4, 5});
+}
+
+TEST_CASE("The paper's method: beam search of all alignments, coarse in the source alone")
+{
+  const Search_options paper = paper_options();
+  CHECK(paper.method == Search_method::BEAM);
+  CHECK(paper.beam.beam_width == 20);
+  CHECK(paper.beam.expansions == 4);
+
+  Structural_graph turned = moved(chair(), EIGEN_PI, 1, {0, 0, 0});
+  structure(turned).frame.axes.setIdentity();
+  CHECK(find_correspondence(chair(), turned, paper).energy == Approx(0).margin(1e-9));
+
+  // Seat and back are the most prominent parts of the source; all of the target can be matched
+  Search_options coarse = paper;
+  coarse.maximum_parts = 2;
+  const Correspondence c = find_correspondence(chair(), slatted_chair(), coarse);
+  CHECK(c.direction == Direction::SOURCE_TO_TARGET);
+  CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {1, 1}, {1, 2}, {1, 3}});
+  CHECK(c.unmatched_source == std::vector<std::size_t>{2, 3, 4, 5});
+  coarse.coarse_target = true; // no slat is among the two of the target
+  for (const Part_correspondence& pair : find_correspondence(chair(), slatted_chair(), coarse).pairs)
+    CHECK((pair.target == 0 || pair.target > 3));
+}
+
+TEST_CASE("A group is merged into a part only if that is symmetric by itself, or if there is nothing else")
+{
+  Search_options options = least_energy();
+  options.both_directions = false;
+  const auto pedestal = [](Symmetry_type top, Symmetry_type column) {
+    Structural_graph result = pedestal_table();
+    result[0].symmetry.type = top;
+    result[1].symmetry.type = column;
+    return result;
+  };
+  const auto legs_become = [&](const Structural_graph& target) {
+    const Correspondence c = find_correspondence(table(), target, options);
+    CHECK(c.warnings.empty() ==
+          (target[0].symmetry.type != target[1].symmetry.type || target[0].symmetry.type == Symmetry_type::SELF));
+    return c.groups[1].target;
+  };
+  using Parts = std::vector<std::size_t>;
+  CHECK(legs_become(pedestal(Symmetry_type::SELF, Symmetry_type::SELF)) == Parts{1});
+  CHECK(legs_become(pedestal(Symmetry_type::NONE, Symmetry_type::SELF)) == Parts{1});
+  CHECK(legs_become(pedestal(Symmetry_type::SELF, Symmetry_type::NONE)) == Parts{0});
+  CHECK(legs_become(pedestal(Symmetry_type::NONE, Symmetry_type::NONE)) == Parts{1});
 }
 
 TEST_CASE("Options out of range are refused")

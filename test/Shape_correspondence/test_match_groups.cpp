@@ -24,7 +24,7 @@ TEST_CASE("Groups: members one to one by place, then the left-over ones to the n
   CHECK(legs.operation == Operation::MATCH);
   for (std::size_t i = 0; i < 2; ++i) {
     REQUIRE(legs.images[i].size() == 1);
-    const std::size_t from = plain.original[plain.groups[group_with(plain, 2)].parts[i]];
+    const std::size_t from = plain.original[plain.group(group_with(plain, 2)).parts[i]];
     CHECK(slats.original[legs.images[i][0].target.part] == from + 2); // left to left, right to right
   }
 
@@ -32,6 +32,7 @@ TEST_CASE("Groups: members one to one by place, then the left-over ones to the n
   CHECK(split.operation == Operation::SPLIT);
   CHECK(split.images[0].size() == 3);
   CHECK(split.solidity_ratio == Approx(0.4));
+  CHECK(legs.solidity_ratio == 1); // one to one
 
   const Group_label merge = match_groups(slats, group_with(slats, 1), plain, group_with(plain, 1));
   CHECK(merge.operation == Operation::MERGE);
@@ -61,4 +62,21 @@ TEST_CASE("Groups: members are matched by their places in unit boxes, one left o
   CHECK(duplicate.images[1][1].target.part == 3);
   for (std::size_t i = 0; i < 3; ++i)
     CHECK(merge.images[i][0].target.part == (i == 0 ? 1 : 2));
+}
+
+TEST_CASE("Solidity ratio: of groups of different sizes, without rotation")
+{
+  const auto group = [](std::size_t size, double solidity, Symmetry_type type = Symmetry_type::REFLECTION) {
+    Part_group result;
+    result.parts.resize(size);
+    result.volume = solidity;
+    result.hull_volume = 1;
+    result.symmetry.type = type;
+    return result;
+  };
+  CHECK(solidity_ratio(group(1, .8), group(3, .2)) == Approx(.25));
+  CHECK(solidity_ratio(group(4, .2), group(2, .1)) == Approx(.5));
+  CHECK(solidity_ratio(group(1, .8), group(1, .2)) == 1);
+  CHECK(solidity_ratio(group(2, .8), group(2, .2)) == 1);
+  CHECK(solidity_ratio(group(1, .8), group(3, .2, Symmetry_type::ROTATION)) == 1);
 }

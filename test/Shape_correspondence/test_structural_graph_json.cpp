@@ -76,7 +76,7 @@ bool same_groups(const Part_group& a, const Part_group& b)
   return a.parts == b.parts && a.volume == b.volume && a.hull_volume == b.hull_volume &&
          a.symmetry.type == b.symmetry.type && a.symmetry.direction == b.symmetry.direction &&
          a.symmetry.order == b.symmetry.order &&
-         (a.symmetry.type == Symmetry_type::SELF || a.symmetry.point == b.symmetry.point);
+         (a.symmetry.type == Symmetry_type::NONE || a.symmetry.point == b.symmetry.point);
 }
 
 } // namespace

@@ -81,13 +81,6 @@ peers::Peer co_analyzed(const Map& map)
 
 inline Search_options default_options() { return {}; }
 
-inline Search_options paper_options()
-{
-  Search_options options;
-  options.method = Search_method::BEAM;
-  return options;
-}
-
 /// Large shapes may take long to prove: the best result so far is taken then.
 inline Search_options exact_options()
 {

@@ -34,8 +34,9 @@ inline double group_affinity(const Boxed_shape& a, std::size_t g, const Boxed_sh
 {
   constexpr double other_type = 0.3, extent_width = 0.3;
   const Symmetry &s = a.symmetries[g], &t = b.symmetries[h];
-  const double direction = s.type == Symmetry_type::SELF ? 1 : std::abs(s.direction.dot(t.direction));
-  const double kind = s.type == t.type ? .5 + .5 * direction : other_type;
+  const bool single = a.groups[g].size() == 1, other_single = b.groups[h].size() == 1;
+  const double direction = single ? 1 : std::abs(s.direction.dot(t.direction));
+  const double kind = (single && other_single) || (!single && s.type == t.type) ? .5 + .5 * direction : other_type;
   const Point difference = box_of_group(a, g).diagonal() - box_of_group(b, h).diagonal();
   return kind * std::exp(-difference.squaredNorm() / (extent_width * extent_width));
 }

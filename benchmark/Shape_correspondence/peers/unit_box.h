@@ -59,7 +59,7 @@ inline Boxed_shape boxed(const Structural_graph& graph, int quarter_turns)
     for (Eigen::Index k = 0; k < shape.surfaces[part].cols(); ++k)
       shape.boxes[part].extend(Point(shape.surfaces[part].col(k)));
   }
-  for (const Aligned_shape::Group& group : aligned.groups) {
+  for (const Part_group& group : groups(aligned)) {
     shape.groups.emplace_back();
     shape.symmetries.push_back(group.symmetry);
     for (std::size_t i : group.parts) {

@@ -54,7 +54,10 @@ double distortion_energy(double mean_squared_cosine);
 double connectedness_energy(double shortest_before, double shortest_after, double longest_before);
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// E_s (Eq. 5) of the vector S of solidity ratios, an entry a group of parts; 0 of no groups.
+/// E_s (Eq. 5) of the vector S of solidity ratios, an entry a group of parts; 0 of no groups. S_i is the lesser
+/// solidity over the greater one of the group and of what it becomes, where their numbers of parts differ. It is 1
+/// elsewhere: for groups not matched yet, for groups of equal size (the paper names single parts, and charges
+/// "one-to-many and many-to-one" only), and for rotational groups.
 double split_energy(const std::vector<double>& solidity_ratios);
 
 } // namespace Shape_correspondence

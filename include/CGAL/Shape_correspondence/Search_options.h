@@ -74,7 +74,10 @@ struct Search_options
   Exact_options exact;                         ///< options of `Search_method::EXACT`
   Matching_options matching;                   ///< what may be matched, and at which energy
   bool both_directions = true; ///< deform either shape into the other and keep the lower energy per connected pair
-  int maximum_parts = 0;       ///< coarse correspondence: only the most prominent parts of either shape; 0 takes all
+  int maximum_parts = 0;       ///< coarse correspondence: only so many most prominent parts; 0 takes all
+  /// Whether `maximum_parts` is of both shapes, or of the source alone (paper, section 6.1), which then is the one that
+  /// is deformed, into all of the target.
+  bool coarse_target = true;
   std::vector<std::size_t> source_parts; ///< only these parts of the source, by their index; empty: all parts
   std::vector<std::size_t> target_parts; ///< only these parts of the target, by their index; empty: all parts
   /// How many alignments are tried, turns of the target about the up axis by 90° or 180°. The one that scores best is
@@ -86,6 +89,12 @@ struct Search_options
   /// Called before every direction of every alignment with the share that is done; `false` ends the search.
   std::function<bool(double)> progress;
 };
+
+/// \ingroup PkgShapeCorrespondenceOptions
+/// The paper's method: beam search with K = 20 and k = 4, of all alignments that the shapes' symmetry leaves (section
+/// 5, "Initial alignment"), in both directions; a coarse correspondence selects parts of the source alone
+/// (section 6.1).
+Search_options paper_options();
 
 } // namespace Shape_correspondence
 } // namespace CGAL

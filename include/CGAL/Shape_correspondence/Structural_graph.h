@@ -27,7 +27,8 @@ namespace Shape_correspondence {
 /// \ingroup PkgShapeCorrespondenceGraph
 /// Kinds of symmetry groups.
 enum class Symmetry_type {
-  SELF,       ///< a single part
+  NONE,       ///< a single part that is not symmetric by itself
+  SELF,       ///< a single part that is its own mirror image
   REFLECTION, ///< mirror images in a plane
   ROTATION,   ///< images under turns about an axis
   TRANSLATION ///< parts in a row
@@ -37,7 +38,7 @@ enum class Symmetry_type {
 /// The generator of a symmetry group, in world coordinates.
 struct Symmetry
 {
-  Symmetry_type type = Symmetry_type::SELF; ///< its kind
+  Symmetry_type type = Symmetry_type::NONE; ///< its kind
   Point point = Point::Zero();              ///< on the mirror plane or the rotation axis
   Point direction = Point::Zero(); ///< unit normal of the plane; unit axis; the translation from member to member
   int order = 1;                   ///< of a rotation: n of n-fold

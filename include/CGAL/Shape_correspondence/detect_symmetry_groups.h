@@ -49,10 +49,11 @@ struct Symmetry_options
 /// parts at different ends are a pair only if they are wheels, or if a third part lies above both (the aprons under a
 /// table's top), or if the plane half-way is the shape's only mirror plane (the wings of an aeroplane).
 ///
-/// Any other part is a group of its own, `SELF`, with the normal of its own mirror plane as direction, or zero. Members
-/// come in the order along the generator: of a pair, the one with the larger x (z) in the frame first; of a ring, by
-/// angle; of a row, along the vector. Groups come in the order of their first part, volumes and hulls filled in. The
-/// result does not depend on the order of the parts, nor on the shape's pose. O(n²) comparisons of hulls for n parts.
+/// Any other part is a group of its own: `SELF`, with the normal of its own mirror plane as direction, or `NONE`.
+/// Members come in the order along the generator: of a pair, the one with the larger x (z) in the frame first; of a
+/// ring, by angle; of a row, along the vector. Groups come in the order of their first part, volumes and hulls filled
+/// in. The result does not depend on the order of the parts, nor on the shape's pose. O(n²) comparisons of hulls for n
+/// parts.
 /// \param parts the abstractions of the shape's parts
 /// \param frame the frame of the shape
 /// \param options which symmetries are looked for, and the tolerance

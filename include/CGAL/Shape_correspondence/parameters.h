@@ -45,6 +45,7 @@ struct Named_parameters;
   X(unmatched_cost, Search_options, matching.unmatched_cost)                                                           \
   X(both_directions, Search_options, both_directions)                                                                  \
   X(maximum_parts, Search_options, maximum_parts)                                                                      \
+  X(coarse_target, Search_options, coarse_target)                                                                      \
   X(source_parts, Search_options, source_parts)                                                                        \
   X(target_parts, Search_options, target_parts)                                                                        \
   X(alignments, Search_options, alignments)                                                                            \
@@ -251,9 +252,14 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_parts}
-///     \cgalParamDescription{only so many parts of either shape are matched, the most prominent ones; `0`: all}
+///     \cgalParamDescription{only so many parts are matched, the most prominent ones; `0`: all}
 ///     \cgalParamType{`int`}
 ///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{coarse_target}
+///     \cgalParamDescription{whether `maximum_parts` is of both shapes, or of the source alone, as in the paper}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{source_parts}
 ///     \cgalParamDescription{only these parts of the source are matched, by their index; empty: all}
