@@ -52,7 +52,7 @@ TEST_CASE("Symmetries of groups are turned and scaled with the shape")
   const Structural_graph graph = hand_made::moved(hand_made::slatted_chair(), 0.5, 3.7, {5, -2, 8});
   const Aligned_shape none = align_shape(graph), once = align_shape(graph, 1);
   const auto symmetry = [](const Aligned_shape& shape, std::size_t part) {
-    return shape.groups[shape.group_of[hand_made::index_of(shape, part)]].symmetry;
+    return shape.group(shape.group_of[hand_made::index_of(shape, part)]).symmetry;
   };
   CHECK(symmetry(none, 1).direction.isApprox(Point(.2, 0, 0))); // slats, from one to the next
   CHECK(symmetry(once, 1).direction.isApprox(Point(0, 0, -.2)));

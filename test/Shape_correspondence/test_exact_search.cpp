@@ -26,7 +26,7 @@
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
 
-// Allocations of the whole program, counted
+// Allocations of the whole program, counted. Inlined, free() would be seen, and malloc() not, which g++ warns of
 static std::size_t allocations = 0;
 
 void* operator new(std::size_t size)
@@ -35,8 +35,8 @@ void* operator new(std::size_t size)
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
