@@ -19,11 +19,6 @@ using namespace hand_made;
 
 namespace {
 
-std::size_t index_of(const Aligned_shape& shape, std::size_t original)
-{
-  return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());
-}
-
 // A post with a panel (parts 0 and 1), or with so many bars in the panel's place, from one side to the other.
 Structural_graph gate(int bars, double solidity = 1)
 {
