@@ -141,6 +141,27 @@ TEST_CASE("Parts not yet assigned move along")
   CHECK(result.best().energy == Approx(0).margin(1e-6));
 }
 
+TEST_CASE("The members of a group not yet assigned follow one of them by the group's generator")
+{
+  // A point with a pair to the left and the right above it; in the target, all lie higher by 0.2, and another point is
+  // to the right. If the point takes that one, 0.5 to the right, one of the pair goes along, the other one to the left:
+  // its rod turns by 45 degrees. To go up costs nothing. Would both go to the right, that would cost nothing, either
+  for (const bool rotation : {true, false}) {
+    const auto pair = [&](std::size_t first) {
+      return rotation ? group({first, first + 1}, Symmetry_type::ROTATION, Point::UnitY())
+                      : group({first, first + 1}, Symmetry_type::REFLECTION, Point::UnitX());
+    };
+    const Structural_graph source =
+        point_graph({{0, 0, 0}, {-1, 1, 0}, {1, 1, 0}}, {{0, 1}, {0, 2}}, {group({0}), pair(1)});
+    const Structural_graph target = point_graph({{.5, 0, 0}, {0, .2, 0}, {-1, 1.2, 0}, {1, 1.2, 0}}, {{1, 2}, {1, 3}},
+                                                {group({0}), group({1}), pair(2)});
+    const Matching_problem problem(align_shape(source), align_shape(target));
+    const Search_result result = beam_search(problem, {1, 1});
+    CHECK(result.best().assignment == Assignment{1, 2});
+    CHECK(result.best().energy == Approx(0).margin(1e-6));
+  }
+}
+
 TEST_CASE("Contacts of parts not yet assigned count")
 {
   // A right angle with all three corners in contact; assigned in the order a, b, c. Once a is 0, both 1 and 2 cost b
