@@ -5,6 +5,7 @@
 
 // The experiments of the paper, and others, on folders of labelled shapes; tables as Markdown on standard output.
 
+#include "experiments/abstraction.h"
 #include "experiments/default_method.h"
 #include "experiments/energy.h"
 #include "experiments/segmentations.h"
@@ -37,6 +38,7 @@ of shapes of a category are matched, or those of DATA/pairs.json: [[CATEGORY, SO
   figure17     automatic segmentations in place of one shape of every pair
   figure18     FURTHER_DATA made worse (generate_models --degrade): scores on each
   figure19     FURTHER_DATA segmented otherwise: energy against the quality of the correspondence
+  abstraction  the ways to abstract parts: deviation from what structure.json states, kinds, residual, scores, seconds
   ablation     the default method without each of its costs and rules; by halves of the shapes, too
   pose         the default method on shapes turned about the up axis
   reliability  how often pairs of a confidence are right; FOLDER/reliability.svg
@@ -69,6 +71,7 @@ Experiment experiment(const std::string& name)
                                                       {"figure17", figure17},
                                                       {"figure18", figure18},
                                                       {"figure19", figure19},
+                                                      {"abstraction", of_data_alone(compare_abstractions)},
                                                       {"ablation", of_data_alone(ablation)},
                                                       {"pose", of_data_alone(pose)},
                                                       {"reliability", reliability},

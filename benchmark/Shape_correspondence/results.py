@@ -23,6 +23,7 @@ EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
     ("figure17", 20, "Figure 17: automatic segmentations of the targets"),
     ("figure18", 15, "Figure 18: uneven segmentations, and shapes made worse in other ways"),
     ("figure19", 8, "Figure 19: quality of the segmentation against energy"),
+    ("abstraction", 20, "The ways to abstract parts: off from what the generator states, and F1 of the matching that follows"),
     ("ablation", 0, "The default method without each of its costs and rules"),
     ("pose", 0, "Shapes turned about the up axis"),
     ("reliability", 0, "Confidences: how often pairs of a confidence are right"),

@@ -104,7 +104,7 @@ TEST_CASE("Long steps look at the clock again and again, and stop when the time 
   SECTION("the flow")
   {
     check_that_it_stops(9, [&](const internal::Deadline& deadline) {
-      internal::Stepwise_flow flow(solid, 300, deadline);
+      internal::Stepwise_flow flow(solid, internal::Contraction::NEAREST_POLES, 300, deadline);
       flow.run_to_convergence();
     });
   }
