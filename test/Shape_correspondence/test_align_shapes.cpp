@@ -38,9 +38,7 @@ TEST_CASE("Quarter turns: four of them lead back, to the bit")
 {
   const Aligned_shape once = align_shape(hand_made::chair(), 1), none = align_shape(hand_made::chair());
   const auto find = [](const Aligned_shape& shape, std::size_t original) {
-    for (std::size_t i = 0; i < shape.original.size(); ++i)
-      if (shape.original[i] == original) return shape.parts[i].samples;
-    return Points();
+    return shape.parts[hand_made::index_of(shape, original)].samples;
   };
   // counter-clockwise seen from above: front +z goes to +x
   CHECK(find(once, 2).col(0).isApprox(Point(.25, 0, -.25)));
