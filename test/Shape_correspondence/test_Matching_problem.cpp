@@ -3,11 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "aligned_graphs.h"
 #include "deformed_parts.h"
 #include "energy/Matching_problem.h"
 #include "energy/Structural_rods.h"
 #include "energy/divide_sheets.h"
-#include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "hand_made_graphs.h"
+#include "aligned_graphs.h"
 #include "structure/align_shapes.h"
 
 #include <catch2/catch.hpp>
