@@ -68,7 +68,7 @@ bool is_slender(const Revolution_axis& axis, double thickness, bool has_handle)
 /// Whether a body of revolution with such a medial axis is one indeed, as a wheel, not a cushion with rounded corners.
 bool is_round(const Revolution_axis& axis, const Intrinsic_layout& layout, double thickness)
 {
-  const double most_deviation = 0.08; // over the radius; an octagon's is 0.076
+  const double most_deviation = 0.03; // over the radius; that of a wheel of twelve sides is less
   return !is_layer(layout, thickness) || axis.deviation < most_deviation;
 }
 
