@@ -56,7 +56,7 @@ class Scratch:
         self.folder, self.build, self.jobs = folder, folder / "build", jobs
         self.copy_checkout()
         self.run("cmake", "-S", folder, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                 "-DSHAPE_CORRESPONDENCE_EXAMPLES=OFF")
+                 "-DSHAPE_CORRESPONDENCE_EXAMPLES=OFF", "-DSHAPE_CORRESPONDENCE_UNITY_BUILD=OFF")
 
     def copy_checkout(self):
         """Copies what differs, so that what was built stays valid, and removes what the checkout does not have"""
