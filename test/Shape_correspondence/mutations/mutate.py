@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the mistakes of mutations.txt, one at a time, and sees whether the tests notice.
 
-Each is made in a copy of the checkout, in which the test program that is named beside it is built and run. The named test
-case must fail; else the mistake survives, and the exit status is 1. The first time, the library is built in the copy."""
+Each is made in a copy of the checkout, in which the test program that is named beside it is built and run. The named
+test case must fail; else the mistake survives, and the exit status is 1. The first time, the library is built in the
+copy."""
 
 import argparse
 import html
@@ -56,7 +57,7 @@ class Scratch:
         self.folder, self.build, self.jobs = folder, folder / "build", jobs
         self.copy_checkout()
         self.run("cmake", "-S", folder, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                 "-DSHAPE_CORRESPONDENCE_EXAMPLES=OFF")
+                 "-DSHAPE_CORRESPONDENCE_EXAMPLES=OFF", "-DSHAPE_CORRESPONDENCE_UNITY_BUILD=OFF")
 
     def copy_checkout(self):
         """Copies what differs, so that what was built stays valid, and removes what the checkout does not have"""
@@ -102,7 +103,7 @@ class Scratch:
 
 def table_text(mutations):
     lines = ["# What the tests notice", "",
-             "The mistakes of `mutations.txt`, each made alone, and a test case that failed. Made by `mutate.py --table`.",
+             "The mistakes of `mutations.txt`, each made alone, and a test case that failed, by `mutate.py --table`.",
              "", "| file | mistake | test case |", "|---|---|---|"]
     lines += [f"| `{m.file}` | {m.what} | `{m.test}`: {m.case} |" for m in mutations]
     return "\n".join(lines) + "\n"
@@ -149,9 +150,9 @@ def number_of_survivors(scratch, mutations):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("words", nargs="*", help="only mistakes that have one of these in what they are or in their file")
+    parser.add_argument("words", nargs="*", help="only mistakes that say one of these, or whose files do")
     parser.add_argument("--check", action="store_true",
-                        help="only see whether every mistake can still be made and its test case exists; builds nothing")
+                        help="only see whether every mistake can be made and its test case exists; builds nothing")
     parser.add_argument("--table", action="store_true", help=f"write {TABLE.name} if all mistakes are noticed")
     parser.add_argument("--scratch", type=Path, default=CHECKOUT / "build" / "mutations",
                         help="folder of the copy, kept for the next time (default: %(default)s)")
