@@ -13,6 +13,7 @@ void run_graph(const std::vector<std::string>& arguments);
 void run_match(const std::vector<std::string>& arguments);
 void run_evaluate(const std::vector<std::string>& arguments);
 void run_collection(const std::vector<std::string>& arguments);
+void run_roles(const std::vector<std::string>& arguments);
 void run_blend(const std::vector<std::string>& arguments);
 
 } // namespace CGAL::Shape_correspondence::cli

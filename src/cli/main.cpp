@@ -26,6 +26,7 @@ Commands:
   blend       makes the shapes in between two shapes, as files or as an animation
   collection  matches all pairs of a set of shapes: energies, the medoid, clusters of parts
   evaluate    scores correspondences against labelled parts
+  roles       learns from labelled shapes what parts are for, and tells it of others
 
 Example: shape_correspondence match chair.obj swivel_chair.obj --json result.json --glb result.glb
 
@@ -44,6 +45,7 @@ Command command_of(const std::string& name)
   if (name == "blend") return run_blend;
   if (name == "collection") return run_collection;
   if (name == "evaluate") return run_evaluate;
+  if (name == "roles") return run_roles;
   return nullptr;
 }
 

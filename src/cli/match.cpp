@@ -73,11 +73,16 @@ void run_match(const std::vector<std::string>& arguments)
   const Loaded_shape &source = shapes[0], &target = shapes[1];
   search_with.source_parts = chosen_parts(match.source_parts, source.graph, paths[0]);
   search_with.target_parts = chosen_parts(match.target_parts, target.graph, paths[1]);
+  const Prepared_shape prepared_source(source.graph), prepared_target(target.graph);
+  const double begin_roles = now();
+  for (const Prepared_shape* shape : {&prepared_source, &prepared_target})
+    shape->read_roles(search_with.roles);
   const double begin = now();
-  std::vector<Correspondence> ranked = find_correspondences(source.graph, target.graph, search_with); // the best first
-  const IO::Match_seconds seconds{source.read_seconds + target.read_seconds,
-                                  source.abstraction_seconds + target.abstraction_seconds,
-                                  source.structure_seconds + target.structure_seconds, now() - begin};
+  std::vector<Correspondence> ranked =
+      Correspondence_finder(prepared_source, search_with).ranked(prepared_target); // the best first
+  const IO::Match_seconds seconds{
+      source.read_seconds + target.read_seconds, source.abstraction_seconds + target.abstraction_seconds,
+      source.structure_seconds + target.structure_seconds + begin - begin_roles, now() - begin};
   const std::vector<std::string> warnings = warnings_of(paths, shapes);
   ranked[0].warnings.insert(ranked[0].warnings.begin(), warnings.begin(), warnings.end());
   write_output(common.json, [&](std::ostream& out) {

@@ -4,6 +4,7 @@
 #include "cli/match_options.h"
 #include "cli/command_line.h"
 
+#include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
@@ -84,6 +85,21 @@ Search_method search_method(const Match_options& match, const po::variables_map&
   return Search_method::PARTS;
 }
 
+/// Roles say more than geometry does where the front of the shapes is known and parts are what they are matched by.
+std::shared_ptr<const Role_model> role_model(const Match_options& match, const po::variables_map& values,
+                                             const Search_options& search)
+{
+  if (match.roles == "none") return nullptr;
+  if (search.method != Search_method::PARTS || search.alignments != 1) {
+    for (const char* option : {"roles", "category"})
+      if (is_given(values, option))
+        throw Usage_error("--" + std::string(option) + " needs --search parts and --front given");
+    return nullptr;
+  }
+  return match.roles == "auto" ? IO::shipped_role_model()
+                               : std::make_shared<const Role_model>(IO::read_role_model(match.roles));
+}
+
 } // namespace
 
 po::options_description match_options(Match_options& match)
@@ -97,6 +113,11 @@ po::options_description match_options(Match_options& match)
       "options need");
   add("paper", po::bool_switch(&match.paper),
       "match as the paper does: --search beam --front auto, and --max-parts of the source alone");
+  add("roles", po::value(&match.roles)->value_name("MODEL")->default_value(match.roles),
+      "what parts are for, joined with their costs by --search parts where the shapes are upright and look to +z: auto "
+      "(the model that comes with the program), none, or a file that `roles train` wrote");
+  add("category", po::value(&match.search.category)->value_name("NAME"),
+      "the category of both shapes, whose roles are taken, such as chair; default: the one that they are most like");
   add("min-confidence", number(match.search.min_confidence)->value_name("P"),
       "leave out pairs of parts that are less probable, between 0 and 1; of --search parts");
   add("beam-width", number(match.search.beam.beam_width)->value_name("K"),
@@ -160,6 +181,7 @@ Search_options search_options(const Match_options& match, const po::variables_ma
   search.both_directions = match.direction == "both";
   search.alignments = parse_alignments(match, is_given(values, "front"));
   search.coarse_target = match.coarse_shapes == "both" || (match.coarse_shapes == "auto" && !match.paper);
+  search.roles = role_model(match, values, search);
   search.matching.weights = parse_weights(match.weights);
   if (values.count("without")) switch_off(match.without, search.matching.weights);
   search.matching.norm = match.norm == "pooled" ? Energy_norm::POOLED : Energy_norm::SUM;

@@ -24,6 +24,7 @@ struct Match_options
   std::string norm = "sum";
   std::string without;
   std::string source_parts, target_parts;
+  std::string roles = "auto"; ///< auto, none or a file
   bool paper = false;
 };
 

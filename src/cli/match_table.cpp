@@ -29,14 +29,17 @@ std::string names(const std::vector<std::size_t>& parts, const Structural_graph&
 void add_rows(const Group_match& group, const Correspondence& correspondence, const Structural_graph& source,
               const Structural_graph& target, Rows& rows)
 {
+  const auto role = [&](const Part_correspondence& pair) {
+    return correspondence.source_roles.empty() ? "" : correspondence.source_roles[pair.source];
+  };
   std::string operation = name_of(group.operation), energy = short_number(group.energy);
   for (const Part_correspondence& pair : correspondence.pairs) {
     if (!contains(group.source, pair.source) || !contains(group.target, pair.target)) continue;
-    rows.push_back(
-        {structure(source).parts[pair.source].name, structure(target).parts[pair.target].name, operation, energy});
+    rows.push_back({structure(source).parts[pair.source].name, structure(target).parts[pair.target].name, operation,
+                    energy, role(pair)});
     operation = energy = "";
   }
-  if (!operation.empty()) rows.push_back({names(group.source, source), names(group.target, target), "-", energy});
+  if (!operation.empty()) rows.push_back({names(group.source, source), names(group.target, target), "-", energy, ""});
 }
 
 } // namespace
@@ -44,9 +47,12 @@ void add_rows(const Group_match& group, const Correspondence& correspondence, co
 void write_match_table(std::ostream& out, const Correspondence& c, const Structural_graph& source,
                        const Structural_graph& target)
 {
-  Rows rows{{"source", "target", "operation", "energy"}};
+  Rows rows{{"source", "target", "operation", "energy", c.category.empty() ? "" : "role in a " + c.category}};
   for (const Group_match& group : c.groups)
     add_rows(group, c, source, target, rows);
+  if (c.category.empty())
+    for (std::vector<std::string>& row : rows)
+      row.pop_back();
   write_table(out, rows);
   out << "\nunmatched in the source: " << names(c.unmatched_source, source)
       << "\nunmatched in the target: " << names(c.unmatched_target, target) << "\nenergy: " << short_number(c.energy)

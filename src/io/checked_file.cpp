@@ -24,17 +24,21 @@ void write_checked_file(const std::string& path, const std::string& title, const
   write_atomically(path, [&](std::ostream& out) { out << heading(title, content) << content; });
 }
 
-std::optional<std::string> read_checked_file(const std::string& path, const std::string& title)
+std::optional<std::string> checked_content(const std::string& file, const std::string& title)
 {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  const std::string file = text.str();
   const std::size_t line = file.find('\n');
   if (line == std::string::npos) return std::nullopt;
   std::string content = file.substr(line + 1);
   if (file.compare(0, line + 1, heading(title, content)) != 0) return std::nullopt;
   return content;
+}
+
+std::optional<std::string> read_checked_file(const std::string& path, const std::string& title)
+{
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return checked_content(text.str(), title);
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -14,6 +14,9 @@ namespace CGAL::Shape_correspondence::IO {
 /// Writes such a file, all of it or nothing. \throw Invalid_input if that fails
 void write_checked_file(const std::string& path, const std::string& title, const std::string& content);
 
+/// The content of such a file, given all of its text; none if it is damaged or has another title.
+std::optional<std::string> checked_content(const std::string& file, const std::string& title);
+
 /// The content of such a file; none if there is no such file, or it is damaged or has another title.
 std::optional<std::string> read_checked_file(const std::string& path, const std::string& title);
 

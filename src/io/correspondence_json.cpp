@@ -119,6 +119,10 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
   result["optimal"] = c.optimal;
   result["pairs"] = pairs(c, source, target);
   if (Json known = confidences(c); !known.empty()) result["confidences"] = std::move(known);
+  if (!c.category.empty()) {
+    result["category"] = c.category;
+    result["roles"] = {{"source", Json(c.source_roles)}, {"target", Json(c.target_roles)}};
+  }
   result["groups"] = groups(c, source, target);
   result["contacts"] = contacts(c, forward ? source : target);
   result["unmatched_source"] = names(c.unmatched_source, source);

@@ -35,6 +35,8 @@ Labelled_shape read_labels_file(const fs::path& file)
   shape.file = file.string();
   shape.name = folder.filename().string();
   shape.category = root.has("category") ? root["category"].text() : folder.parent_path().filename().string();
+  if (root.has("source")) shape.source = root["source"].text();
+  if (root.has("license")) shape.license = root["license"].text();
   for (const Json_field& part : root["parts"].elements()) {
     const std::string name = part["name"].text();
     if (shape.index(name) < shape.parts.size()) part["name"].fail("is '" + name + "', as that of another part");

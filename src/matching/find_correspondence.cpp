@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/quantized.h"
-#include "energy/divide_sheets.h"
 #include "matching/Search_run.h"
+#include "matching/Shape_roles.h"
 #include "matching/match_parts.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -34,10 +34,12 @@ void check(const Search_options& options)
     throw Invalid_input("find_correspondence: the numbers of parts and of alignments must not be negative");
   if (!(options.min_confidence >= 0 && options.min_confidence <= 1))
     throw Invalid_input("find_correspondence: the least confidence must be between 0 and 1");
+  if (options.roles && !options.category.empty()) options.roles->roles(options.category); // throws if there is none
   if (options.solutions < 1) throw Invalid_input("find_correspondence: at least one solution must be asked for");
 }
 
 // What the groups of the source become by a part matching. S_i is known where a group becomes all of another group.
+// Clones are whole parts, since `lower_bound()` is over those.
 std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching, const Aligned_shape& source,
                                                    const Aligned_shape& target)
 {
@@ -59,7 +61,6 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
       label.operation = topological_operation(group.parts.size(), parts.size());
       if (target.group(label.target_group).parts == parts)
         label.solidity_ratio = solidity_ratio(group, target.group(label.target_group));
-      divide_sheets(source, target, label);
     }
     labels.push_back({std::move(label)});
   }
@@ -177,7 +178,21 @@ struct Prepared_shape::Alignments
     return shapes[turn];
   }
 
+  // Of the model that was asked for last: a shape is hardly ever matched with several.
+  std::shared_ptr<const Shape_roles> roles(const std::shared_ptr<const Role_model>& model)
+  {
+    const std::lock_guard<std::mutex> lock(roles_mutex);
+    if (role_model != model) {
+      shape_roles = std::make_shared<Shape_roles>(graph, *model);
+      role_model = model;
+    }
+    return shape_roles;
+  }
+
   const Structural_graph& graph;
+  std::mutex roles_mutex;
+  std::shared_ptr<const Role_model> role_model;
+  std::shared_ptr<const Shape_roles> shape_roles;
   std::array<std::once_flag, 4> is_aligned;
   std::array<Matching_problem::Shared_shape, 4> shapes;
 };
@@ -186,11 +201,17 @@ Prepared_shape::Prepared_shape(const Structural_graph& graph)
     : graph_(graph), alignments_(std::make_shared<Alignments>(graph))
 {}
 
+void Prepared_shape::read_roles(const std::shared_ptr<const Role_model>& model) const
+{
+  if (model) alignments_->roles(model);
+}
+
 class Correspondence_finder::Impl
 {
 public:
   Impl(const Prepared_shape& source, const Search_options& options)
       : options_(options),
+        prepared_source_(source),
         source_frame_(structure(source.graph()).frame),
         number_of_parts_(structure(source.graph()).parts.size())
   {
@@ -225,7 +246,11 @@ private:
   }
   double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;
 
+  void join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target, Part_matching& matching,
+                  Correspondence& result) const;
+
   Search_options options_;
+  Prepared_shape prepared_source_;
   Shape_frame source_frame_;
   std::size_t number_of_parts_;
   Shared_shape source_;
@@ -253,14 +278,41 @@ Correspondence Correspondence_finder::Impl::matched_parts(const Prepared_shape& 
     best_shape = shape;
   }
   if (done == 0) best_shape = aligned(target, best_turn);
+  Correspondence known;
+  if (options_.roles) join_roles(target, *best_shape, best, known);
   const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
   best.pairs.erase(std::remove_if(best.pairs.begin(), best.pairs.end(), unsure), best.pairs.end());
 
   const Search_run run(source_, best_shape, best_turn, group_labels(best, *source_, *best_shape), options_);
   Correspondence result = correspondence_of(run, run.result.best(), {});
   result.pairs = original_pairs(best, *source_, *best_shape);
+  result.category = std::move(known.category);
+  result.source_roles = std::move(known.source_roles);
+  result.target_roles = std::move(known.target_roles);
+  result.warnings.insert(result.warnings.end(), known.warnings.begin(), known.warnings.end());
   if (done < turns.size()) mark_cancelled(done, turns.size(), result);
   return result;
+}
+
+void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target,
+                                             Part_matching& matching, Correspondence& result) const
+{
+  const std::shared_ptr<const Shape_roles> a = prepared_source_.alignments_->roles(options_.roles),
+                                           b = target.alignments_->roles(options_.roles);
+  const Role_model_data& model = options_.roles->data();
+  Pair_category category{model.index(options_.category), ""};
+  if (options_.category.empty()) category = category_of_pair(*a, *b, model);
+  if (category.index == model.categories.size()) {
+    result.warnings.push_back(category.note);
+    return;
+  }
+  const Category_roles& known = model.categories[category.index];
+  const Eigen::MatrixXi &source = a->votes(category.index), &of_target = b->votes(category.index);
+  internal::join_roles(source, source_->original, of_target, aligned_target.original, model.trees, known.trust,
+                       matching);
+  result.category = known.name;
+  result.source_roles = likeliest_roles(source, known);
+  result.target_roles = likeliest_roles(of_target, known);
 }
 
 std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prepared_shape& target) const

@@ -263,11 +263,13 @@ double given_turn(const Shape_frame& frame)
 
 } // namespace
 
+int given_quarter_turns(const Shape_frame& frame) { return int(std::lround(given_turn(frame) / (EIGEN_PI / 2))); }
+
 std::vector<int> alignment_turns(const Shape_frame& source, const Shape_frame& target)
 {
   // Either frame is off by a turn of its own and by quarter turns that its finding left open
   const double from = given_turn(source), to = given_turn(target), quarter = EIGEN_PI / 2;
-  const double given = quarter * (std::round(to / quarter) - std::round(from / quarter));
+  const double given = quarter * (given_quarter_turns(target) - given_quarter_turns(source));
   const auto off = [&](double angle, int q) {
     return quantized(std::abs(std::remainder(angle - q * quarter, 2 * EIGEN_PI)));
   };

@@ -88,6 +88,9 @@ Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is
 /// (the paper's coarse correspondence, Figure 11).
 std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t count);
 
+/// The quarter turns that bring a shape from its own frame nearest to the orientation that it was given in.
+int given_quarter_turns(const Shape_frame& frame);
+
 /// The quarter turns of the target that bring it into the source's frame, best guess first: the ones nearest to the
 /// orientation that the shapes were given in, so that turning either by less than 45° as it was given changes nothing.
 /// Where both shapes have one mirror plane, half turns only.

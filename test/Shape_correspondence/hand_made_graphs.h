@@ -7,13 +7,10 @@
 #ifndef SHAPE_CORRESPONDENCE_TEST_HAND_MADE_GRAPHS_H
 #define SHAPE_CORRESPONDENCE_TEST_HAND_MADE_GRAPHS_H
 
-#include "structure/align_shapes.h"
-
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <array>
 #include <initializer_list>
 #include <string>
@@ -73,12 +70,6 @@ inline Part_group group(std::vector<std::size_t> parts, Symmetry_type type = Sym
   result.volume = solidity;
   result.hull_volume = 1;
   return result;
-}
-
-// Where a part of a graph is in its aligned shape.
-inline std::size_t index_of(const Aligned_shape& shape, std::size_t original)
-{
-  return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());
 }
 
 // Parts without extent, by default a group each, and which of them are in contact. All samples of a part are in one

@@ -3,11 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "aligned_graphs.h"
 #include "deformed_parts.h"
 #include "energy/Matching_problem.h"
 #include "energy/Structural_rods.h"
 #include "energy/divide_sheets.h"
-#include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
 
@@ -227,11 +227,14 @@ TEST_CASE("A cut part: its contacts count by the segment that touches, and betwe
 
 TEST_CASE("Many target groups: the nearest ones are the labels, and nothing is proven")
 {
-  const int posts = int(maximum_labels) + 16;
-  const Matching_problem problem(align_shape(fence(5)), align_shape(fence(posts)));
+  const std::size_t posts = maximum_labels + 16;
+  const Aligned_shape few = align_shape(fence(5)), many = align_shape(fence(int(posts)));
+  const Matching_problem problem(many, many);
   CHECK(problem.has_shortlists());
-  CHECK(problem.number_of_labels(0) == maximum_labels);
-  const std::size_t first = 0; // the leftmost post of either fence
-  CHECK(problem.label(first, 0).target_group == first);
-  CHECK(!Matching_problem(align_shape(fence(5)), align_shape(fence(5))).has_shortlists());
+  for (const std::size_t post : {std::size_t(0), posts - 1}) { // the leftmost and the rightmost
+    REQUIRE(problem.number_of_labels(post) == maximum_labels);
+    for (std::size_t label = 0; label < maximum_labels; ++label)
+      CHECK(problem.label(post, label).target_group == (post == 0 ? label : label + 16));
+  }
+  CHECK(!Matching_problem(few, few).has_shortlists());
 }

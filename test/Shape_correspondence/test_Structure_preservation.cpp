@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "aligned_graphs.h"
 #include "energy/Structure_preservation.h"
-#include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
 

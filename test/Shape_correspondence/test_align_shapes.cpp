@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "hand_made_graphs.h"
+#include "aligned_graphs.h"
 #include "structure/align_shapes.h"
 
 #include <catch2/catch.hpp>
@@ -38,9 +38,7 @@ TEST_CASE("Quarter turns: four of them lead back, to the bit")
 {
   const Aligned_shape once = align_shape(hand_made::chair(), 1), none = align_shape(hand_made::chair());
   const auto find = [](const Aligned_shape& shape, std::size_t original) {
-    for (std::size_t i = 0; i < shape.original.size(); ++i)
-      if (shape.original[i] == original) return shape.parts[i].samples;
-    return Points();
+    return shape.parts[hand_made::index_of(shape, original)].samples;
   };
   // counter-clockwise seen from above: front +z goes to +x
   CHECK(find(once, 2).col(0).isApprox(Point(.25, 0, -.25)));

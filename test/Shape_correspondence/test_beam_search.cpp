@@ -66,6 +66,17 @@ TEST_CASE("The last level is returned in the order of its energies")
 
 // The cases below are of points (see `point_graph()`): w_c = 0.6, w_s = 0.4.
 
+namespace {
+
+// What the beam search finds, K and k as given.
+Solution best(const Structural_graph& source, const Structural_graph& target, const Beam_options& options,
+              const Matching_options& matching = {})
+{
+  return beam_search(Matching_problem(align_shape(source), align_shape(target), matching), options).best();
+}
+
+} // namespace
+
 TEST_CASE("Local pruning: no partial solution takes all places of the beam")
 {
   // A part a with b above it and c, 2.6 away, to its upper right. The target's first point has three points straight
@@ -89,11 +100,11 @@ TEST_CASE("Local pruning: no partial solution takes all places of the beam")
 
 TEST_CASE("Groups are assigned from the best-connected one outwards")
 {
-  // A pair in the middle with two contacts to a point below and two to one above; in the target, too, under which lies
-  // a point that touches nothing. A beam of one solution: whichever group comes first takes the first of its labels
-  // that cost least. All other parts go with a point that is moved, so that every label of it costs nothing and it
-  // takes the lowest target point, from which the pair is farther than before. Parts do not follow a pair that becomes
-  // one point, at no cost, so that the pair takes the pair, and the rest follows
+  // A pair in the middle, with two contacts to a point below and two to one above; in the target, too, with another
+  // point far below. In a beam of one, the group that comes first takes the first of its labels that cost least. Were
+  // it the lower point, every label would cost nothing, as all parts go along, and it would take the lowest target
+  // point, from which the pair is farther than before. For the pair, the pair costs nothing; as one point, it turns all
+  // rods
   const auto pair = [](std::size_t first) {
     return group({first, first + 1}, Symmetry_type::REFLECTION, Point::UnitX());
   };
@@ -102,10 +113,9 @@ TEST_CASE("Groups are assigned from the best-connected one outwards")
   const Structural_graph target =
       point_graph({{0, -5, 0}, {0, 0, 0}, {-1, 1, 0}, {1, 1, 0}, {0, 2, 0}}, {{1, 2}, {1, 3}, {2, 4}, {3, 4}},
                   {group({0}), group({1}), pair(2), group({4})});
-  const Matching_problem problem(align_shape(source), align_shape(target));
-  const Search_result result = beam_search(problem, {1, 1});
-  CHECK(result.best().assignment == Assignment{1, 2, 3});
-  CHECK(result.best().energy == Approx(0).margin(1e-6));
+  const Solution solution = best(source, target, {1, 1});
+  CHECK(solution.assignment == Assignment{1, 2, 3});
+  CHECK(solution.energy == Approx(0).margin(1e-6));
 }
 
 TEST_CASE("After the best-connected group come those in contact with it")
@@ -123,10 +133,9 @@ TEST_CASE("After the best-connected group come those in contact with it")
   const Structural_graph source =
       point_graph(at({0, .3, .6, 1, 2, 3, 3.5}), {{0, 1}, {0, 2}, {0, 3}, {3, 4}, {4, 5}, {4, 6}});
   const Structural_graph target = point_graph(at({0, .1, .2, .3}), {{0, 1}, {1, 2}, {2, 3}});
-  const Matching_problem problem(align_shape(source), align_shape(target));
-  const Search_result result = beam_search(problem, {1, 1});
-  CHECK(result.best().assignment == Assignment{0, 1, 1, 1, 2, 3, 3});
-  CHECK(result.best().energy == Approx(0).margin(1e-6));
+  const Solution solution = best(source, target, {1, 1});
+  CHECK(solution.assignment == Assignment{0, 1, 1, 1, 2, 3, 3});
+  CHECK(solution.energy == Approx(0).margin(1e-6));
 }
 
 TEST_CASE("Parts not yet assigned move along")
@@ -134,11 +143,31 @@ TEST_CASE("Parts not yet assigned move along")
   // b is above a, and in the target 2 above 0. With a taken to 0, b goes with it and nothing is lost; if b stayed, the
   // rod would turn by an angle of cosine 0.8 and grow from 1 to 1.25, and 1, under where b was, would be better for a:
   // from there, 2 is no better than 1 - 0.9 / 1.1715 = 0.23, and 0.6 for its distance
-  const Matching_problem problem(align_shape(point_graph({{0, 0, 0}, {0, 1, 0}}, {{0, 1}})),
-                                 align_shape(point_graph({{.75, 0, 0}, {0, .1, 0}, {.75, 1, 0}}, {{0, 2}})));
-  const Search_result result = beam_search(problem, {1, 1});
-  CHECK(result.best().assignment == Assignment{0, 2});
-  CHECK(result.best().energy == Approx(0).margin(1e-6));
+  const Structural_graph source = point_graph({{0, 0, 0}, {0, 1, 0}}, {{0, 1}});
+  const Structural_graph target = point_graph({{.75, 0, 0}, {0, .1, 0}, {.75, 1, 0}}, {{0, 2}});
+  const Solution solution = best(source, target, {1, 1});
+  CHECK(solution.assignment == Assignment{0, 2});
+  CHECK(solution.energy == Approx(0).margin(1e-6));
+}
+
+TEST_CASE("The members of a group not yet assigned follow one of them by the group's generator")
+{
+  // A point with a pair to the left and the right above it; in the target, all lie higher by 0.2, and another point is
+  // to the right, which has the lowest label. If the point takes that one, by 0.5, one of the pair goes along and the
+  // other one to the left, so that its rod turns by 45 degrees. If both went along, it would cost nothing
+  for (const bool rotation : {true, false}) {
+    const auto pair = [&](std::size_t first) {
+      return rotation ? group({first, first + 1}, Symmetry_type::ROTATION, Point::UnitY())
+                      : group({first, first + 1}, Symmetry_type::REFLECTION, Point::UnitX());
+    };
+    const Structural_graph source =
+        point_graph({{0, 0, 0}, {-1, 1, 0}, {1, 1, 0}}, {{0, 1}, {0, 2}}, {group({0}), pair(1)});
+    const Structural_graph target = point_graph({{.5, 0, 0}, {0, .2, 0}, {-1, 1.2, 0}, {1, 1.2, 0}}, {{1, 2}, {1, 3}},
+                                                {group({0}), group({1}), pair(2)});
+    const Solution solution = best(source, target, {1, 1});
+    CHECK(solution.assignment == Assignment{1, 2});
+    CHECK(solution.energy == Approx(0).margin(1e-6));
+  }
 }
 
 TEST_CASE("Contacts of parts not yet assigned count")
@@ -149,10 +178,9 @@ TEST_CASE("Contacts of parts not yet assigned count")
   // (-1, 1) to (-0.5, 1): 1 - 1.5 / sqrt(2 * 1.25) = 0.05
   const Structural_graph source = point_graph({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1}, {0, 2}, {1, 2}});
   const Structural_graph target = point_graph({{0, 0, 0}, {.5, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1}});
-  const Matching_problem problem(align_shape(source), align_shape(target));
-  const Search_result result = beam_search(problem, {1, 1});
-  CHECK(result.best().assignment == Assignment{0, 2, 3});
-  CHECK(result.best().energy == Approx(0).margin(1e-6));
+  const Solution solution = best(source, target, {1, 1});
+  CHECK(solution.assignment == Assignment{0, 2, 3});
+  CHECK(solution.energy == Approx(0).margin(1e-6));
 }
 
 TEST_CASE("Contacts between two parts not yet assigned count")
@@ -164,10 +192,9 @@ TEST_CASE("Contacts between two parts not yet assigned count")
   const Structural_graph source =
       point_graph({{0, 0, 0}, {0, 1.5, 0}, {0, 2, 0}, {0, 3, 0}}, {{0, 2}, {0, 3}, {1, 2}, {1, 3}});
   const Structural_graph target = point_graph({{0, 0, 0}, {0, 1, 0}, {0, 1.5, 0}, {0, 2, 0}, {0, 3, 0}}, {{0, 1}});
-  const Matching_problem problem(align_shape(source), align_shape(target));
-  const Search_result result = beam_search(problem, {1, 1});
-  CHECK(result.best().assignment == Assignment{0, 2, 3, 3});
-  CHECK(result.best().energy == Approx(0).margin(1e-6));
+  const Solution solution = best(source, target, {1, 1});
+  CHECK(solution.assignment == Assignment{0, 2, 3, 3});
+  CHECK(solution.energy == Approx(0).margin(1e-6));
 }
 
 TEST_CASE("A part that pulls on one not yet assigned changes all contacts of that one")
@@ -178,10 +205,9 @@ TEST_CASE("A part that pulls on one not yet assigned changes all contacts of tha
   // 45 degrees, 0.29, and that to c from (0, 2) to (-0.5, 1.5), 0.05, but c's rod to a grows as well: 0.6 and 0.03
   const Structural_graph source = point_graph({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}}, {{0, 1}, {0, 2}, {1, 2}});
   const Structural_graph target = point_graph({{1, 0, 0}, {2, 0, 0}, {2, 1, 0}}, {{0, 1}, {0, 2}, {1, 2}});
-  const Matching_problem problem(align_shape(source), align_shape(target));
-  const Search_result result = beam_search(problem, {1, 1});
-  CHECK(result.best().assignment == Assignment{0, 1, 2});
-  CHECK(result.best().energy == Approx(0).margin(1e-6));
+  const Solution solution = best(source, target, {1, 1});
+  CHECK(solution.assignment == Assignment{0, 1, 2});
+  CHECK(solution.energy == Approx(0).margin(1e-6));
 }
 
 TEST_CASE("What touches a part that splits moves with the mean of its clones and keeps to the nearest one")
@@ -194,10 +220,9 @@ TEST_CASE("What touches a part that splits moves with the mean of its clones and
   const Structural_graph target =
       point_graph({{0, 0, 0}, {0, .7, 0}, {0, 1.3, 0}, {0, 2, 0}}, {{0, 1}, {1, 2}, {2, 3}},
                   {group({0}), group({1, 2}, Symmetry_type::TRANSLATION, {0, .6, 0}), group({3})});
-  const Matching_problem problem(align_shape(source), align_shape(target));
-  const Search_result result = beam_search(problem, {2, 2});
-  CHECK(result.best().assignment == Assignment{0, 1, 2});
-  CHECK(result.best().energy == Approx(2 * 0.6 / 2));
+  const Solution solution = best(source, target, {2, 2});
+  CHECK(solution.assignment == Assignment{0, 1, 2});
+  CHECK(solution.energy == Approx(2 * 0.6 / 2));
 }
 
 TEST_CASE("What touches a part follows it where it touches it")
@@ -214,27 +239,25 @@ TEST_CASE("What touches a part follows it where it touches it")
     shape.contacts.push_back(contact(shape, 0, heights.size(), above));
     for (std::size_t i = 0; i < shape.parts.size(); ++i)
       groups.push_back(group({i}));
-    return align_shape(make_structural_graph(std::move(shape), std::move(groups)));
+    return make_structural_graph(std::move(shape), std::move(groups));
   };
-  const Matching_problem problem(posts({1}, {0, 1.5, 0}), posts({.5, 1}, {0, .9, 0}));
-  const Search_result result = beam_search(problem, {1, 1});
-  CHECK(result.best().assignment == Assignment{0, 2});
-  CHECK(result.best().energy == Approx(0).margin(1e-6));
+  const Solution solution = best(posts({1}, {0, 1.5, 0}), posts({.5, 1}, {0, .9, 0}), {1, 1});
+  CHECK(solution.assignment == Assignment{0, 2});
+  CHECK(solution.energy == Approx(0).margin(1e-6));
 }
 
 TEST_CASE("Contacts of a group left unmatched cost what that costs, and no more")
 {
-  // A right angle with all three corners in contact; in the target, the corner to the right is half as near, and the
+  // A right angle with all three corners in contact; in the target, the corner to the right is half as far, and the
   // upper one is off by an angle of cosine 0.8. That costs 0.2, and 0.01 for the rod between them; to leave the upper
   // one unmatched, 0.1 for either contact
   const Structural_graph source = point_graph({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1}, {0, 2}, {1, 2}});
   const Structural_graph target = point_graph({{0, 0, 0}, {.5, 0, 0}, {-.6, .8, 0}}, {{0, 1}, {0, 2}});
   Matching_options options;
   options.unmatched_cost = 0.1;
-  const Matching_problem problem(align_shape(source), align_shape(target), options);
-  const Search_result result = beam_search(problem, {100, 100});
-  CHECK(result.best().energy == Approx(0.2));
-  CHECK(result.best().assignment == Assignment{0, 1, 3});
+  const Solution solution = best(source, target, {100, 100}, options);
+  CHECK(solution.energy == Approx(0.2));
+  CHECK(solution.assignment == Assignment{0, 1, 3});
 }
 
 TEST_CASE("A part may split into a rotational group at no cost")
@@ -246,9 +269,8 @@ TEST_CASE("A part may split into a rotational group at no cost")
     const Symmetry_type type = rotational ? Symmetry_type::ROTATION : Symmetry_type::TRANSLATION;
     const Structural_graph target = point_graph({{0, 0, 0}, {0, .4, 0}, {0, .8, 0}, {.28, .96, 0}}, {{0, 1}},
                                                 {group({0}), group({1, 2}, type, Point::UnitZ(), .1), group({3})});
-    const Matching_problem problem(align_shape(source), align_shape(target));
-    const Search_result result = beam_search(problem);
-    CHECK(result.best().assignment == Assignment{0, rotational ? 1 : 2});
-    CHECK(result.best().energy == Approx(rotational ? 0 : 0.04).margin(1e-6));
+    const Solution solution = best(source, target, {});
+    CHECK(solution.assignment == Assignment{0, rotational ? 1 : 2});
+    CHECK(solution.energy == Approx(rotational ? 0 : 0.04).margin(1e-6));
   }
 }

@@ -3,9 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "aligned_graphs.h"
 #include "deformed_parts.h"
 #include "energy/cut_curves.h"
-#include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
 

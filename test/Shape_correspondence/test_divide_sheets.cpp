@@ -3,9 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "aligned_graphs.h"
 #include "base/divide_box.h"
 #include "energy/divide_sheets.h"
-#include "hand_made_graphs.h"
 
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 

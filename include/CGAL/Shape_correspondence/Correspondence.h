@@ -76,6 +76,9 @@ struct Correspondence
   bool optimal = false;  ///< the energy is proven minimal over the labels
   int target_quarter_turns = 0;      ///< of the target about up, into the source's frame
   Search_summary search;             ///< how the search went
+  std::string category; ///< whose roles were joined with the costs of parts; empty: none
+  std::vector<std::string> source_roles; ///< of every source part, the likeliest role; empty without a category
+  std::vector<std::string> target_roles; ///< the same, of the target parts
   std::vector<std::string> warnings; ///< what was approximated or ended early, in whole sentences
 };
 

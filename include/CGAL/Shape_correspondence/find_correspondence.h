@@ -30,6 +30,9 @@ public:
   /// Keeps the graph by reference.
   explicit Prepared_shape(const Structural_graph& graph);
 
+  /// Reads the roles of the parts now, rather than when the shape is first matched by options with this model.
+  void read_roles(const std::shared_ptr<const Role_model>& model) const;
+
   /// The graph that the object was made of.
   const Structural_graph& graph() const { return graph_; }
 

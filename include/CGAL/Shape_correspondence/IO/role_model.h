@@ -1,0 +1,42 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Shape_correspondence developers
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_ROLE_MODEL_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_ROLE_MODEL_H
+
+#include <CGAL/Shape_correspondence/Role_model.h>
+
+#include <memory>
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// \ingroup PkgShapeCorrespondenceIO
+/// Writes a role model into a file, all of it or nothing, with a digest by which damage is noticed.
+/// \throw Invalid_input if the file cannot be written
+void write_role_model(const std::string& path, const Role_model& model);
+
+/// \ingroup PkgShapeCorrespondenceIO
+/// Reads what `write_role_model()` has written. \throw Invalid_input if there is no such file, or it is damaged or of
+/// another version; names the file
+Role_model read_role_model(const std::string& path);
+
+/// \ingroup PkgShapeCorrespondenceIO
+/// The role model that comes with the package: of airplanes, beds, cars, chairs, lamps, shelves, sofas, tables and
+/// velocipedes, read once. `data/roles/manifest.json` tells what it was learned from and how good it is.
+std::shared_ptr<const Role_model> shipped_role_model();
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_ROLE_MODEL_H

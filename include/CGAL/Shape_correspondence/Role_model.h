@@ -1,0 +1,125 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Shape_correspondence developers
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ROLE_MODEL_H
+#define CGAL_SHAPE_CORRESPONDENCE_ROLE_MODEL_H
+
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+namespace internal {
+struct Role_model_data;
+class Role_distances;
+}
+
+/// \ingroup PkgShapeCorrespondenceRoles
+/// How far roles are trusted when two shapes of a category are matched.
+enum class Role_trust {
+  NONE,    ///< not at all: parts are matched by their geometry alone
+  CONFIRM, ///< pairs of the geometric match stay if their roles agree
+  FULL     ///< that, and parts that surely have the same role are matched
+};
+
+/// \ingroup PkgShapeCorrespondenceRoles
+/// What parts are for, such as the legs and the seat of a chair, learned from labelled shapes: by category, a forest
+/// of extremely randomised trees (P. Geurts, D. Ernst, L. Wehenkel, *Extremely randomized trees*, 2006) that predicts
+/// a part's role from its place, size and shape in the upright shape that looks to +z, and the labelled parts
+/// themselves, by which shapes of unknown categories are noticed. Names and the order of parts play no part. Copies
+/// share what they hold; threads may share a model.
+class Role_model
+{
+public:
+  /// A model without categories: it knows no roles.
+  Role_model();
+
+  /// Names of the categories, sorted.
+  std::vector<std::string> categories() const;
+  /// Names of the roles of a category, sorted. \throw Invalid_input if the model does not have the category
+  const std::vector<std::string>& roles(const std::string& category) const;
+  /// How far the roles of a category are trusted. \throw Invalid_input if the model does not have the category
+  Role_trust trust(const std::string& category) const;
+
+  /// Writes the model, in bytes that are the same on all machines.
+  void write(std::ostream& out) const;
+  /// Reads what `write()` has written. \throw Invalid_input if it is damaged; the message begins with `name`
+  static Role_model read(std::istream& in, const std::string& name);
+
+  /// For the package's own use.
+  explicit Role_model(internal::Role_model_data data);
+  /// For the package's own use.
+  const internal::Role_model_data& data() const { return *data_; }
+  /// For the package's own use.
+  const internal::Role_distances& distances() const { return *distances_; }
+
+private:
+  std::shared_ptr<const internal::Role_model_data> data_;
+  std::shared_ptr<const internal::Role_distances> distances_;
+};
+
+/// \ingroup PkgShapeCorrespondenceRoles
+/// The roles of the parts of a shape, as far as a model knows them.
+struct Part_roles
+{
+  std::string category;           ///< of the shape; empty: none that the model knows
+  std::vector<std::string> roles; ///< names of the roles of the category
+  Eigen::MatrixXd probabilities;  ///< part × role; every row sums up to 1
+  /// From the labelled parts of the category: mean over parts and features of the difference from the nearest one, in
+  /// standard deviations of the feature.
+  double distance = 0;
+};
+
+/// \ingroup PkgShapeCorrespondenceRoles
+/// The roles of the parts of a shape that is upright and looks to +z.
+/// \param graph the shape
+/// \param model what is known of roles
+/// \param category of the shape; empty: the category whose labelled parts are nearest, or none where they are too far
+/// \throw Invalid_input if the model does not have the category
+Part_roles part_roles(const Structural_graph& graph, const Role_model& model, const std::string& category = "");
+
+/// \ingroup PkgShapeCorrespondenceRoles
+/// A shape that roles are learned from.
+struct Labelled_graph
+{
+  const Structural_graph* graph = nullptr; ///< the shape, upright, looking to +z
+  std::string category;                    ///< of the shape
+  std::vector<std::string> roles;          ///< of every part
+  double weight = 1;                       ///< of the shape; less for generated shapes than for real ones
+};
+
+/// \ingroup PkgShapeCorrespondenceOptions
+/// Options of `train_role_model()`.
+struct Role_training_options
+{
+  int trees = 100;        ///< of the forest of a category
+  std::uint64_t seed = 0; ///< of the random numbers
+};
+
+/// \ingroup PkgShapeCorrespondenceRoles
+/// Learns roles from labelled shapes. The same shapes, in any order, and the same seed give the same bytes, on any
+/// number of threads. Roles are trusted in full in every category; `cross_validate_roles()` tells how far they should
+/// be.
+/// \throw Invalid_input if a shape has no category, a part no role, or a number is out of its range
+Role_model train_role_model(const std::vector<Labelled_graph>& shapes, const Role_training_options& options = {});
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_ROLE_MODEL_H

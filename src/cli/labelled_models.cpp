@@ -1,0 +1,102 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cli/labelled_models.h"
+#include "cli/load_shape.h"
+#include "io/Json_field.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace CGAL::Shape_correspondence::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Pair = std::array<std::size_t, 2>;
+
+std::vector<Part_label> labels_by_part(const Structural_graph& graph, const IO::Labelled_shape& labels)
+{
+  std::vector<Part_label> result;
+  for (const Part_abstraction& part : structure(graph).parts) {
+    const std::size_t index = labels.index(part.name);
+    if (index == labels.parts.size())
+      throw Invalid_input(labels.file + ": there is no label of the part '" + part.name + "'");
+    result.push_back(labels.labels[index]);
+  }
+  return result;
+}
+
+std::size_t index_of(const std::vector<Labelled_model>& models, const std::string& folder, const std::string& category,
+                     const IO::Json_field& name)
+{
+  for (std::size_t i = 0; i < models.size(); ++i)
+    if (models[i].folder == folder && models[i].labels.category == category && models[i].labels.name == name.text())
+      return i;
+  name.fail("names a shape that is not in the category '" + category + "'");
+}
+
+void add_listed(const std::vector<Labelled_model>& models, const std::string& folder, const std::string& file,
+                std::vector<Pair>& pairs)
+{
+  for (const IO::Json_field& entry : IO::read_json_file(file).elements()) {
+    const std::vector<IO::Json_field> words = entry.elements(3, "category, source and target");
+    const std::string category = words[0].text();
+    pairs.push_back({index_of(models, folder, category, words[1]), index_of(models, folder, category, words[2])});
+  }
+}
+
+void add_spread(const std::vector<Labelled_model>& models, const std::string& folder, std::size_t most,
+                std::vector<Pair>& pairs)
+{
+  std::map<std::string, std::vector<Pair>> all;
+  for (std::size_t i = 0; i < models.size(); ++i)
+    for (std::size_t j = i + 1; j < models.size(); ++j)
+      if (models[i].folder == folder && models[j].folder == folder &&
+          models[i].labels.category == models[j].labels.category)
+        all[models[i].labels.category].push_back({i, j});
+  for (const auto& [category, of_category] : all) {
+    const std::size_t count = std::min(most, of_category.size());
+    for (std::size_t k = 0; k < count; ++k)
+      pairs.push_back(of_category[k * of_category.size() / count]);
+  }
+}
+
+} // namespace
+
+std::vector<Labelled_model> load_labelled_models(const std::string& folder, const Common_options& options)
+{
+  const std::vector<IO::Labelled_shape> shapes = IO::read_part_labels(folder);
+  std::vector<std::string> paths;
+  for (const IO::Labelled_shape& shape : shapes)
+    paths.push_back((fs::path(shape.file).parent_path() / "parts").string());
+  std::vector<Loaded_shape> loaded = load_shapes(paths, options);
+  std::vector<Labelled_model> result;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    std::vector<Part_label> labels = labels_by_part(loaded[i].graph, shapes[i]);
+    result.push_back({folder, shapes[i], std::move(loaded[i].graph), std::move(labels)});
+  }
+  return result;
+}
+
+std::vector<Pair> listed_pairs(const std::vector<Labelled_model>& models, std::size_t most)
+{
+  std::set<std::string> folders;
+  std::vector<Pair> result;
+  for (const Labelled_model& model : models) {
+    if (!folders.insert(model.folder).second) continue;
+    const fs::path file = fs::path(model.folder) / "pairs.json";
+    if (fs::exists(file))
+      add_listed(models, model.folder, file.string(), result);
+    else
+      add_spread(models, model.folder, most, result);
+  }
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,0 +1,374 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/labelled_models.h"
+#include "cli/load_shape.h"
+#include "cli/outputs.h"
+#include "cli/text_table.h"
+#include "cli/thread_limit.h"
+#include "io/Json.h"
+#include "matching/cross_validate_roles.h"
+
+#include <CGAL/Shape_correspondence/IO/role_model.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <map>
+
+namespace CGAL::Shape_correspondence::cli {
+
+namespace po = boost::program_options;
+using namespace internal;
+
+namespace {
+
+const char* const help_text =
+    R"(Usage: shape_correspondence roles train FOLDER... --output MODEL [options]
+       shape_correspondence roles evaluate FOLDER... [options]
+       shape_correspondence roles predict SHAPE [options]
+
+Learns from labelled shapes what parts are for: their roles, such as the legs and the seat of a chair.
+
+  train     learns a model. How far it is trusted in each category follows from matching labelled shapes that were left
+            out of the training
+  evaluate  tells how much roles improve the matching of shapes that were left out of the training
+  predict   tells the roles of a shape's parts, as JSON in the form of labels.json
+
+FOLDER holds CATEGORY/SHAPE/labels.json and CATEGORY/SHAPE/parts, one mesh file a part. labels.json names the coarse
+label, that is the role, of every part:
+
+  {"category": "chair", "parts": [{"name": "part_0", "coarse": "leg"}, {"name": "part_1", "coarse": "seat"}]}
+
+All shapes are upright and look to +z. Five shapes of a category are the least that can be of use; twenty are better.
+
+Examples: shape_correspondence roles train my_shapes --output my.roles --cache graphs
+          shape_correspondence roles predict chair.obj --roles my.roles
+
+)";
+
+struct Roles_options
+{
+  std::vector<std::string> generated;
+  std::string output, manifest, date, model, category;
+  std::string leave_out = "shapes";
+  int pairs = 45;
+  Role_training_options training;
+};
+
+// Of a labelled shape, where generated ones weigh 1.
+constexpr double weight_of_real_shapes = 3;
+
+po::options_description roles_options(Roles_options& roles, Common_options& common)
+{
+  po::options_description result = option_group("Options of roles");
+  auto add = result.add_options();
+  add("output,o", po::value(&roles.output)->value_name("MODEL"), "train: where the model goes");
+  add("manifest", po::value(&roles.manifest)->value_name("FILE"),
+      "train: write as JSON what the model was learned from and how good it is; - is standard output");
+  add("date", po::value(&roles.date)->value_name("DATE"), "train: the date that the manifest bears");
+  add("generated", po::value(&roles.generated)->value_name("FOLDER"),
+      "train, evaluate: further labelled shapes, which are no real ones: they weigh a third, and none is left out; may "
+      "be "
+      "given many times");
+  add("leave-out", po::value(&roles.leave_out)->value_name("WHAT")->default_value(roles.leave_out),
+      "evaluate: what the training does not see of a pair: its two shapes, all shapes of their sources (`source` in "
+      "labels.json), or all of their category: shapes, sources or category");
+  add("pairs", number(roles.pairs)->value_name("N"),
+      "train, evaluate: match at most N pairs of a category and folder, where the folder has no pairs.json: "
+      "[[CATEGORY, SOURCE, TARGET], ...]");
+  add("trees", number(roles.training.trees)->value_name("N"), "train, evaluate: trees of the forest of a category");
+  add("roles", po::value(&roles.model)->value_name("MODEL"),
+      "predict: the model; default: the one that comes with the package");
+  add("category", po::value(&roles.category)->value_name("NAME"),
+      "predict: the shape's category; default: the one whose labelled parts are most like its parts");
+  add("json", po::value(&common.json)->value_name("FILE"),
+      "evaluate, predict: write the result as JSON; - is standard output");
+  return result;
+}
+
+Left_out left_out(const std::string& word)
+{
+  check_word("leave-out", word, {"shapes", "sources", "category"});
+  return word == "shapes" ? Left_out::SHAPES : word == "sources" ? Left_out::SOURCES : Left_out::CATEGORY;
+}
+
+std::string name_of(Role_trust trust)
+{
+  return trust == Role_trust::NONE ? "none" : trust == Role_trust::CONFIRM ? "confirm" : "full";
+}
+
+std::string fixed(double number)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", number);
+  return text;
+}
+
+// Shapes that roles are learned from, the real ones first, and pairs of real ones.
+struct Training_set
+{
+  std::vector<Labelled_model> models;
+  std::vector<Validation_shape> shapes;
+  std::vector<Validation_pair> pairs;
+  std::size_t number_of_real = 0;
+
+  Training_set(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
+  {
+    add(folders, common);
+    number_of_real = models.size();
+    pairs = listed_pairs(models, std::size_t(roles.pairs));
+    add(roles.generated, common);
+    for (const Labelled_model& model : models) {
+      const bool is_real = shapes.size() < number_of_real;
+      Validation_shape shape;
+      shape.labelled = {&model.graph, model.labels.category, {}, is_real ? weight_of_real_shapes : 1};
+      for (const Part_label& label : model.part_labels)
+        shape.labelled.roles.push_back(label.coarse);
+      shape.source = is_real ? model.labels.source : "generated";
+      shape.labels = model.part_labels;
+      shapes.push_back(std::move(shape));
+    }
+  }
+
+private:
+  void add(const std::vector<std::string>& folders, const Common_options& common)
+  {
+    for (const std::string& folder : folders)
+      for (Labelled_model& model : load_labelled_models(folder, common))
+        models.push_back(std::move(model));
+  }
+};
+
+using Score_of = std::function<const Correspondence_score&(const Validated_pair&)>;
+
+Evaluation mean_of(const Training_set& set, const Role_validation& validation, const Score_of& score,
+                   const Common_options& common)
+{
+  std::vector<Scored_correspondence> scores;
+  for (const Validated_pair& pair : validation.pairs()) {
+    const Labelled_model &a = set.models[pair.shapes[0]], &b = set.models[pair.shapes[1]];
+    scores.push_back({a.labels.category, a.folder + '/' + a.labels.name, b.folder + '/' + b.labels.name, score(pair)});
+  }
+  Evaluation_options options;
+  options.seed = std::uint64_t(common.seed);
+  return mean_scores(scores, options);
+}
+
+const Correspondence_score& geometric_score(const Validated_pair& pair) { return pair.scores[0]; }
+const Correspondence_score& confirmed_score(const Validated_pair& pair) { return pair.scores[1]; }
+const Correspondence_score& full_score(const Validated_pair& pair) { return pair.scores[2]; }
+const Correspondence_score& joined_score(const Validated_pair& pair) { return pair.joined; }
+
+std::vector<std::string> row(const std::string& name, const std::vector<const Mean_score*>& scores)
+{
+  std::vector<std::string> result{name, std::to_string(scores[0]->correspondences)};
+  for (const Mean_score* score : {scores.front(), scores.back()})
+    for (const Estimate* estimate : {&score->precision, &score->recall, &score->f1})
+      result.push_back(fixed(estimate->mean));
+  result.push_back(fixed(scores.back()->f1.mean - scores.front()->f1.mean));
+  for (std::size_t i = 1; i + 1 < scores.size(); ++i)
+    result.push_back(fixed(scores[i]->f1.mean));
+  return result;
+}
+
+// The methods of the columns: geometry alone, roles in other ways, roles as the matcher takes them.
+std::vector<Evaluation> evaluations(const Training_set& set, const Role_validation& validation,
+                                    const Common_options& common)
+{
+  std::vector<Evaluation> result;
+  for (const auto& score : {geometric_score, confirmed_score, full_score, joined_score})
+    result.push_back(mean_of(set, validation, score, common));
+  return result;
+}
+
+void print(const Training_set& set, const Role_validation& validation, const Common_options& common)
+{
+  const std::vector<Evaluation> methods = evaluations(set, validation, common);
+  const auto add_row = [&](const std::string& name, const auto& mean, std::vector<std::vector<std::string>>& rows) {
+    std::vector<const Mean_score*> scores;
+    for (const Evaluation& method : methods)
+      scores.push_back(&mean(method));
+    rows.push_back(row(name, scores));
+  };
+  std::vector<std::vector<std::string>> rows{
+      {"category", "pairs", "geometry P", "R", "F1", "with roles P", "R", "F1", "gain", "F1 confirm", "F1 full"}};
+  for (std::size_t c = 0; c < methods[0].categories.size(); ++c)
+    add_row(
+        methods[0].categories[c].first,
+        [c](const Evaluation& e) -> const Mean_score& { return e.categories[c].second; }, rows);
+  add_row(
+      "mean", [](const Evaluation& e) -> const Mean_score& { return e.mean; }, rows);
+  write_table(std::cout, rows);
+}
+
+IO::Json json_of(const Mean_score& score)
+{
+  IO::Json result;
+  for (const auto& [name, estimate] :
+       {std::pair("precision", score.precision), std::pair("recall", score.recall), std::pair("f1", score.f1)}) {
+    result[name]["mean"] = estimate.mean;
+    result[name]["low"] = estimate.low;
+    result[name]["high"] = estimate.high;
+  }
+  return result;
+}
+
+IO::Json json_of(const Training_set& set, const Role_validation& validation, const Common_options& common)
+{
+  const Evaluation geometry = mean_of(set, validation, geometric_score, common),
+                   joined = mean_of(set, validation, joined_score, common);
+  IO::Json result = IO::Json::array();
+  const auto add = [&](const std::string& category, const Mean_score& without, const Mean_score& with) {
+    IO::Json entry;
+    entry["category"] = category;
+    entry["pairs"] = without.correspondences;
+    if (category != "mean") entry["trust"] = name_of(validation.trust(category));
+    entry["geometry"] = json_of(without);
+    entry["with_roles"] = json_of(with);
+    result.push_back(std::move(entry));
+  };
+  for (std::size_t c = 0; c < geometry.categories.size(); ++c)
+    add(geometry.categories[c].first, geometry.categories[c].second, joined.categories[c].second);
+  add("mean", geometry.mean, joined.mean);
+  return result;
+}
+
+void evaluate(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
+{
+  check_outputs({common.json});
+  const Training_set set(folders, roles, common);
+  if (set.pairs.empty()) throw Invalid_input(folders[0] + ": it takes two shapes of a category to match any");
+  const Role_validation validation(set.shapes, set.pairs, left_out(roles.leave_out), roles.training);
+  write_output(common.json, [&](std::ostream& out) {
+    IO::Json document;
+    document["format"] = "shape_correspondence/role_evaluation";
+    document["version"] = 1;
+    document["left_out"] = roles.leave_out;
+    document["categories"] = json_of(set, validation, common);
+    document.write(out);
+  });
+  if (common.prints_table()) print(set, validation, common);
+}
+
+// What a model was learned from, and how good it is.
+IO::Json manifest(const Training_set& set, const Role_validation& validation, const Role_model& model,
+                  const Roles_options& roles, const Common_options& common)
+{
+  IO::Json result;
+  result["format"] = "shape_correspondence/role_manifest";
+  result["version"] = 1;
+  if (!roles.date.empty()) result["date"] = roles.date;
+  result["seed"] = roles.training.seed;
+  result["trees"] = roles.training.trees;
+  result["categories"] = IO::Json::array();
+  for (const std::string& category : model.categories()) {
+    IO::Json entry;
+    entry["category"] = category;
+    entry["trust"] = name_of(model.trust(category));
+    entry["roles"] = IO::Json(model.roles(category));
+    result["categories"].push_back(std::move(entry));
+  }
+  // Of shapes of either kind that the training did not see
+  if (!set.pairs.empty()) result["left_out_shapes"] = json_of(set, validation, common);
+  result["generated_shapes"] = set.models.size() - set.number_of_real;
+  result["shapes"] = IO::Json::array();
+  for (std::size_t i = 0; i < set.number_of_real; ++i) {
+    const IO::Labelled_shape& shape = set.models[i].labels;
+    IO::Json entry;
+    entry["category"] = shape.category;
+    entry["name"] = shape.name;
+    entry["source"] = shape.source;
+    entry["license"] = shape.license;
+    result["shapes"].push_back(std::move(entry));
+  }
+  return result;
+}
+
+void train(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
+{
+  if (roles.output.empty()) throw Usage_error("'roles train' needs --output MODEL");
+  check_outputs({roles.output, roles.manifest});
+  const Training_set set(folders, roles, common);
+  const Role_validation validation(set.shapes, set.pairs, Left_out::SHAPES, roles.training);
+  const Role_model model = validation.model();
+  IO::write_role_model(roles.output, model);
+  write_output(roles.manifest, [&](std::ostream& out) { manifest(set, validation, model, roles, common).write(out); });
+  if (common.prints_table() && roles.manifest != "-" && !set.pairs.empty()) print(set, validation, common);
+}
+
+std::string percentage(double probability)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f %%", 100 * probability);
+  return text;
+}
+
+void predict(const std::string& path, const Roles_options& roles, const Common_options& common)
+{
+  check_outputs({common.json});
+  const Loaded_shape shape = load_shape(path, common);
+  const auto model = roles.model.empty() ? IO::shipped_role_model()
+                                         : std::make_shared<const Role_model>(IO::read_role_model(roles.model));
+  const Part_roles found = part_roles(shape.graph, *model, roles.category);
+  if (found.category.empty())
+    throw Invalid_input(path + ": the shape is of no category that the role model knows; name one with --category");
+  const auto& parts = structure(shape.graph).parts;
+  std::vector<std::vector<std::string>> rows{{"part", "role", "probability"}};
+  IO::Json document;
+  document["format"] = "shape_correspondence/labels";
+  document["category"] = found.category;
+  document["parts"] = IO::Json::array();
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    Eigen::Index role = 0;
+    const double probability = found.probabilities.row(Eigen::Index(part)).maxCoeff(&role);
+    rows.push_back({parts[part].name, found.roles[std::size_t(role)], percentage(probability)});
+    IO::Json entry;
+    entry["name"] = parts[part].name;
+    entry["coarse"] = found.roles[std::size_t(role)];
+    entry["probability"] = probability;
+    document["parts"].push_back(std::move(entry));
+  }
+  write_output(common.json, [&](std::ostream& out) { document.write(out); });
+  if (!common.prints_table()) return;
+  std::cout << path << ": " << found.category << "\n\n";
+  write_table(std::cout, rows);
+}
+
+} // namespace
+
+void run_roles(const std::vector<std::string>& arguments)
+{
+  Common_options common;
+  Roles_options roles;
+  po::options_description options;
+  options.add(roles_options(roles, common)).add(model_options(common)).add(common_options(common));
+  const Arguments parsed = parse(arguments, options, 2, any_number);
+  if (parsed.help) {
+    std::cout << help_text << options;
+    return;
+  }
+  check(common);
+  check_at_least("trees", roles.training.trees, 1);
+  check_at_least("pairs", roles.pairs, 1);
+  roles.training.seed = std::uint64_t(common.seed);
+  const Thread_limit limit(common.threads);
+  const std::string action = parsed.inputs[0];
+  const std::vector<std::string> inputs(parsed.inputs.begin() + 1, parsed.inputs.end());
+  if (action == "train")
+    train(inputs, roles, common);
+  else if (action == "evaluate")
+    evaluate(inputs, roles, common);
+  else if (action == "predict" && inputs.size() == 1)
+    predict(inputs[0], roles, common);
+  else if (action == "predict")
+    throw Usage_error("'roles predict' takes one shape");
+  else
+    throw Usage_error("there is no 'roles " + action + "'; known are: train, evaluate, predict");
+}
+
+} // namespace CGAL::Shape_correspondence::cli

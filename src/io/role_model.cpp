@@ -1,0 +1,55 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/checked_file.h"
+#include "io/input_file.h"
+#include "io/shipped_roles.h"
+
+#include <CGAL/Shape_correspondence/IO/role_model.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <sstream>
+
+namespace CGAL::Shape_correspondence::IO {
+
+namespace {
+
+constexpr const char* title = "shape_correspondence role model";
+
+Role_model parsed(const std::string& file, const std::string& name)
+{
+  const std::optional<std::string> content = checked_content(file, title);
+  if (!content)
+    throw Invalid_input(name +
+                        ": it is not a role model, or it is damaged; `shape_correspondence roles train` makes one");
+  std::istringstream in(*content);
+  return Role_model::read(in, name);
+}
+
+} // namespace
+
+void write_role_model(const std::string& path, const Role_model& model)
+{
+  std::ostringstream content;
+  model.write(content);
+  write_checked_file(path, title, content.str());
+}
+
+Role_model read_role_model(const std::string& path)
+{
+  std::ifstream in = open_input(path);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return parsed(text.str(), path);
+}
+
+std::shared_ptr<const Role_model> shipped_role_model()
+{
+  static const auto model = std::make_shared<const Role_model>([] {
+    const std::string file(reinterpret_cast<const char*>(shipped_roles), shipped_roles_size);
+    return parsed(file, "the role model of the package");
+  }());
+  return model;
+}
+
+} // namespace CGAL::Shape_correspondence::IO

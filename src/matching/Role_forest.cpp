@@ -1,0 +1,183 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "matching/Role_forest.h"
+
+#include <algorithm>
+#include <array>
+#include <istream>
+#include <numeric>
+#include <ostream>
+#include <random>
+
+namespace CGAL::Shape_correspondence::internal {
+
+namespace {
+
+constexpr int tried_features = ROLE_FEATURE_COUNT / 3; // at each split
+constexpr int maximum_depth = 1000;                    // of a tree that is read: no more than a file may ask for
+
+using Random = std::mt19937_64; // the same numbers on all machines, unlike the distributions of the standard library
+
+// Between 0 and n - 1; the bias is n / 2^64.
+std::size_t random_below(std::size_t n, Random& random) { return std::size_t(random() % n); }
+
+} // namespace
+
+// Grows one tree.
+class Role_forest::Builder
+{
+public:
+  Builder(const std::vector<Role_example>& examples, int roles, std::uint64_t seed, std::vector<Node>& nodes)
+      : examples_(examples), random_(seed), nodes_(nodes), left_(std::size_t(roles)), right_(std::size_t(roles))
+  {
+    std::vector<std::uint32_t> all(examples.size());
+    std::iota(all.begin(), all.end(), 0);
+    grow(all.data(), all.data() + all.size());
+  }
+
+private:
+  using Iterator = std::uint32_t*;
+
+  struct Split
+  {
+    int feature = -1;
+    int value = 0;
+    double purity = -1; // sum over both sides of the squared weights of roles over the weight
+  };
+
+  const Role_example& example(std::uint32_t index) const { return examples_[index]; }
+
+  bool is_pure(Iterator begin, Iterator end) const
+  {
+    return std::all_of(begin, end, [&](std::uint32_t e) { return example(e).role == example(*begin).role; });
+  }
+
+  std::uint8_t heaviest_role(Iterator begin, Iterator end)
+  {
+    std::fill(left_.begin(), left_.end(), 0.);
+    for (Iterator e = begin; e != end; ++e)
+      left_[example(*e).role] += example(*e).weight;
+    return std::uint8_t(std::max_element(left_.begin(), left_.end()) - left_.begin());
+  }
+
+  static double purity(const std::vector<double>& weights)
+  {
+    double sum = 0, squares = 0;
+    for (double w : weights) {
+      sum += w;
+      squares += w * w;
+    }
+    return sum > 0 ? squares / sum : 0;
+  }
+
+  double purity(Iterator begin, Iterator end, int feature, int value)
+  {
+    std::fill(left_.begin(), left_.end(), 0.);
+    std::fill(right_.begin(), right_.end(), 0.);
+    for (Iterator e = begin; e != end; ++e) {
+      const Role_example& x = example(*e);
+      (x.features[std::size_t(feature)] <= value ? left_ : right_)[x.role] += x.weight;
+    }
+    return purity(left_) + purity(right_);
+  }
+
+  // The best of a few features that differ among the examples, each at a random threshold; none if none differs.
+  Split best_split(Iterator begin, Iterator end)
+  {
+    std::array<int, ROLE_FEATURE_COUNT> features;
+    std::iota(features.begin(), features.end(), 0);
+    Split best;
+    int tried = 0;
+    for (std::size_t left = features.size(); left > 0 && tried < tried_features; --left) {
+      std::swap(features[random_below(left, random_)], features[left - 1]);
+      const int feature = features[left - 1];
+      const auto [least, most] = std::minmax_element(begin, end, [&](std::uint32_t a, std::uint32_t b) {
+        return example(a).features[std::size_t(feature)] < example(b).features[std::size_t(feature)];
+      });
+      const int low = example(*least).features[std::size_t(feature)],
+                high = example(*most).features[std::size_t(feature)];
+      if (low == high) continue;
+      ++tried;
+      const int value = low + int(random_below(std::size_t(high - low), random_));
+      const double p = purity(begin, end, feature, value);
+      if (p > best.purity) best = {feature, value, p};
+    }
+    return best;
+  }
+
+  void grow(Iterator begin, Iterator end)
+  {
+    const std::size_t node = nodes_.size();
+    nodes_.push_back({leaf, 0});
+    const Split split = is_pure(begin, end) ? Split() : best_split(begin, end);
+    if (split.feature < 0) {
+      nodes_[node].value = heaviest_role(begin, end);
+      return;
+    }
+    const Iterator middle = std::partition(
+        begin, end, [&](std::uint32_t e) { return example(e).features[std::size_t(split.feature)] <= split.value; });
+    grow(begin, middle);
+    nodes_[node] = {std::uint8_t(split.feature), std::uint8_t(split.value), std::uint32_t(nodes_.size())};
+    grow(middle, end);
+  }
+
+  const std::vector<Role_example>& examples_;
+  Random random_;
+  std::vector<Node>& nodes_;
+  std::vector<double> left_, right_; // weights of roles
+};
+
+Role_forest::Role_forest(const std::vector<Role_example>& examples, int trees, std::uint64_t seed)
+{
+  int roles = 0;
+  for (const Role_example& example : examples)
+    roles = std::max(roles, example.role + 1);
+  for (int tree = 0; tree < trees; ++tree) {
+    roots_.push_back(std::uint32_t(nodes_.size()));
+    Builder(examples, roles, seed + std::uint64_t(tree), nodes_);
+  }
+}
+
+Eigen::MatrixXi Role_forest::votes(const Role_features& parts, int roles) const
+{
+  Eigen::MatrixXi result = Eigen::MatrixXi::Zero(parts.rows(), roles);
+  for (Eigen::Index part = 0; part < parts.rows(); ++part)
+    for (std::uint32_t node : roots_) {
+      while (nodes_[node].feature != leaf)
+        node = parts(part, nodes_[node].feature) <= nodes_[node].value ? node + 1 : nodes_[node].right;
+      ++result(part, nodes_[node].value);
+    }
+  return result;
+}
+
+void Role_forest::write(std::ostream& out) const
+{
+  for (const Node& node : nodes_) {
+    out.put(char(node.feature));
+    out.put(char(node.value));
+  }
+}
+
+bool Role_forest::read_subtree(std::istream& in, int roles, int depth)
+{
+  const int feature = in.get(), value = in.get();
+  if (!in || depth == maximum_depth) return false;
+  const std::size_t node = nodes_.size();
+  nodes_.push_back({std::uint8_t(feature), std::uint8_t(value)});
+  if (feature == leaf) return value < roles;
+  if (feature >= ROLE_FEATURE_COUNT || !read_subtree(in, roles, depth + 1)) return false;
+  nodes_[node].right = std::uint32_t(nodes_.size());
+  return read_subtree(in, roles, depth + 1);
+}
+
+bool Role_forest::read(std::istream& in, int trees, int roles)
+{
+  for (int tree = 0; tree < trees; ++tree) {
+    roots_.push_back(std::uint32_t(nodes_.size()));
+    if (!read_subtree(in, roles, 0)) return false;
+  }
+  return true;
+}
+
+} // namespace CGAL::Shape_correspondence::internal

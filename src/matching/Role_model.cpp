@@ -1,0 +1,249 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "matching/Role_model_data.h"
+#include "matching/Shape_roles.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <algorithm>
+#include <cmath>
+#include <istream>
+#include <limits>
+#include <ostream>
+#include <utility>
+
+namespace CGAL::Shape_correspondence {
+using namespace internal;
+
+namespace internal {
+
+namespace {
+
+constexpr double steps_per_deviation = 32; // of a standardised feature, a byte: it reaches over four deviations
+
+} // namespace
+
+std::size_t Role_model_data::index(const std::string& category) const
+{
+  const auto found =
+      std::find_if(categories.begin(), categories.end(), [&](const Category_roles& c) { return c.name == category; });
+  return std::size_t(found - categories.begin());
+}
+
+Role_distances::Role_distances(const std::vector<Category_roles>& categories)
+{
+  for (int feature = 0; feature < ROLE_FEATURE_COUNT; ++feature) {
+    double count = 0, sum = 0, squares = 0; // whole numbers: exact
+    for (const Category_roles& category : categories)
+      for (Eigen::Index i = 0; i < category.examples.rows(); ++i) {
+        const double value = category.examples(i, feature);
+        count += 1;
+        sum += value;
+        squares += value * value;
+      }
+    const double variance = count > 0 ? squares / count - (sum / count) * (sum / count) : 0;
+    scales_[std::size_t(feature)] = steps_per_deviation / std::sqrt(std::max(1., variance));
+  }
+  for (const Category_roles& category : categories)
+    examples_.push_back(standardised(category.examples));
+}
+
+Role_features Role_distances::standardised(const Role_features& parts) const
+{
+  Role_features result(parts.rows(), parts.cols());
+  for (Eigen::Index i = 0; i < parts.rows(); ++i)
+    for (Eigen::Index feature = 0; feature < ROLE_FEATURE_COUNT; ++feature)
+      result(i, feature) = std::uint8_t(
+          std::lround(std::clamp((parts(i, feature) - 127.) * scales_[std::size_t(feature)] + 127, 0., 255.)));
+  return result;
+}
+
+double Role_distances::mean_distance(const Role_features& parts, std::size_t category) const
+{
+  const Role_features queries = standardised(parts);
+  const Role_features& examples = examples_[category];
+  double sum = 0;
+  for (Eigen::Index i = 0; i < queries.rows(); ++i) {
+    const std::uint8_t* const query = &queries(i, 0);
+    int least = std::numeric_limits<int>::max();
+    for (Eigen::Index j = 0; j < examples.rows(); ++j) {
+      const std::uint8_t* const example = &examples(j, 0);
+      int distance = 0;
+      for (int feature = 0; feature < ROLE_FEATURE_COUNT; ++feature)
+        distance += std::abs(int(query[feature]) - int(example[feature]));
+      least = std::min(least, distance);
+    }
+    sum += least;
+  }
+  return sum / (double(queries.rows()) * ROLE_FEATURE_COUNT * steps_per_deviation);
+}
+
+Role_features given_role_features(const Structural_graph& graph)
+{
+  return role_features(graph, align_shape(graph, given_quarter_turns(structure(graph).frame)));
+}
+
+} // namespace internal
+
+Role_model::Role_model() : Role_model(Role_model_data()) {}
+
+Role_model::Role_model(Role_model_data data)
+    : data_(std::make_shared<Role_model_data>(std::move(data))),
+      distances_(std::make_shared<Role_distances>(data_->categories))
+{}
+
+namespace {
+
+const Category_roles& category_of(const Role_model_data& data, const std::string& name)
+{
+  const std::size_t index = data.index(name);
+  if (index < data.categories.size()) return data.categories[index];
+  std::string known;
+  for (const Category_roles& category : data.categories)
+    known += (known.empty() ? "" : ", ") + category.name;
+  throw Invalid_input("the role model does not have the category '" + name + "'; it has " +
+                      (known.empty() ? "none" : known));
+}
+
+// Numbers and texts one after the other, the least byte of a number first.
+class Binary_writer
+{
+public:
+  explicit Binary_writer(std::ostream& out) : out_(out) {}
+
+  void number(std::uint32_t value)
+  {
+    for (int shift = 0; shift < 32; shift += 8)
+      out_.put(char(value >> shift & 255));
+  }
+
+  void text(const std::string& value)
+  {
+    number(std::uint32_t(value.size()));
+    out_ << value;
+  }
+
+private:
+  std::ostream& out_;
+};
+
+class Binary_reader
+{
+public:
+  Binary_reader(std::istream& in, const std::string& name) : in_(in), name_(name) {}
+
+  [[noreturn]] void fail() const
+  {
+    throw Invalid_input(name_ + ": it is not a whole role model of this version; train it again, or get it again");
+  }
+
+  // \param most the largest value that it may have
+  std::uint32_t number(std::uint32_t most)
+  {
+    std::uint32_t value = 0;
+    for (int shift = 0; shift < 32; shift += 8)
+      value |= std::uint32_t(byte()) << shift;
+    if (value > most) fail();
+    return value;
+  }
+
+  std::string text()
+  {
+    constexpr std::uint32_t longest_text = 1000;
+    std::string value(number(longest_text), ' ');
+    for (char& c : value)
+      c = char(byte());
+    return value;
+  }
+
+  std::uint8_t byte()
+  {
+    const int value = in_.get();
+    if (!in_) fail();
+    return std::uint8_t(value);
+  }
+
+private:
+  std::istream& in_;
+  const std::string& name_;
+};
+
+constexpr const char* magic = "shape_correspondence roles 1";
+constexpr std::uint32_t most_trees = 1000, most_categories = 1000, most_examples = 1000000;
+
+} // namespace
+
+std::vector<std::string> Role_model::categories() const
+{
+  std::vector<std::string> result;
+  for (const Category_roles& category : data_->categories)
+    result.push_back(category.name);
+  return result;
+}
+
+const std::vector<std::string>& Role_model::roles(const std::string& category) const
+{
+  return category_of(*data_, category).roles;
+}
+
+Role_trust Role_model::trust(const std::string& category) const { return category_of(*data_, category).trust; }
+
+void Role_model::write(std::ostream& out) const
+{
+  Binary_writer write(out);
+  write.text(magic);
+  write.number(ROLE_FEATURE_COUNT);
+  write.number(std::uint32_t(data_->trees));
+  write.number(std::uint32_t(data_->categories.size()));
+  for (const Category_roles& category : data_->categories) {
+    write.text(category.name);
+    write.number(std::uint32_t(category.trust));
+    write.number(std::uint32_t(category.roles.size()));
+    for (const std::string& role : category.roles)
+      write.text(role);
+    category.forest.write(out);
+    write.number(std::uint32_t(category.examples.rows()));
+    out.write(reinterpret_cast<const char*>(category.examples.data()), std::streamsize(category.examples.size()));
+  }
+}
+
+Role_model Role_model::read(std::istream& in, const std::string& name)
+{
+  Binary_reader read(in, name);
+  if (read.text() != magic) read.fail();
+  if (read.number(ROLE_FEATURE_COUNT) != ROLE_FEATURE_COUNT) read.fail();
+  Role_model_data data;
+  data.trees = int(read.number(most_trees));
+  data.categories.resize(read.number(most_categories));
+  for (Category_roles& category : data.categories) {
+    category.name = read.text();
+    category.trust = Role_trust(read.number(std::uint32_t(Role_trust::FULL)));
+    category.roles.resize(read.number(maximum_roles));
+    for (std::string& role : category.roles)
+      role = read.text();
+    if (!category.forest.read(in, data.trees, int(category.roles.size()))) read.fail();
+    category.examples.resize(Eigen::Index(read.number(most_examples)), ROLE_FEATURE_COUNT);
+    for (Eigen::Index i = 0; i < category.examples.size(); ++i)
+      category.examples.data()[i] = read.byte();
+  }
+  return Role_model(std::move(data));
+}
+
+Part_roles part_roles(const Structural_graph& graph, const Role_model& model, const std::string& category)
+{
+  const Shape_roles shape(graph, model);
+  Part_roles result;
+  const std::size_t index = category.empty()
+                                ? category_of_pair(shape, shape, model.data()).index
+                                : std::size_t(&category_of(model.data(), category) - model.data().categories.data());
+  if (index == model.data().categories.size()) return result;
+  const Category_roles& known = model.data().categories[index];
+  result.category = known.name;
+  result.roles = known.roles;
+  result.probabilities = shape.votes(index).cast<double>() / double(model.data().trees);
+  result.distance = shape.distance(index);
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence

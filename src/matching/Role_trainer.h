@@ -1,0 +1,33 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "matching/Role_model_data.h"
+
+#include <string>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+// Learns roles from labelled shapes, as often as asked for: features are computed once.
+class Role_trainer
+{
+public:
+  // \throw Invalid_input if a shape or an option cannot be used
+  Role_trainer(const std::vector<Labelled_graph>& shapes, const Role_training_options& options);
+
+  const Role_features& features(std::size_t shape) const { return features_[shape]; }
+  // Sorted.
+  std::vector<std::string> categories() const;
+  // What the shapes of a category teach but those left out; without roles if none is left.
+  Category_roles category(const std::string& name, const std::vector<char>& is_left_out) const;
+  Role_model_data model() const;
+
+private:
+  const std::vector<Labelled_graph>& shapes_;
+  Role_training_options options_;
+  std::vector<Role_features> features_; // by shape
+};
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "structure/align_shapes.h"
+
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace CGAL::Shape_correspondence::internal {
+
+// What the role of a part is told from, in the unit box of the shape (each axis from 0 to 1 over its surface) unless it
+// says otherwise: x to its left, y up, z to its front. Left and right are alike.
+enum Role_feature : int {
+  ON_GROUND, // 1 or 0
+  LOWEST_HEIGHT,
+  HIGHEST_HEIGHT,
+  MIDDLE_HEIGHT,
+  EXTENT_UP, // along y
+  LOWEST_DEPTH,
+  HIGHEST_DEPTH,
+  MIDDLE_DEPTH,
+  EXTENT_DEPTH,        // along z
+  EXTENT_SIDEWAYS,     // along x
+  OFF_MIDDLE,          // of the middle of its box from the middle plane, over the half of the shape
+  FARTHEST_OFF_MIDDLE, // of its box
+  SPANS_MIDDLE,        // 1 or 0: reaches over both sides of the middle plane
+  DIAGONAL,            // of its box, over that of the shape's, in the common frame
+  HEIGHT,              // of its box, over the diagonal of the shape's, in the common frame
+  AREA,                // share of the surface of all parts
+  SECOND_SIDE,
+  THIRD_SIDE, // of its box, over the longest one, in the common frame
+  SECOND_LENGTH,
+  THIRD_LENGTH, // root of a principal variance, over the largest, in the common frame
+  SPREAD_SIDEWAYS,
+  SPREAD_UP,
+  SPREAD_DEPTH, // diagonal of the root of the covariance, of Frobenius norm 1
+  TILT_SIDEWAYS,
+  TILT_TO_FRONT,
+  TILT_LEVEL,     // what is off that diagonal: xy, yz, xz
+  RANK_IN_HEIGHT, // share of the parts whose middle is lower, ties count half
+  SIDEWAYS_OF_LARGEST,
+  UP_OF_LARGEST,
+  TO_FRONT_OF_LARGEST, // from the middle of the part of most area
+  SIDEWAYS_OF_NEIGHBOUR,
+  UP_OF_NEIGHBOUR,
+  TO_FRONT_OF_NEIGHBOUR, // the same, of those that it touches
+  SHARE_WITH_NEIGHBOUR,  // of its area in that of the two
+  SHAPE_WIDTH,
+  SHAPE_DEPTH, // w / (w + height), of the shape's box in the common frame
+  ROLE_FEATURE_COUNT
+};
+
+// A row a part, by its index in the structural graph; a byte a feature, so that rounding by a motion of the shape does
+// not show: 0 … 254 for 0 … 1, or for -1 … 1 of what has a sign.
+using Role_features = Eigen::Array<std::uint8_t, Eigen::Dynamic, ROLE_FEATURE_COUNT, Eigen::RowMajor>;
+
+// `shape`: of the graph, turned so that it looks to +z.
+Role_features role_features(const Structural_graph& graph, const Aligned_shape& shape);
+
+} // namespace CGAL::Shape_correspondence::internal
