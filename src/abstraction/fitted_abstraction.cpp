@@ -24,7 +24,7 @@ namespace {
 /// them, and a pebble hardly more than a point.
 bool is_layer(const Intrinsic_layout& layout, double thickness)
 {
-  const double most_depth = 0.3;         // over its width
+  const double most_depth = 0.28;        // over its width
   const double most_thickness = 2. / 3.; // of the part, over its length
   return layout.extents[2] < most_depth * layout.extents[1] && thickness < most_thickness * layout.extents[0];
 }
