@@ -3,10 +3,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs all experiments and writes their tables into one file, RESULTS.md.
 
-  results.py BUILD WORK RESULTS.md [--only peers,table3] [--further NAME=DATA]
+  results.py BUILD WORK RESULTS.md [--only peers,table3] [--further NAME=DATA] [--labelled DATA]
 
 BUILD is the build folder; WORK keeps the generated shapes, their graphs, tables and pictures. With --further the experiments that
-name no shapes, and need no special ones, run on another folder of labelled shapes, too. A table that WORK has already is not made again.
+name no shapes, and need no special ones, run on another folder of labelled shapes, too; --labelled names folders that roles are learned
+from, and evaluated on by leaving shapes out. A table that WORK has already is not made again.
 """
 import argparse
 import os
@@ -35,6 +36,11 @@ EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
     ("reliability", 0, "Confidences: how often pairs of a confidence are right"),
     ("worst", 0, "The twenty worst results"),
 ]
+ROLES = [("shapes", "the training sees neither shape of a pair"), ("sources", "the training sees no shape of either one's source"),
+         ("category", "the training sees nothing of the category")]
+ROLES_NOTE = ("The category is not told, and how far roles are trusted follows from pairs that share no shape with the one at hand. Geometry "
+              "is the same method\nwithout roles; its rules were set on some of these shapes. The last two columns have the category told, and the "
+              "same trust in all categories.")
 # They name shapes, or need large categories, closed surfaces or shapes made worse
 GENERATED_ONLY = ("gallery", "table1", "figure15", "worst", "figure17", "figure18", "figure19")
 # A check: shapes that nothing was chosen on, so only what says how good the methods are
@@ -59,6 +65,18 @@ def table(args, programs, data, further_data, name, pairs, out):
         return file.read().strip()
 
 
+def roles_table(args, generated, left_out, out):
+    path = os.path.join(out, f"roles_{left_out}.txt")
+    if not os.path.exists(path):
+        command = [os.path.join(args.build, "shape_correspondence"), "roles", "evaluate", *args.labelled, "--generated", generated,
+                   "--leave-out", left_out, "--cache", os.path.join(args.work, "cache")]
+        done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
+        with open(path, "w") as file:
+            file.write(done.stdout)
+    with open(path) as file:
+        return "\n".join("    " + line.rstrip() for line in file.read().rstrip().splitlines())
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build")
@@ -67,6 +85,7 @@ def main():
     parser.add_argument("--only", default="")
     parser.add_argument("--ways", default="segmentation,open,gaps,noise,scale,rotation", help="of making shapes worse, in Figure 18")
     parser.add_argument("--further", action="append", default=[])
+    parser.add_argument("--labelled", action="append", default=[])
     args = parser.parse_args()
     programs = os.path.join(args.build, "benchmark", "Shape_correspondence")
     generator = os.path.join(programs, "generate_models")
@@ -91,6 +110,13 @@ def main():
             words = ["experiments", name, "DATA", *(os.path.basename(w) for w in worse)] + (["--pairs", str(pairs)] if pairs else [])
             sections.append(f"## {title}: {set_name}\n\n`{' '.join(words)}`\n\n{text}\n")
             print(name, set_name, flush=True)
+    for left_out, title in ROLES if args.labelled and (not only or "roles" in only) else ():
+        out = os.path.join(args.work, "out")
+        os.makedirs(out, exist_ok=True)
+        text = roles_table(args, sets[0][1], left_out, out)
+        sections.append(f"## Matching with roles, {title}\n\n`shape_correspondence roles evaluate LABELLED... --generated benchmark "
+                        f"--leave-out {left_out}`\n\n{ROLES_NOTE}\n\n{text}\n")
+        print("roles", left_out, flush=True)
     with open(args.results, "w") as file:
         file.write("# Results of the experiments\n\nMade by `results.py`, which runs every command that is named below. P, R, F1: precision, "
                    "recall and F1 of pairs of parts;\nmeans of pairs by category, then of categories; the interval of the mean F1 is a bootstrap over "

@@ -3,7 +3,9 @@
 
 #include "cli/collection_options.h"
 #include "cli/command_line.h"
+#include "io/digest.h"
 
+#include <CGAL/Shape_correspondence/Role_model.h>
 #include <CGAL/Shape_correspondence/version.h>
 
 #include <sstream>
@@ -110,12 +112,18 @@ void check(Collection_options& options, const Common_options& common, const po::
     throw Usage_error("--cycle-support must be between 0 and 1");
 }
 
-std::string key_of(const Match_options& match, const Collection_options& options, const po::variables_map& values)
+std::string key_of(const Match_options& match, const Search_options& search, const Collection_options& options,
+                   const po::variables_map& values)
 {
   Match_options names = match; // for their names alone
   std::ostringstream key;
   key << CGAL_SHAPE_CORRESPONDENCE_VERSION << '/' << matching_version << '\n'
       << text_of(match_options(names), values) << std::hexfloat << "unmatched-energy=" << options.unmatched_energy;
+  if (search.roles) {
+    std::ostringstream roles;
+    search.roles->write(roles);
+    key << "roles=" << IO::digest(roles.str());
+  }
   return key.str();
 }
 

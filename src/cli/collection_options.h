@@ -32,7 +32,7 @@ void check(Collection_options& options, const Common_options& common,
            const boost::program_options::variables_map& values);
 
 /// All that energies and pairs depend on besides the shapes.
-std::string key_of(const Match_options& match, const Collection_options& options,
+std::string key_of(const Match_options& match, const Search_options& search, const Collection_options& options,
                    const boost::program_options::variables_map& values);
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -24,6 +24,13 @@ constexpr double steps_per_deviation = 32; // of a standardised feature, a byte:
 
 } // namespace
 
+double confidence(const Confidence_table& table, double same_role)
+{
+  const double step = same_role * double(table.size() - 1);
+  const std::size_t i = std::min(std::size_t(step), table.size() - 2);
+  return table[i] + (step - double(i)) * (table[i + 1] - table[i]);
+}
+
 std::size_t Role_model_data::index(const std::string& category) const
 {
   const auto found =
@@ -170,6 +177,7 @@ private:
 };
 
 constexpr const char* magic = "shape_correspondence roles 1";
+constexpr double confidence_unit = 1e-6; // in a file
 constexpr std::uint32_t most_trees = 1000, most_categories = 1000, most_examples = 1000000;
 
 } // namespace
@@ -195,6 +203,8 @@ void Role_model::write(std::ostream& out) const
   write.text(magic);
   write.number(ROLE_FEATURE_COUNT);
   write.number(std::uint32_t(data_->trees));
+  for (double confidence : data_->confidences)
+    write.number(std::uint32_t(std::lround(confidence / confidence_unit)));
   write.number(std::uint32_t(data_->categories.size()));
   for (const Category_roles& category : data_->categories) {
     write.text(category.name);
@@ -215,6 +225,8 @@ Role_model Role_model::read(std::istream& in, const std::string& name)
   if (read.number(ROLE_FEATURE_COUNT) != ROLE_FEATURE_COUNT) read.fail();
   Role_model_data data;
   data.trees = int(read.number(most_trees));
+  for (double& confidence : data.confidences)
+    confidence = read.number(std::uint32_t(std::lround(1 / confidence_unit))) * confidence_unit;
   data.categories.resize(read.number(most_categories));
   for (Category_roles& category : data.categories) {
     category.name = read.text();

@@ -26,10 +26,17 @@ struct Category_roles
 
 constexpr std::size_t maximum_roles = 255;
 
+// How often pairs of parts correspond by the probability that they have the same role: at 0, 0.1, … 1, linear in
+// between.
+using Confidence_table = std::array<double, 11>;
+constexpr Confidence_table uncalibrated_confidences{0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1};
+double confidence(const Confidence_table& table, double same_role);
+
 struct Role_model_data
 {
   std::vector<Category_roles> categories; // by name
   int trees = 0;                          // of every forest
+  Confidence_table confidences = uncalibrated_confidences;
 
   // The index of a category; `categories.size()` if there is none of the name.
   std::size_t index(const std::string& category) const;

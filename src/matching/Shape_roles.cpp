@@ -12,7 +12,7 @@ namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 // Set by cross-validation on labelled shapes, where they are flat; shares of the trees' votes.
-constexpr double least_same = 0.2;         // probability that a pair of the geometric match has the same role
+constexpr double least_agreement = 0.45;   // cosine of the votes for two parts that the geometric match pairs
 constexpr double least_certain = 0.35;     // product of the probabilities of a role that two parts are matched by
 constexpr double least_touched = 0.75;     // share of the parts of a role that have a pair in the geometric match
 constexpr double least_familiarity = 0.29; // of shapes with a category, see `familiarity()`
@@ -119,13 +119,18 @@ std::vector<std::string> likeliest_roles(const Eigen::MatrixXi& votes, const Cat
 }
 
 void join_roles(const Eigen::MatrixXi& source, const std::vector<std::size_t>& source_parts,
-                const Eigen::MatrixXi& target, const std::vector<std::size_t>& target_parts, int trees,
-                Role_trust trust, Part_matching& matching)
+                const Eigen::MatrixXi& target, const std::vector<std::size_t>& target_parts,
+                const Role_model_data& model, Role_trust trust, Part_matching& matching)
 {
   if (trust == Role_trust::NONE) return;
-  const double all = double(trees) * trees;
+  const double all = double(model.trees) * model.trees;
   const auto same = [&](std::size_t i, std::size_t j) {
     return source.row(Eigen::Index(source_parts[i])).dot(target.row(Eigen::Index(target_parts[j]))) / all;
+  };
+  const auto agree = [&](std::size_t i, std::size_t j) {
+    const auto a = source.row(Eigen::Index(source_parts[i])), b = target.row(Eigen::Index(target_parts[j]));
+    const double product = a.dot(b);
+    return product * product > least_agreement * least_agreement * (double(a.squaredNorm()) * b.squaredNorm());
   };
   Pair_matrix geometric =
       Pair_matrix::Constant(Eigen::Index(source_parts.size()), Eigen::Index(target_parts.size()), false);
@@ -134,7 +139,7 @@ void join_roles(const Eigen::MatrixXi& source, const std::vector<std::size_t>& s
 
   Pair_matrix joined = geometric;
   for (const Part_correspondence& pair : matching.pairs)
-    joined(Eigen::Index(pair.source), Eigen::Index(pair.target)) = same(pair.source, pair.target) > least_same;
+    joined(Eigen::Index(pair.source), Eigen::Index(pair.target)) = agree(pair.source, pair.target);
   if (trust == Role_trust::FULL) {
     const std::vector<int> source_roles = likeliest_roles(source, source_parts),
                            target_roles = likeliest_roles(target, target_parts);
@@ -154,7 +159,8 @@ void join_roles(const Eigen::MatrixXi& source, const std::vector<std::size_t>& s
   for (Eigen::Index i = 0; i < joined.rows(); ++i)
     for (Eigen::Index j = 0; j < joined.cols(); ++j)
       if (joined(i, j))
-        matching.pairs.push_back({std::size_t(i), std::size_t(j), same(std::size_t(i), std::size_t(j))});
+        matching.pairs.push_back(
+            {std::size_t(i), std::size_t(j), confidence(model.confidences, same(std::size_t(i), std::size_t(j)))});
 }
 
 } // namespace CGAL::Shape_correspondence::internal

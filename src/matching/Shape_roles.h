@@ -63,12 +63,12 @@ Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& tar
 std::vector<std::string> likeliest_roles(const Eigen::MatrixXi& votes, const Category_roles& category);
 
 // Joins the roles of parts with their geometric match, as far as they are trusted:
-// a pair of the match stays if its parts have the same role by more than `least_same`; in full trust, the parts that a
+// a pair of the match stays if the trees vote alike for its parts; in full trust, the parts that a
 // role is most likely for in one shape correspond to those in the other, all to all, or, where they are as many in
 // either shape and the match has a pair of nearly all of them, by the pairs of the match.
 // `source_parts`, `target_parts`: the rows of the votes that the parts of the match have.
 void join_roles(const Eigen::MatrixXi& source, const std::vector<std::size_t>& source_parts,
-                const Eigen::MatrixXi& target, const std::vector<std::size_t>& target_parts, int trees,
-                Role_trust trust, Part_matching& matching);
+                const Eigen::MatrixXi& target, const std::vector<std::size_t>& target_parts,
+                const Role_model_data& model, Role_trust trust, Part_matching& matching);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -9,7 +9,9 @@
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <algorithm>
-#include <memory>
+#include <cmath>
+#include <iterator>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -42,19 +44,65 @@ std::vector<std::size_t> indices_of(const Eigen::MatrixXi& votes)
   return result;
 }
 
-// By `Role_trust`.
-std::array<Correspondence_score, 3> scores(const Shape_roles& source, const Shape_roles& target,
-                                           const Role_model_data& model, std::size_t category,
-                                           const Part_matching& geometric, const Ground_truth& truth)
+// Matches by `Role_trust`.
+std::array<Part_matching, 3> matchings(const Shape_roles& source, const Shape_roles& target,
+                                       const Role_model_data& model, std::size_t category,
+                                       const Part_matching& geometric)
 {
-  std::array<Correspondence_score, 3> result;
-  result.fill(evaluate_correspondence(part_pairs(geometric.pairs), truth));
+  std::array<Part_matching, 3> result;
+  result.fill(geometric);
   if (category == model.categories.size()) return result;
   const Eigen::MatrixXi &a = source.votes(category), &b = target.votes(category);
-  for (Role_trust trust : {Role_trust::CONFIRM, Role_trust::FULL}) {
-    Part_matching joined = geometric;
-    join_roles(a, indices_of(a), b, indices_of(b), model.trees, trust, joined);
-    result[std::size_t(trust)] = evaluate_correspondence(part_pairs(joined.pairs), truth);
+  for (Role_trust trust : {Role_trust::CONFIRM, Role_trust::FULL})
+    join_roles(a, indices_of(a), b, indices_of(b), model, trust, result[std::size_t(trust)]);
+  return result;
+}
+
+std::array<Correspondence_score, 3> scores(const std::array<Part_matching, 3>& matchings, const Ground_truth& truth)
+{
+  std::array<Correspondence_score, 3> result;
+  for (std::size_t t = 0; t < result.size(); ++t)
+    result[t] = evaluate_correspondence(part_pairs(matchings[t].pairs), truth);
+  return result;
+}
+
+std::vector<Judged_pair> judged(const Part_matching& matching, const Ground_truth& truth)
+{
+  std::vector<Judged_pair> result;
+  for (const Part_correspondence& pair : matching.pairs)
+    result.push_back({pair.confidence, std::binary_search(truth.pairs.begin(), truth.pairs.end(),
+                                                          std::make_pair(pair.source, pair.target))});
+  return result;
+}
+
+// The nearest values that do not fall, by weighted squares (pool adjacent violators); a value of no weight is between
+// its neighbours'.
+Confidence_table isotonic(const Confidence_table& sums, const Confidence_table& weights)
+{
+  struct Pool
+  {
+    double sum, weight, at; // `at`: sum of weight times index
+  };
+  std::vector<Pool> pools;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (!(weights[i] > 0)) continue;
+    pools.push_back({sums[i], weights[i], weights[i] * double(i)});
+    for (std::size_t last = pools.size() - 1;
+         last > 0 && pools[last - 1].sum * pools[last].weight >= pools[last].sum * pools[last - 1].weight; --last) {
+      pools[last - 1] = {pools[last - 1].sum + pools[last].sum, pools[last - 1].weight + pools[last].weight,
+                         pools[last - 1].at + pools[last].at};
+      pools.pop_back();
+    }
+  }
+  Confidence_table result = uncalibrated_confidences;
+  for (std::size_t i = 0; i < result.size() && !pools.empty(); ++i) {
+    const auto place = [](const Pool& p) { return p.at / p.weight; };
+    const auto next = std::find_if(pools.begin(), pools.end(), [&](const Pool& p) { return place(p) >= double(i); });
+    const Pool &after = next == pools.end() ? pools.back() : *next,
+               &before = next == pools.begin() ? pools.front() : *std::prev(next);
+    const double from = place(before), to = place(after);
+    const double t = to > from ? std::clamp((double(i) - from) / (to - from), 0., 1.) : 0;
+    result[i] = before.sum / before.weight + t * (after.sum / after.weight - before.sum / before.weight);
   }
   return result;
 }
@@ -86,9 +134,12 @@ Role_validation::Role_validation(const std::vector<Validation_shape>& shapes, co
     const std::size_t told = model.data().index(source.labelled.category),
                       category = category_of_pair(a, b, model.data()).index;
     pairs_[i].shapes = pair;
-    pairs_[i].scores = scores(a, b, model.data(), told, geometric, truth);
+    const std::array<Part_matching, 3> as_told = matchings(a, b, model.data(), told, geometric);
+    pairs_[i].scores = scores(as_told, truth);
+    for (std::size_t t = 0; t < as_told.size(); ++t)
+      pairs_[i].judged[t] = judged(as_told[t], truth);
     if (category < model.data().categories.size()) pairs_[i].category = model.data().categories[category].name;
-    found[i] = category == told ? pairs_[i].scores : scores(a, b, model.data(), category, geometric, truth);
+    found[i] = category == told ? pairs_[i].scores : scores(matchings(a, b, model.data(), category, geometric), truth);
   });
   for (const Validated_pair& pair : pairs_)
     told_.push_back(pair.scores);
@@ -108,7 +159,29 @@ Role_model Role_validation::model() const
   Role_model_data result = all_;
   for (Category_roles& category : result.categories)
     category.trust = trust(category.name);
+  result.confidences = confidences();
   return Role_model(std::move(result));
+}
+
+// Of left-out pairs of shapes, of which each weighs the same within its category, and every category the same.
+Confidence_table Role_validation::confidences() const
+{
+  std::map<std::string, std::vector<const std::vector<Judged_pair>*>> by_category;
+  for (const Validated_pair& pair : pairs_) {
+    const std::string& category = shapes_[pair.shapes[0]].labelled.category;
+    const std::vector<Judged_pair>& judged = pair.judged[std::size_t(trust(category))];
+    if (trust(category) != Role_trust::NONE && !judged.empty()) by_category[category].push_back(&judged);
+  }
+  Confidence_table right{}, weights{};
+  for (const auto& [category, matches] : by_category)
+    for (const std::vector<Judged_pair>* match : matches)
+      for (const Judged_pair& pair : *match) {
+        const std::size_t i = std::size_t(std::lround(pair.same_role * double(weights.size() - 1)));
+        const double weight = 1 / double(matches.size() * match->size());
+        weights[i] += weight;
+        right[i] += pair.is_right ? weight : 0;
+      }
+  return isotonic(right, weights);
 }
 
 Role_trust Role_validation::trust(const std::string& category) const

@@ -34,13 +34,21 @@ enum class Left_out {
   CATEGORY // all of it
 };
 
+// A pair of parts that was matched: how probable it is that both have the same role, and whether it is right.
+struct Judged_pair
+{
+  double same_role;
+  bool is_right;
+};
+
 struct Validated_pair
 {
   Validation_pair shapes{};
-  std::array<Correspondence_score, 3> scores{}; // by `Role_trust`, where the category is told
-  std::string category;                         // as the matcher finds it; empty: none
-  Role_trust trust = Role_trust::NONE;          // in that category, by the pairs of other shapes
-  Correspondence_score joined;                  // as the matcher does it
+  std::array<Correspondence_score, 3> scores{};   // by `Role_trust`, where the category is told
+  std::array<std::vector<Judged_pair>, 3> judged; // the same
+  std::string category;                           // as the matcher finds it; empty: none
+  Role_trust trust = Role_trust::NONE;            // in that category, by the pairs of other shapes
+  Correspondence_score joined;                    // as the matcher does it
 };
 
 // Geometric matches and those with roles, of pairs that the training did not see. How far roles are trusted follows
@@ -59,6 +67,7 @@ public:
   Role_model model() const;
 
 private:
+  Confidence_table confidences() const;
   Role_trust trust(const std::string& category, const std::vector<char>& is_left_out) const;
 
   const std::vector<Validation_shape>& shapes_;

@@ -308,8 +308,7 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
   }
   const Category_roles& known = model.categories[category.index];
   const Eigen::MatrixXi &source = a->votes(category.index), &of_target = b->votes(category.index);
-  internal::join_roles(source, source_->original, of_target, aligned_target.original, model.trees, known.trust,
-                       matching);
+  internal::join_roles(source, source_->original, of_target, aligned_target.original, model, known.trust, matching);
   result.category = known.name;
   result.source_roles = likeliest_roles(source, known);
   result.target_roles = likeliest_roles(of_target, known);
