@@ -5,8 +5,10 @@
 
 // The experiments of the paper, and others, on folders of labelled shapes; tables as Markdown on standard output.
 
+#include "experiments/abstraction.h"
 #include "experiments/default_method.h"
 #include "experiments/energy.h"
+#include "experiments/gallery.h"
 #include "experiments/segmentations.h"
 #include "experiments/tables.h"
 #include "experiments/worst_results.h"
@@ -26,17 +28,23 @@ const char* const help_text =
 DATA holds CATEGORY/SHAPE/labels.json and CATEGORY/SHAPE/parts; `generate_models --benchmark DATA` makes one. All pairs
 of shapes of a category are matched, or those of DATA/pairs.json: [[CATEGORY, SOURCE, TARGET], ...].
 
-  table1       sizes of shapes and times of the search
+  gallery      Figures 1 and 9: correspondences by the paper's method; FOLDER/gallery.html
+  table1       sizes of shapes and times of the search, all pairs of the gallery
   table2       co-analysis: coarse precision of labels that are consistent over a category
   table3       precision and recall against Xu et al. 2012, and without symmetry
   peers        all methods side by side
   alignments   the least energy over all alignments, or for the one nearest to the given orientation
   figure4      the energy with each term switched off
-  figure10     energy against beam width, the proven optimum beside it; FOLDER/figure10.svg
+  figure10     energy against k and K, the proven optimum beside it; FOLDER/figure10_k.svg, FOLDER/figure10.svg
   figure11     coarse correspondences of the most prominent parts
+  figure13     correspondences by way of a third shape
+  figure14     medoids of the categories
+  figure15     what people say corresponds; FOLDER/figure15.html
+  figure16     the most prominent parts, beside Tevs et al. 2014
   figure17     automatic segmentations in place of one shape of every pair
   figure18     FURTHER_DATA made worse (generate_models --degrade): scores on each
   figure19     FURTHER_DATA segmented otherwise: energy against the quality of the correspondence
+  abstraction  the ways to abstract parts: deviation from what structure.json states, kinds, residual, scores, seconds
   ablation     the default method without each of its costs and rules; by halves of the shapes, too
   pose         the default method on shapes turned about the up axis
   reliability  how often pairs of a confidence are right; FOLDER/reliability.svg
@@ -58,7 +66,8 @@ Experiment of_data_alone(Function function)
 
 Experiment experiment(const std::string& name)
 {
-  const std::map<std::string, Experiment> experiments{{"table1", of_data_alone(table1)},
+  const std::map<std::string, Experiment> experiments{{"gallery", gallery},
+                                                      {"table1", of_data_alone(table1)},
                                                       {"table2", of_data_alone(table2)},
                                                       {"table3", of_data_alone(table3)},
                                                       {"peers", of_data_alone(compare_peers)},
@@ -66,9 +75,14 @@ Experiment experiment(const std::string& name)
                                                       {"figure4", of_data_alone(figure4)},
                                                       {"figure10", figure10},
                                                       {"figure11", of_data_alone(figure11)},
+                                                      {"figure13", of_data_alone(figure13)},
+                                                      {"figure14", of_data_alone(figure14)},
+                                                      {"figure15", figure15},
+                                                      {"figure16", of_data_alone(figure16)},
                                                       {"figure17", figure17},
                                                       {"figure18", figure18},
                                                       {"figure19", figure19},
+                                                      {"abstraction", of_data_alone(compare_abstractions)},
                                                       {"ablation", of_data_alone(ablation)},
                                                       {"pose", of_data_alone(pose)},
                                                       {"reliability", reliability},

@@ -15,15 +15,22 @@ import subprocess
 
 EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
     ("peers", 45, "All methods side by side, in the same run"),
-    ("table1", 0, "Table 1: sizes of shapes and times of the search; the smallest and the largest pair of each category"),
+    ("gallery", 0, "Figures 1 and 9: a gallery, by the paper's method"),
+    ("table1", 0, "Table 1: sizes of shapes and times of the search; the pairs of the gallery"),
     ("table2", 0, "Table 2: co-analysis, coarse precision"),
     ("table3", 20, "Table 3: against Xu et al. 2012, and without symmetry"),
+    ("alignments", 0, "Flips: the least energy over all alignments, and for the nearest one"),
     ("figure4", 20, "Figure 4: the energy with each term switched off"),
-    ("figure10", 8, "Figure 10: energy against beam width, and the proven least energy"),
+    ("figure10", 8, "Figure 10: energy against k and K, and the proven least energy"),
     ("figure11", 20, "Figure 11: coarse correspondences of the most prominent parts"),
+    ("figure13", 0, "Figure 13: by way of a third shape, by the paper's energy"),
+    ("figure14", 0, "Figure 14: medoids by the paper's energy"),
+    ("figure15", 0, "Figure 15: ground truth of the gallery"),
+    ("figure16", 20, "Figure 16: the most prominent parts"),
     ("figure17", 20, "Figure 17: automatic segmentations of the targets"),
     ("figure18", 15, "Figure 18: uneven segmentations, and shapes made worse in other ways"),
     ("figure19", 8, "Figure 19: quality of the segmentation against energy"),
+    ("abstraction", 20, "The ways to abstract parts: off from what the generator states, and F1 of the matching that follows"),
     ("ablation", 0, "The default method without each of its costs and rules"),
     ("pose", 0, "Shapes turned about the up axis"),
     ("reliability", 0, "Confidences: how often pairs of a confidence are right"),
@@ -35,7 +42,7 @@ ROLES_NOTE = ("The category is not told, and how far roles are trusted follows f
               "is the same method\nwithout roles; its rules were set on some of these shapes. The last two columns have the category told, and the "
               "same trust in all categories.")
 # They name shapes, or need large categories, closed surfaces or shapes made worse
-GENERATED_ONLY = ("table1", "worst", "figure17", "figure18", "figure19")
+GENERATED_ONLY = ("gallery", "table1", "figure15", "worst", "figure17", "figure18", "figure19")
 # A check: shapes that nothing was chosen on, so only what says how good the methods are
 DRAWN, DRAWN_SEED, OF_DRAWN = "shapes of drawn styles", 101, ("peers", "reliability")
 

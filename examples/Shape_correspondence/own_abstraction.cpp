@@ -17,7 +17,7 @@ struct Straight_legs
 {
   SC::Part_abstraction operator()(const SC::Shape_part& part, const SC::Abstraction_options& options) const
   {
-    if (part.name.rfind("leg", 0) != 0) return SC::Skeleton_abstraction()(part, options);
+    if (part.name.rfind("leg", 0) != 0) return SC::Fitted_abstraction()(part, options);
     const SC::Point low = part.mesh.points.rowwise().minCoeff(), high = part.mesh.points.rowwise().maxCoeff();
     int axis = 0;
     (high - low).maxCoeff(&axis);

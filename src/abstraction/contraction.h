@@ -127,9 +127,9 @@ inline void add_attraction(const Contracting_mesh& input, const Flow_weights& we
 }
 
 /// One implicit step of the flow: the vertices' new places minimise the squared Laplacians, with cotangent weights,
-/// plus the squared distances from their old places and from their poles, as long as those are inside. The library's
-/// own step gives the same but takes far longer: it computes poles by an exact Voronoi diagram and tests each twice a
-/// step.
+/// plus the squared distances from their old places and from their poles, as long as those are inside. The step of CGAL
+/// solves the same equations, but it takes poles from an exact Voronoi diagram and tests each twice a step, which takes
+/// longer.
 inline Points contracted(const Contracting_mesh& input, const Flow_weights& weights)
 {
   Points result = input.mesh.points;

@@ -19,6 +19,9 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
+/// Of a skeleton, what a curve covers that is not branching.
+constexpr double least_coverage = 0.8;
+
 /// A curve taken from a skeleton.
 struct Fitted_curve
 {
@@ -252,39 +255,70 @@ inline Curve main_path(const Spatial_graph_view& graph)
   return cycle.empty() ? to_curve(graph, longest_path(graph), false) : to_curve(graph, cycle, true);
 }
 
-/// \param axis the medial poles of the vertices of `solid`
-/// \param solid the closed mesh that the skeleton is of
-inline Fitted_curve fit_curve(const Spatial_graph& skeleton, const Points& axis, const Part_mesh& solid,
-                              int control_points)
+/// A path of a skeleton, smoothed and finely sampled.
+struct Skeleton_path
+{
+  Fitted_curve fitted;
+  int turns = 0; ///< full ones
+};
+
+/// Control points of a curve: segments between few points would cut bends.
+inline int number_of_points(int control_points, int turns) { return control_points * (1 + turns); }
+
+/// \return without a curve if nothing is left of the skeleton
+inline Skeleton_path skeleton_path(const Spatial_graph& skeleton, const Nearest_points& surface, int control_points)
 {
   const int samples = 4;     // for a control point
   const double nearly = 0.1; // of a full turn
-  const Nearest_points surface(solid.points);
   Spatial_graph_view graph(skeleton);
   prune(graph, surface);
-  Fitted_curve result;
+  Skeleton_path result;
   const Curve path = main_path(graph);
   if (path.points.cols() < 2) {
     return result;
   }
-  result.coverage = std::min(1., arc_lengths(path).back() / graph.total_length());
-  Curve curve = smoothed(path, samples * control_points);
+  result.fitted.coverage = std::min(1., arc_lengths(path).back() / graph.total_length());
+  Curve& curve = result.fitted.curve;
+  curve = smoothed(path, samples * control_points);
   const double angle = turning({sample(curve, control_points), path.closed});
-  const int turns = static_cast<int>(angle / (2 * EIGEN_PI) + nearly);
-  if (turns > 0) { // segments between few points would cut the bends
-    control_points *= 1 + turns;
-    curve = smoothed(path, samples * control_points);
+  result.turns = static_cast<int>(angle / (2 * EIGEN_PI) + nearly);
+  if (result.turns > 0) {
+    curve = smoothed(path, samples * number_of_points(control_points, result.turns));
   }
-  result.residual = skeleton_residual(graph, curve);
+  result.fitted.residual = skeleton_residual(graph, curve);
+  return result;
+}
+
+/// The curve of a skeleton as it is. \param solid the closed mesh that the skeleton is of
+inline Fitted_curve skeleton_curve(const Spatial_graph& skeleton, const Part_mesh& solid, int control_points)
+{
+  auto [result, turns] = skeleton_path(skeleton, Nearest_points(solid.points), control_points);
+  if (result.curve.points.cols() > 0) {
+    result.curve.points = sample(result.curve, number_of_points(control_points, turns));
+  }
+  return result;
+}
+
+/// The same, but extended to the surface, and where it is bent, moved to the middle of the medial axis.
+/// \param axis the medial poles of the vertices of `solid`
+inline Fitted_curve fit_curve(const Spatial_graph& skeleton, const Points& axis, const Part_mesh& solid,
+                              int control_points)
+{
+  const Nearest_points surface(solid.points);
+  auto [result, turns] = skeleton_path(skeleton, surface, control_points);
+  Curve& curve = result.curve;
+  if (curve.points.cols() == 0) {
+    return result;
+  }
   if (turns > 0) { // the flow draws bends inwards
     centre(curve, axis, solid.points);
   }
-  if (!path.closed) {
+  if (!curve.closed) {
     const Inside_test is_inside(solid);
     extend_end(curve, false, surface, is_inside);
     extend_end(curve, true, surface, is_inside);
   }
-  result.curve = {sample(curve, control_points), path.closed};
+  curve.points = sample(curve, number_of_points(control_points, turns));
   return result;
 }
 

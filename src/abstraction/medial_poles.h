@@ -70,19 +70,11 @@ inline Points medial_poles(const Part_mesh& mesh)
 inline Spatial_graph medial_graph(const Part_mesh& mesh)
 {
   const Inside_test is_inside(mesh);
-  Spatial_graph result;
+  Spatial_graph result = edge_graph(mesh);
   result.points = medial_poles(mesh);
   for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
     if (!is_inside(result.points.col(v))) {
       result.points.col(v) = mesh.points.col(v);
-    }
-  }
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      // Every edge has a halfedge of either direction.
-      if (mesh.triangles(k, t) < mesh.triangles((k + 1) % 3, t)) {
-        result.edges.emplace_back(mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t));
-      }
     }
   }
   return result;

@@ -124,8 +124,10 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
       return false;
     }
     std::vector<Halfedge_mesh::Face_index> patch;
-    PMP::triangulate_hole(filled, h, std::back_inserter(patch),
-                          CGAL::parameters::use_2d_constrained_delaunay_triangulation(true));
+    // The search in a 3D Delaunay triangulation does not always fill the same hole alike
+    const auto parameters =
+        CGAL::parameters::use_2d_constrained_delaunay_triangulation(true).use_delaunay_triangulation(false);
+    PMP::triangulate_hole(filled, h, std::back_inserter(patch), parameters);
   }
   if (!CGAL::is_closed(filled) || PMP::does_self_intersect(filled)) {
     return false;

@@ -24,6 +24,7 @@ struct Revolution_axis
   Point direction;
   double height = 0;      ///< of most of the surface, without thin axles
   double slenderness = 0; ///< the height over the diameter of most of the surface
+  double deviation = 0;   ///< how far turning carries the surface off itself, over the largest radius
 
   /// The part of the axis that is inside the extents of points.
   Curve curve(const Points& points, int control_points) const
@@ -89,7 +90,7 @@ inline std::optional<Revolution_axis> revolution_axis(const Points& surface, dou
       least = std::max(0., deviation - gap * spacing) / radii.maxCoeff();
       const double few = 0.1; // share of the points that are left out at either end
       const double height = quantile(heights, 1 - few) - quantile(heights, few);
-      result = {centre, direction, height, height / (2 * quantile(radii, 1 - few))};
+      result = {centre, direction, height, height / (2 * quantile(radii, 1 - few)), least};
     }
   }
   return result;

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -36,23 +37,25 @@ Area_and_volume measure(const Part_mesh& mesh)
   return result;
 }
 
-/// The library's flow, whose mesh moves by our own step.
 } // namespace
 
 class Stepwise_flow::State
 {
 public:
-  State(const Part_mesh& mesh, int iterations, const Deadline& deadline)
-      : most_iterations_(iterations),
+  State(const Part_mesh& mesh, Contraction contraction, int iterations, const Deadline& deadline)
+      : contraction_(contraction),
+        most_iterations_(iterations),
         deadline_(&deadline),
         flow_(to_halfedge_mesh(mesh)),
         original_vertices_(static_cast<std::size_t>(mesh.points.cols())),
         original_(measure(mesh)),
         current_(original_)
   {
-    const Points poles = medial_poles(mesh);
-    for (auto v : vertices(moving_mesh())) {
-      v->pole = to_mesh_point(poles.col(static_cast<Eigen::Index>(v->vertices.front().idx())));
+    if (contraction_ == Contraction::NEAREST_POLES) {
+      const Points poles = medial_poles(mesh);
+      for (auto v : vertices(flow_mesh())) {
+        v->pole = to_mesh_point(poles.col(static_cast<Eigen::Index>(v->vertices.front().idx())));
+      }
     }
   }
 
@@ -62,20 +65,28 @@ public:
       throw Flow_failure("the flow needs more iterations than allowed");
     }
     ++iterations_;
-    contract();
+    if (contraction_ == Contraction::CGAL) {
+      flow_.contract_geometry();
+    } else {
+      contract_to_nearest_poles();
+    }
     deadline_->check();
     flow_.collapse_edges();
     deadline_->check();
     flow_.split_faces();
     deadline_->check();
     flow_.detect_degeneracies();
-    if (mesh().size_of_vertices() < 4) {
+    if (flow_mesh().size_of_vertices() < 4) {
       throw Flow_failure("the flow collapses the part to a point");
     }
     // As in the library's own convergence test
     const double smallest_change = 1e-4;
     const double last_area = current_.area;
-    current_ = measure(arrays().mesh);
+    const Part_mesh now = mesh();
+    if (!now.points.allFinite()) {
+      throw Flow_failure("the equations of the flow have no solution");
+    }
+    current_ = measure(now);
     converged_ = std::abs(current_.area - last_area) < smallest_change * original_.area;
   }
 
@@ -83,7 +94,28 @@ public:
   int iterations() const { return iterations_; }
   double area_kept() const { return current_.area / original_.area; }
   double volume_kept() const { return original_.volume > 0 ? current_.volume / original_.volume : 0; }
-  const Flow_mesh& mesh() const { return flow_.meso_skeleton(); }
+
+  Part_mesh mesh() const
+  {
+    Part_mesh result;
+    result.points.resize(3, static_cast<Eigen::Index>(flow_mesh().size_of_vertices()));
+    result.triangles.resize(3, static_cast<Eigen::Index>(flow_mesh().size_of_facets()));
+    std::unordered_map<std::size_t, int> index;
+    for (auto v : vertices(flow_mesh())) {
+      const int i = static_cast<int>(index.size());
+      index[v->id()] = i;
+      result.points.col(i) = to_point(v->point());
+    }
+    Eigen::Index t = 0;
+    for (auto f : faces(flow_mesh())) {
+      int k = 0;
+      for (auto v : CGAL::vertices_around_face(halfedge(f, flow_mesh()), flow_mesh())) {
+        result.triangles(k++, t) = index.at(v->id());
+      }
+      ++t;
+    }
+    return result;
+  }
 
   Spatial_graph curve_skeleton()
   {
@@ -101,47 +133,37 @@ public:
   }
 
 private:
-  /// The flow shows its mesh for reading only, but every step between its own is ours.
-  Flow_mesh& moving_mesh() { return const_cast<Flow_mesh&>(flow_.meso_skeleton()); }
+  /// Its descriptors, like those of every face graph of CGAL, give access to what they describe, so that vertices can
+  /// be moved between the steps of the flow.
+  const Flow_mesh& flow_mesh() const { return flow_.meso_skeleton(); }
 
-  Contracting_mesh arrays() const
+  Contracting_mesh contracting_mesh() const
   {
     Contracting_mesh result;
-    const auto n = static_cast<Eigen::Index>(mesh().size_of_vertices());
-    result.mesh.points.resize(3, n);
-    result.mesh.triangles.resize(3, static_cast<Eigen::Index>(mesh().size_of_facets()));
-    result.poles.setConstant(3, n, std::numeric_limits<double>::quiet_NaN());
-    std::unordered_map<std::size_t, int> index;
-    for (auto v : vertices(mesh())) {
-      const auto i = static_cast<Eigen::Index>(index.size());
-      index[v->id()] = static_cast<int>(i);
-      result.mesh.points.col(i) = to_point(v->point());
+    result.mesh = mesh();
+    result.poles.setConstant(3, result.mesh.points.cols(), std::numeric_limits<double>::quiet_NaN());
+    Eigen::Index i = 0;
+    for (auto v : vertices(flow_mesh())) {
       result.fixed.push_back(v->is_fixed);
       // Vertices that splits have made have no pole.
       if (v->id() < original_vertices_) {
         result.poles.col(i) = to_point(v->pole);
       }
-    }
-    Eigen::Index t = 0;
-    for (auto f : faces(mesh())) {
-      int k = 0;
-      for (auto v : CGAL::vertices_around_face(halfedge(f, mesh()), mesh())) {
-        result.mesh.triangles(k++, t) = index.at(v->id());
-      }
-      ++t;
+      ++i;
     }
     return result;
   }
 
-  void contract()
+  void contract_to_nearest_poles()
   {
-    const Points moved = contracted(arrays(), Flow_weights());
+    const Points moved = contracted(contracting_mesh(), Flow_weights());
     Eigen::Index i = 0;
-    for (auto v : vertices(moving_mesh())) {
+    for (auto v : vertices(flow_mesh())) {
       v->point() = to_mesh_point(moved.col(i++));
     }
   }
 
+  Contraction contraction_;
   int most_iterations_;
   const Deadline* deadline_;
   Flow flow_;
@@ -152,8 +174,8 @@ private:
   bool converged_ = false;
 };
 
-Stepwise_flow::Stepwise_flow(const Part_mesh& mesh, int iterations, const Deadline& deadline)
-    : state_(std::make_unique<State>(mesh, iterations, deadline))
+Stepwise_flow::Stepwise_flow(const Part_mesh& mesh, Contraction contraction, int iterations, const Deadline& deadline)
+    : state_(std::make_unique<State>(mesh, contraction, iterations, deadline))
 {}
 
 Stepwise_flow::~Stepwise_flow() = default;
@@ -175,6 +197,8 @@ void Stepwise_flow::run_to_convergence()
 int Stepwise_flow::iterations() const { return state_->iterations(); }
 
 double Stepwise_flow::area_kept() const { return state_->area_kept(); }
+
+Part_mesh Stepwise_flow::meso_skeleton() const { return state_->mesh(); }
 
 Spatial_graph Stepwise_flow::curve_skeleton() { return state_->curve_skeleton(); }
 

@@ -13,12 +13,18 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
+/// What moves the vertices in a step of the flow.
+enum class Contraction {
+  CGAL,         ///< `CGAL::Mean_curvature_flow_skeletonization`, as it is
+  NEAREST_POLES ///< `contracted()`: the same equations, poles found by shrinking balls, which is faster
+};
+
 /// The mean curvature flow of one closed mesh (Tagliasacchi et al. 2012), run step by step.
 class Stepwise_flow
 {
 public:
   /// \param iterations the flow fails that needs more
-  Stepwise_flow(const Part_mesh& mesh, int iterations, const Deadline& deadline);
+  Stepwise_flow(const Part_mesh& mesh, Contraction contraction, int iterations, const Deadline& deadline);
   ~Stepwise_flow();
   Stepwise_flow(const Stepwise_flow&) = delete;
   Stepwise_flow& operator=(const Stepwise_flow&) = delete;
@@ -32,6 +38,8 @@ public:
   int iterations() const;
   /// Area of the meso-skeleton over that of the mesh.
   double area_kept() const;
+  /// What the flow has made of the mesh so far.
+  Part_mesh meso_skeleton() const;
   /// \pre the flow has converged
   Spatial_graph curve_skeleton();
 

@@ -12,6 +12,21 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
+Spatial_graph edge_graph(const Part_mesh& closed)
+{
+  Spatial_graph result;
+  result.points = closed.points;
+  for (Eigen::Index t = 0; t < closed.triangles.cols(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = closed.triangles(k, t), b = closed.triangles((k + 1) % 3, t);
+      if (a < b) { // every edge has a halfedge of either direction
+        result.edges.emplace_back(a, b);
+      }
+    }
+  }
+  return result;
+}
+
 Spatial_graph_view::Spatial_graph_view(const Spatial_graph& graph)
     : points_(&graph.points), graph_(static_cast<std::size_t>(graph.points.cols()))
 {

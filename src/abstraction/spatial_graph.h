@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/range/iterator_range.hpp>
@@ -20,6 +21,9 @@ struct Spatial_graph
   Points points;
   std::vector<std::pair<int, int>> edges;
 };
+
+/// The vertices and edges of a closed mesh.
+Spatial_graph edge_graph(const Part_mesh& closed);
 
 /// Adjacency, distances and paths of a graph whose edges can be removed.
 class Spatial_graph_view

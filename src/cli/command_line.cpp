@@ -82,11 +82,15 @@ po::options_description model_options(Common_options& options)
       "keep structural graphs in this folder, and take them from there when the model and the options are the same");
   add("segment", po::bool_switch(&options.segment),
       "make parts of a model that has only one: its components, and segments by the shape diameter function");
-  add("abstraction", po::value<std::string>()->value_name("METHOD")->default_value("skeleton")->notifier([&](auto& m) {
-    check_word("abstraction", m, {"skeleton", "boxes"});
+  add("abstraction", po::value<std::string>()->value_name("METHOD")->default_value("fitted")->notifier([&](auto& m) {
+    check_word("abstraction", m, {"flow", "fitted", "boxes"});
+    if (m == "flow") abstraction.abstractor = Mean_curvature_abstraction();
     if (m == "boxes") abstraction.abstractor = Bounding_box_abstraction();
   }),
-      "how parts become curves and sheets: skeleton (mean curvature flow) or boxes (bounding boxes: rough, at once)");
+      "how parts become curves and sheets: flow (mean curvature flow alone: converged for curves, stopped for sheets), "
+      "fitted (curves by the flow, sheets on the medial axis, axes of round parts and blocks) or boxes (bounding "
+      "boxes: "
+      "rough, at once)");
   add("kind",
       po::value<std::string>()->value_name("KIND")->default_value("auto")->notifier(
           [&](const std::string& word) { abstraction.kind = parse_kind("kind", word); }),
@@ -100,7 +104,7 @@ po::options_description model_options(Common_options& options)
   add("triangles", number(abstraction.triangles)->value_name("N"),
       "about how many triangles the remeshed part may have; its edges are longer if need be");
   add("stop-volume", number(abstraction.stop_volume)->value_name("X"),
-      "whether a part is hollow shows when the flow has left this fraction of its volume");
+      "fraction of the volume at which the flow shows sheets, and whether a part is hollow");
   add("max-iterations", number(abstraction.maximum_iterations)->value_name("N"),
       "steps of the flow; the bounding box stands in for a part that needs more");
   add("time-limit", number(abstraction.time_limit)->value_name("SECONDS"),

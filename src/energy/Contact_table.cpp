@@ -3,6 +3,7 @@
 
 #include "energy/Contact_table.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
@@ -25,7 +26,9 @@ void Matching_problem::Contact_table::list(std::size_t contact)
       touching_[side].push_back(problem_.touching(contact, side, label));
   }
   known_.assign(count_[0] * count_[1], none);
-  first_piece_rods_ = piece_rods_.size();
+  for (int side : {0, 1})
+    list_ends(side);
+  rods_of_ends_.assign(ends_[0].size() * ends_[1].size(), nullptr);
   for (std::size_t a = 0; a < touching_[0].size(); ++a)
     for (std::size_t b = 0; b < touching_[1].size(); ++b) {
       const std::size_t before = compared_.size();
@@ -50,7 +53,7 @@ void Matching_problem::Contact_table::compute(std::vector<Rod_energy>& result)
   comparisons_.clear();
   counts_.clear();
   compared_.clear();
-  piece_rods_.clear();
+  piece_rods_in_use_ = 0;
 }
 
 void Matching_problem::Contact_table::list(const Range& first, const Range& second)
@@ -94,7 +97,7 @@ std::uint32_t Matching_problem::Contact_table::comparison(std::uint32_t a, std::
     pairs_.push_back({a, b, none});
   }
   comparisons_.emplace_back(); // and filled there: the copy of a new one would stall on its parts just written
-  comparisons_.back().rods = &rods(first, second);
+  comparisons_.back().rods = &rods(a, b);
   comparisons_.back().next = std::exchange(pairs_[pair].comparison, known);
   return known;
 }
@@ -120,22 +123,33 @@ void Matching_problem::Contact_table::compare()
   pairs_.clear();
 }
 
-const Structural_rods& Matching_problem::Contact_table::rods(const Fitted& first, const Fitted& second)
+void Matching_problem::Contact_table::list_ends(int side)
 {
-  if (first.source.is_whole() && second.source.is_whole()) return problem_.rods(contact_, first.lifted, second.lifted);
-  const Eigen::Index n = Eigen::Index(first.order->size()), m = Eigen::Index(second.order->size());
-  for (std::size_t i = first_piece_rods_; i < piece_rods_.size(); ++i) {
-    const Piece_rods& known = piece_rods_[i];
-    if (known.first == first.source_index && known.second == second.source_index && known.counts[0] == n &&
-        known.counts[1] == m)
-      return known.rods;
+  ends_[side].clear();
+  end_of_[side].clear();
+  for (std::size_t i = begin_[side]; i < begin_[side] + count_[side]; ++i) {
+    const Rod_end end{fitted_[i].source_index, Eigen::Index(fitted_[i].order->size())};
+    const auto known = std::find_if(ends_[side].begin(), ends_[side].end(), [&](const Rod_end& other) {
+      return other.source_index == end.source_index && other.count == end.count;
+    });
+    end_of_[side].push_back(std::size_t(known - ends_[side].begin()));
+    if (known == ends_[side].end()) ends_[side].push_back(end);
   }
-  piece_rods_.push_back({first.source_index,
-                         second.source_index,
-                         {n, m},
-                         Structural_rods(lifted_samples(fitted_.source_piece(first.source_index), n),
-                                         lifted_samples(fitted_.source_piece(second.source_index), m))});
-  return piece_rods_.back().rods;
+}
+
+const Structural_rods& Matching_problem::Contact_table::rods(std::uint32_t a, std::uint32_t b)
+{
+  const Fitted &first = fitted_[a], &second = fitted_[b];
+  if (first.source.is_whole() && second.source.is_whole()) return problem_.rods(contact_, first.lifted, second.lifted);
+  const std::size_t i = end_of_[0][a - begin_[0]], j = end_of_[1][b - begin_[1]];
+  const Structural_rods*& known = rods_of_ends_[i * ends_[1].size() + j];
+  if (known) return *known;
+  if (piece_rods_in_use_ == piece_rods_.size()) piece_rods_.emplace_back();
+  Structural_rods& rods = piece_rods_[piece_rods_in_use_++];
+  rods.assign(lifted_samples(fitted_.source_piece(first.source_index), ends_[0][i].count),
+              lifted_samples(fitted_.source_piece(second.source_index), ends_[1][j].count));
+  known = &rods;
+  return rods;
 }
 
 } // namespace CGAL::Shape_correspondence

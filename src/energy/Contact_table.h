@@ -23,8 +23,8 @@ public:
   // Lists what the energies of the next contact are the means of.
   void list(std::size_t contact);
 
-  // How much is listed.
-  std::size_t size() const { return comparisons_.size(); }
+  // Whether more is listed than stays in the cache.
+  bool is_full() const { return comparisons_.size() > 8192 || piece_rods_in_use_ > 128; }
 
   // Appends the energies of the contacts that were listed, in their order, first label by second label; the list is
   // empty then.
@@ -62,14 +62,15 @@ private:
 
   void compare();
 
-  const Structural_rods& rods(const Fitted& first, const Fitted& second);
+  void list_ends(int side);
 
-  // The rods between pieces of which one is no whole part, with as many samples
-  struct Piece_rods
+  const Structural_rods& rods(std::uint32_t a, std::uint32_t b);
+
+  // Source pieces with as many samples as they are fitted with: rods are found once for two of them.
+  struct Rod_end
   {
-    std::size_t first, second;
-    std::array<Eigen::Index, 2> counts;
-    Structural_rods rods;
+    std::size_t source_index;
+    Eigen::Index count;
   };
 
   const Matching_problem& problem_;
@@ -79,15 +80,20 @@ private:
   std::vector<Comparison> comparisons_; // of contact after contact
   std::vector<std::uint32_t> counts_;   // by contact and labels: how many comparisons
   std::vector<std::uint32_t> compared_; // which ones, those of all labels in a row
-  std::deque<Piece_rods> piece_rods_;
+  // Rods between pieces of which one is no whole part; of those in use, the memory of others is kept
+  std::deque<Structural_rods> piece_rods_;
+  std::size_t piece_rods_in_use_ = 0;
   std::vector<const Structural_rods*> rods_; // that are compared with those of a target pair
   std::vector<double> distortions_;
 
   // Of the contact that is being listed
-  std::size_t contact_ = 0, first_piece_rods_ = 0;
+  std::size_t contact_ = 0;
   std::array<std::size_t, 2> begin_, count_;   // the fitted pieces of either side
   std::array<std::vector<Range>, 2> touching_; // by label
   std::vector<std::uint32_t> known_;           // comparisons by two fitted pieces
+  std::array<std::vector<Rod_end>, 2> ends_;
+  std::array<std::vector<std::size_t>, 2> end_of_;   // by fitted piece
+  std::vector<const Structural_rods*> rods_of_ends_; // null where not found yet
 };
 
 } // namespace CGAL::Shape_correspondence

@@ -110,11 +110,10 @@ void Matching_problem::fill_contact_energies()
         number_of_labels(source().group_of[contact.parts[0]]) * number_of_labels(source().group_of[contact.parts[1]]);
   }
   contact_energies_.reserve(count);
-  constexpr std::size_t at_once = 8192; // keeps what is listed in cache
   Contact_table table(*this);
   for (std::size_t contact = 0; contact < source().contacts.size(); ++contact) {
     table.list(contact);
-    if (table.size() > at_once) table.compute(contact_energies_);
+    if (table.is_full()) table.compute(contact_energies_);
   }
   table.compute(contact_energies_);
 }

@@ -3,60 +3,46 @@
 
 #include "energy/Structural_rods.h"
 #include "energy/rod_cosines.h"
+#include "energy/rod_directions.h"
 
 #include <CGAL/Shape_correspondence/Deformation_energy.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
 
-namespace {
-
-// Appends the rods from a sample to the first `count` samples of `to`. Returns how many have no direction.
-int append_row(const Point& from, const Points& to, int count, std::vector<Rod_block>& rods)
+void Structural_rods::assign(const Points& first, const Points& second)
 {
-  int directionless = 0;
-  for (int j = 0; j < count; ++j) {
-    if (j % block_lanes == 0) rods.push_back({});
-    const Point rod = to.col(j) - from;
-    if (rod.squaredNorm() < double(zero_rod)) {
-      ++directionless;
-      continue;
-    }
-    const Point direction = rod.normalized();
-    for (int axis = 0; axis < 3; ++axis)
-      rods.back().direction[axis][j % block_lanes] = float(direction[axis]);
-  }
-  return directionless;
-}
-
-} // namespace
-
-Structural_rods::Structural_rods(const Points& first, const Points& second)
-    : first_count_(int(first.cols())), second_count_(int(second.cols()))
-{
-  CGAL_precondition(first_count_ <= maximum_samples && second_count_ <= maximum_samples);
+  CGAL_precondition(first.cols() <= maximum_samples && second.cols() <= maximum_samples);
+  first_count_ = int(first.cols());
+  second_count_ = int(second.cols());
+  const Sample_lanes from(first), to(second);
   const int in_blocks = samples_in_blocks(second_count_);
-  rods_.reserve(
-      std::size_t(first_count_ * blocks_of(in_blocks) + (second_count_ - in_blocks) * blocks_of(first_count_)));
+  const int blocks = blocks_of(in_blocks), back_blocks = blocks_of(first_count_);
+  rods_.resize(std::size_t(first_count_ * blocks + (second_count_ - in_blocks) * back_blocks));
+  Rod_block* next = rods_.data();
   int directionless = 0;
-  for (int i = 0; i < first_count_; ++i)
-    directionless += append_row(first.col(i), second, in_blocks, rods_);
+  float longest_squared = 0;
+  const auto add_row = [&](const Sample_lanes& one, int sample, const Sample_lanes& others, int count) {
+    const Rod_row row = write_rod_directions(one, sample, others, count, next);
+    next += blocks_of(count);
+    directionless += row.directionless;
+    longest_squared = std::max(longest_squared, row.longest_squared);
+  };
+  for (int i = 0; i < first_count_ && in_blocks > 0; ++i)
+    add_row(from, i, to, in_blocks);
   for (int j = in_blocks; j < second_count_; ++j)
-    directionless += append_row(second.col(j), first, first_count_, rods_);
+    add_row(to, j, from, first_count_);
   directionless_ = double(directionless) / (first_count_ * second_count_);
+  longest_ = std::sqrt(double(longest_squared));
   const Rod_block* rods = rods_.data();
-  const Rod_answer<1> unmoved =
-      rod_kernels().both(&rods, Sample_lanes(first), first_count_, Sample_lanes(second), second_count_);
+  const Rod_answer<1> unmoved = rod_kernels().both(&rods, from, first_count_, to, second_count_);
   unmoved_ = double(unmoved.squared_cosines[0]);
   shortest_ = std::sqrt(double(unmoved.least_squared_length));
-  for (int j = 0; j < second_count_; ++j)
-    longest_ = std::max(longest_, (first.colwise() - second.col(j)).colwise().norm().maxCoeff());
 }
 
 double Structural_rods::distortion(float squared_cosines) const

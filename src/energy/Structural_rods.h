@@ -29,7 +29,9 @@ class Structural_rods
 public:
   Structural_rods() = default;
   /// \pre either has at most `samples_per_side`² points
-  Structural_rods(const Points& first, const Points& second);
+  Structural_rods(const Points& first, const Points& second) { assign(first, second); }
+  /// The same in the memory of other rods.
+  void assign(const Points& first, const Points& second);
 
   /// E_c (Eq. 4), `connectedness_energy()`, when the least distance of two samples is now `distance`.
   double connectedness(double distance) const;

@@ -85,6 +85,9 @@ Structure_preservation::Handles Structure_preservation::handles(std::size_t grou
     const std::size_t sample = shape_.contacts[touches[i].contact].samples[std::size_t(1 - touches[i].other_side)];
     points.col(Eigen::Index(i - result.begin)) = part.samples.col(Eigen::Index(sample)) - part.centroid;
   }
+  for (std::size_t member : shape_.group(group).parts)
+    result.directions.push_back(
+        generated_directions(shape_.group(group).symmetry, part.centroid, shape_.parts[member].centroid));
   result.middle = points.rowwise().mean();
   points.colwise() -= result.middle;
   const double scatter = (part.samples.colwise() - part.centroid).squaredNorm() / double(part.samples.cols());
@@ -118,11 +121,14 @@ double Structure_preservation::place(std::size_t group, const std::vector<char>&
     if (count > most) most = count, representative = part, moved = sum / count;
   }
   const double change = (displacement_.col(Eigen::Index(representative)) - moved).cwiseAbs().maxCoeff();
-  for (std::size_t part : shape_.group(group).parts)
-    displacement_.col(Eigen::Index(part)) =
-        generated_directions(shape_.group(group).symmetry, shape_.parts[representative].centroid,
-                             shape_.parts[part].centroid) *
-        moved;
+  const std::vector<std::size_t>& members = shape_.group(group).parts;
+  for (std::size_t i = 0; i < members.size(); ++i)
+    displacement_.col(Eigen::Index(members[i])) =
+        representative == handles_[group].representative
+            ? Point(handles_[group].directions[i] * moved)
+            : Point(generated_directions(shape_.group(group).symmetry, shape_.parts[representative].centroid,
+                                         shape_.parts[members[i]].centroid) *
+                    moved);
   return change;
 }
 
@@ -146,10 +152,10 @@ void Structure_preservation::stretch(std::size_t group, const std::vector<char>&
   }
   motion.shift /= double(handles.end - handles.begin);
   motion.shift -= motion.stretch * handles.middle;
-  for (std::size_t part : shape_.group(group).parts) {
-    const Eigen::Matrix3d directions = generated_directions(
-        shape_.group(group).symmetry, shape_.parts[representative].centroid, shape_.parts[part].centroid);
-    motions[part] = {directions * motion.shift, directions * motion.stretch * directions.transpose()};
+  const std::vector<std::size_t>& members = shape_.group(group).parts;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const Eigen::Matrix3d& directions = handles.directions[i];
+    motions[members[i]] = {directions * motion.shift, directions * motion.stretch * directions.transpose()};
   }
 }
 

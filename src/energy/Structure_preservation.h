@@ -67,6 +67,7 @@ private:
     std::size_t representative = 0, begin = 0, end = 0; // and its touches
     Point middle = Point::Zero();                       // mean of the points, from the part's centroid
     std::vector<Point> slopes;                          // by touch: the stretch is the sum of displacements times these
+    std::vector<Eigen::Matrix3d> directions; // by member, what the generator makes of those of the representative
   };
 
   Handles handles(std::size_t group) const;

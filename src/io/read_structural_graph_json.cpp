@@ -86,20 +86,27 @@ void read_flags(const Json_field& field, Abstraction_report& report)
   }
 }
 
-Abstraction_report read_report(const Json_field& field)
+Abstraction_report::Method read_method(const Json_field& abstraction)
 {
   using Method = Abstraction_report::Method;
+  // Older files name what a curve or sheet was fitted to by a key of its own
+  if (abstraction.has("fitted_to"))
+    return read_word<Method>(abstraction["fitted_to"],
+                             {{"medial_axis", Method::MEDIAL_AXIS}, {"revolution_axis", Method::AXIS}});
+  return read_word<Method>(abstraction["method"], {{"skeleton", Method::SKELETON},
+                                                   {"meso_skeleton", Method::MESO_SKELETON},
+                                                   {"medial_axis", Method::MEDIAL_AXIS},
+                                                   {"axis", Method::AXIS},
+                                                   {"bounding_box", Method::BOUNDING_BOX},
+                                                   {"copy", Method::COPY},
+                                                   {"given", Method::GIVEN}});
+}
+
+Abstraction_report read_report(const Json_field& field)
+{
   using Repair = Abstraction_report::Repair;
   Abstraction_report report;
-  if (field.has("method"))
-    report.method = read_word<Method>(field["method"], {{"skeleton", Method::SKELETON},
-                                                        {"meso_skeleton", Method::MEDIAL_AXIS},
-                                                        {"bounding_box", Method::BOUNDING_BOX},
-                                                        {"copy", Method::COPY},
-                                                        {"given", Method::GIVEN}});
-  if (field.has("fitted_to"))
-    report.method = read_word<Method>(
-        field["fitted_to"], {{"medial_axis", Method::MEDIAL_AXIS}, {"revolution_axis", Method::REVOLUTION_AXIS}});
+  if (field.has("method") || field.has("fitted_to")) report.method = read_method(field);
   if (field.has("repair"))
     report.repair = read_word<Repair>(
         field["repair"],

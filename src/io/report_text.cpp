@@ -11,10 +11,12 @@ const char* name_of(Abstraction_report::Method method)
   switch (method) {
   case Method::SKELETON:
     return "skeleton";
+  case Method::MESO_SKELETON:
+    return "meso_skeleton";
   case Method::MEDIAL_AXIS:
     return "medial_axis";
-  case Method::REVOLUTION_AXIS:
-    return "revolution_axis";
+  case Method::AXIS:
+    return "axis";
   case Method::BOUNDING_BOX:
     return "bounding_box";
   case Method::COPY:

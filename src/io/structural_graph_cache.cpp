@@ -19,7 +19,7 @@ namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 /// To be raised with every change that makes another graph of the same shape and options.
-constexpr int algorithms_version = 5;
+constexpr int algorithms_version = 6;
 
 /// Values in their bytes, one after the other.
 class Bytes
@@ -57,9 +57,19 @@ private:
   std::string text_;
 };
 
+/// The same with every compiler for the abstractors of the package.
+std::string name_of_abstractor(const Abstraction_options& options)
+{
+  const auto& abstractor = options.abstractor;
+  if (abstractor.target<Fitted_abstraction>()) return "fitted";
+  if (abstractor.target<Mean_curvature_abstraction>()) return "flow";
+  if (abstractor.target<Bounding_box_abstraction>()) return "boxes";
+  return abstractor.target_type().name();
+}
+
 void add(const Abstraction_options& options, Bytes& bytes)
 {
-  bytes.add_all(std::string(options.abstractor.target_type().name()), options.kind, options.part_kinds.size());
+  bytes.add_all(name_of_abstractor(options), options.kind, options.part_kinds.size());
   for (const auto& [part, kind] : options.part_kinds)
     bytes.add_all(part, kind);
   bytes.add_all(options.edge_length, options.triangles, options.stop_volume, options.maximum_iterations,

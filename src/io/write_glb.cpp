@@ -9,7 +9,7 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr double surface_alpha = 0.25;
+constexpr double glb_surface_alpha = 0.25;
 
 /// \param materials of the shape's parts, from here on
 int add_shape(Glb_builder& glb, const Drawn_shape& shape, const int* materials, const Point& translation)
@@ -47,7 +47,7 @@ void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph
   for (std::size_t v = 0; v < num_vertices(graph); ++v) {
     const std::string name = "group_" + std::to_string(v + 1);
     solid.push_back(glb.add_material(name, colours[v]));
-    if (drawn.has_mesh()) faint.push_back(glb.add_material(name + "_surface", colours[v], surface_alpha));
+    if (drawn.has_mesh()) faint.push_back(glb.add_material(name + "_surface", colours[v], glb_surface_alpha));
   }
   for (std::size_t part = 0; part < drawn.number_of_parts(); ++part) {
     std::vector<std::pair<Drawn_mesh, int>> meshes{{drawn.abstraction(part), solid[group[part]]}};

@@ -45,17 +45,6 @@ void set_geometry(Json& part, const Sheet& sheet)
   part["grid"] = rows;
 }
 
-// The words of the format's version 1; what else a curve or sheet was fitted to has a key of its own.
-void set_method(Json& abstraction, Abstraction_report::Method method)
-{
-  using Method = Abstraction_report::Method;
-  const bool is_fitted = method == Method::MEDIAL_AXIS || method == Method::REVOLUTION_AXIS;
-  abstraction["method"] = method == Method::MEDIAL_AXIS       ? "meso_skeleton"
-                          : method == Method::REVOLUTION_AXIS ? "skeleton"
-                                                              : name_of(method);
-  if (is_fitted) abstraction["fitted_to"] = name_of(method);
-}
-
 Json part(const Part_abstraction& part)
 {
   Json result;
@@ -67,7 +56,7 @@ Json part(const Part_abstraction& part)
   if (part.surface.cols() > 0)
     result["surface"] = points(part.surface, 0, std::min<Eigen::Index>(part.surface.cols(), surface_samples));
   Json& abstraction = result["abstraction"];
-  set_method(abstraction, part.report.method);
+  abstraction["method"] = name_of(part.report.method);
   abstraction["repair"] = name_of(part.report.repair);
   abstraction["residual"] = part.report.residual;
   abstraction["coverage"] = part.report.coverage;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/quantized.h"
-#include "energy/divide_sheets.h"
 #include "matching/Search_run.h"
 #include "matching/Shape_roles.h"
 #include "matching/match_parts.h"
@@ -40,6 +39,7 @@ void check(const Search_options& options)
 }
 
 // What the groups of the source become by a part matching. S_i is known where a group becomes all of another group.
+// Clones are whole parts, since `lower_bound()` is over those.
 std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching, const Aligned_shape& source,
                                                    const Aligned_shape& target)
 {
@@ -61,7 +61,6 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
       label.operation = topological_operation(group.parts.size(), parts.size());
       if (target.group(label.target_group).parts == parts)
         label.solidity_ratio = solidity_ratio(group, target.group(label.target_group));
-      divide_sheets(source, target, label);
     }
     labels.push_back({std::move(label)});
   }

@@ -7,7 +7,7 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr const char* page_style = R"page(#all { flex: 1 1 55%; overflow: auto; padding: 0 1em 1em; min-width: 0; }
+constexpr const char* collection_style = R"page(#all { flex: 1 1 55%; overflow: auto; padding: 0 1em 1em; min-width: 0; }
 #pair { flex: 1 1 45%; overflow: auto; border-left: 1px solid #ccc; padding: 0 1em; box-sizing: border-box; }
 h2 { font-size: 1.05em; margin: 1em 0 .3em; }
 #grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(128px, 1fr)); gap: 8px; }
@@ -26,13 +26,13 @@ svg text { font-size: 11px; fill: #555; }
 @media (max-width: 800px) { body { flex-direction: column; } #pair { border: 0; } }
 )page";
 
-constexpr const char* page_body =
+constexpr const char* collection_body =
     R"page(<div id="all"><h1></h1><div id="notes"></div><div id="grid"></div><h2>Spanning tree</h2>
 <p>The shortest way to join the shapes, the medoid as its root; numbers are distances.</p><div id="tree"></div></div>
 <div id="pair"><h1>Match</h1><p id="told">Click two shapes.</p><div id="views"></div><table></table></div>
 )page";
 
-constexpr const char* page_script = R"page(const svgNS = 'http://www.w3.org/2000/svg';
+constexpr const char* collection_script = R"page(const svgNS = 'http://www.w3.org/2000/svg';
 const svg = (tag, attributes, parent) => {
   const e = document.createElementNS(svgNS, tag);
   for (const [key, value] of Object.entries(attributes)) e.setAttribute(key, value);
@@ -232,7 +232,7 @@ function match(a, b) {
 
 void write_collection_page(std::ostream& out, const Json& data)
 {
-  write_page(out, "Collection of shapes", page_style, page_body, data, page_script);
+  write_page(out, "Collection of shapes", collection_style, collection_body, data, collection_script);
 }
 
 } // namespace CGAL::Shape_correspondence::IO

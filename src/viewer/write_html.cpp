@@ -15,7 +15,7 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr double surface_alpha = 0.35;
+constexpr double page_surface_alpha = 0.35;
 constexpr const char *surfaces = "surfaces", *abstractions = "curves and sheets", *contacts = "contacts";
 
 using boost::algorithm::join;
@@ -110,7 +110,7 @@ void write_structural_graph_html(std::ostream& out, const Structural_graph& grap
       details.emplace_back("group", group);
       const int thing = page.add_thing(all.parts[part].name, details);
       page.add_layer(thing, abstractions, drawn.abstraction(part), colours[v], 1);
-      if (drawn.has_mesh()) page.add_layer(thing, surfaces, drawn.surface(part), colours[v], surface_alpha);
+      if (drawn.has_mesh()) page.add_layer(thing, surfaces, drawn.surface(part), colours[v], page_surface_alpha);
       page.add_row({thing}, colours[v], part_cells(group, all.parts[part]));
     }
   }

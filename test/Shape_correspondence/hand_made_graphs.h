@@ -11,6 +11,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -69,6 +70,25 @@ inline Part_group group(std::vector<std::size_t> parts, Symmetry_type type = Sym
   result.volume = solidity;
   result.hull_volume = 1;
   return result;
+}
+
+// Parts without extent, by default a group each, and which of them are in contact. All samples of a part are in one
+// place, so that energies can be worked out on paper. A contact whose rod turns by an angle t has E_d = 1 - cos t (1
+// beyond a right angle) and, if the rod grows, E_c = 1; one whose parts fall together has E_d = 1 and E_c = 1/2.
+// \param places by part, ascending in y, then x, then z, so that labels are the indices of target groups
+inline Structural_graph point_graph(const std::vector<Point>& places,
+                                    const std::vector<std::array<std::size_t, 2>>& contacts,
+                                    std::vector<Part_group> groups = {})
+{
+  Shape_structure shape;
+  const bool has_groups = !groups.empty();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    shape.parts.push_back(curve("point " + std::to_string(i), places[i], places[i]));
+    if (!has_groups) groups.push_back(group({i}));
+  }
+  for (const auto& pair : contacts)
+    shape.contacts.push_back(contact(shape, pair[0], pair[1], places[pair[0]]));
+  return make_structural_graph(std::move(shape), std::move(groups));
 }
 
 // Seat, back, two front legs (a mirror pair), two hind legs: 1 high, y up, front z, symmetric about x = 0.

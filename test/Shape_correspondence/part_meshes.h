@@ -84,6 +84,26 @@ inline Part_mesh turned(const std::vector<Eigen::Vector2d>& profile, int n = 24)
   return result;
 }
 
+/// A cushion about the plane y = 0: its outline is a superellipse, an ellipse for exponent 2, nearly a rectangle for a
+/// large one.
+inline Part_mesh cushion(const Point& size, double exponent)
+{
+  const int rings = 16;
+  std::vector<Eigen::Vector2d> profile;
+  for (int i = 0; i <= rings; ++i) {
+    const double angle = EIGEN_PI * (double(i) / rings - 0.5);
+    profile.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  Part_mesh result = turned(profile, 48);
+  for (Eigen::Index v = 0; v < result.points.cols(); ++v) {
+    const Eigen::Vector2d across(result.points(0, v), result.points(2, v));
+    const double norm = std::pow(across.array().abs().pow(exponent).sum(), 1 / exponent);
+    const double stretched = norm > 0 ? across.norm() / norm : 1;
+    result.points.col(v).array() *= 0.5 * size.array() * Eigen::Array3d(stretched, 1, stretched);
+  }
+  return result;
+}
+
 /// A plate of a thickness about half a cylinder of radius 1, `width` along its axis y.
 inline Part_mesh half_pipe(double width, double thickness)
 {

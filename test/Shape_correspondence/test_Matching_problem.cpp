@@ -3,11 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "aligned_graphs.h"
 #include "deformed_parts.h"
 #include "energy/Matching_problem.h"
 #include "energy/Structural_rods.h"
 #include "energy/divide_sheets.h"
-#include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
 
@@ -118,11 +118,8 @@ TEST_CASE("A sheet that splits: the contact's energy is the mean over its pieces
 {
   const Matching_problem problem(align_shape(chair()), align_shape(slatted_chair()));
   const Aligned_shape &source = problem.source(), &target = problem.target();
-  const auto part_of = [](const Aligned_shape& shape, std::size_t original) {
-    return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());
-  };
-  const std::size_t seat = part_of(source, 0), back = part_of(source, 1);
-  const std::size_t target_seat = target.group_of[part_of(target, 0)], slats = target.group_of[part_of(target, 1)];
+  const std::size_t seat = index_of(source, 0), back = index_of(source, 1);
+  const std::size_t target_seat = target.group_of[index_of(target, 0)], slats = target.group_of[index_of(target, 1)];
   for (std::size_t contact = 0; contact < source.contacts.size(); ++contact) {
     const auto& parts = source.contacts[contact].parts;
     if (std::minmax(parts[0], parts[1]) != std::minmax(seat, back)) continue;
@@ -138,8 +135,8 @@ TEST_CASE("A sheet that splits: the contact's energy is the mean over its pieces
       low[along_u ? 0 : 1] = k / 3.;
       high[along_u ? 0 : 1] = (k + 1) / 3.;
       const Sampled_part piece = rectangle(sheet, low, high);
-      const Points seat_now = deformed(source.parts[seat], target.parts[part_of(target, 0)]);
-      const Points piece_now = deformed(piece, target.parts[part_of(target, from_left ? 1 + k : 3 - k)]);
+      const Points seat_now = deformed(source.parts[seat], target.parts[index_of(target, 0)]);
+      const Points piece_now = deformed(piece, target.parts[index_of(target, from_left ? 1 + k : 3 - k)]);
       const Structural_rods rods = seat_first ? Structural_rods(source.parts[seat].samples, piece.samples)
                                               : Structural_rods(piece.samples, source.parts[seat].samples);
       sum += (seat_first ? rods.energy(seat_now, piece_now) : rods.energy(piece_now, seat_now)).distortion;
@@ -148,6 +145,19 @@ TEST_CASE("A sheet that splits: the contact's energy is the mean over its pieces
         problem.contact_energy(contact, seat_first ? target_seat : slats, seat_first ? slats : target_seat);
     CHECK(energy.distortion == Approx(sum / 3));
   }
+}
+
+TEST_CASE("Two parts that split: every clone counts with its nearest counterpart, every pair once")
+{
+  // 2 and 4 are nearest to 0 and 1, and 0 is nearest to 3. The rod from 0 to 3 is turned by an angle of cosine 0.8, no
+  // rod is longer than 2
+  const Structural_graph source = point_graph({{0, 0, 0}, {0, 2, 0}}, {{0, 1}});
+  const Structural_graph target =
+      point_graph({{0, 0, 0}, {10, 0, 0}, {0, 1, 0}, {.75, 1, 0}, {10, 2, 0}}, {{0, 2}, {0, 3}, {1, 4}},
+                  {group({0, 1}, Symmetry_type::TRANSLATION), group({2, 3, 4}, Symmetry_type::TRANSLATION)});
+  const Rod_energy energy = Matching_problem(align_shape(source), align_shape(target)).contact_energy(0, 0, 1);
+  CHECK(energy.distortion == Approx((0 + 0 + 0.2) / 3));
+  CHECK(energy.connectedness == 0);
 }
 
 TEST_CASE("A cut post costs nothing where the pieces stand on each other, and splitting it costs more")
@@ -184,13 +194,47 @@ TEST_CASE("A cut post costs nothing where the pieces stand on each other, and sp
   }
 }
 
+TEST_CASE("A cut part: its contacts count by the segment that touches, and between segments there are rods")
+{
+  // A post on a base; in the target, its upper half lies flat, 0.04 to the side of where it was joined
+  const auto shape_with = [](const std::vector<Part_abstraction>& curves) {
+    Shape_structure shape;
+    shape.parts.push_back(sheet("base", {-.2, 0, -.2}, {.4, 0, 0}, {0, 0, .4}));
+    shape.parts.insert(shape.parts.end(), curves.begin(), curves.end());
+    shape.contacts.push_back(contact(shape, 0, 1, {0, 0, 0}));
+    std::vector<std::size_t> members;
+    for (std::size_t i = 1; i < shape.parts.size(); ++i)
+      members.push_back(i);
+    return align_shape(make_structural_graph(std::move(shape), {group({0}), group(members)}));
+  };
+  const Part_abstraction low = curve("low", {0, 0, 0}, {0, .5, 0}), high = curve("high", {0, .5, 0}, {0, 1, 0}),
+                         flat = curve("flat", {.04, .5, 0}, {.54, .5, 0});
+  for (const bool upwards : {true, false}) {
+    const Point ground(0, 0, 0), top(0, 1, 0);
+    const Matching_problem problem(shape_with({upwards ? curve("post", ground, top) : curve("post", top, ground)}),
+                                   shape_with({low, flat}));
+    const std::size_t cut = problem.number_of_labels(1) - 1;
+    REQUIRE(problem.label(1, cut).operation == Operation::CUT);
+    CHECK(problem.contact_energy(0, 0, cut).distortion == Approx(0).margin(1e-6));
+    CHECK(problem.contact_energy(0, 0, cut).connectedness == 0);
+    const Structural_rods rods(sampled(low).samples, sampled(high).samples);
+    const double distortion = rods.energy(sampled(low).samples, sampled(flat).samples).distortion;
+    CHECK(distortion > 0.2);
+    CHECK(problem.cut_energy(1, cut).distortion == Approx(distortion).margin(1e-5));
+    CHECK(problem.cut_energy(1, cut).connectedness == Approx(0.04)); // d = 0, d' = 0.04, f = 1
+  }
+}
+
 TEST_CASE("Many target groups: the nearest ones are the labels, and nothing is proven")
 {
-  const int posts = int(maximum_labels) + 16;
-  const Matching_problem problem(align_shape(fence(5)), align_shape(fence(posts)));
+  const std::size_t posts = maximum_labels + 16;
+  const Aligned_shape few = align_shape(fence(5)), many = align_shape(fence(int(posts)));
+  const Matching_problem problem(many, many);
   CHECK(problem.has_shortlists());
-  CHECK(problem.number_of_labels(0) == maximum_labels);
-  const std::size_t first = 0; // the leftmost post of either fence
-  CHECK(problem.label(first, 0).target_group == first);
-  CHECK(!Matching_problem(align_shape(fence(5)), align_shape(fence(5))).has_shortlists());
+  for (const std::size_t post : {std::size_t(0), posts - 1}) { // the leftmost and the rightmost
+    REQUIRE(problem.number_of_labels(post) == maximum_labels);
+    for (std::size_t label = 0; label < maximum_labels; ++label)
+      CHECK(problem.label(post, label).target_group == (post == 0 ? label : label + 16));
+  }
+  CHECK(!Matching_problem(few, few).has_shortlists());
 }

@@ -3,26 +3,16 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "aligned_graphs.h"
 #include "energy/Structure_preservation.h"
-#include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
-
-namespace {
-
-std::size_t index_of(const Aligned_shape& shape, std::size_t original)
-{
-  return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());
-}
-
-} // namespace
 
 TEST_CASE("Structure preservation: unmatched parts follow their contacts, members their generator")
 {
@@ -75,11 +65,21 @@ TEST_CASE("Structure preservation: a chain between two matched ends settles to a
     CHECK(left == Approx(i == 1 ? 0 : .1 * double(i) - .05).margin(0.01));
     CHECK(right == Approx(i == 3 ? .4 : .1 * double(i) + .05).margin(0.01));
   }
+
+  // Where parts were before has no say: with the one end matched all go with it, with none they go back
+  matched[chain.group_of[index_of(chain, 0)]] = 0;
+  preserve_structure(matched, contact_displacement, motions);
+  for (std::size_t i : {0, 1, 2, 3})
+    CHECK(motions[index_of(chain, i)].shift.isApprox(Point(0, .4, 0)));
+  preserve_structure(std::vector<char>(5, 0), contact_displacement, motions);
+  for (const Part_motion& motion : motions)
+    CHECK(motion == Part_motion());
 }
 
 TEST_CASE("Structure preservation: a bar is stretched between the legs that it spans, its mirror image alike")
 {
-  // A bar at the back and one in front between the left and the right legs, which are matched and move apart by 0.2
+  // A bar at the back and one in front between the left and the right legs, which are matched and move apart by 0.2,
+  // and to the front and the back, the left ones by 0.2 more
   Shape_structure shape;
   for (double z : {-.5, .5}) {
     const std::size_t first = shape.parts.size();
@@ -100,7 +100,7 @@ TEST_CASE("Structure preservation: a bar is stretched between the legs that it s
     for (std::size_t side : {0, 1}) {
       const std::size_t part = legs.contacts[c].parts[side];
       const double x = legs.parts[part].centroid.x(), z = legs.parts[part].centroid.z();
-      contact_displacement[c][side] = Point(x < 0 ? -.1 : .1, 0, z < 0 ? -.3 : .3);
+      contact_displacement[c][side] = Point(x < 0 ? -.1 : .1, 0, (x < 0 ? .4 : .2) * (z < 0 ? -1 : 1));
     }
   std::vector<Part_motion> motions(legs.parts.size());
   Structure_preservation preserve_structure(legs);
@@ -112,6 +112,68 @@ TEST_CASE("Structure preservation: a bar is stretched between the legs that it s
     CHECK(motion.shift.isApprox(Point(0, 0, bar == 2 ? -.3 : .3)));
     Eigen::Matrix3d stretch = Eigen::Matrix3d::Zero();
     stretch(0, 0) = slope;
+    stretch(2, 0) = bar == 2 ? slope : -slope;
     CHECK((motion.stretch - stretch).cwiseAbs().maxCoeff() < 1e-6);
   }
+}
+
+TEST_CASE("Structure preservation: a bar that is held on one side of its middle follows there")
+{
+  // Held at 0.6 and at its end, 1, which is raised by 0.2: it turns about 0.8 between them, and goes down at its
+  // middle, 0.5. Sum of squares of the points' distances 2 * 0.04; scatter of samples at 0, .2 ... 1: .35 / 3
+  Shape_structure shape;
+  shape.parts = {curve("bar", {0, 1, 0}, {1, 1, 0}), curve("at", {.6, 0, 0}, {.6, 1, 0}),
+                 curve("end", {1, 0, 0}, {1, 1, 0})};
+  shape.contacts = {contact(shape, 0, 1, {.6, 1, 0}), contact(shape, 0, 2, {1, 1, 0})};
+  const Aligned_shape posts =
+      align_shape(make_structural_graph(std::move(shape), {group({0}), group({1}), group({2})}));
+  const std::size_t bar = index_of(posts, 0);
+  std::vector<char> matched(3, 1);
+  matched[posts.group_of[bar]] = 0;
+  std::vector<std::array<Point, 2>> contact_displacement(2, {Point::Zero(), Point::Zero()});
+  contact_displacement[1][0] = contact_displacement[1][1] = Point(0, .2, 0);
+  std::vector<Part_motion> motions(3);
+  Structure_preservation preserve_structure(posts);
+  preserve_structure(matched, contact_displacement, motions);
+  const double slope = .2 * .2 / (2 * .04 + Structure_preservation::stiffness * .35 / 3);
+  CHECK(motions[bar].stretch(1, 0) == Approx(slope));
+  CHECK(motions[bar].shift.isApprox(Point(0, .1 - .3 * slope, 0)));
+}
+
+TEST_CASE("Structure preservation: a group follows the member that touches most, by the mean of what that one touches")
+{
+  // A mirror pair, the right one on two matched points, the left one on one; on top of each is another point
+  const Aligned_shape shape =
+      align_shape(point_graph({{-1, -1, 0}, {1, -1, -1}, {1, -1, 1}, {-1, 0, 0}, {1, 0, 0}, {-1, 1, 0}, {1, 1, 0}},
+                              {{0, 3}, {1, 4}, {2, 4}, {3, 5}, {4, 6}},
+                              {group({0}), group({1}), group({2}),
+                               group({3, 4}, Symmetry_type::REFLECTION, Point::UnitX()), group({5}), group({6})}));
+  std::vector<std::array<Point, 2>> contact_displacement(5, {Point::Zero(), Point::Zero()});
+  contact_displacement[0][0] = Point(0, 0, .5);
+  contact_displacement[1][0] = Point(.1, 0, 0);
+  contact_displacement[2][0] = Point(.3, .2, 0);
+  std::vector<Part_motion> motions(7);
+  Structure_preservation preserve_structure(shape);
+  preserve_structure({1, 1, 1, 0, 0, 0}, contact_displacement, motions);
+  for (std::size_t right : {4, 6}) {
+    CHECK(motions[right].shift.isApprox(Point(.2, .1, 0)));
+    CHECK(motions[right - 1].shift.isApprox(Point(-.2, .1, 0)));
+  }
+}
+
+TEST_CASE("Structure preservation: the members of a rotational group move turned about its axis")
+{
+  // Four points around a matched one. The first, to the left, is moved to the left, up and to the front; a quarter turn
+  // about up takes (x, y, z) to (z, y, -x)
+  const auto around = group({1, 2, 3, 4}, Symmetry_type::ROTATION, Point::UnitY());
+  const Aligned_shape shape = align_shape(
+      point_graph({{0, -1, 0}, {-1, 0, 0}, {0, 0, -1}, {0, 0, 1}, {1, 0, 0}}, {{0, 1}}, {group({0}), around}));
+  const std::vector<std::array<Point, 2>> contact_displacement(1, {Point(-.1, .2, .05), Point::Zero()});
+  std::vector<Part_motion> motions(5);
+  Structure_preservation preserve_structure(shape);
+  preserve_structure({1, 0}, contact_displacement, motions);
+  CHECK(motions[1].shift.isApprox(Point(-.1, .2, .05)));
+  CHECK(motions[2].shift.isApprox(Point(-.05, .2, -.1)));
+  CHECK(motions[3].shift.isApprox(Point(.05, .2, .1)));
+  CHECK(motions[4].shift.isApprox(Point(.1, .2, -.05)));
 }

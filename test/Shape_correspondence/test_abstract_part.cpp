@@ -24,6 +24,41 @@ bool same_bits(const Part_abstraction& a, const Part_abstraction& b)
          a.report.residual == b.report.residual;
 }
 
+/// Blocks of memory that come and go, so that others get other addresses.
+class Heap_churn
+{
+public:
+  void turn_over(int round, std::size_t blocks = 20000)
+  {
+    for (std::size_t k = 0; k < blocks; ++k) {
+      blocks_.push_back(std::make_unique<char[]>(16 + (k * 7919 + std::size_t(round) * 104729) % 400));
+    }
+    for (std::size_t k = 0; k < blocks_.size(); k += 2 + (k + std::size_t(round)) % 3) {
+      blocks_[k].reset();
+    }
+  }
+
+private:
+  std::vector<std::unique_ptr<char[]>> blocks_;
+};
+
+/// Its rim goes up and down, so that it is a hole with many equally good fillings.
+Part_mesh cup(int corners)
+{
+  Part_mesh result;
+  result.points.resize(3, 2 * corners + 1);
+  result.points.col(2 * corners) = Point::Zero();
+  result.triangles.resize(3, 3 * corners);
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * EIGEN_PI * i / corners;
+    result.points.col(i) = Point(std::cos(angle), 0, std::sin(angle));
+    result.points.col(corners + i) = result.points.col(i) + (i % 3 == 0 ? 2.25 : 2) * Point::UnitY();
+    const int j = (i + 1) % corners;
+    result.triangles.middleCols(3 * i, 3) << i, i, 2 * corners, corners + i, corners + j, i, corners + j, j, j;
+  }
+  return result;
+}
+
 /// A clock that moves on by a second whenever somebody looks at it, however fast the machine is.
 struct Looked_at_clock
 {
@@ -104,7 +139,7 @@ TEST_CASE("Long steps look at the clock again and again, and stop when the time 
   SECTION("the flow")
   {
     check_that_it_stops(9, [&](const internal::Deadline& deadline) {
-      internal::Stepwise_flow flow(solid, 300, deadline);
+      internal::Stepwise_flow flow(solid, internal::Contraction::NEAREST_POLES, 300, deadline);
       flow.run_to_convergence();
     });
   }
@@ -119,19 +154,31 @@ TEST_CASE("The number of control points is an option")
   CHECK(abstract_part({"plate", plate}, options).control_points().cols() == 9);
 }
 
+TEST_CASE("A hole is filled alike whatever is on the heap")
+{
+  const internal::Deadline deadline(1e9);
+  for (int corners = 17; corners < 30; ++corners) {
+    const Part_mesh mesh = cup(corners);
+    Heap_churn churn;
+    const internal::Repaired_part first = internal::repair_part(mesh, deadline);
+    REQUIRE(first.repair == Abstraction_report::Repair::HOLES);
+    for (int round = 0; round < 20; ++round) {
+      churn.turn_over(round, 2000);
+      const internal::Repaired_part again = internal::repair_part(mesh, deadline);
+      CHECK(again.mesh.points == first.mesh.points);
+      CHECK(again.mesh.triangles == first.mesh.triangles);
+    }
+  }
+}
+
 TEST_CASE("The same part gives the same bits whatever is on the heap")
 {
   // A shape on which collapses in another order give another skeleton.
   const Part_mesh mesh = joined(torus(1, 0.25), box({0.9, -0.1, -0.1}, {2.4, 0.1, 0.1}));
   const Part_abstraction first = abstraction_of(mesh);
-  std::vector<std::unique_ptr<char[]>> churn;
+  Heap_churn churn;
   for (int round = 0; round < 3; ++round) {
-    for (std::size_t k = 0; k < 20000; ++k) {
-      churn.push_back(std::make_unique<char[]>(16 + (k * 7919 + std::size_t(round) * 104729) % 400));
-    }
-    for (std::size_t k = 0; k < churn.size(); k += 2 + k % 3) {
-      churn[k].reset();
-    }
+    churn.turn_over(round);
     CHECK(same_bits(first, abstraction_of(mesh)));
     CHECK(same_bits(abstraction_of(plate), abstraction_of(plate)));
   }

@@ -187,6 +187,23 @@ TEST_CASE("A block gets the axis along which it is least like along the others")
   CHECK(abstraction_of(box({0, 0, 0}, {1, 0.38, 1})).is_sheet());                 // no block but a thick cushion
 }
 
+TEST_CASE("A thick cushion becomes a sheet, a wheel of that thickness keeps its axis")
+{
+  const std::pair<Point, double> cushions[] = {
+      {{0.6, 0.25, 0.5}, 4}, {{0.6, 0.28, 0.6}, 4}, {{0.5, 0.22, 0.45}, 3}, {{0.6, 0.25, 0.42}, 6}};
+  for (const auto& [size, exponent] : cushions) {
+    INFO(size.transpose() << ", exponent " << exponent);
+    const Part_abstraction part = abstraction_of(cushion(size, exponent));
+    REQUIRE(part.is_sheet());
+    CHECK(part.report.method == Method::MEDIAL_AXIS);
+    CHECK(part.control_points().row(1).cwiseAbs().maxCoeff() < 0.05);
+    CHECK(part.control_points().row(0).maxCoeff() > 0.4 * size.x());
+  }
+  const Part_abstraction wheel = abstraction_of(cushion({0.6, 0.25, 0.6}, 2));
+  CHECK_FALSE(wheel.is_sheet());
+  CHECK(wheel.report.method == Method::AXIS);
+}
+
 TEST_CASE("A compact body of revolution becomes a curve along its axis")
 {
   const Point axis = Point(0.3, 0.8, -0.5).normalized();
@@ -194,7 +211,7 @@ TEST_CASE("A compact body of revolution becomes a curve along its axis")
   const auto check = [&](const std::vector<Eigen::Vector2d>& profile, double height) {
     const Part_abstraction part = abstraction_of(moved(turned(profile), tilt, Point(1, 2, 3)));
     REQUIRE_FALSE(part.is_sheet());
-    CHECK(part.report.method == Method::REVOLUTION_AXIS);
+    CHECK(part.report.method == Method::AXIS);
     CHECK(part.report.blob);
     const Points& points = part.control_points();
     const Point along = points.col(15) - points.col(0);
@@ -217,7 +234,7 @@ TEST_CASE("A compact body of revolution becomes a curve along its axis")
     }));
     CHECK(part.report.tube);
     CHECK_FALSE(part.report.blob);
-    CHECK(part.report.method == Method::REVOLUTION_AXIS);
+    CHECK(part.report.method == Method::AXIS);
     CHECK(part.control_points().row(1).maxCoeff() == Approx(h).epsilon(0.05));
     CHECK(part.control_points().row(0).cwiseAbs().maxCoeff() < 0.02);
   }

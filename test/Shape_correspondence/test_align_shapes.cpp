@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "hand_made_graphs.h"
+#include "aligned_graphs.h"
 #include "structure/align_shapes.h"
 
 #include <catch2/catch.hpp>
@@ -38,13 +38,25 @@ TEST_CASE("Quarter turns: four of them lead back, to the bit")
 {
   const Aligned_shape once = align_shape(hand_made::chair(), 1), none = align_shape(hand_made::chair());
   const auto find = [](const Aligned_shape& shape, std::size_t original) {
-    for (std::size_t i = 0; i < shape.original.size(); ++i)
-      if (shape.original[i] == original) return shape.parts[i].samples;
-    return Points();
+    return shape.parts[hand_made::index_of(shape, original)].samples;
   };
   // counter-clockwise seen from above: front +z goes to +x
   CHECK(find(once, 2).col(0).isApprox(Point(.25, 0, -.25)));
   CHECK(find(align_shape(hand_made::chair(), 4), 2) == find(none, 2));
+}
+
+TEST_CASE("Symmetries of groups are turned and scaled with the shape")
+{
+  const Structural_graph graph = hand_made::moved(hand_made::slatted_chair(), 0.5, 3.7, {5, -2, 8});
+  const Aligned_shape none = align_shape(graph), once = align_shape(graph, 1);
+  const auto symmetry = [](const Aligned_shape& shape, std::size_t part) {
+    return shape.group(shape.group_of[hand_made::index_of(shape, part)]).symmetry;
+  };
+  CHECK(symmetry(none, 1).direction.isApprox(Point(.2, 0, 0))); // slats, from one to the next
+  CHECK(symmetry(once, 1).direction.isApprox(Point(0, 0, -.2)));
+  CHECK(symmetry(none, 4).direction.isApprox(Point(1, 0, 0))); // legs, the normal of their mirror
+  CHECK(symmetry(once, 4).direction.isApprox(Point(0, 0, -1)));
+  CHECK(symmetry(none, 4).point.isZero(1e-12));
 }
 
 TEST_CASE("Alignments: nearest to the given orientation first")

@@ -3,13 +3,12 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "aligned_graphs.h"
 #include "deformed_parts.h"
 #include "energy/cut_curves.h"
-#include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -17,11 +16,6 @@ using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
 
 namespace {
-
-std::size_t index_of(const Aligned_shape& shape, std::size_t original)
-{
-  return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());
-}
 
 // A post 1 high, or the same in two or three pieces on top of each other, on a base.
 Structural_graph post(const std::vector<double>& heights)
@@ -52,29 +46,33 @@ TEST_CASE("Segments are equally long pieces")
   }
 }
 
-TEST_CASE("Cutting: a post turns into the pieces of another, in their order, and back")
+TEST_CASE("Cutting: a post turns into the pieces of another by their places, however it was drawn, and back")
 {
-  const Aligned_shape whole = align_shape(post({0, 1})), pieces = align_shape(post({0, 1 / 3., 2 / 3., 1}));
-  const std::size_t from = whole.group_of[index_of(whole, 1)], to = pieces.group_of[index_of(pieces, 1)];
-  const Group_label split = match_groups(whole, from, pieces, to);
-  CHECK(split.operation == Operation::SPLIT);
-  const Group_label cut = cut_curves(whole, from, pieces, split);
-  CHECK(cut.operation == Operation::CUT);
-  REQUIRE(cut.images[0].size() == 3);
-  for (const Image& image : cut.images[0]) {
-    CHECK(image.source.count == 3);
-    CHECK(image.target.count == 1);
-    // Fitted, a segment is the piece itself
-    const Sampled_part piece = segment(whole.parts[image.source.part], image.source.index, 3);
-    CHECK(deformed(piece, pieces.parts[image.target.part]).isApprox(piece.samples, 1e-9));
-  }
+  const Aligned_shape pieces = align_shape(post({0, 1 / 3., 2 / 3., 1}));
+  const std::size_t to = pieces.group_of[index_of(pieces, 1)];
+  for (const bool upwards : {true, false}) {
+    const Aligned_shape whole = align_shape(post(upwards ? std::vector<double>{0, 1} : std::vector<double>{1, 0}));
+    const std::size_t from = whole.group_of[index_of(whole, 1)];
+    const Group_label split = match_groups(whole, from, pieces, to);
+    CHECK(split.operation == Operation::SPLIT);
+    const Group_label cut = cut_curves(whole, from, pieces, split);
+    CHECK(cut.operation == Operation::CUT);
+    REQUIRE(cut.images[0].size() == 3);
+    for (const Image& image : cut.images[0]) {
+      CHECK(image.source.count == 3);
+      CHECK(image.target.count == 1);
+      // Fitted, a segment is the piece itself
+      const Sampled_part piece = segment(whole.parts[image.source.part], image.source.index, 3);
+      CHECK(deformed(piece, pieces.parts[image.target.part]).isApprox(piece.samples, 1e-9));
+    }
 
-  const Group_label join = cut_curves(pieces, to, whole, match_groups(pieces, to, whole, from));
-  CHECK(join.operation == Operation::JOIN);
-  for (const auto& images : join.images) {
-    REQUIRE(images.size() == 1);
-    const Sampled_part piece = segment(whole.parts[images[0].target.part], images[0].target.index, 3);
-    CHECK(piece.centroid.isApprox(pieces.parts[images[0].source.part].centroid, 1e-9));
+    const Group_label join = cut_curves(pieces, to, whole, match_groups(pieces, to, whole, from));
+    CHECK(join.operation == Operation::JOIN);
+    for (const auto& images : join.images) {
+      REQUIRE(images.size() == 1);
+      const Sampled_part piece = segment(whole.parts[images[0].target.part], images[0].target.index, 3);
+      CHECK(piece.centroid.isApprox(pieces.parts[images[0].source.part].centroid, 1e-9));
+    }
   }
 }
 

@@ -3,9 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "aligned_graphs.h"
 #include "base/divide_box.h"
 #include "energy/divide_sheets.h"
-#include "hand_made_graphs.h"
 
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
@@ -18,11 +18,6 @@ using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
 
 namespace {
-
-std::size_t index_of(const Aligned_shape& shape, std::size_t original)
-{
-  return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());
-}
 
 // A post with a panel (parts 0 and 1), or with so many bars in the panel's place, from one side to the other.
 Structural_graph gate(int bars, double solidity = 1)

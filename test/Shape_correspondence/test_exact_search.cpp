@@ -6,6 +6,7 @@
 #include "base/quantized.h"
 #include "brute_force.h"
 #include "hand_made_graphs.h"
+#include "random_tables.h"
 #include "search/beam_search.h"
 #include "search/message_passing.h"
 
@@ -25,7 +26,7 @@
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
 
-// Allocations of the whole program, counted
+// Allocations of the whole program, counted. Inlined, free() would be seen, and malloc() not, which g++ warns of
 static std::size_t allocations = 0;
 
 void* operator new(std::size_t size)
@@ -34,8 +35,8 @@ void* operator new(std::size_t size)
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -62,23 +63,6 @@ Structural_graph random_graph(std::mt19937& random, std::size_t group_count)
     for (std::size_t b = a + 1; b < shape.parts.size(); ++b)
       if (b == a + 1 || unit(random) < .25) shape.contacts.push_back(contact(shape, a, b, point()));
   return make_structural_graph(std::move(shape), std::move(groups));
-}
-
-// Random tables on a random graph in which every variable has up to `width` earlier neighbours.
-Pairwise_energy random_tables(std::mt19937& random, std::size_t variables, int labels, std::size_t width)
-{
-  std::uniform_real_distribution<double> unit(0, 1);
-  Pairwise_energy energy;
-  Pairwise_energy::Root_term split{0.4, double(variables), {}, {}};
-  for (std::size_t v = 0; v < variables; ++v) {
-    energy.unary.push_back(Eigen::VectorXd::NullaryExpr(labels, [&] { return unit(random); }));
-    split.unary.push_back(Eigen::VectorXd::NullaryExpr(labels, [&] { return unit(random); }));
-    // The neighbours lie among the `width` variables before, so that the graph's width is at most that
-    for (std::size_t u = v - std::min(v, width); u < v; ++u)
-      energy.edges.push_back({u, v, Eigen::MatrixXd::NullaryExpr(labels, labels, [&] { return unit(random); })});
-  }
-  energy.root_terms.push_back(split);
-  return energy;
 }
 
 } // namespace

@@ -121,6 +121,42 @@ TEST_CASE("The parts of the energy add up")
   CHECK(c.search.lower_bound <= c.energy);
 }
 
+TEST_CASE("The shape that deforms at less energy per connected pair is deformed")
+{
+  // A point with another one 1 above; a point with three others 2 away, all off from up by an angle of cosine 0.6. One
+  // rod that turns and grows costs 0.4 + 0.6; the three turn and shrink, which costs 3 * 0.4, but only 0.4 each
+  const Structural_graph one = point_graph({{0, 0, 0}, {0, 1, 0}}, {{0, 1}});
+  const Structural_graph three =
+      point_graph({{0, 0, 0}, {-1.6, 1.2, 0}, {0, 1.2, 1.6}, {1.6, 1.2, 0}}, {{0, 1}, {0, 2}, {0, 3}});
+  for (const Search_method method : {Search_method::BEAM, Search_method::EXACT}) {
+    Search_options options;
+    options.method = method;
+    const Correspondence c = find_correspondence(one, three, options);
+    CHECK(c.direction == Direction::TARGET_TO_SOURCE);
+    CHECK(c.energy == Approx(1.2));
+    CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {1, 1}, {1, 2}, {1, 3}});
+    options.both_directions = false;
+    CHECK(find_correspondence(one, three, options).energy == Approx(1));
+    CHECK(find_correspondence(three, one, options).energy == Approx(1.2));
+  }
+}
+
+TEST_CASE("Where a group is not given all groups to choose from, nothing is proven")
+{
+  std::vector<Point> row;
+  for (int i = 0; i < 65; ++i)
+    row.emplace_back(.1 * i, 0, 0);
+  Search_options options;
+  options.method = Search_method::EXACT;
+  options.both_directions = false;
+  const Structural_graph pair = point_graph({row[0], row[1]}, {{0, 1}});
+  const Correspondence c = find_correspondence(pair, point_graph(row, {{0, 1}}), options);
+  CHECK(!c.optimal);
+  CHECK(c.warnings.size() == 1);
+  row.pop_back();
+  CHECK(find_correspondence(pair, point_graph(row, {{0, 1}}), options).optimal);
+}
+
 TEST_CASE("Moving, scaling and turning a shape changes no pair")
 {
   const Pairs expected = part_pairs(find_correspondence(chair(), slatted_chair(), least_energy()).pairs);

@@ -3,25 +3,15 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "aligned_graphs.h"
 #include "energy/match_groups.h"
-#include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <set>
 
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
-
-namespace {
-
-std::size_t index_of(const Aligned_shape& shape, std::size_t original)
-{
-  return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());
-}
-
-} // namespace
 
 TEST_CASE("Groups: members one to one by place, then the left-over ones to the nearest")
 {
@@ -55,6 +45,23 @@ TEST_CASE("Groups: members one to one by place, then the left-over ones to the n
     for (const Image& image : images)
       taken.insert(image.target.part);
   CHECK(taken.size() == 3); // every target part is somebody's image
+}
+
+TEST_CASE("Groups: members are matched by their places in unit boxes, one left over goes to the nearest")
+{
+  // At 0 and 1 of the one box, at 0, 0.8 and 1 of the other
+  const Aligned_shape two = align_shape(point_graph({{0, -1, 0}, {10, 0, 0}, {12, 0, 0}}, {{0, 1}},
+                                                    {group({0}), group({1, 2}, Symmetry_type::TRANSLATION)}));
+  const Aligned_shape three = align_shape(point_graph({{0, -1, 0}, {0, 0, 0}, {.8, 0, 0}, {1, 0, 0}}, {{0, 1}},
+                                                      {group({0}), group({1, 2, 3}, Symmetry_type::TRANSLATION)}));
+  const Group_label duplicate = match_groups(two, 1, three, 1), merge = match_groups(three, 1, two, 1);
+  REQUIRE(duplicate.images[0].size() == 1);
+  REQUIRE(duplicate.images[1].size() == 2);
+  CHECK(duplicate.images[0][0].target.part == 1);
+  CHECK(duplicate.images[1][0].target.part == 2);
+  CHECK(duplicate.images[1][1].target.part == 3);
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK(merge.images[i][0].target.part == (i == 0 ? 1 : 2));
 }
 
 TEST_CASE("Solidity ratio: of groups of different sizes, without rotation")

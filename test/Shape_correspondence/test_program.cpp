@@ -305,6 +305,21 @@ TEST_CASE("Kinds and bounding boxes on demand")
   CHECK(types(" --part-kind leg_1=sheet")["leg_2"] == "curve");
 }
 
+TEST_CASE("Ways of abstraction by their names")
+{
+  const Temporary_folder folder;
+  const std::string graph = "graph " + quoted(folder.write("table.obj", obj_table())) + " --json - --abstraction ";
+  const auto method_of_top = [&](const std::string& abstraction) -> std::string {
+    const json document = json::parse(run(graph + abstraction).out);
+    for (const json& part : document["parts"])
+      if (part["name"] == "top") return part["abstraction"]["method"];
+    return "";
+  };
+  CHECK(method_of_top("flow") == "meso_skeleton");
+  CHECK(method_of_top("fitted") == "medial_axis");
+  CHECK(method_of_top("boxes") == "bounding_box");
+}
+
 TEST_CASE("Parts are made of a model that has none, and marked as automatic")
 {
   const Temporary_folder folder;

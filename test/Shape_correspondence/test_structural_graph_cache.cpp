@@ -67,6 +67,12 @@ TEST_CASE("The content hash tells shapes and options apart")
   renamed.add_part("top", shape.parts()[1].mesh);
   CHECK(is_new(IO::content_hash(renamed, options)));
   CHECK(is_new(IO::content_hash(shape, {})));
+  Structure_options by_flow;
+  by_flow.abstraction.abstractor = Mean_curvature_abstraction();
+  CHECK(is_new(IO::content_hash(shape, by_flow)));
+  Structure_options own;
+  own.abstraction.abstractor = [](const Shape_part&, const Abstraction_options&) { return Part_abstraction(); };
+  CHECK(is_new(IO::content_hash(shape, own)));
   const auto changed = [&](auto change) {
     Structure_options other = options;
     change(other);

@@ -54,7 +54,7 @@ Structural_graph crooked(const Structural_graph& graph)
     part.hull_volume = std::exp(-0.9 * i);
     part.area = std::sqrt(1.0 + i++);
     part.report.residual = 1 / 7.0;
-    part.report.method = i % 2 ? Abstraction_report::Method::MEDIAL_AXIS : Abstraction_report::Method::REVOLUTION_AXIS;
+    part.report.method = i % 2 ? Abstraction_report::Method::MEDIAL_AXIS : Abstraction_report::Method::AXIS;
     part.report.repair = Abstraction_report::Repair::HOLES;
     part.report.tube = true;
     part.surface = 1e3 / 7 * Points::Random(3, surface_samples + 5);
@@ -151,6 +151,32 @@ TEST_CASE("The keys are those of the format")
   const json& contact = document["contacts"][1];
   CHECK(contact["parts"] == json::array({"seat", "leg front left"}));
   CHECK(contact["parameters"] == json::parse("[[1.0, 1.0], [1.0]]"));
+}
+
+TEST_CASE("How parts were abstracted is called what it is, and older names are understood")
+{
+  using Method = Abstraction_report::Method;
+  const std::pair<const char*, Method> names[] = {
+      {"skeleton", Method::SKELETON}, {"meso_skeleton", Method::MESO_SKELETON}, {"medial_axis", Method::MEDIAL_AXIS},
+      {"axis", Method::AXIS},         {"bounding_box", Method::BOUNDING_BOX},   {"copy", Method::COPY},
+      {"given", Method::GIVEN}};
+  for (const auto& [name, method] : names) {
+    Structural_graph graph = hand_made::chair();
+    structure(graph).parts[0].report.method = method;
+    const std::string text = written(graph);
+    CHECK(json::parse(text)["parts"][0]["abstraction"]["method"] == name);
+    CHECK(structure(read(text)).parts[0].report.method == method);
+  }
+  json document = json::parse(written(hand_made::chair()));
+  const auto method_of = [&](const char* older_method, const char* fitted_to) {
+    document["parts"][0]["abstraction"]["method"] = older_method;
+    document["parts"][0]["abstraction"]["fitted_to"] = fitted_to;
+    return structure(read(document.dump())).parts[0].report.method;
+  };
+  CHECK(method_of("meso_skeleton", "medial_axis") == Method::MEDIAL_AXIS);
+  CHECK(method_of("skeleton", "revolution_axis") == Method::AXIS);
+  CHECK_THAT(complaint_after([](json& d) { d["parts"][0]["abstraction"]["method"] = "magic"; }),
+             Contains("parts[0].abstraction.method") && Contains("medial_axis"));
 }
 
 TEST_CASE("What is missing is detected, what is unknown passed over")

@@ -3,13 +3,15 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The paper's experiments with the energy and its search: Figures 4, 10 and 11.
+// The paper's experiments with the energy and its search: Figures 4, 10, 11 and 16, and flips.
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ENERGY_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ENERGY_H
 
 #include "chart.h"
 #include "options.h"
 #include "tables.h"
+
+#include <numeric>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -44,12 +46,73 @@ inline void alignments(const Dataset& dataset)
   compare(dataset, methods, "search");
 }
 
-/// Over all pairs, energies relative to the least proven one.
+/// The share by which the beam misses the least energy, for some values of one of its options.
+class Beam_trade_off
+{
+public:
+  Beam_trade_off(std::string name, int Beam_options::*option, std::vector<int> values)
+      : name_(std::move(name)),
+        option_(option),
+        values_(std::move(values)),
+        excess_(values_.size(), 0),
+        seconds_(values_.size(), 0),
+        reached_(values_.size(), 0)
+  {}
+
+  /// Adds a pair of which the least energy is proven.
+  void add(const Structural_graph& source, const Structural_graph& target, double least_energy)
+  {
+    ++pairs_;
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      Search_options beam = paper_options();
+      beam.alignments = 1;
+      beam.both_directions = false;
+      beam.beam.*option_ = values_[i];
+      const double begin = now();
+      const double energy = find_correspondence(source, target, beam).energy;
+      seconds_[i] += now() - begin;
+      excess_[i] += energy / least_energy;
+      reached_[i] += energy < least_energy * (1 + 1e-6);
+    }
+  }
+
+  void write(const Options& options, const std::string& file) const
+  {
+    std::cout << '\n';
+    write_heading({name_, "energy / least energy", "reaches it", "s / pair"});
+    Chart chart;
+    chart.x_title = name_;
+    chart.y_title = "energy / least energy, mean";
+    chart.lines = {{"beam search", "#0a62c4", {}, false}, {"proven least energy", "#c43b0a", {}, true}};
+    chart.y_low = chart.y_high = 1;
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const double mean = excess_[i] / pairs_;
+      write_row({std::to_string(values_[i]), text(mean), text(100. * double(reached_[i]) / pairs_, 1) + " %",
+                 text(seconds_[i] / pairs_, 4)});
+      chart.x_marks.push_back(std::to_string(values_[i]));
+      chart.lines[0].points.emplace_back(double(i), mean);
+      chart.lines[1].points.emplace_back(double(i), 1);
+      chart.y_high = std::max(chart.y_high, mean);
+    }
+    chart.y_low = 1 - .1 * (chart.y_high - 1);
+    std::ofstream out = picture(options, file);
+    chart.write(out);
+  }
+
+private:
+  std::string name_;
+  int Beam_options::*option_;
+  std::vector<int> values_;
+  std::vector<double> excess_, seconds_;
+  std::vector<std::size_t> reached_;
+  double pairs_ = 0;
+};
+
+/// Over all pairs, energies relative to the least proven one; by k, as in the paper, and by K.
 inline void figure10(const Dataset& dataset, const Options& options)
 {
-  const std::vector<int> widths{1, 2, 5, 10, 20, 50, 100};
-  std::vector<double> excess(widths.size(), 0), seconds(widths.size(), 0);
-  std::vector<std::size_t> reached(widths.size(), 0);
+  Beam_trade_off expansions("expansions k, K = 20", &Beam_options::expansions, {1, 2, 4, 8, 16}),
+      width("beam width K, k = 4", &Beam_options::beam_width, {1, 2, 5, 10, 20, 50, 100});
   std::size_t proven = 0;
   for (const Category& category : dataset)
     for (const auto& [s, t] : category.pairs) {
@@ -58,38 +121,13 @@ inline void figure10(const Dataset& dataset, const Options& options)
       const Correspondence best = find_correspondence(category.graphs[s], category.graphs[t], exact);
       if (!best.optimal || !(best.energy > 0)) continue;
       ++proven;
-      for (std::size_t k = 0; k < widths.size(); ++k) {
-        Search_options beam = paper_options();
-        beam.both_directions = false;
-        beam.beam.beam_width = widths[k];
-        const double begin = now();
-        beam.alignments = exact.alignments;
-        const double energy = find_correspondence(category.graphs[s], category.graphs[t], beam).energy;
-        seconds[k] += now() - begin;
-        excess[k] += energy / best.energy;
-        reached[k] += energy < best.energy * (1 + 1e-6);
-      }
+      for (Beam_trade_off* trade_off : {&expansions, &width})
+        trade_off->add(category.graphs[s], category.graphs[t], best.energy);
     }
   if (proven == 0) throw Invalid_input("the least energy of no pair is proven; there is nothing to compare with");
-  std::cout << "Pairs whose least energy is proven: " << proven << "\n\n";
-  write_heading({"beam width K", "energy / least energy", "reaches it", "s / pair"});
-  Chart chart;
-  chart.x_title = "beam width K";
-  chart.y_title = "energy / least energy, mean";
-  chart.lines = {{"beam search, k = 4", "#0a62c4", {}, false}, {"proven least energy", "#c43b0a", {}, true}};
-  chart.y_low = chart.y_high = 1;
-  for (std::size_t k = 0; k < widths.size(); ++k) {
-    const double mean = excess[k] / double(proven);
-    write_row({std::to_string(widths[k]), text(mean), text(100. * double(reached[k]) / double(proven), 1) + " %",
-               text(seconds[k] / double(proven), 4)});
-    chart.x_marks.push_back(std::to_string(widths[k]));
-    chart.lines[0].points.emplace_back(double(k), mean);
-    chart.lines[1].points.emplace_back(double(k), 1);
-    chart.y_high = std::max(chart.y_high, mean);
-  }
-  chart.y_low = 1 - .1 * (chart.y_high - 1);
-  std::ofstream out = picture(options, "figure10.svg");
-  chart.write(out);
+  std::cout << "Pairs whose least energy is proven: " << proven << '\n';
+  expansions.write(options, "figure10_k.svg");
+  width.write(options, "figure10.svg");
 }
 
 inline void figure11(const Dataset& dataset)
@@ -107,6 +145,42 @@ inline void figure11(const Dataset& dataset)
       const Mean_score& mean = of_parts.evaluation.mean;
       write_row({parts ? std::to_string(parts) : "all", name, text(mean.coarse_precision.mean),
                  text(mean.precision.mean), text(mean.recall.mean), text(of_parts.seconds, 4)});
+    }
+}
+
+/// Of the pairs of a method, those of the most prominent parts of the source, by volume.
+inline peers::Peer of_prominent_parts(const peers::Peer& method, std::size_t count)
+{
+  return [method, count](const std::vector<Structural_graph>& shapes, const std::vector<peers::Shape_pair>& pairs) {
+    std::vector<Part_pairs> result = method(shapes, pairs);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto& parts = structure(shapes[pairs[k][0]]).parts;
+      std::vector<std::size_t> order(parts.size());
+      std::iota(order.begin(), order.end(), std::size_t(0));
+      std::stable_sort(order.begin(), order.end(),
+                       [&](std::size_t a, std::size_t b) { return parts[a].volume > parts[b].volume; });
+      order.resize(std::min(order.size(), count));
+      const auto is_lesser = [&](const auto& pair) {
+        return std::find(order.begin(), order.end(), pair.first) == order.end();
+      };
+      result[k].erase(std::remove_if(result[k].begin(), result[k].end(), is_lesser), result[k].end());
+    }
+    return result;
+  };
+}
+
+/// Figure 16: precision on the most prominent parts, beside Tevs et al. 2014.
+inline void figure16(const Dataset& dataset)
+{
+  write_heading({"most prominent parts of the source", "method", "P", "coarse P", "R of all parts"});
+  const std::pair<const char*, peers::Peer> methods[] = {{"Tevs et al. 2014", peers::pairwise(peers::match_tevs_2014)},
+                                                         {"the paper's method", ours(paper_options())},
+                                                         {"default", ours(default_options())}};
+  for (const std::size_t count : {2, 4, 8})
+    for (const auto& [name, method] : methods) {
+      const Mean_score mean = run(dataset, of_prominent_parts(method, count)).evaluation.mean;
+      write_row({std::to_string(count), name, text(mean.precision.mean), text(mean.coarse_precision.mean),
+                 text(mean.recall.mean)});
     }
 }
 

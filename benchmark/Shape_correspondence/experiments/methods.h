@@ -56,9 +56,9 @@ inline peers::Peer without_symmetry(const peers::Peer& method)
 
 /// A method's maps of all pairs of a collection, made consistent by `co_analysis()`: parts with one label correspond.
 template <typename Map>
-peers::Peer co_analyzed(const Map& map)
+peers::Peer co_analyzed(const Map& map, const Co_analysis_options& options = {})
 {
-  return [map](const std::vector<Structural_graph>& shapes, const std::vector<peers::Shape_pair>& pairs) {
+  return [map, options](const std::vector<Structural_graph>& shapes, const std::vector<peers::Shape_pair>& pairs) {
     std::vector<std::size_t> counts;
     std::vector<Shape_pair_map> maps;
     for (std::size_t s = 0; s < shapes.size(); ++s) {
@@ -66,7 +66,7 @@ peers::Peer co_analyzed(const Map& map)
       for (std::size_t t = 0; t < s; ++t)
         maps.push_back({t, s, map(shapes[t], shapes[s])});
     }
-    const Co_analysis analysis = co_analysis(counts, maps);
+    const Co_analysis analysis = co_analysis(counts, maps, options);
     std::vector<Part_pairs> result;
     for (const auto& [s, t] : pairs) {
       result.emplace_back();

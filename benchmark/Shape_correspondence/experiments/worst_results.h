@@ -7,11 +7,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_WORST_RESULTS_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_WORST_RESULTS_H
 
-#include "methods.h"
-#include "options.h"
-
-#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
-#include <CGAL/Shape_correspondence/IO/write_html.h>
+#include "gallery.h"
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -60,28 +56,18 @@ inline void worst(const Dataset& dataset, const Options& options)
   std::stable_sort(results.begin(), results.end(),
                    [](const Result& a, const Result& b) { return a.score.f1() < b.score.f1(); });
   results.resize(std::min(results.size(), shown));
-  std::ofstream index = picture(options, "worst.html");
-  index << "<!DOCTYPE html><meta charset=\"utf-8\"><title>Worst results</title><style>body{font:14px sans-serif}"
-           "iframe{width:100%;height:480px;border:1px solid #ccc}</style>\n";
+  Picture_pages pages(options, "worst", "Worst results");
   write_heading({"category", "source", "target", "P", "R", "F1"});
-  for (std::size_t k = 0; k < results.size(); ++k) {
-    const auto& [category, pair, correspondence, scored] = results[k];
+  for (const auto& [category, pair, correspondence, scored] : results) {
     const auto [s, t] = pair;
     write_row({category->name, category->shapes[s], category->shapes[t], text(scored.precision(), 2),
                text(scored.recall(), 2), text(scored.f1(), 2)});
-    const Segmented_shape source = IO::read_segmented_shape(category->folders[s]),
-                          target = IO::read_segmented_shape(category->folders[t]);
-    const std::string page = "worst_" + std::to_string(k + 1) + ".html";
-    std::ofstream out((fs::path(options.out) / page).string(), std::ios::binary);
-    IO::write_correspondence_html(out, correspondence, category->graphs[s], category->graphs[t], &source, &target);
     const Ground_truth truth = ground_truth(category->labels[s], category->labels[t]);
     const Part_pairs pairs = part_pairs(correspondence.pairs);
-    index << "<h3>" << k + 1 << ". " << category->name << ": " << category->shapes[s] << " – " << category->shapes[t]
-          << ", F1 " << text(scored.f1(), 2)
-          << "</h3><p>Wrong: " << named_pairs(difference(pairs, truth.pairs), *category, s, t)
-          << "</p><p>Missed: " << named_pairs(difference(truth.pairs, pairs), *category, s, t)
-          << "</p><details><summary>Picture</summary><iframe loading=\"lazy\" src=\"" << page
-          << "\"></iframe></details>\n";
+    pages.add(category->name + ": " + pair_name(*category, pair) + ", F1 " + text(scored.f1(), 2), *category, pair,
+              correspondence,
+              "<p>Wrong: " + named_pairs(difference(pairs, truth.pairs), *category, s, t) +
+                  "</p><p>Missed: " + named_pairs(difference(truth.pairs, pairs), *category, s, t) + "</p>");
   }
 }
 

@@ -11,7 +11,8 @@ Several threads may call one object at a time. What it returns must depend on it
 
 \cgalRefines `CopyConstructible`
 
-\cgalHasModel `CGAL::Shape_correspondence::Skeleton_abstraction`, the default
+\cgalHasModel `CGAL::Shape_correspondence::Fitted_abstraction`, the default
+\cgalHasModel `CGAL::Shape_correspondence::Mean_curvature_abstraction`
 \cgalHasModel `CGAL::Shape_correspondence::Bounding_box_abstraction`
 
 \sa \ref Shape_correspondence/own_abstraction.cpp

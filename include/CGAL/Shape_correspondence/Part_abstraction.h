@@ -61,12 +61,13 @@ struct Abstraction_report
 {
   /// What a curve or sheet was fitted to.
   enum class Method {
-    SKELETON,        ///< the skeleton that mean curvature flow leaves
-    MEDIAL_AXIS,     ///< the medial axis
-    REVOLUTION_AXIS, ///< the axis of a body of revolution or of a block
-    BOUNDING_BOX,    ///< the bounding box
-    COPY,            ///< nothing: it is the abstraction of a congruent part, moved
-    GIVEN            ///< unknown: it comes from a file or from another abstractor
+    SKELETON,      ///< the curve skeleton that mean curvature flow leaves
+    MESO_SKELETON, ///< what mean curvature flow has made of the surface when the enclosed volume is all but gone
+    MEDIAL_AXIS,   ///< the medial axis
+    AXIS,          ///< nothing: it is the axis of a body of revolution or of a block
+    BOUNDING_BOX,  ///< the bounding box
+    COPY,          ///< nothing: it is the abstraction of a congruent part, moved
+    GIVEN          ///< unknown: it comes from a file or from another abstractor
   };
   /// What was done to the surface of a part so that it encloses a solid.
   enum class Repair {
@@ -85,10 +86,10 @@ struct Abstraction_report
   bool time_limit = false;         ///< the time limit was reached
   std::string fallback;            ///< why the bounding box stands in, of a copy: for its original; empty: it does not
   std::string copy_of;             ///< of a copy: the name of its original
-  double residual = 0;     ///< root mean square distance of the skeleton from the abstraction over the part's diagonal
-  double coverage = 1;     ///< length of the curve over the length of the skeleton it was taken from
-  int iterations = 0;      ///< steps of the flow
-  double milliseconds = 0; ///< never part of a saved file, like those of the phases
+  double residual = 0;       ///< root mean square distance of what it was fitted to from it, over the part's diagonal
+  double coverage = 1;       ///< length of the curve over the length of the skeleton it was taken from
+  int iterations = 0;        ///< steps of the flow
+  double milliseconds = 0;   ///< never part of a saved file, like those of the phases
   Phase_milliseconds phases; ///< the same by phase
 
   /// Whether the bounding box stands in for a part that was to be skeletonized.

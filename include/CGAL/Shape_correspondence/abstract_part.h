@@ -37,10 +37,24 @@ enum class Abstraction_kind {
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Finds curves by mean curvature flow skeletonization (paper, section 3; Tagliasacchi et al. 2012), sheets on the
-/// medial axis. What cannot be treated gets `Bounding_box_abstraction`; the report says why.
+/// Fits sheets to the medial axis, and curves to the skeleton that mean curvature flow leaves (paper, section 3;
+/// Tagliasacchi et al. 2012), extended to the surface; bodies of revolution and blocks get their axis. What cannot be
+/// treated gets `Bounding_box_abstraction`; the report says why.
 /// \cgalModels `PartAbstractor`
-struct Skeleton_abstraction
+struct Fitted_abstraction
+{
+  /// The abstraction of a part, see `PartAbstractor::operator()()`.
+  Part_abstraction operator()(const Shape_part& part, const Abstraction_options& options) const;
+};
+
+/// \ingroup PkgShapeCorrespondenceAbstraction
+/// Finds curves and sheets by `CGAL::Mean_curvature_flow_skeletonization` as it is: a curve is the longest path, or the
+/// cycle, of the converged skeleton; a sheet is fitted to the meso-skeleton, which is the flow stopped when
+/// `Abstraction_options::stop_volume` of the volume is left. Extents of the meso-skeleton along itself, by geodesic
+/// distances, tell which of the two a part becomes. What cannot be treated gets `Bounding_box_abstraction`; the report
+/// says why.
+/// \cgalModels `PartAbstractor`
+struct Mean_curvature_abstraction
 {
   /// The abstraction of a part, see `PartAbstractor::operator()()`.
   Part_abstraction operator()(const Shape_part& part, const Abstraction_options& options) const;
@@ -62,12 +76,12 @@ struct Bounding_box_abstraction
 struct Abstraction_options
 {
   /// What makes a curve or sheet of a part: a model of `PartAbstractor`.
-  std::function<Part_abstraction(const Shape_part&, const Abstraction_options&)> abstractor = Skeleton_abstraction();
+  std::function<Part_abstraction(const Shape_part&, const Abstraction_options&)> abstractor = Fitted_abstraction();
   Abstraction_kind kind = Abstraction_kind::AUTOMATIC; ///< what parts are to become
   std::map<std::string, Abstraction_kind> part_kinds;  ///< by part name, in place of `kind`
   double edge_length = 0.02;    ///< target edge length of the remeshing before the flow, where `triangles` suffice
   int triangles = 1500;         ///< about how many triangles the remeshed part may have; edges are longer if need be
-  double stop_volume = 0.02;    ///< whether a part is hollow shows when the flow has left this fraction of its volume
+  double stop_volume = 0.02;    ///< fraction of the volume at which the flow shows sheets, and whether a part is hollow
   int maximum_iterations = 300; ///< of the flow; the bounding box stands in for a part that needs more
   double time_limit = 20;       ///< seconds a part; the bounding box stands in for a part that needs more
   int curve_points = 16;        ///< control points of a curve; as many again for every full turn that it makes

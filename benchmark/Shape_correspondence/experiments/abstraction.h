@@ -1,0 +1,99 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The ways to abstract parts side by side: how near they are to what the generator states, and what matching makes of
+// them.
+#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ABSTRACTION_H
+#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ABSTRACTION_H
+
+#include "../abstraction_error.h"
+#include "methods.h"
+
+#include <ctime>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace experiments {
+
+/// How near the abstractions of some parts are to those that the generator states.
+struct Abstraction_scores
+{
+  std::size_t stated = 0, kinds_right = 0, parts = 0, fallbacks = 0;
+  std::vector<double> curve_deviations, sheet_deviations; ///< over the part's diagonal, by what is stated
+  std::vector<double> residuals;                          ///< of parts that are no copies
+  double seconds = 0;                                     ///< of the processor, of all shapes
+};
+
+inline void compare_with_stated(const Segmented_shape& model, const Structural_graph& graph, const std::string& folder,
+                                Abstraction_scores& scores)
+{
+  const std::map<std::string, Part_abstraction> stated = benchmark::stated_abstractions(folder);
+  for (std::size_t i = 0; i < model.parts().size(); ++i) {
+    const Part_abstraction& part = structure(graph).parts[i];
+    ++scores.parts;
+    scores.fallbacks += part.report.is_fallback();
+    if (part.report.copy_of.empty()) scores.residuals.push_back(part.report.residual);
+    const auto found = stated.find(part.name);
+    if (found == stated.end()) continue;
+    ++scores.stated;
+    scores.kinds_right += benchmark::same_kind(part, found->second);
+    std::vector<double>& deviations = found->second.is_sheet() ? scores.sheet_deviations : scores.curve_deviations;
+    for (double deviation : benchmark::deviations(part, found->second))
+      deviations.push_back(deviation / benchmark::diagonal(model.parts()[i].mesh.points));
+  }
+}
+
+/// Abstracts all shapes anew, which takes the place of their graphs; the cache would hide the seconds.
+inline Abstraction_scores abstract_all(const Structure_options& options, Dataset& dataset)
+{
+  Abstraction_scores scores;
+  for (Category& category : dataset)
+    for (std::size_t k = 0; k < category.shapes.size(); ++k) {
+      const Segmented_shape model = IO::read_segmented_shape(category.folders[k], Point::UnitY());
+      const std::clock_t begin = std::clock();
+      category.graphs[k] = build_structural_graph(model, options);
+      scores.seconds += double(std::clock() - begin) / CLOCKS_PER_SEC;
+      compare_with_stated(model, category.graphs[k], fs::path(category.folders[k]).parent_path().string(), scores);
+    }
+  return scores;
+}
+
+inline void compare_abstractions(Dataset dataset)
+{
+  using benchmark::quantile;
+  const std::pair<const char*, decltype(Abstraction_options::abstractor)> ways[] = {
+      {"flow: `Mean_curvature_abstraction`", Mean_curvature_abstraction()},
+      {"fitted: `Fitted_abstraction`, the default", Fitted_abstraction()},
+      {"boxes: `Bounding_box_abstraction`", Bounding_box_abstraction()}};
+  std::size_t shapes = 0;
+  for (const Category& category : dataset)
+    shapes += category.shapes.size();
+  write_heading({"abstraction", "kinds as stated", "curves off by, median", "95 %", "sheets off by, median", "95 %",
+                 "residual, median", "95 %", "boxes stand in", "F1 paper", "F1 default", "CPU s / shape"});
+  for (const auto& [name, abstractor] : ways) {
+    Structure_options options;
+    options.abstraction.abstractor = abstractor;
+    const Abstraction_scores s = abstract_all(options, dataset);
+    std::vector<std::string> cells{
+        name, s.stated == 0 ? "-" : std::to_string(s.kinds_right) + " of " + std::to_string(s.stated)};
+    for (const std::vector<double>* deviations : {&s.curve_deviations, &s.sheet_deviations})
+      for (double fraction : {0.5, 0.95})
+        cells.push_back(deviations->empty() ? "-" : text(quantile(*deviations, fraction), 4));
+    for (double fraction : {0.5, 0.95})
+      cells.push_back(text(quantile(s.residuals, fraction), 4));
+    cells.push_back(std::to_string(s.fallbacks) + " of " + std::to_string(s.parts));
+    for (const Search_options& search : {paper_options(), default_options()})
+      cells.push_back(text(run(dataset, ours(search)).evaluation.mean.f1.mean));
+    cells.push_back(text(s.seconds / double(shapes), 2));
+    write_row(cells);
+  }
+}
+
+} // namespace experiments
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ABSTRACTION_H

@@ -1,0 +1,184 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The paper's galleries and what is made with correspondences: Figures 1 and 9, 13 to 15 and Table 1.
+#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_GALLERY_H
+#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_GALLERY_H
+
+#include "methods.h"
+#include "options.h"
+
+#include <CGAL/Shape_correspondence/IO/write_html.h>
+#include <CGAL/Shape_correspondence/energy_matrix.h>
+#include <CGAL/Shape_correspondence/topological_medoid.h>
+#include <CGAL/Shape_correspondence/transitive_correspondence.h>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace experiments {
+
+/// The pairs of a category that are shown: the smallest, the middle and the largest one by numbers of groups.
+inline std::vector<peers::Shape_pair> gallery_pairs(const Category& category)
+{
+  std::vector<peers::Shape_pair> pairs = category.pairs;
+  const auto size = [&](const peers::Shape_pair& pair) {
+    return num_vertices(category.graphs[pair[0]]) * num_vertices(category.graphs[pair[1]]);
+  };
+  std::stable_sort(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) { return size(a) < size(b); });
+  if (pairs.size() > 3) pairs = {pairs.front(), pairs[pairs.size() / 2], pairs.back()};
+  return pairs;
+}
+
+/// A page of pictures, a page of its own each, and an index of them.
+class Picture_pages
+{
+public:
+  Picture_pages(const Options& options, const std::string& name, const std::string& title)
+      : options_(options), name_(name), index_(picture(options, name + ".html"))
+  {
+    index_
+        << "<!DOCTYPE html><meta charset=\"utf-8\"><title>" << title
+        << "</title><style>body{font:14px sans-serif}iframe{width:100%;height:480px;border:1px solid #ccc}</style>\n";
+  }
+
+  /// \param text plain HTML below the heading
+  void add(const std::string& heading, const Category& category, const peers::Shape_pair& pair,
+           const Correspondence& correspondence, const std::string& text = "")
+  {
+    const auto [s, t] = pair;
+    const Segmented_shape source = IO::read_segmented_shape(category.folders[s]),
+                          target = IO::read_segmented_shape(category.folders[t]);
+    const std::string page = name_ + "_" + std::to_string(++count_) + ".html";
+    std::ofstream out((fs::path(options_.out) / page).string(), std::ios::binary);
+    IO::write_correspondence_html(out, correspondence, category.graphs[s], category.graphs[t], &source, &target);
+    index_ << "<h3>" << count_ << ". " << heading << "</h3>" << text
+           << "<details><summary>Picture</summary><iframe loading=\"lazy\" src=\"" << page
+           << "\"></iframe></details>\n";
+  }
+
+private:
+  const Options& options_;
+  std::string name_;
+  std::ofstream index_;
+  std::size_t count_ = 0;
+};
+
+inline std::string pair_name(const Category& category, const peers::Shape_pair& pair)
+{
+  return category.shapes[pair[0]] + " – " + category.shapes[pair[1]];
+}
+
+/// Figures 1 and 9: correspondences by the paper's method, matched parts in one colour, others grey.
+inline void gallery(const Dataset& dataset, const Options& options)
+{
+  Picture_pages pages(options, "gallery", "Correspondences by the paper's method");
+  write_heading({"pair", "energy", "deformed", "pairs of parts", "unmatched"});
+  for (const Category& category : dataset)
+    for (const peers::Shape_pair& pair : gallery_pairs(category)) {
+      const Correspondence c = find_correspondence(category.graphs[pair[0]], category.graphs[pair[1]], paper_options());
+      pages.add(pair_name(category, pair), category, pair, c);
+      write_row({pair_name(category, pair), text(c.energy),
+                 c.direction == Direction::SOURCE_TO_TARGET ? "source" : "target", std::to_string(c.pairs.size()),
+                 std::to_string(c.unmatched_source.size() + c.unmatched_target.size())});
+    }
+}
+
+/// Table 1: all pairs of the gallery.
+inline void table1(const Dataset& dataset)
+{
+  write_heading({"pair", "#P_s", "#P_t", "#G_s", "#G_t", "beam s", "exact s", "proven", "parts s"});
+  for (const Category& category : dataset)
+    for (const peers::Shape_pair& pair : gallery_pairs(category)) {
+      const Structural_graph &source = category.graphs[pair[0]], &target = category.graphs[pair[1]];
+      std::vector<std::string> cells{pair_name(category, pair), std::to_string(structure(source).parts.size()),
+                                     std::to_string(structure(target).parts.size()),
+                                     std::to_string(num_vertices(source)), std::to_string(num_vertices(target))};
+      for (const Search_options& options : {paper_options(), exact_options(), default_options()}) {
+        const double begin = now();
+        const Correspondence c = find_correspondence(source, target, options);
+        cells.push_back(text(now() - begin, 4));
+        if (options.method == Search_method::EXACT) cells.push_back(c.optimal ? "yes" : "no");
+      }
+      write_row(cells);
+    }
+}
+
+/// The energies of all ordered pairs of a category by the paper's method.
+inline Energy_matrix paper_energies(const Category& category)
+{
+  Energy_matrix_options options;
+  options.search = paper_options();
+  return energy_matrix<Parallel_if_available_tag>(category.graphs, options);
+}
+
+/// Figure 13: pairs that a third shape brings nearer, directly and by way of it.
+inline void figure13(const Dataset& dataset)
+{
+  write_heading(
+      {"category", "pairs", "by way of a third shape", "energy over the direct one", "F1 directly", "F1 by way of it"});
+  for (const Category& category : dataset) {
+    const Energy_matrix matrix = paper_energies(category);
+    std::size_t bridged = 0;
+    double ratio = 0, direct = 0, by_way = 0;
+    for (const auto& [s, t] : category.pairs) {
+      const Shape_chain chain = bridge_chain(matrix.energies, s, t);
+      const double energy = matrix.energies(Eigen::Index(s), Eigen::Index(t));
+      if (chain.is_direct() || !(chain.energy < energy)) continue;
+      const std::size_t bridge = chain.shapes[1];
+      const Part_map map = composed(matrix.map(s, bridge), matrix.map(bridge, t));
+      const Ground_truth truth = ground_truth(category.labels[s], category.labels[t]);
+      ++bridged;
+      ratio += chain.energy / energy;
+      direct += evaluate_correspondence(part_pairs(matrix.map(s, t).pairs), truth).f1();
+      by_way += evaluate_correspondence(part_pairs(map.pairs), truth).f1();
+    }
+    const auto mean = [&](double sum) { return bridged ? text(sum / double(bridged)) : "-"; };
+    write_row({category.name, std::to_string(category.pairs.size()), std::to_string(bridged), mean(ratio), mean(direct),
+               mean(by_way)});
+  }
+}
+
+/// Figure 14: the medoid of each category by the paper's energy, and the shape that is farthest from the others.
+inline void figure14(const Dataset& dataset)
+{
+  write_heading({"category", "shapes", "medoid", "mean distance", "farthest shape", "mean distance"});
+  for (const Category& category : dataset) {
+    if (category.graphs.size() < 2) continue;
+    const Eigen::MatrixXd distances = symmetric_distances(paper_energies(category).energies);
+    const Eigen::VectorXd means = distances.rowwise().sum() / double(distances.rows() - 1);
+    const std::size_t medoid = topological_medoid(distances);
+    Eigen::Index farthest;
+    means.maxCoeff(&farthest);
+    write_row({category.name, std::to_string(category.shapes.size()), category.shapes[medoid],
+               text(means[Eigen::Index(medoid)]), category.shapes[std::size_t(farthest)], text(means[farthest])});
+  }
+}
+
+/// Figure 15: what people say corresponds, fine and coarse, on the pairs of the gallery.
+inline void figure15(const Dataset& dataset, const Options& options)
+{
+  Picture_pages pages(options, "figure15", "Ground truth");
+  write_heading({"pair", "pairs of parts", "with equal coarse labels"});
+  for (const Category& category : dataset)
+    for (const peers::Shape_pair& pair : gallery_pairs(category)) {
+      const Ground_truth truth = ground_truth(category.labels[pair[0]], category.labels[pair[1]]);
+      for (const Part_pairs* pairs : {&truth.pairs, &truth.coarse_pairs}) {
+        Correspondence c;
+        c.complete = true;
+        for (const auto& [i, j] : *pairs)
+          c.pairs.push_back({i, j});
+        const char* level = pairs == &truth.pairs ? ", fine" : ", coarse";
+        pages.add(pair_name(category, pair) + level, category, pair, c);
+      }
+      write_row(
+          {pair_name(category, pair), std::to_string(truth.pairs.size()), std::to_string(truth.coarse_pairs.size())});
+    }
+}
+
+} // namespace experiments
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_GALLERY_H

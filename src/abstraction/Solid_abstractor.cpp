@@ -1,0 +1,115 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "abstraction/Solid_abstractor.h"
+#include "abstraction/bounding_box.h"
+#include "abstraction/repair.h"
+#include "abstraction/surface_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+
+namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+/// The edge length that the options ask for, longer where that would make too many triangles.
+double target_edge_length(const Part_mesh& solid, const Abstraction_options& options)
+{
+  const double triangle_area = surface_area(solid) / options.triangles;
+  return std::max(options.edge_length * diagonal(solid.points), std::sqrt(triangle_area * 4 / std::sqrt(3.)));
+}
+
+} // namespace
+
+Solid_abstractor::Solid_abstractor(const Shape_part& part, const Abstraction_options& options)
+    : part_(part),
+      options_(options),
+      wanted_kind_(options.kind_of(part.name)),
+      deadline_(options.time_limit),
+      diagonal_(diagonal(part.mesh.points))
+{}
+
+Part_abstraction Solid_abstractor::run()
+{
+  try {
+    try_to_run();
+    return std::move(result_);
+  } catch (const Out_of_time& error) {
+    return bounding_box(error.what(), true);
+  } catch (const Flow_failure& error) {
+    return bounding_box(error.what(), false);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {
+    return bounding_box("its surface is too degenerate for the flow", false);
+  }
+}
+
+void Solid_abstractor::try_to_run()
+{
+  watch_.lap();
+  const Repaired_part repaired = repair_part(mesh(), deadline_);
+  report().repair = repaired.repair;
+  report().several_components = repaired.several_components;
+  result_.volume = repaired.volume;
+  report().phases.repair = watch_.lap();
+  edge_length_ = target_edge_length(repaired.mesh, options_);
+  const Part_mesh solid = remeshed(repaired.mesh, edge_length_, deadline_);
+  report().phases.remesh = watch_.lap();
+  const Eigen::Index fewest_vertices = 50;
+  if (solid.points.cols() < fewest_vertices) {
+    throw Flow_failure("its surface encloses next to nothing");
+  }
+  find_geometry(solid);
+  if (!result_.control_points().allFinite()) {
+    throw Flow_failure("its skeleton is not finite");
+  }
+}
+
+Part_abstraction Solid_abstractor::bounding_box(const std::string& failure, bool time_limit) const
+{
+  Part_abstraction result = Bounding_box_abstraction()(part_, options_);
+  result.volume = result_.volume;
+  result.report.repair = result_.report.repair;
+  result.report.several_components = result_.report.several_components;
+  result.report.phases = result_.report.phases;
+  result.report.fallback = failure;
+  result.report.time_limit = time_limit;
+  return result;
+}
+
+void Solid_abstractor::use_curve(const Fitted_curve& fitted)
+{
+  const double shortest = 0.2; // over the part's diagonal
+  if (fitted.curve.points.cols() < 2 || arc_lengths(fitted.curve).back() < shortest * diagonal_) {
+    throw Flow_failure("its skeleton is a point");
+  }
+  result_.geometry = fitted.curve;
+  report().method = Method::SKELETON;
+  report().coverage = fitted.coverage;
+  report().branching = fitted.coverage < least_coverage;
+  report().residual = fitted.residual / diagonal_;
+  report().phases.fit += watch_.lap();
+}
+
+void Solid_abstractor::use_axis(const Curve& axis)
+{
+  result_.geometry = axis;
+  report().method = Method::AXIS;
+  report().blob = !report().tube;
+  report().phases.fit += watch_.lap();
+}
+
+void Solid_abstractor::use_sheet(const Fitted_sheet& fitted, Method method)
+{
+  result_.geometry = fitted.sheet;
+  report().method = method;
+  report().residual = fitted.residual / diagonal_;
+  report().phases.fit += watch_.lap();
+}
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "abstraction/fit_curve.h"
+#include "abstraction/fit_sheet.h"
+#include "base/deadline.h"
+
+#include <CGAL/Shape_correspondence/abstract_part.h>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// Makes a closed and evenly remeshed solid of a part's surface, and of the solid, by a derived class, a curve or a
+/// sheet. What cannot be treated gets the bounding box.
+class Solid_abstractor
+{
+public:
+  Solid_abstractor(const Shape_part& part, const Abstraction_options& options);
+  virtual ~Solid_abstractor() = default;
+
+  /// The abstraction; a failure is in its report.
+  Part_abstraction run();
+
+protected:
+  using Method = Abstraction_report::Method;
+
+  /// Calls one of `use_curve()`, `use_axis()` and `use_sheet()`. \throw Flow_failure
+  virtual void find_geometry(const Part_mesh& solid) = 0;
+
+  /// \throw Flow_failure if the curve is hardly more than a point
+  void use_curve(const Fitted_curve& fitted);
+  void use_axis(const Curve& axis);
+  void use_sheet(const Fitted_sheet& fitted, Method method);
+
+  const Part_mesh& mesh() const { return part_.mesh; }
+  const Abstraction_options& options() const { return options_; }
+  Abstraction_kind wanted_kind() const { return wanted_kind_; }
+  const Deadline& deadline() const { return deadline_; }
+  double diagonal_of_part() const { return diagonal_; }
+  /// Of the solid
+  double edge_length() const { return edge_length_; }
+  Abstraction_report& report() { return result_.report; }
+  /// Milliseconds since the last call
+  double lap() { return watch_.lap(); }
+
+private:
+  /// \throw Flow_failure, or what else the algorithms throw
+  void try_to_run();
+  /// \param failure why the bounding box stands in
+  Part_abstraction bounding_box(const std::string& failure, bool time_limit) const;
+
+  const Shape_part& part_;
+  const Abstraction_options& options_;
+  Abstraction_kind wanted_kind_;
+  Deadline deadline_;
+  double diagonal_;
+  double edge_length_ = 0;
+  Stop_watch watch_;
+  Part_abstraction result_;
+};
+
+} // namespace CGAL::Shape_correspondence::internal

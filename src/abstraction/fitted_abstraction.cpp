@@ -1,0 +1,204 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "abstraction/Solid_abstractor.h"
+#include "abstraction/bounding_box.h"
+#include "abstraction/fit_curve.h"
+#include "abstraction/fit_sheet.h"
+#include "abstraction/intrinsic_extent.h"
+#include "abstraction/medial_poles.h"
+#include "abstraction/revolution_axis.h"
+#include "abstraction/skeletonize.h"
+
+#include <CGAL/Shape_correspondence/abstract_part.h>
+
+#include <cmath>
+#include <optional>
+
+namespace CGAL::Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+/// Whether the medial axis of a part is a layer, as that of a thick cushion; a block with edges has sheets towards
+/// them, and a pebble hardly more than a point.
+bool is_layer(const Intrinsic_layout& layout, double thickness)
+{
+  const double most_depth = 0.28;        // over its width
+  const double most_thickness = 2. / 3.; // of the part, over its length
+  return layout.extents[2] < most_depth * layout.extents[1] && thickness < most_thickness * layout.extents[0];
+}
+
+/// What a part is like when it is measured along itself. A blade is long, but far wider than thick; a block is compact
+/// and so thick that its medial axis tells no direction.
+enum class Intrinsic_kind { ELONGATED, BLADE, FLAT, COMPACT, BLOCK };
+
+/// \param layout of the medial axis
+/// \param thickness mean distance of the surface from the medial axis
+/// \param box extents of the bounding box, longest first
+Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, const Eigen::Vector3d& box)
+{
+  const double least_width = 0.21;        // of a sheet, over its length
+  const double least_depth = 0.5;         // of what is compact, over its width
+  const double least_blade_width = 0.075; // over its length
+  const double blade_thickness = 0.26;    // over its width at most; a blade is 7.7 times as wide as thick
+  const double least_thickness = 0.3;     // of a block, over its length
+  const double least_height = 0.32, plate_height = 0.45; // of a block's box, over its length and its width
+  const Eigen::Vector3d& extents = layout.extents;
+  if (extents[1] <= least_width * extents[0]) {
+    const bool is_blade = extents[1] > least_blade_width * extents[0] && thickness < blade_thickness * extents[1];
+    return is_blade ? Intrinsic_kind::BLADE : Intrinsic_kind::ELONGATED;
+  }
+  if (!is_layer(layout, thickness) && thickness > least_thickness * extents[0] && box[2] > least_height * box[0] &&
+      box[2] > plate_height * box[1]) {
+    return Intrinsic_kind::BLOCK;
+  }
+  return extents[2] >= least_depth * extents[1] ? Intrinsic_kind::COMPACT : Intrinsic_kind::FLAT;
+}
+
+/// Whether a body of revolution is known by its axis rather than as a disc; with a hole through it, only a tube of a
+/// thin wall is, for others are rings.
+bool is_slender(const Revolution_axis& axis, double thickness, bool has_handle)
+{
+  const double least_slenderness = has_handle ? 0.15 : 1. / 3; // height over diameter
+  const double thin_wall = 0.25;                               // its thickness over the height, at most
+  return axis.slenderness >= least_slenderness && (!has_handle || 2 * thickness <= thin_wall * axis.height);
+}
+
+/// Whether a body of revolution with such a medial axis is one indeed, as a wheel, not a cushion with rounded corners.
+bool is_round(const Revolution_axis& axis, const Intrinsic_layout& layout, double thickness)
+{
+  const double most_deviation = 0.03; // over the radius; that of a wheel of twelve sides is less
+  return !is_layer(layout, thickness) || axis.deviation < most_deviation;
+}
+
+/// Whether a part that is compact along itself is so for its walls only, as a carcass of boards.
+bool is_carcass(const Intrinsic_layout& layout, double thickness)
+{
+  const double thin_wall = 0.2; // half its thickness over the depth, at most
+  return thickness < thin_wall * layout.extents[2];
+}
+
+/// 2 of a closed connected surface without handles, less by two for each handle.
+Eigen::Index euler_characteristic(const Part_mesh& closed)
+{
+  return closed.points.cols() - closed.triangles.cols() / 2;
+}
+
+/// Finds the curve or sheet of one part: sheets on the medial axis, curves on the skeleton.
+class Fitter : public Solid_abstractor
+{
+  using Solid_abstractor::Solid_abstractor;
+
+  void find_geometry(const Part_mesh& solid) override
+  {
+    const Spatial_graph axis = medial_graph(solid);
+    const double thickness = (axis.points - solid.points).colwise().norm().mean();
+    const Intrinsic_layout layout = layout_of(axis);
+    const Oriented_box box = oriented_box(mesh().points);
+    const bool has_handle = euler_characteristic(solid) < 2;
+    const Intrinsic_kind measured = intrinsic_kind(layout, thickness, box.extents);
+    const std::optional<Revolution_axis> revolution = axis_of_revolution(solid, measured);
+    report().phases.fit = lap();
+    if (revolution && is_slender(*revolution, thickness, has_handle) && is_round(*revolution, layout, thickness)) {
+      report().tube = has_handle;
+      use_axis(revolution->curve(mesh().points, options().curve_points));
+      return;
+    }
+    // Flat as a whole, though not along itself: a disc on a long axle, a flat carcass
+    const bool is_disc = revolution && !has_handle && measured != Intrinsic_kind::FLAT;
+    const bool is_flat_carcass =
+        measured == Intrinsic_kind::COMPACT && is_carcass(layout, thickness) && is_flat(box.extents);
+    const Intrinsic_kind kind = is_disc || is_flat_carcass ? Intrinsic_kind::FLAT : measured;
+    const auto sheet = [&] {
+      return is_disc ? fit_sheet(axis.points, mesh().points, options().sheet_points)
+             : is_flat_carcass
+                 ? fit_flat_sheet({box.centre, box.axes}, axis.points, mesh().points, options().sheet_points)
+                 : fitted_sheet(axis.points, layout, thickness);
+    };
+    if (wanted_kind() == Abstraction_kind::SHEET) {
+      use_sheet(sheet(), Method::MEDIAL_AXIS);
+      return;
+    }
+    if (kind == Intrinsic_kind::BLOCK && !has_handle) {
+      use_axis(medial_curve(box, options().curve_points, distinct_axis(box)));
+      return;
+    }
+    // Residual of a fit over the diagonal, at most: arms that branch off are no blade, and no curve goes along all
+    const double most = 0.02 * diagonal_of_part();
+    if (wanted_kind() == Abstraction_kind::AUTOMATIC && !has_handle &&
+        (kind == Intrinsic_kind::FLAT || kind == Intrinsic_kind::BLADE)) {
+      const Fitted_sheet fitted = sheet();
+      if (kind == Intrinsic_kind::FLAT || fitted.residual < most) {
+        use_sheet(fitted, Method::MEDIAL_AXIS);
+        return;
+      }
+    }
+    const Fitted_curve fitted = contracted_curve(solid, axis.points);
+    const bool is_net = fitted.residual > (fitted.curve.closed ? 0.5 : 1.) * most; // a ring is its whole skeleton
+    if (wanted_kind() == Abstraction_kind::AUTOMATIC &&
+        (report().tube || (is_net && is_flat(box.extents)) || (kind == Intrinsic_kind::FLAT && !fitted.curve.closed))) {
+      use_sheet(sheet(), Method::MEDIAL_AXIS); // also of a propeller or a pedal
+    } else if (is_net && fitted.curve.closed) {
+      use_axis(medial_curve(box, options().curve_points, distinct_axis(box))); // of a cage
+    } else {
+      report().blob = (kind == Intrinsic_kind::COMPACT || kind == Intrinsic_kind::BLOCK) && !fitted.curve.closed;
+      use_curve(fitted);
+    }
+  }
+
+private:
+  /// The curve that the flow finds. Whether the part is a tube shows on the way.
+  Fitted_curve contracted_curve(const Part_mesh& solid, const Points& axis)
+  {
+    const double tube_area = 0.5; // share of the area that a tube has left when its volume is gone
+    Stepwise_flow flow(solid, Contraction::NEAREST_POLES, options().maximum_iterations, deadline());
+    flow.run_to_volume(options().stop_volume);
+    const double area_kept = flow.area_kept();
+    flow.run_to_convergence();
+    report().iterations = flow.iterations();
+    report().phases.flow = lap();
+    const Fitted_curve result = fit_curve(flow.curve_skeleton(), axis, solid, options().curve_points);
+    report().tube = result.curve.closed && area_kept > tube_area;
+    return result;
+  }
+
+  Intrinsic_layout layout_of(const Spatial_graph& axis) const
+  {
+    Spatial_graph_view layer(axis);
+    layer.connect_near(edge_length());
+    return intrinsic_layout(layer);
+  }
+
+  /// That of a part that is not long, where it says more than a skeleton, which may run in any direction.
+  std::optional<Revolution_axis> axis_of_revolution(const Part_mesh& solid, Intrinsic_kind kind) const
+  {
+    if (wanted_kind() == Abstraction_kind::SHEET || kind == Intrinsic_kind::ELONGATED) {
+      return std::nullopt;
+    }
+    return revolution_axis(solid.points, edge_length());
+  }
+
+  /// A sheet as it is seen from one side, or, of a part that is bent too much for that, along the part itself.
+  Fitted_sheet fitted_sheet(const Points& axis, const Intrinsic_layout& layout, double thickness) const
+  {
+    const double bent = 0.4; // depth over width
+    const Fitted_sheet seen = fit_sheet(axis, mesh().points, options().sheet_points);
+    const Eigen::Vector3d extents = principal_variances(axis).cwiseSqrt();
+    if (extents[2] < bent * extents[1]) {
+      return seen;
+    }
+    const Fitted_sheet along =
+        fit_bent_sheet(axis, layout.coordinates, thickness, mesh().points, options().sheet_points);
+    return along.residual < seen.residual ? along : seen;
+  }
+};
+
+} // namespace
+
+Part_abstraction Fitted_abstraction::operator()(const Shape_part& part, const Abstraction_options& options) const
+{
+  return Fitter(part, options).run();
+}
+
+} // namespace CGAL::Shape_correspondence
