@@ -27,8 +27,8 @@ const char* const help_text =
     R"(Usage: shape_correspondence match SOURCE TARGET [options]
 
 Finds which parts of two segmented shapes of one kind correspond. A part may correspond to many, or to none.
-Parts are compared by place, size and shape, which agrees best with people, and the result is rated by the
-energy of deforming the source into the target. With --paper, --search beam or --search exact, the
+Parts are compared by place, size and shape, and by what they are for (--roles; shapes look to +z), which agrees
+best with people, and the result is rated by the energy of deforming the source into the target. With --paper, --search beam or --search exact, the
 correspondence of least deformation energy is searched for instead.
 
 SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA: one node is one part),

@@ -5,6 +5,7 @@
 
 // Roles of parts: learning, telling, keeping, and matching with them.
 #include "hand_made_graphs.h"
+#include "matching/cross_validate_roles.h"
 #include "model_files.h"
 #include "program.h"
 
@@ -268,6 +269,120 @@ TEST_CASE("Matching with roles")
   CHECK_THAT(unknown.warnings.back(), Contains("geometry alone"));
   options.category = "boat";
   CHECK_THROWS_AS(find_correspondence(a.graph, b.graph, options), Invalid_input);
+}
+
+namespace {
+
+using namespace CGAL::Shape_correspondence::internal;
+
+std::vector<Validation_shape> validation_shapes(const std::deque<Furniture>& shapes)
+{
+  std::vector<Validation_shape> result;
+  for (const Furniture& shape : shapes) {
+    Validation_shape labelled{{&shape.graph, shape.category, shape.roles, 1}, shape.category + " maker", {}};
+    for (const std::string& role : shape.roles)
+      labelled.labels.push_back({role, ""});
+    result.push_back(std::move(labelled));
+  }
+  return result;
+}
+
+// All pairs of shapes of a category among the first ones.
+std::vector<Validation_pair> pairs_of_category(const std::deque<Furniture>& shapes, std::size_t count)
+{
+  std::vector<Validation_pair> result;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j)
+      if (shapes[i].category == shapes[j].category) result.push_back({i, j});
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("How far roles are trusted follows from shapes that were left out")
+{
+  const std::vector<Validation_shape> shapes = validation_shapes(examples());
+  const std::vector<Validation_pair> all = pairs_of_category(examples(), shapes.size());
+  const Role_validation validation(shapes, all, Left_out::SHAPES, {});
+  REQUIRE(validation.pairs().size() == all.size());
+  for (const Validated_pair& pair : validation.pairs()) {
+    const std::string& category = examples()[pair.shapes[0]].category;
+    CHECK((pair.category.empty() || pair.category == category));
+    CHECK(pair.joined.matched == pair.scores[std::size_t(pair.trust)].matched);
+    // Roles of what the training has seen the like of are right
+    CHECK(pair.scores[std::size_t(Role_trust::FULL)].precision() == 1);
+  }
+  for (const char* category : {"chair", "shelf"}) {
+    double geometric = 0, full = 0;
+    for (const Validated_pair& pair : validation.pairs())
+      if (examples()[pair.shapes[0]].category == category) {
+        geometric += pair.scores[std::size_t(Role_trust::NONE)].f1();
+        full += pair.scores[std::size_t(Role_trust::FULL)].f1();
+      }
+    INFO(category << ' ' << geometric << ' ' << full);
+    if (full <= geometric) CHECK(validation.trust(category) != Role_trust::FULL);
+    if (full > geometric + 1) CHECK(validation.trust(category) != Role_trust::NONE);
+    CHECK(validation.model().trust(category) == validation.trust(category));
+  }
+
+  // Confidences rise with the probability of the same role
+  const Confidence_table& confidences = validation.model().data().confidences;
+  CHECK(std::is_sorted(confidences.begin(), confidences.end()));
+  CHECK(confidences.front() >= 0);
+  CHECK(confidences.back() <= 1);
+}
+
+TEST_CASE("What was left out of the training is not known")
+{
+  const std::vector<Validation_shape> shapes = validation_shapes(examples());
+  const std::vector<Validation_pair> pairs{{0, 2}, {1, 3}};
+  for (const Left_out left_out : {Left_out::SOURCES, Left_out::CATEGORY}) { // each category is of one source
+    const Role_validation validation(shapes, pairs, left_out, {});
+    for (const Validated_pair& pair : validation.pairs()) {
+      CHECK(pair.category != examples()[pair.shapes[0]].category);
+      for (const Correspondence_score& score : pair.scores)
+        CHECK(score.right == pair.scores[0].right);
+    }
+  }
+
+  // Few shapes earn no trust
+  const Role_validation few(shapes, pairs_of_category(examples(), 6), Left_out::SHAPES, {});
+  CHECK(few.trust("chair") == Role_trust::NONE);
+  CHECK(few.trust("shelf") == Role_trust::NONE);
+}
+
+TEST_CASE("The command roles")
+{
+  const Temporary_folder folder;
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR, quick = " --abstraction boxes --trees 5 --quiet ";
+  const std::string train = "roles train " + data + quick + "--output " + folder.path("a.roles");
+  const Run trained = run(train + " --threads 1 --manifest - --date 2026-01-31");
+  REQUIRE(trained.status == 0);
+  const auto manifest = nlohmann::json::parse(trained.out);
+  CHECK(manifest["date"] == "2026-01-31");
+  CHECK(manifest["shapes"].size() == 14);
+  CHECK(manifest["categories"].size() == 6);
+  CHECK(manifest["shapes"][0]["license"] == "GPL-3.0-or-later");
+  const std::string bytes = text_of(folder.path("a.roles"));
+  REQUIRE(run(train + " --threads 2").status == 0);
+  CHECK(text_of(folder.path("a.roles")) == bytes);
+  CHECK(run("roles predict " + data + "/stool/parts --abstraction boxes --quiet --roles " + folder.path("a.roles"))
+            .status == 0);
+
+  const Run evaluated = run("roles evaluate " + data + quick + "--leave-out category --json -");
+  REQUIRE(evaluated.status == 0);
+  const auto evaluation = nlohmann::json::parse(evaluated.out);
+  CHECK(evaluation["left_out"] == "category");
+  CHECK(evaluation["categories"].size() ==
+        5); // of two and more shapes: chair, table, airplane, velocipede; and the mean
+  for (const auto& category : evaluation["categories"])
+    CHECK(category["with_roles"]["f1"]["mean"].get<double>() >= category["geometry"]["f1"]["mean"].get<double>() - 0.2);
+
+  CHECK_THAT(run("roles train " + data).error, Contains("needs --output"));
+  CHECK_THAT(run("roles learn " + data).error, Contains("train, evaluate, predict"));
+  CHECK_THAT(run("roles evaluate " + data + " --leave-out luck").error, Contains("shapes, sources, category"));
+  CHECK_THAT(run("roles evaluate " + folder.path("")).error, Contains("labels.json"));
+  CHECK(run("roles --help").out.find("roles train FOLDER") != std::string::npos);
 }
 
 TEST_CASE("The shipped model knows the models of the package, and the program matches with it")
