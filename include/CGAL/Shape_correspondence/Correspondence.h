@@ -65,21 +65,22 @@ struct Correspondence
   /// that was deformed, and the segments that it cut curves into; matching by parts pairs sets of parts as wholes,
   /// every part of one with every part of the other, and has confidences.
   std::vector<Part_correspondence> pairs;
-  std::vector<Group_match> groups;                   ///< by group of the shape that was deformed
-  std::vector<Contact_energy> contacts;              ///< by contact of the shape that was deformed
-  std::vector<std::size_t> unmatched_source;         ///< source parts without a counterpart, ascending
-  std::vector<std::size_t> unmatched_target;         ///< target parts without a counterpart, ascending
-  double energy = 0;                                 ///< E of Eq. 1
+  std::vector<Group_match> groups;           ///< by group of the shape that was deformed
+  std::vector<Contact_energy> contacts;      ///< by contact of the shape that was deformed
+  std::vector<std::size_t> unmatched_source; ///< source parts without a counterpart, ascending
+  std::vector<std::size_t> unmatched_target; ///< target parts without a counterpart, ascending
+  /// E of Eq. 1. Matching by parts is rated with whole parts, a search with the pieces of sheets that split or merge.
+  double energy = 0;
   Energy_terms terms;                                ///< its terms
   Direction direction = Direction::SOURCE_TO_TARGET; ///< which shape was deformed into which
   bool complete = false; ///< every group of the deformed shape is assigned, or left unmatched where that is allowed
   bool optimal = false;  ///< the energy is proven minimal over the labels
-  int target_quarter_turns = 0;      ///< of the target about up, into the source's frame
-  Search_summary search;             ///< how the search went
-  std::string category; ///< whose roles were joined with the costs of parts; empty: none
+  int target_quarter_turns = 0;          ///< of the target about up, into the source's frame
+  Search_summary search;                 ///< how the search went
+  std::string category;                  ///< whose roles were joined with the costs of parts; empty: none
   std::vector<std::string> source_roles; ///< of every source part, the likeliest role; empty without a category
   std::vector<std::string> target_roles; ///< the same, of the target parts
-  std::vector<std::string> warnings; ///< what was approximated or ended early, in whole sentences
+  std::vector<std::string> warnings;     ///< what was approximated or ended early, in whole sentences
 };
 
 } // namespace Shape_correspondence
