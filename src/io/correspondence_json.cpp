@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* match_format = "shape_correspondence/match";
 
-const char* name_of(Direction direction)
+const char* direction_name(Direction direction)
 {
   return direction == Direction::SOURCE_TO_TARGET ? "source_to_target" : "target_to_source";
 }
@@ -113,7 +113,7 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
   result["target"] = target_file;
   result["energy"] = c.energy;
   result["terms"] = terms(c.terms);
-  result["direction"] = name_of(c.direction);
+  result["direction"] = direction_name(c.direction);
   result["target_quarter_turns"] = c.target_quarter_turns;
   result["complete"] = c.complete;
   result["optimal"] = c.optimal;

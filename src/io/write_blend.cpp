@@ -18,7 +18,7 @@ namespace {
 
 constexpr double hold_seconds = 0.5, motion_seconds = 2;
 
-const char* name_of(Blend_task_type type)
+const char* task_name(Blend_task_type type)
 {
   static constexpr const char* names[] = {"morph", "split", "merge", "shrink", "grow"};
   return names[int(type)];
@@ -150,7 +150,7 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
   result["output"] = output;
   result["tasks"] = Json::array();
   for (const Blend_task& task : blend.schedules()[0].tasks) {
-    Json line = {{"task", name_of(task.type)}, {"begin", task.begin}, {"end", task.end}};
+    Json line = {{"task", task_name(task.type)}, {"begin", task.begin}, {"end", task.end}};
     if (task.source != Blend_task::no_part) line["source"] = structure(source).parts[task.source].name;
     if (task.target != Blend_task::no_part) line["target"] = structure(target).parts[task.target].name;
     result["tasks"].push_back(line);
