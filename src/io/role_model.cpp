@@ -14,11 +14,11 @@ namespace CGAL::Shape_correspondence::IO {
 
 namespace {
 
-constexpr const char* title = "shape_correspondence role model";
+constexpr const char* model_title = "shape_correspondence role model";
 
 Role_model parsed(const std::string& file, const std::string& name)
 {
-  const std::optional<std::string> content = checked_content(file, title);
+  const std::optional<std::string> content = checked_content(file, model_title);
   if (!content)
     throw Invalid_input(name +
                         ": it is not a role model, or it is damaged; `shape_correspondence roles train` makes one");
@@ -32,7 +32,7 @@ void write_role_model(const std::string& path, const Role_model& model)
 {
   std::ostringstream content;
   model.write(content);
-  write_checked_file(path, title, content.str());
+  write_checked_file(path, model_title, content.str());
 }
 
 Role_model read_role_model(const std::string& path)
