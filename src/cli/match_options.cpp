@@ -134,7 +134,7 @@ po::options_description match_options(Match_options& match)
       "the target); auto: source with --paper, else both");
   add("front", po::value(&match.front)->value_name("HOW")->default_value(match.front),
       "of the alignments that the shapes' own symmetry leaves: given takes the one nearest to their orientation in the "
-      "files, auto the best-scoring one (the default with --paper)");
+      "files, auto the best-scoring one, without roles (the default with --paper)");
   add("alignments", po::value(&match.alignments)->value_name("N")->default_value(match.alignments),
       "how many alignments are tried, nearest to the given orientation first; auto: one with --front given, all with "
       "--front auto");
