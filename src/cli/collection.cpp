@@ -172,7 +172,8 @@ void run_collection(const std::vector<std::string>& arguments)
     if (team.is_first()) find_nearest(shapes, options, matching, common);
     return;
   }
-  Collection_work work(shapes, store, key_of(match, matching.search, options, parsed.values), options, matching, common);
+  Collection_work work(shapes, store, key_of(match, matching.search, options, parsed.values), options, matching,
+                       common);
   work.run(team);
   if (options.tile.empty() && team.is_first()) write_outputs(analysed(shapes, options, work), shapes, common, options);
 }

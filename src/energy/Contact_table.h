@@ -24,7 +24,7 @@ public:
   void list(std::size_t contact);
 
   // Whether more is listed than stays in the cache.
-  bool is_full() const { return comparisons_.size() > 8192 || piece_rods_in_use_ > 128; }
+  bool is_full() const { return comparisons_.size() > most_comparisons || piece_rods_in_use_ > most_piece_rods; }
 
   // Appends the energies of the contacts that were listed, in their order, first label by second label; the list is
   // empty then.
@@ -35,6 +35,8 @@ private:
   using Fitted = internal::Fitted_piece;
 
   static constexpr std::uint32_t none = std::uint32_t(-1);
+  static constexpr std::size_t most_comparisons = 8192; // what they compare stays in the cache
+  static constexpr std::size_t most_piece_rods = 128;   // of up to 20 kB each
 
   // Rods of a source pair with those of a target pair; `next` is the next one with the same target pair.
   struct Comparison

@@ -90,9 +90,10 @@ Structure_preservation::Handles Structure_preservation::handles(std::size_t grou
         generated_directions(shape_.group(group).symmetry, part.centroid, shape_.parts[member].centroid));
   result.middle = points.rowwise().mean();
   points.colwise() -= result.middle;
+  constexpr double least_scatter = 1e-12; // of a part that is a point, so that there is an inverse
   const double scatter = (part.samples.colwise() - part.centroid).squaredNorm() / double(part.samples.cols());
   const Eigen::Matrix3d weight =
-      points * points.transpose() + stiffness * std::max(scatter, 1e-12) * Eigen::Matrix3d::Identity();
+      points * points.transpose() + stiffness * std::max(scatter, least_scatter) * Eigen::Matrix3d::Identity();
   const Points slopes = weight.inverse() * points;
   for (const auto& slope : slopes.colwise())
     result.slopes.emplace_back(slope);

@@ -78,10 +78,10 @@ struct Search_options
   std::shared_ptr<const Role_model> roles;
   /// Of both shapes, for `roles`; empty: the one that they are most like, or none where they are like none.
   std::string category;
-  double min_confidence = 0;                   ///< drop pairs that are less probable; of `Search_method::PARTS`
-  Beam_options beam;                           ///< options of `Search_method::BEAM`
-  Exact_options exact;                         ///< options of `Search_method::EXACT`
-  Matching_options matching;                   ///< what may be matched, and at which energy
+  double min_confidence = 0;   ///< drop pairs that are less probable; of `Search_method::PARTS`
+  Beam_options beam;           ///< options of `Search_method::BEAM`
+  Exact_options exact;         ///< options of `Search_method::EXACT`
+  Matching_options matching;   ///< what may be matched, and at which energy
   bool both_directions = true; ///< deform either shape into the other and keep the lower energy per connected pair
   int maximum_parts = 0;       ///< coarse correspondence: only so many most prominent parts; 0 takes all
   /// Whether `maximum_parts` is of both shapes, or of the source alone (paper, section 6.1), which then is the one that
