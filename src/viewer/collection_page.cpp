@@ -7,7 +7,8 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr const char* collection_style = R"page(#all { flex: 1 1 55%; overflow: auto; padding: 0 1em 1em; min-width: 0; }
+constexpr const char* collection_style =
+    R"page(#all { flex: 1 1 55%; overflow: auto; padding: 0 1em 1em; min-width: 0; }
 #pair { flex: 1 1 45%; overflow: auto; border-left: 1px solid #ccc; padding: 0 1em; box-sizing: border-box; }
 h2 { font-size: 1.05em; margin: 1em 0 .3em; }
 #grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(128px, 1fr)); gap: 8px; }
