@@ -38,9 +38,10 @@ EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
 ]
 ROLES = [("shapes", "the training sees neither shape of a pair"), ("sources", "the training sees no shape of either one's source"),
          ("category", "the training sees nothing of the category")]
-ROLES_NOTE = ("The category is not told, and how far roles are trusted follows from pairs that share no shape with the one at hand. Geometry "
-              "is the same method\nwithout roles; its rules were set on some of these shapes. The last two columns have the category told, and the "
-              "same trust in all categories.")
+ROLES_NOTE = ("The category is not told. The weights of the terms follow from other categories, and from pairs of the same one that share no "
+              "shape with the one\nat hand. Geometry is the same method without roles; its rules were set on some of these shapes. `stated`: mean confidence; "
+              "`right`: share of the pairs\nof parts that are right; AUC: how often a right pair has more confidence than a wrong one; `P sure`, `share`: "
+              "precision and share of the pairs\nof a confidence of .7 or more.")
 # They name shapes, or need large categories, closed surfaces or shapes made worse
 GENERATED_ONLY = ("gallery", "table1", "figure15", "worst", "figure17", "figure18", "figure19")
 # A check: shapes that nothing was chosen on, so only what says how good the methods are

@@ -34,8 +34,8 @@ const char* const help_text =
 
 Learns from labelled shapes what parts are for: their roles, such as the legs and the seat of a chair.
 
-  train     learns a model. How far it is trusted in each category follows from matching labelled shapes that were left
-            out of the training
+  train     learns a model. How much the predicted labels and the geometric match count follows from matching labelled
+            shapes that were left out of the training, where there are 50 pairs of shapes or more
   evaluate  tells how much roles improve the matching of shapes that were left out of the training
   predict   tells the roles of a shape's parts, as JSON in the form of labels.json
 
@@ -97,11 +97,6 @@ Left_out left_out(const std::string& word)
   return word == "shapes" ? Left_out::SHAPES : word == "sources" ? Left_out::SOURCES : Left_out::CATEGORY;
 }
 
-std::string name_of(Role_trust trust)
-{
-  return trust == Role_trust::NONE ? "none" : trust == Role_trust::CONFIRM ? "confirm" : "full";
-}
-
 std::string fixed(double number)
 {
   char text[32];
@@ -125,13 +120,9 @@ struct Training_set
     add(roles.generated, common);
     for (const Labelled_model& model : models) {
       const bool is_real = shapes.size() < number_of_real;
-      Validation_shape shape;
-      shape.labelled = {&model.graph, model.labels.category, {}, is_real ? weight_of_real_shapes : 1};
-      for (const Part_label& label : model.part_labels)
-        shape.labelled.roles.push_back(label.coarse);
-      shape.source = is_real ? model.labels.source : "generated";
-      shape.labels = model.part_labels;
-      shapes.push_back(std::move(shape));
+      const double weight = is_real ? weight_of_real_shapes : 1;
+      shapes.push_back({{&model.graph, model.labels.category, model.part_labels, weight},
+                        is_real ? model.labels.source : "generated"});
     }
   }
 
@@ -159,50 +150,74 @@ Evaluation mean_of(const Training_set& set, const Role_validation& validation, c
   return mean_scores(scores, options);
 }
 
-const Correspondence_score& geometric_score(const Validated_pair& pair) { return pair.scores[0]; }
-const Correspondence_score& confirmed_score(const Validated_pair& pair) { return pair.scores[1]; }
-const Correspondence_score& full_score(const Validated_pair& pair) { return pair.scores[2]; }
+const Correspondence_score& geometric_score(const Validated_pair& pair) { return pair.geometric; }
 const Correspondence_score& joined_score(const Validated_pair& pair) { return pair.joined; }
 
-std::vector<std::string> row(const std::string& name, const std::vector<const Mean_score*>& scores)
+// How well confidences tell right from wrong. Every pair of shapes of a category weighs the same.
+struct Calibration
 {
-  std::vector<std::string> result{name, std::to_string(scores[0]->correspondences)};
-  for (const Mean_score* score : {scores.front(), scores.back()})
-    for (const Estimate* estimate : {&score->precision, &score->recall, &score->f1})
-      result.push_back(fixed(estimate->mean));
-  result.push_back(fixed(scores.back()->f1.mean - scores.front()->f1.mean));
-  for (std::size_t i = 1; i + 1 < scores.size(); ++i)
-    result.push_back(fixed(scores[i]->f1.mean));
-  return result;
-}
+  double stated = 0, right = 0; // mean confidence of the pairs of parts, and share of those that are right
+  double auc = 0;               // how often a pair that is right has more confidence than one that is wrong
+  double sure_precision = 0;    // share that is right of those of a confidence of `sure` or more
+  double sure_share = 0;        // and how many of all they are
+};
+constexpr double sure = 0.7;
 
-// The methods of the columns: geometry alone, roles in other ways, roles as the matcher takes them.
-std::vector<Evaluation> evaluations(const Training_set& set, const Role_validation& validation,
-                                    const Common_options& common)
+// \param category empty: all, of which each weighs the same
+Calibration calibration_of(const Training_set& set, const Role_validation& validation, const std::string& category)
 {
-  std::vector<Evaluation> result;
-  for (const auto& score : {geometric_score, confirmed_score, full_score, joined_score})
-    result.push_back(mean_of(set, validation, score, common));
+  struct Weighted_pair
+  {
+    double confidence, weight;
+    bool is_right;
+  };
+  std::map<std::string, double> pairs_of;
+  const auto category_of = [&](const Validated_pair& pair) { return set.models[pair.shapes[0]].labels.category; };
+  for (const Validated_pair& pair : validation.pairs())
+    if (!pair.judged.empty() && (category.empty() || category == category_of(pair))) ++pairs_of[category_of(pair)];
+  std::vector<Weighted_pair> all;
+  for (const Validated_pair& pair : validation.pairs())
+    for (const Judged_pair& judged : pair.judged)
+      if (pairs_of.count(category_of(pair)) > 0)
+        all.push_back({judged.confidence,
+                       1 / (double(pairs_of.size()) * pairs_of[category_of(pair)] * double(pair.judged.size())),
+                       judged.is_right});
+  std::sort(all.begin(), all.end(),
+            [](const Weighted_pair& a, const Weighted_pair& b) { return a.confidence < b.confidence; });
+  Calibration result;
+  double wrong = 0, ordered = 0, sure_right = 0;
+  for (const Weighted_pair& pair : all) {
+    result.stated += pair.weight * pair.confidence;
+    (pair.is_right ? result.right : wrong) += pair.weight;
+    if (pair.is_right) ordered += pair.weight * wrong;
+    if (pair.confidence < sure) continue;
+    result.sure_share += pair.weight;
+    if (pair.is_right) sure_right += pair.weight;
+  }
+  if (result.right * wrong > 0) result.auc = ordered / (result.right * wrong);
+  if (result.sure_share > 0) result.sure_precision = sure_right / result.sure_share;
   return result;
 }
 
 void print(const Training_set& set, const Role_validation& validation, const Common_options& common)
 {
-  const std::vector<Evaluation> methods = evaluations(set, validation, common);
-  const auto add_row = [&](const std::string& name, const auto& mean, std::vector<std::vector<std::string>>& rows) {
-    std::vector<const Mean_score*> scores;
-    for (const Evaluation& method : methods)
-      scores.push_back(&mean(method));
-    rows.push_back(row(name, scores));
+  const Evaluation geometric = mean_of(set, validation, geometric_score, common),
+                   joined = mean_of(set, validation, joined_score, common);
+  std::vector<std::vector<std::string>> rows{{"category", "pairs", "geometry P", "R", "F1", "with roles P", "R", "F1",
+                                              "gain", "stated", "right", "AUC", "P sure", "share"}};
+  const auto add_row = [&](const std::string& name, const Mean_score& without, const Mean_score& with) {
+    rows.push_back({name, std::to_string(without.correspondences)});
+    for (const Mean_score* score : {&without, &with})
+      for (const Estimate* estimate : {&score->precision, &score->recall, &score->f1})
+        rows.back().push_back(fixed(estimate->mean));
+    const Calibration confidences = calibration_of(set, validation, name == "mean" ? "" : name);
+    for (double value : {with.f1.mean - without.f1.mean, confidences.stated, confidences.right, confidences.auc,
+                         confidences.sure_precision, confidences.sure_share})
+      rows.back().push_back(fixed(value));
   };
-  std::vector<std::vector<std::string>> rows{
-      {"category", "pairs", "geometry P", "R", "F1", "with roles P", "R", "F1", "gain", "F1 confirm", "F1 full"}};
-  for (std::size_t c = 0; c < methods[0].categories.size(); ++c)
-    add_row(
-        methods[0].categories[c].first,
-        [c](const Evaluation& e) -> const Mean_score& { return e.categories[c].second; }, rows);
-  add_row(
-      "mean", [](const Evaluation& e) -> const Mean_score& { return e.mean; }, rows);
+  for (std::size_t c = 0; c < geometric.categories.size(); ++c)
+    add_row(geometric.categories[c].first, geometric.categories[c].second, joined.categories[c].second);
+  add_row("mean", geometric.mean, joined.mean);
   write_table(std::cout, rows);
 }
 
@@ -227,7 +242,6 @@ IO::Json json_of(const Training_set& set, const Role_validation& validation, con
     IO::Json entry;
     entry["category"] = category;
     entry["pairs"] = without.correspondences;
-    if (category != "mean") entry["trust"] = name_of(validation.trust(category));
     entry["geometry"] = json_of(without);
     entry["with_roles"] = json_of(with);
     result.push_back(std::move(entry));
@@ -269,7 +283,6 @@ IO::Json manifest(const Training_set& set, const Role_validation& validation, co
   for (const std::string& category : model.categories()) {
     IO::Json entry;
     entry["category"] = category;
-    entry["trust"] = name_of(model.trust(category));
     entry["roles"] = IO::Json(model.roles(category));
     result["categories"].push_back(std::move(entry));
   }
@@ -318,18 +331,18 @@ void predict(const std::string& path, const Roles_options& roles, const Common_o
   if (found.category.empty())
     throw Invalid_input(path + ": the shape is of no category that the role model knows; name one with --category");
   const auto& parts = structure(shape.graph).parts;
-  std::vector<std::vector<std::string>> rows{{"part", "role", "probability"}};
+  std::vector<std::vector<std::string>> rows{{"part", "role", "more precisely", "probability"}};
   IO::Json document;
   document["format"] = "shape_correspondence/labels";
   document["category"] = found.category;
   document["parts"] = IO::Json::array();
   for (std::size_t part = 0; part < parts.size(); ++part) {
-    Eigen::Index role = 0;
-    const double probability = found.probabilities.row(Eigen::Index(part)).maxCoeff(&role);
-    rows.push_back({parts[part].name, found.roles[std::size_t(role)], percentage(probability)});
+    const double probability = found.probabilities.row(Eigen::Index(part)).maxCoeff();
+    rows.push_back({parts[part].name, found.labels[part].coarse, found.labels[part].fine, percentage(probability)});
     IO::Json entry;
     entry["name"] = parts[part].name;
-    entry["coarse"] = found.roles[std::size_t(role)];
+    entry["coarse"] = found.labels[part].coarse;
+    if (!found.labels[part].fine.empty()) entry["fine"] = found.labels[part].fine;
     entry["probability"] = probability;
     document["parts"].push_back(std::move(entry));
   }

@@ -24,13 +24,6 @@ constexpr double steps_per_deviation = 32; // of a standardised feature, a byte:
 
 } // namespace
 
-double confidence(const Confidence_table& table, double same_role)
-{
-  const double step = same_role * double(table.size() - 1);
-  const std::size_t i = std::min(std::size_t(step), table.size() - 2);
-  return table[i] + (step - double(i)) * (table[i + 1] - table[i]);
-}
-
 std::size_t Role_model_data::index(const std::string& category) const
 {
   const auto found =
@@ -86,9 +79,10 @@ double Role_distances::mean_distance(const Role_features& parts, std::size_t cat
   return sum / (double(queries.rows()) * ROLE_FEATURE_COUNT * steps_per_deviation);
 }
 
-Role_features given_role_features(const Structural_graph& graph)
+Role_evidence given_role_evidence(const Structural_graph& graph)
 {
-  return role_features(graph, align_shape(graph, given_quarter_turns(structure(graph).frame)));
+  const Aligned_shape shape = align_shape(graph, given_quarter_turns(structure(graph).frame));
+  return {role_features(graph, shape), part_sides(shape)};
 }
 
 } // namespace internal
@@ -176,9 +170,9 @@ private:
   const std::string& name_;
 };
 
-constexpr const char* magic = "shape_correspondence roles 1";
-constexpr double confidence_unit = 1e-6; // in a file
-constexpr std::uint32_t most_trees = 1000, most_categories = 1000, most_examples = 1000000;
+constexpr const char* magic = "shape_correspondence roles 2";
+constexpr std::uint32_t most_categories = 1000, most_examples = 1000000;
+constexpr long most_weight_steps = 1000000000; // of the weight of a pair's term, either way
 
 } // namespace
 
@@ -195,23 +189,28 @@ const std::vector<std::string>& Role_model::roles(const std::string& category) c
   return category_of(*data_, category).roles;
 }
 
-Role_trust Role_model::trust(const std::string& category) const { return category_of(*data_, category).trust; }
-
 void Role_model::write(std::ostream& out) const
 {
   Binary_writer write(out);
   write.text(magic);
   write.number(ROLE_FEATURE_COUNT);
   write.number(std::uint32_t(data_->trees));
-  for (double confidence : data_->confidences)
-    write.number(std::uint32_t(std::lround(confidence / confidence_unit)));
   write.number(std::uint32_t(data_->categories.size()));
   for (const Category_roles& category : data_->categories) {
     write.text(category.name);
-    write.number(std::uint32_t(category.trust));
     write.number(std::uint32_t(category.roles.size()));
     for (const std::string& role : category.roles)
       write.text(role);
+    write.number(std::uint32_t(category.classes.size()));
+    for (const Role_class& known : category.classes) {
+      write.number(known.role);
+      write.text(known.fine);
+      write.number(known.has_side);
+    }
+    for (double weight : category.weights)
+      write.number(
+          std::uint32_t(std::clamp(std::lround(weight / pair_weight_unit), -most_weight_steps, most_weight_steps) +
+                        most_weight_steps));
     category.forest.write(out);
     write.number(std::uint32_t(category.examples.rows()));
     out.write(reinterpret_cast<const char*>(category.examples.data()), std::streamsize(category.examples.size()));
@@ -224,17 +223,23 @@ Role_model Role_model::read(std::istream& in, const std::string& name)
   if (read.text() != magic) read.fail();
   if (read.number(ROLE_FEATURE_COUNT) != ROLE_FEATURE_COUNT) read.fail();
   Role_model_data data;
-  data.trees = int(read.number(most_trees));
-  for (double& confidence : data.confidences)
-    confidence = read.number(std::uint32_t(std::lround(1 / confidence_unit))) * confidence_unit;
+  data.trees = int(read.number(maximum_trees));
   data.categories.resize(read.number(most_categories));
   for (Category_roles& category : data.categories) {
     category.name = read.text();
-    category.trust = Role_trust(read.number(std::uint32_t(Role_trust::FULL)));
-    category.roles.resize(read.number(maximum_roles));
+    category.roles.resize(read.number(maximum_classes));
     for (std::string& role : category.roles)
       role = read.text();
-    if (!category.forest.read(in, data.trees, int(category.roles.size()))) read.fail();
+    category.classes.resize(read.number(maximum_classes));
+    for (Role_class& known : category.classes) {
+      if (category.roles.empty()) read.fail();
+      known.role = std::uint8_t(read.number(std::uint32_t(category.roles.size() - 1)));
+      known.fine = read.text();
+      known.has_side = read.number(1) == 1;
+    }
+    for (double& weight : category.weights)
+      weight = double(long(read.number(2 * most_weight_steps)) - most_weight_steps) * pair_weight_unit;
+    if (!category.forest.read(in, data.trees, int(category.classes.size()))) read.fail();
     category.examples.resize(Eigen::Index(read.number(most_examples)), ROLE_FEATURE_COUNT);
     for (Eigen::Index i = 0; i < category.examples.size(); ++i)
       category.examples.data()[i] = read.byte();
@@ -253,7 +258,8 @@ Part_roles part_roles(const Structural_graph& graph, const Role_model& model, co
   const Category_roles& known = model.data().categories[index];
   result.category = known.name;
   result.roles = known.roles;
-  result.probabilities = shape.votes(index).cast<double>() / double(model.data().trees);
+  result.probabilities = shape.votes(index).roles.cast<double>() / double(model.data().trees);
+  result.labels = shape.votes(index).labels;
   result.distance = shape.distance(index);
   return result;
 }

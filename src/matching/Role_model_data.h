@@ -4,39 +4,49 @@
 #pragma once
 
 #include "matching/Role_forest.h"
+#include "matching/pair_model.h"
 
 #include <CGAL/Shape_correspondence/Role_model.h>
 
 #include <array>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
+
+// What trees vote for: a role, or a finer label of a role.
+struct Role_class
+{
+  std::uint8_t role = 0; // index
+  std::string fine;      // without the side; empty: none
+  bool has_side = false; // a part that is not in the middle is the left or the right one
+
+  friend bool operator<(const Role_class& a, const Role_class& b)
+  {
+    return std::tie(a.role, a.fine) < std::tie(b.role, b.fine);
+  }
+};
 
 // What is known of the roles in a category.
 struct Category_roles
 {
   std::string name;
-  std::vector<std::string> roles; // sorted, at most `maximum_roles`
-  Role_trust trust = Role_trust::FULL;
+  std::vector<std::string> roles;  // sorted
+  std::vector<Role_class> classes; // sorted, at most `maximum_classes`
   Role_forest forest;
+  Pair_weights weights = usual_pair_weights();
   Role_features examples; // of the labelled parts
 };
 
-constexpr std::size_t maximum_roles = 255;
-
-// How often pairs of parts correspond by the probability that they have the same role: at 0, 0.1, … 1, linear in
-// between.
-using Confidence_table = std::array<double, 11>;
-constexpr Confidence_table uncalibrated_confidences{0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1};
-double confidence(const Confidence_table& table, double same_role);
+constexpr std::size_t maximum_classes = 255;
+constexpr int maximum_trees = 1000; // of a forest
 
 struct Role_model_data
 {
   std::vector<Category_roles> categories; // by name
   int trees = 0;                          // of every forest
-  Confidence_table confidences = uncalibrated_confidences;
 
   // The index of a category; `categories.size()` if there is none of the name.
   std::size_t index(const std::string& category) const;
@@ -58,7 +68,14 @@ private:
   std::vector<Role_features> examples_;           // by category, standardised
 };
 
-// A shape that looks to +z, as given.
-Role_features given_role_features(const Structural_graph& graph);
+// What the labels of parts are told from, by index in the structural graph.
+struct Role_evidence
+{
+  Role_features features;
+  std::vector<Side> sides;
+};
+
+// Of a shape that looks to +z, as given.
+Role_evidence given_role_evidence(const Structural_graph& graph);
 
 } // namespace CGAL::Shape_correspondence::internal

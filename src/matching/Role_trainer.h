@@ -17,7 +17,7 @@ public:
   // \throw Invalid_input if a shape or an option cannot be used
   Role_trainer(const std::vector<Labelled_graph>& shapes, const Role_training_options& options);
 
-  const Role_features& features(std::size_t shape) const { return features_[shape]; }
+  const Role_evidence& evidence(std::size_t shape) const { return evidence_[shape]; }
   // Sorted.
   std::vector<std::string> categories() const;
   // What the shapes of a category teach but those left out; without roles if none is left.
@@ -27,7 +27,7 @@ public:
 private:
   const std::vector<Labelled_graph>& shapes_;
   Role_training_options options_;
-  std::vector<Role_features> features_; // by shape
+  std::vector<Role_evidence> evidence_; // by shape
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -4,6 +4,9 @@
 #include "matching/Shape_roles.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -11,76 +14,83 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// Set by cross-validation on labelled shapes, where they are flat; shares of the trees' votes.
-constexpr double least_agreement = 0.45;   // cosine of the votes for two parts that the geometric match pairs
-constexpr double least_certain = 0.35;     // product of the probabilities of a role that two parts are matched by
-constexpr double least_touched = 0.75;     // share of the parts of a role that have a pair in the geometric match
-constexpr double least_familiarity = 0.29; // of shapes with a category, see `familiarity()`
+// From the labelled parts of its category that a shape of a known one may have, in standard deviations of a feature.
+// Set by leaving out shapes and whole categories; from 0.37 on, shapes of unknown categories are matched worse than by
+// geometry alone.
+constexpr double largest_distance = 0.34;
 
-// The role that most trees vote for; the first of equals.
-int likeliest_role(const Eigen::MatrixXi& votes, std::size_t part)
+// Where at least half of the fine labels of a role are taken by an earlier part, as the front legs of a table with four
+// legs in front, they do not tell its parts apart.
+void drop_repeated_fine_labels(std::vector<Part_label>& labels)
 {
-  Eigen::Index role = 0;
-  votes.row(Eigen::Index(part)).maxCoeff(&role);
-  return int(role);
+  std::map<std::string, std::vector<std::size_t>> parts_of_role;
+  for (std::size_t part = 0; part < labels.size(); ++part)
+    parts_of_role[labels[part].coarse].push_back(part);
+  for (const auto& [role, parts] : parts_of_role) {
+    std::set<std::string> distinct;
+    for (std::size_t part : parts)
+      distinct.insert(labels[part].fine);
+    if (2 * distinct.size() > parts.size()) continue;
+    for (std::size_t part : parts)
+      labels[part].fine.clear();
+  }
 }
 
-std::vector<int> likeliest_roles(const Eigen::MatrixXi& votes, const std::vector<std::size_t>& parts)
+Role_votes counted(const Role_evidence& evidence, const Category_roles& category)
 {
-  std::vector<int> result;
+  const Eigen::MatrixXi of_classes = category.forest.votes(evidence.features, int(category.classes.size()));
+  Role_votes result;
+  result.roles = Eigen::MatrixXi::Zero(of_classes.rows(), Eigen::Index(category.roles.size()));
+  for (Eigen::Index k = 0; k < of_classes.cols(); ++k)
+    result.roles.col(category.classes[std::size_t(k)].role) += of_classes.col(k);
+  for (Eigen::Index part = 0; part < of_classes.rows(); ++part) {
+    Eigen::Index role = 0;
+    result.roles.row(part).maxCoeff(&role);
+    const Role_class* best = nullptr;
+    int most = -1;
+    for (std::size_t k = 0; k < category.classes.size(); ++k)
+      if (category.classes[k].role == role && of_classes(part, Eigen::Index(k)) > most) {
+        most = of_classes(part, Eigen::Index(k));
+        best = &category.classes[k];
+      }
+    const Side side = evidence.sides[std::size_t(part)];
+    const char* const suffix = !best->has_side       ? ""
+                               : side == Side::LEFT  ? "_left"
+                               : side == Side::RIGHT ? "_right"
+                                                     : "";
+    result.labels.push_back({category.roles[std::size_t(role)], best->fine + suffix});
+  }
+  drop_repeated_fine_labels(result.labels);
+  return result;
+}
+
+std::vector<Part_label> chosen(const std::vector<Part_label>& labels, const std::vector<std::size_t>& parts)
+{
+  std::vector<Part_label> result;
   for (std::size_t part : parts)
-    result.push_back(likeliest_role(votes, part));
+    result.push_back(labels[part]);
   return result;
-}
-
-std::vector<std::size_t> parts_of_role(const std::vector<int>& roles, int role)
-{
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < roles.size(); ++i)
-    if (roles[i] == role) result.push_back(i);
-  return result;
-}
-
-double mean_top(const Eigen::MatrixXi& votes, int trees)
-{
-  return double(votes.rowwise().maxCoeff().sum()) / (double(votes.rows()) * trees);
-}
-
-using Pair_matrix = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
-
-// Is the match one of the parts of a role in either shape that leaves few of them out?
-bool is_refined(const Pair_matrix& pairs, const std::vector<std::size_t>& source,
-                const std::vector<std::size_t>& target)
-{
-  if (source.size() != target.size()) return false;
-  std::size_t touched = 0;
-  for (std::size_t i : source)
-    touched += std::any_of(target.begin(), target.end(),
-                           [&](std::size_t j) { return pairs(Eigen::Index(i), Eigen::Index(j)); });
-  for (std::size_t j : target)
-    touched += std::any_of(source.begin(), source.end(),
-                           [&](std::size_t i) { return pairs(Eigen::Index(i), Eigen::Index(j)); });
-  return double(touched) >= least_touched * double(source.size() + target.size());
 }
 
 } // namespace
 
 Shape_roles::Shape_roles(const Structural_graph& graph, const Role_model& model)
-    : Shape_roles(given_role_features(graph), model)
+    : Shape_roles(given_role_evidence(graph), model)
 {}
 
-Shape_roles::Shape_roles(Role_features features, const Role_model& model)
-    : model_(model), features_(std::move(features)), votes_(std::make_unique<Votes[]>(model.data().categories.size()))
+Shape_roles::Shape_roles(Role_evidence evidence, const Role_model& model)
+    : model_(model),
+      evidence_(std::move(evidence)),
+      votes_(std::make_unique<Counted_votes[]>(model.data().categories.size()))
 {
   for (std::size_t category = 0; category < model.data().categories.size(); ++category)
-    distances_.push_back(model.distances().mean_distance(features_, category));
+    distances_.push_back(model.distances().mean_distance(evidence_.features, category));
 }
 
-const Eigen::MatrixXi& Shape_roles::votes(std::size_t category) const
+const Role_votes& Shape_roles::votes(std::size_t category) const
 {
-  const Category_roles& roles = model_.data().categories[category];
   std::call_once(votes_[category].is_counted,
-                 [&] { votes_[category].votes = roles.forest.votes(features_, int(roles.roles.size())); });
+                 [&] { votes_[category].votes = counted(evidence_, model_.data().categories[category]); });
   return votes_[category].votes;
 }
 
@@ -93,74 +103,47 @@ std::size_t nearest_category(const Shape_roles& source, const Shape_roles& targe
   return nearest;
 }
 
-double familiarity(const Shape_roles& source, const Shape_roles& target, std::size_t category, int trees)
-{
-  const auto of_shape = [&](const Shape_roles& shape) {
-    return mean_top(shape.votes(category), trees) - shape.distance(category);
-  };
-  return (of_shape(source) + of_shape(target)) / 2;
-}
-
 Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model)
 {
   const std::size_t none = model.categories.size(), nearest = nearest_category(source, target, model);
   if (nearest == none) return {none, "The role model knows no category; the parts were matched by geometry alone."};
-  if (familiarity(source, target, nearest, model.trees) >= least_familiarity) return {nearest, ""};
+  if (std::max(source.distance(nearest), target.distance(nearest)) <= largest_distance) return {nearest, ""};
   return {none, "The shapes are of no category that the role model knows (the nearest is " +
                     model.categories[nearest].name + "); the parts were matched by geometry alone."};
 }
 
-std::vector<std::string> likeliest_roles(const Eigen::MatrixXi& votes, const Category_roles& category)
+Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,
+                      const std::vector<std::size_t>& target_parts, const Part_matching& geometric)
 {
-  std::vector<std::string> result;
-  for (Eigen::Index part = 0; part < votes.rows(); ++part)
-    result.push_back(category.roles[std::size_t(likeliest_role(votes, std::size_t(part)))]);
+  const std::size_t m = target_parts.size();
+  const auto row = [m](std::size_t i, std::size_t j) { return Eigen::Index(i * m + j); };
+  const Eigen::MatrixXd excess = excess_of_pairs(geometric.costs);
+  Pair_terms result = Pair_terms::Zero(row(source_parts.size(), 0), PAIR_TERM_COUNT);
+  for (std::size_t i = 0; i < source_parts.size(); ++i)
+    for (std::size_t j = 0; j < m; ++j) {
+      const auto a = source.roles.row(Eigen::Index(source_parts[i])),
+                 b = target.roles.row(Eigen::Index(target_parts[j]));
+      result(row(i, j), VOTES_AGREE) = a.dot(b) / std::sqrt(double(a.squaredNorm()) * b.squaredNorm());
+      result(row(i, j), EXCESS) = excess(Eigen::Index(i), Eigen::Index(j));
+    }
+  for (const auto& [i, j] :
+       ground_truth(chosen(source.labels, source_parts), chosen(target.labels, target_parts)).pairs)
+    result(row(i, j), SAME_LABEL) = 1;
+  for (const Part_correspondence& pair : geometric.pairs)
+    result(row(pair.source, pair.target), GEOMETRIC_PAIR) = 1;
+  result.col(CONSTANT).setOnes();
   return result;
 }
 
-void join_roles(const Eigen::MatrixXi& source, const std::vector<std::size_t>& source_parts,
-                const Eigen::MatrixXi& target, const std::vector<std::size_t>& target_parts,
-                const Role_model_data& model, Role_trust trust, Part_matching& matching)
+std::vector<Part_correspondence> pairs_by_terms(const Pair_terms& terms, const Pair_weights& weights,
+                                                std::size_t target_size)
 {
-  if (trust == Role_trust::NONE) return;
-  const double all = double(model.trees) * model.trees;
-  const auto same = [&](std::size_t i, std::size_t j) {
-    return source.row(Eigen::Index(source_parts[i])).dot(target.row(Eigen::Index(target_parts[j]))) / all;
-  };
-  const auto agree = [&](std::size_t i, std::size_t j) {
-    const auto a = source.row(Eigen::Index(source_parts[i])), b = target.row(Eigen::Index(target_parts[j]));
-    const double product = a.dot(b);
-    return product * product > least_agreement * least_agreement * (double(a.squaredNorm()) * b.squaredNorm());
-  };
-  Pair_matrix geometric =
-      Pair_matrix::Constant(Eigen::Index(source_parts.size()), Eigen::Index(target_parts.size()), false);
-  for (const Part_correspondence& pair : matching.pairs)
-    geometric(Eigen::Index(pair.source), Eigen::Index(pair.target)) = true;
-
-  Pair_matrix joined = geometric;
-  for (const Part_correspondence& pair : matching.pairs)
-    joined(Eigen::Index(pair.source), Eigen::Index(pair.target)) = agree(pair.source, pair.target);
-  if (trust == Role_trust::FULL) {
-    const std::vector<int> source_roles = likeliest_roles(source, source_parts),
-                           target_roles = likeliest_roles(target, target_parts);
-    for (int role = 0; role < source.cols(); ++role) {
-      const std::vector<std::size_t> a = parts_of_role(source_roles, role), b = parts_of_role(target_roles, role);
-      const bool refined = is_refined(geometric, a, b);
-      for (std::size_t i : a)
-        for (std::size_t j : b) {
-          const double certain =
-              double(source(Eigen::Index(source_parts[i]), role)) * target(Eigen::Index(target_parts[j]), role) / all;
-          if ((!refined || geometric(Eigen::Index(i), Eigen::Index(j))) && certain > least_certain)
-            joined(Eigen::Index(i), Eigen::Index(j)) = true;
-        }
-    }
-  }
-  matching.pairs.clear();
-  for (Eigen::Index i = 0; i < joined.rows(); ++i)
-    for (Eigen::Index j = 0; j < joined.cols(); ++j)
-      if (joined(i, j))
-        matching.pairs.push_back(
-            {std::size_t(i), std::size_t(j), confidence(model.confidences, same(std::size_t(i), std::size_t(j)))});
+  const Eigen::ArrayXd probable = probabilities(terms, weights);
+  const std::vector<char> taken = pairs_of_greatest_expected_f1(probable);
+  std::vector<Part_correspondence> result;
+  for (std::size_t k = 0; k < taken.size(); ++k)
+    if (taken[k]) result.push_back({k / target_size, k % target_size, probable[Eigen::Index(k)]});
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

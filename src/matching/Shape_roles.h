@@ -16,38 +16,40 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// What a model tells of the parts of a shape, computed once; threads may share it. Rows are parts of the graph.
+// What trees tell of the parts of a shape. Rows are parts of the graph.
+struct Role_votes
+{
+  Eigen::MatrixXi roles;          // how many trees vote for each role: part × role
+  std::vector<Part_label> labels; // the likeliest finer label of the likeliest role; the first of equals
+};
+
+// What a model tells of the parts of a shape, computed once; threads may share it.
 class Shape_roles
 {
 public:
   // The shape looks to +z.
   Shape_roles(const Structural_graph& graph, const Role_model& model);
-  Shape_roles(Role_features features, const Role_model& model);
+  Shape_roles(Role_evidence evidence, const Role_model& model);
 
   // From the labelled parts of a category, see `Role_distances::mean_distance()`.
   double distance(std::size_t category) const { return distances_[category]; }
-  // How many trees vote for each role of a category: part × role.
-  const Eigen::MatrixXi& votes(std::size_t category) const;
+  const Role_votes& votes(std::size_t category) const;
 
 private:
-  struct Votes
+  struct Counted_votes
   {
     std::once_flag is_counted;
-    Eigen::MatrixXi votes;
+    Role_votes votes;
   };
 
   Role_model model_;
-  Role_features features_;
+  Role_evidence evidence_;
   std::vector<double> distances_;
-  std::unique_ptr<Votes[]> votes_;
+  std::unique_ptr<Counted_votes[]> votes_;
 };
 
 // The category whose labelled parts are nearest to both shapes; the number of categories if there are none.
 std::size_t nearest_category(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model);
-
-// How well two shapes go with a category: mean over both of the mean share of the votes for a part's likeliest role,
-// less the distance. At most 1; about 0 for shapes of other categories.
-double familiarity(const Shape_roles& source, const Shape_roles& target, std::size_t category, int trees);
 
 // The category that two shapes are taken to be of.
 struct Pair_category
@@ -56,19 +58,16 @@ struct Pair_category
   std::string note;      // why there is none, a whole sentence
 };
 
-// The nearest category, or none where the shapes do not go well with it.
+// The nearest category, or none where one of the shapes is far from its labelled parts.
 Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model);
 
-// By part, the name of the role that most trees vote for.
-std::vector<std::string> likeliest_roles(const Eigen::MatrixXi& votes, const Category_roles& category);
+// Of all pairs of parts, source by source. `source_parts`, `target_parts`: the rows of the votes that the parts of the
+// match have.
+Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,
+                      const std::vector<std::size_t>& target_parts, const Part_matching& geometric);
 
-// Joins the roles of parts with their geometric match, as far as they are trusted:
-// a pair of the match stays if the trees vote alike for its parts; in full trust, the parts that a
-// role is most likely for in one shape correspond to those in the other, all to all, or, where they are as many in
-// either shape and the match has a pair of nearly all of them, by the pairs of the match.
-// `source_parts`, `target_parts`: the rows of the votes that the parts of the match have.
-void join_roles(const Eigen::MatrixXi& source, const std::vector<std::size_t>& source_parts,
-                const Eigen::MatrixXi& target, const std::vector<std::size_t>& target_parts,
-                const Role_model_data& model, Role_trust trust, Part_matching& matching);
+// The pairs of greatest expected F1, by source, then target; their confidence is how probable they are.
+std::vector<Part_correspondence> pairs_by_terms(const Pair_terms& terms, const Pair_weights& weights,
+                                                std::size_t target_size);
 
 } // namespace CGAL::Shape_correspondence::internal

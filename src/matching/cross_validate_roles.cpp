@@ -6,11 +6,7 @@
 #include "matching/Role_trainer.h"
 #include "matching/Shape_roles.h"
 
-#include <CGAL/Shape_correspondence/find_correspondence.h>
-
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -20,8 +16,11 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr std::size_t least_shapes = 4; // of a category whose roles are trusted: with fewer, chance decides
-constexpr double least_gain = 0.01;     // of F1, that more trust must bring
+constexpr std::size_t least_pairs = 50; // of shapes, that weights are fitted to: with fewer, chance decides
+constexpr double slight_charge = 1e-4;  // for large weights, where every category weighs 1: keeps them finite
+// For weights of a category that are not those of the others: as strong as one shape. Set by cross-validation, where it
+// is flat.
+constexpr double charge_of_category = 1;
 
 std::vector<char> left_out_shapes(const std::vector<Validation_shape>& shapes, const Validation_pair& pair,
                                   Left_out left_out)
@@ -44,66 +43,43 @@ std::vector<std::size_t> indices_of(const Eigen::MatrixXi& votes)
   return result;
 }
 
-// Matches by `Role_trust`.
-std::array<Part_matching, 3> matchings(const Shape_roles& source, const Shape_roles& target,
-                                       const Role_model_data& model, std::size_t category,
-                                       const Part_matching& geometric)
+Pair_terms pair_terms(const Role_votes& source, const Role_votes& target, const Part_matching& geometric)
 {
-  std::array<Part_matching, 3> result;
-  result.fill(geometric);
-  if (category == model.categories.size()) return result;
-  const Eigen::MatrixXi &a = source.votes(category), &b = target.votes(category);
-  for (Role_trust trust : {Role_trust::CONFIRM, Role_trust::FULL})
-    join_roles(a, indices_of(a), b, indices_of(b), model, trust, result[std::size_t(trust)]);
+  return pair_terms(source, indices_of(source.roles), target, indices_of(target.roles), geometric);
+}
+
+// By index in the structural graphs.
+Part_matching geometric_match(const Structural_graph& source, const Structural_graph& target)
+{
+  const Aligned_shape a = align_shape(source, given_quarter_turns(structure(source).frame)),
+                      b = align_shape(target, given_quarter_turns(structure(target).frame));
+  const Part_matching aligned = match_parts(a, b);
+  Part_matching result;
+  for (const Part_correspondence& pair : aligned.pairs)
+    result.pairs.push_back({a.original[pair.source], b.original[pair.target], pair.confidence});
+  result.costs.resize(aligned.costs.rows(), aligned.costs.cols());
+  for (Eigen::Index i = 0; i < result.costs.rows(); ++i)
+    for (Eigen::Index j = 0; j < result.costs.cols(); ++j)
+      result.costs(Eigen::Index(a.original[std::size_t(i)]), Eigen::Index(b.original[std::size_t(j)])) =
+          aligned.costs(i, j);
   return result;
 }
 
-std::array<Correspondence_score, 3> scores(const std::array<Part_matching, 3>& matchings, const Ground_truth& truth)
+Judged_terms judged_terms(Pair_terms terms, const Ground_truth& truth, std::size_t target_size)
 {
-  std::array<Correspondence_score, 3> result;
-  for (std::size_t t = 0; t < result.size(); ++t)
-    result[t] = evaluate_correspondence(part_pairs(matchings[t].pairs), truth);
+  Judged_terms result{std::move(terms), {}};
+  result.is_right = Eigen::ArrayXd::Zero(result.terms.rows());
+  for (const auto& [i, j] : truth.pairs)
+    result.is_right[Eigen::Index(i * target_size + j)] = 1;
   return result;
 }
 
-std::vector<Judged_pair> judged(const Part_matching& matching, const Ground_truth& truth)
+std::vector<Judged_pair> judged(const std::vector<Part_correspondence>& pairs, const Ground_truth& truth)
 {
   std::vector<Judged_pair> result;
-  for (const Part_correspondence& pair : matching.pairs)
+  for (const Part_correspondence& pair : pairs)
     result.push_back({pair.confidence, std::binary_search(truth.pairs.begin(), truth.pairs.end(),
                                                           std::make_pair(pair.source, pair.target))});
-  return result;
-}
-
-// The nearest values that do not fall, by weighted squares (pool adjacent violators); a value of no weight is between
-// its neighbours'.
-Confidence_table isotonic(const Confidence_table& sums, const Confidence_table& weights)
-{
-  struct Pool
-  {
-    double sum, weight, at; // `at`: sum of weight times index
-  };
-  std::vector<Pool> pools;
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    if (!(weights[i] > 0)) continue;
-    pools.push_back({sums[i], weights[i], weights[i] * double(i)});
-    for (std::size_t last = pools.size() - 1;
-         last > 0 && pools[last - 1].sum * pools[last].weight >= pools[last].sum * pools[last - 1].weight; --last) {
-      pools[last - 1] = {pools[last - 1].sum + pools[last].sum, pools[last - 1].weight + pools[last].weight,
-                         pools[last - 1].at + pools[last].at};
-      pools.pop_back();
-    }
-  }
-  Confidence_table result = uncalibrated_confidences;
-  for (std::size_t i = 0; i < result.size() && !pools.empty(); ++i) {
-    const auto place = [](const Pool& p) { return p.at / p.weight; };
-    const auto next = std::find_if(pools.begin(), pools.end(), [&](const Pool& p) { return place(p) >= double(i); });
-    const Pool &after = next == pools.end() ? pools.back() : *next,
-               &before = next == pools.begin() ? pools.front() : *std::prev(next);
-    const double from = place(before), to = place(after);
-    const double t = to > from ? std::clamp((double(i) - from) / (to - from), 0., 1.) : 0;
-    result[i] = before.sum / before.weight + t * (after.sum / after.weight - before.sum / before.weight);
-  }
   return result;
 }
 
@@ -118,96 +94,102 @@ Role_validation::Role_validation(const std::vector<Validation_shape>& shapes, co
     labelled.push_back(shape.labelled);
   const Role_trainer trainer(labelled, options);
   all_ = trainer.model();
-  std::vector<std::array<Correspondence_score, 3>> found(pairs.size()); // in the category as the matcher finds it
+  examples_.resize(pairs.size());
+  std::vector<Part_matching> geometric(pairs.size());
+  std::vector<Pair_terms> found(pairs.size()); // in the category as the matcher finds it
+  std::vector<Ground_truth> truths(pairs.size());
   for_each_index(pairs.size(), true, [&](std::size_t i) {
     const Validation_pair& pair = pairs[i];
-    const Validation_shape &source = shapes[pair[0]], &target = shapes[pair[1]];
+    const Labelled_graph &source = shapes[pair[0]].labelled, &target = shapes[pair[1]].labelled;
     Role_model_data data = all_;
-    const std::size_t own = data.index(source.labelled.category);
-    data.categories[own] = trainer.category(source.labelled.category, left_out_shapes(shapes, pair, left_out));
+    const std::size_t own = data.index(source.category);
+    data.categories[own] = trainer.category(source.category, left_out_shapes(shapes, pair, left_out));
     if (data.categories[own].roles.empty()) data.categories.erase(data.categories.begin() + std::ptrdiff_t(own));
     const Role_model model(std::move(data));
-    const Shape_roles a(trainer.features(pair[0]), model), b(trainer.features(pair[1]), model);
-    Part_matching geometric;
-    geometric.pairs = find_correspondence(*source.labelled.graph, *target.labelled.graph).pairs;
-    const Ground_truth truth = ground_truth(source.labels, target.labels);
-    const std::size_t told = model.data().index(source.labelled.category),
+    const Shape_roles a(trainer.evidence(pair[0]), model), b(trainer.evidence(pair[1]), model);
+    const std::size_t told = model.data().index(source.category), none = model.data().categories.size(),
                       category = category_of_pair(a, b, model.data()).index;
+    geometric[i] = geometric_match(*source.graph, *target.graph);
+    truths[i] = ground_truth(source.labels, target.labels);
     pairs_[i].shapes = pair;
-    const std::array<Part_matching, 3> as_told = matchings(a, b, model.data(), told, geometric);
-    pairs_[i].scores = scores(as_told, truth);
-    for (std::size_t t = 0; t < as_told.size(); ++t)
-      pairs_[i].judged[t] = judged(as_told[t], truth);
-    if (category < model.data().categories.size()) pairs_[i].category = model.data().categories[category].name;
-    found[i] = category == told ? pairs_[i].scores : scores(matchings(a, b, model.data(), category, geometric), truth);
+    if (told < none)
+      examples_[i] =
+          judged_terms(pair_terms(a.votes(told), b.votes(told), geometric[i]), truths[i], target.labels.size());
+    if (category == none) return;
+    pairs_[i].category = model.data().categories[category].name;
+    found[i] = category == told ? examples_[i].terms : pair_terms(a.votes(category), b.votes(category), geometric[i]);
   });
-  for (const Validated_pair& pair : pairs_)
-    told_.push_back(pair.scores);
-  // A category that was left out tells nothing of how far others are to be trusted
-  if (left_out == Left_out::CATEGORY) told_ = Role_validation(shapes, pairs, Left_out::SHAPES, options).told_;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    std::vector<char> is_left_out(shapes.size(), 0);
-    for (std::size_t end : pairs[i])
-      is_left_out[end] = 1;
-    if (!pairs_[i].category.empty()) pairs_[i].trust = trust(pairs_[i].category, is_left_out);
-    pairs_[i].joined = found[i][std::size_t(pairs_[i].trust)];
+  // What was learned with much left out tells nothing of how good what is learned of others is
+  if (left_out != Left_out::SHAPES) examples_ = Role_validation(shapes, pairs, Left_out::SHAPES, options).examples_;
+
+  std::map<std::string, Pair_weights> of_others;
+  for (const Validation_pair& pair : pairs) {
+    const std::string& category = shapes[pair[0]].labelled.category;
+    if (of_others.count(category) == 0) of_others[category] = weights_without(category);
   }
+  for_each_index(pairs.size(), true, [&](std::size_t i) {
+    const Labelled_graph &source = shapes[pairs[i][0]].labelled, &target = shapes[pairs[i][1]].labelled;
+    std::vector<Part_correspondence> matched = geometric[i].pairs;
+    if (!pairs_[i].category.empty()) {
+      Pair_weights weights = of_others.at(source.category);
+      if (pairs_[i].category == source.category)
+        weights = weights_of(source.category, weights, {pairs[i][0], pairs[i][1]});
+      matched = pairs_by_terms(found[i], weights, target.labels.size());
+    }
+    pairs_[i].geometric = evaluate_correspondence(part_pairs(geometric[i].pairs), truths[i]);
+    pairs_[i].joined = evaluate_correspondence(part_pairs(matched), truths[i]);
+    pairs_[i].judged = judged(matched, truths[i]);
+  });
 }
 
 Role_model Role_validation::model() const
 {
   Role_model_data result = all_;
   for (Category_roles& category : result.categories)
-    category.trust = trust(category.name);
-  result.confidences = confidences();
+    category.weights = weights_of(category.name, weights_without(category.name), {});
   return Role_model(std::move(result));
 }
 
-// Of left-out pairs of shapes, of which each weighs the same within its category, and every category the same.
-Confidence_table Role_validation::confidences() const
+// Every category weighs the same, and every pair of shapes within it.
+Pair_weights Role_validation::weights_without(const std::string& left_out) const
 {
-  std::map<std::string, std::vector<const std::vector<Judged_pair>*>> by_category;
-  for (const Validated_pair& pair : pairs_) {
-    const std::string& category = shapes_[pair.shapes[0]].labelled.category;
-    const std::vector<Judged_pair>& judged = pair.judged[std::size_t(trust(category))];
-    if (trust(category) != Role_trust::NONE && !judged.empty()) by_category[category].push_back(&judged);
-  }
-  Confidence_table right{}, weights{};
-  for (const auto& [category, matches] : by_category)
-    for (const std::vector<Judged_pair>* match : matches)
-      for (const Judged_pair& pair : *match) {
-        const std::size_t i = std::size_t(std::lround(pair.same_role * double(weights.size() - 1)));
-        const double weight = 1 / double(matches.size() * match->size());
-        weights[i] += weight;
-        right[i] += pair.is_right ? weight : 0;
-      }
-  return isotonic(right, weights);
-}
-
-Role_trust Role_validation::trust(const std::string& category) const
-{
-  return trust(category, std::vector<char>(shapes_.size(), 0));
-}
-
-Role_trust Role_validation::trust(const std::string& category, const std::vector<char>& is_left_out) const
-{
-  std::array<double, 3> f1{};
-  std::set<std::size_t> seen;
+  std::map<std::string, std::vector<const Judged_terms*>> by_category;
   std::size_t count = 0;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const Validated_pair& pair = pairs_[i];
-    if (shapes_[pair.shapes[0]].labelled.category != category || is_left_out[pair.shapes[0]] ||
-        is_left_out[pair.shapes[1]])
-      continue;
+    const std::string& category = shapes_[pairs_[i].shapes[0]].labelled.category;
+    if (category == left_out || examples_[i].terms.rows() == 0) continue;
+    by_category[category].push_back(&examples_[i]);
     ++count;
-    seen.insert(pair.shapes.begin(), pair.shapes.end());
-    for (std::size_t t = 0; t < f1.size(); ++t)
-      f1[t] += told_[i][t].f1();
   }
-  std::size_t best = 0;
-  for (std::size_t t = 1; t < f1.size() && seen.size() >= least_shapes; ++t)
-    if (f1[t] >= f1[best] + least_gain * double(count)) best = t;
-  return Role_trust(best);
+  if (count < least_pairs) return usual_pair_weights();
+  std::vector<Weighted_example> chosen;
+  for (const auto& [category, examples] : by_category)
+    for (const Judged_terms* example : examples)
+      chosen.push_back({example, 1 / double(examples.size())});
+  return fitted_pair_weights(chosen, Pair_weights::Zero(), slight_charge);
+}
+
+// Every shape weighs 1.
+Pair_weights Role_validation::weights_of(const std::string& category, const Pair_weights& expected,
+                                         const std::vector<std::size_t>& left_out) const
+{
+  const auto is_left_out = [&](std::size_t shape) {
+    return std::find(left_out.begin(), left_out.end(), shape) != left_out.end();
+  };
+  std::vector<const Judged_terms*> examples;
+  std::set<std::size_t> seen;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const Validation_pair& pair = pairs_[i].shapes;
+    if (shapes_[pair[0]].labelled.category != category || examples_[i].terms.rows() == 0 || is_left_out(pair[0]) ||
+        is_left_out(pair[1]))
+      continue;
+    examples.push_back(&examples_[i]);
+    seen.insert(pair.begin(), pair.end());
+  }
+  std::vector<Weighted_example> chosen;
+  for (const Judged_terms* example : examples)
+    chosen.push_back({example, double(seen.size()) / double(examples.size())});
+  return fitted_pair_weights(chosen, expected, charge_of_category);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -10,7 +10,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,8 +19,7 @@ namespace CGAL::Shape_correspondence::internal {
 struct Validation_shape
 {
   Labelled_graph labelled;
-  std::string source;             // where it is from
-  std::vector<Part_label> labels; // by part; empty: it is trained on, but is in no pair
+  std::string source; // where it is from
 };
 
 // Two labelled shapes of a category, by index.
@@ -34,25 +32,23 @@ enum class Left_out {
   CATEGORY // all of it
 };
 
-// A pair of parts that was matched: how probable it is that both have the same role, and whether it is right.
+// A pair of parts that was matched: how probable that was, and whether it is right.
 struct Judged_pair
 {
-  double same_role;
+  double confidence;
   bool is_right;
 };
 
 struct Validated_pair
 {
   Validation_pair shapes{};
-  std::array<Correspondence_score, 3> scores{};   // by `Role_trust`, where the category is told
-  std::array<std::vector<Judged_pair>, 3> judged; // the same
-  std::string category;                           // as the matcher finds it; empty: none
-  Role_trust trust = Role_trust::NONE;            // in that category, by the pairs of other shapes
-  Correspondence_score joined;                    // as the matcher does it
+  std::string category;                   // as the matcher finds it; empty: none
+  Correspondence_score geometric, joined; // by geometry alone, and as the matcher does it
+  std::vector<Judged_pair> judged;        // of the latter
 };
 
-// Geometric matches and those with roles, of pairs that the training did not see. How far roles are trusted follows
-// from the pairs of other shapes.
+// Matches of pairs of shapes that the training did not see. The weights of the terms follow from pairs of other
+// categories, and from those of their own category that share no shape with the one at hand, if any.
 class Role_validation
 {
 public:
@@ -61,19 +57,20 @@ public:
 
   const std::vector<Validated_pair>& pairs() const { return pairs_; }
 
-  // How far roles are trusted by all pairs.
-  Role_trust trust(const std::string& category) const;
-  // What all shapes teach, with this trust.
+  // What all shapes teach, with weights fitted to all pairs.
   Role_model model() const;
 
 private:
-  Confidence_table confidences() const;
-  Role_trust trust(const std::string& category, const std::vector<char>& is_left_out) const;
+  // Fitted to all pairs but those of a category; the usual ones where they are few.
+  Pair_weights weights_without(const std::string& category) const;
+  // Fitted to the pairs of a category with none of these shapes; the fewer there are, the nearer to the expected ones.
+  Pair_weights weights_of(const std::string& category, const Pair_weights& expected,
+                          const std::vector<std::size_t>& left_out) const;
 
   const std::vector<Validation_shape>& shapes_;
   Role_model_data all_;
   std::vector<Validated_pair> pairs_;
-  std::vector<std::array<Correspondence_score, 3>> told_; // by pair, that trust follows from
+  std::vector<Judged_terms> examples_; // by pair, with the category told and neither shape in the training
 };
 
 } // namespace CGAL::Shape_correspondence::internal

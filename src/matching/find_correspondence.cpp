@@ -279,7 +279,7 @@ Correspondence Correspondence_finder::Impl::matched_parts(const Prepared_shape& 
   }
   if (done == 0) best_shape = aligned(target, best_turn);
   Correspondence known;
-  if (options_.roles) join_roles(target, *best_shape, best, known);
+  if (options_.roles && done > 0) join_roles(target, *best_shape, best, known);
   const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
   best.pairs.erase(std::remove_if(best.pairs.begin(), best.pairs.end(), unsure), best.pairs.end());
 
@@ -306,12 +306,14 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
     result.warnings.push_back(category.note);
     return;
   }
-  const Category_roles& known = model.categories[category.index];
-  const Eigen::MatrixXi &source = a->votes(category.index), &of_target = b->votes(category.index);
-  internal::join_roles(source, source_->original, of_target, aligned_target.original, model, known.trust, matching);
-  result.category = known.name;
-  result.source_roles = likeliest_roles(source, known);
-  result.target_roles = likeliest_roles(of_target, known);
+  const Role_votes &source = a->votes(category.index), &of_target = b->votes(category.index);
+  const Pair_terms terms = pair_terms(source, source_->original, of_target, aligned_target.original, matching);
+  matching.pairs = pairs_by_terms(terms, model.categories[category.index].weights, aligned_target.original.size());
+  result.category = model.categories[category.index].name;
+  for (const Part_label& label : source.labels)
+    result.source_roles.push_back(label.coarse);
+  for (const Part_label& label : of_target.labels)
+    result.target_roles.push_back(label.coarse);
 }
 
 std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prepared_shape& target) const

@@ -14,6 +14,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
+constexpr double side_margin = 0.025;  // of the width: how far off the middle plane a part is on a side
 constexpr double middle_margin = 0.05; // of the width: how far over the middle plane a part must reach to span it
 
 double ratio(double a, double b) { return b > comparison_grid ? a / b : 0; }
@@ -158,6 +159,18 @@ Role_features role_features(const Structural_graph& graph, const Aligned_shape& 
     row.set_signed(UP_OF_NEIGHBOUR, off_neighbour.y());
     row.set_signed(TO_FRONT_OF_NEIGHBOUR, off_neighbour.z());
     row.set(SHARE_WITH_NEIGHBOUR, touching.empty() ? 1 : ratio(part.area, part.area + neighbour.area));
+  }
+  return result;
+}
+
+std::vector<Side> part_sides(const Aligned_shape& shape)
+{
+  const Shape_layout layout(shape);
+  const double middle = layout.bounds.centre().x(), margin = side_margin * layout.bounds.sides().x();
+  std::vector<Side> result(shape.parts.size(), Side::NEITHER);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const double off = layout.boxes[i].centre().x() - middle;
+    if (is_less(margin, std::abs(off))) result[shape.original[i]] = off > 0 ? Side::LEFT : Side::RIGHT;
   }
   return result;
 }

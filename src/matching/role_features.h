@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -61,5 +62,11 @@ using Role_features = Eigen::Array<std::uint8_t, Eigen::Dynamic, ROLE_FEATURE_CO
 
 // `shape`: of the graph, turned so that it looks to +z.
 Role_features role_features(const Structural_graph& graph, const Aligned_shape& shape);
+
+// Of the middle plane.
+enum class Side { RIGHT = -1, NEITHER, LEFT };
+
+// Where the middle of the box of every part is, by its index in the structural graph.
+std::vector<Side> part_sides(const Aligned_shape& shape);
 
 } // namespace CGAL::Shape_correspondence::internal

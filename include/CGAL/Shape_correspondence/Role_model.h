@@ -12,6 +12,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_ROLE_MODEL_H
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
+#include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 
 #include <Eigen/Core>
 
@@ -31,19 +32,12 @@ class Role_distances;
 }
 
 /// \ingroup PkgShapeCorrespondenceRoles
-/// How far roles are trusted when two shapes of a category are matched.
-enum class Role_trust {
-  NONE,    ///< not at all: parts are matched by their geometry alone
-  CONFIRM, ///< pairs of the geometric match stay if their roles agree
-  FULL     ///< that, and parts that surely have the same role are matched
-};
-
-/// \ingroup PkgShapeCorrespondenceRoles
-/// What parts are for, such as the legs and the seat of a chair, learned from labelled shapes: by category, a forest
+/// What parts are for, such as the legs and the seat of a chair, learned from labelled shapes. By category: a forest
 /// of extremely randomised trees (P. Geurts, D. Ernst, L. Wehenkel, *Extremely randomized trees*, 2006) that predicts
-/// a part's role from its place, size and shape in the upright shape that looks to +z, and the labelled parts
-/// themselves, by which shapes of unknown categories are noticed. Names and the order of parts play no part. Copies
-/// share what they hold; threads may share a model.
+/// the label of a part, its role and what it is more precisely (a front leg), from its place, size and shape in the
+/// upright shape that looks to +z; and the labelled parts themselves, by which shapes of unknown categories are
+/// noticed. For all categories: how probable a pair of parts is by their predicted labels and by their geometric match.
+/// Names and the order of parts play no part. Copies share what they hold; threads may share a model.
 class Role_model
 {
 public:
@@ -54,8 +48,6 @@ public:
   std::vector<std::string> categories() const;
   /// Names of the roles of a category, sorted. \throw Invalid_input if the model does not have the category
   const std::vector<std::string>& roles(const std::string& category) const;
-  /// How far the roles of a category are trusted. \throw Invalid_input if the model does not have the category
-  Role_trust trust(const std::string& category) const;
 
   /// Writes the model, in bytes that are the same on all machines.
   void write(std::ostream& out) const;
@@ -81,6 +73,7 @@ struct Part_roles
   std::string category;           ///< of the shape; empty: none that the model knows
   std::vector<std::string> roles; ///< names of the roles of the category
   Eigen::MatrixXd probabilities;  ///< part × role; every row sums up to 1
+  std::vector<Part_label> labels; ///< the likeliest one of every part: its role, and what it is more precisely
   /// From the labelled parts of the category: mean over parts and features of the difference from the nearest one, in
   /// standard deviations of the feature.
   double distance = 0;
@@ -100,8 +93,10 @@ struct Labelled_graph
 {
   const Structural_graph* graph = nullptr; ///< the shape, upright, looking to +z
   std::string category;                    ///< of the shape
-  std::vector<std::string> roles;          ///< of every part
-  double weight = 1;                       ///< of the shape; less for generated shapes than for real ones
+  /// Of every part; `Part_label::coarse` is its role. Fine labels such as `leg_front_left` are learned where all parts
+  /// of a role have one; the side that `left` and `right` in them mean is told from the place of a part.
+  std::vector<Part_label> labels;
+  double weight = 1; ///< of the shape; less for generated shapes than for real ones
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
@@ -114,8 +109,7 @@ struct Role_training_options
 
 /// \ingroup PkgShapeCorrespondenceRoles
 /// Learns roles from labelled shapes. The same shapes, in any order, and the same seed give the same bytes, on any
-/// number of threads. Roles are trusted in full in every category; `cross_validate_roles()` tells how far they should
-/// be.
+/// number of threads.
 /// \throw Invalid_input if a shape has no category, a part no role, or a number is out of its range
 Role_model train_role_model(const std::vector<Labelled_graph>& shapes, const Role_training_options& options = {});
 

@@ -73,8 +73,7 @@ struct Search_options
 {
   Search_method method = Search_method::PARTS; ///< how the correspondence is found
   Part_matching_options parts;                 ///< options of `Search_method::PARTS`
-  /// What parts are for, joined with the costs of `Search_method::PARTS` as far as the model trusts it; none: the costs
-  /// alone. Shapes look to +z. `IO::shipped_role_model()` is the one that the program takes.
+  /// What parts are for, joined with the costs of `Search_method::PARTS`; none: the costs alone. Shapes look to +z. `IO::shipped_role_model()` is the one that the program takes.
   std::shared_ptr<const Role_model> roles;
   /// Of both shapes, for `roles`; empty: the one that they are most like, or none where they are like none.
   std::string category;

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "matching/pair_model.h"
+#include "base/quantized.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace CGAL::Shape_correspondence::internal {
+
+namespace {
+
+constexpr int newton_steps = 15;
+
+} // namespace
+
+Pair_weights usual_pair_weights()
+{
+  Pair_weights result;
+  result << 1.389, 3.154, 1.029, -0.176, -3.560;
+  return result;
+}
+
+Eigen::MatrixXd excess_of_pairs(const Eigen::MatrixXd& costs)
+{
+  const Eigen::VectorXd of_source = costs.rowwise().minCoeff(), of_target = costs.colwise().minCoeff();
+  Eigen::MatrixXd result(costs.rows(), costs.cols());
+  for (Eigen::Index j = 0; j < costs.cols(); ++j)
+    for (Eigen::Index i = 0; i < costs.rows(); ++i)
+      result(i, j) =
+          std::min(largest_excess, costs(i, j) - of_source[i]) + std::min(largest_excess, costs(i, j) - of_target[j]);
+  return result;
+}
+
+Eigen::ArrayXd probabilities(const Pair_terms& terms, const Pair_weights& weights)
+{
+  return 1 / (1 + (-(terms * weights).array()).exp());
+}
+
+std::vector<char> pairs_of_greatest_expected_f1(const Eigen::ArrayXd& probabilities)
+{
+  std::vector<long> steps;
+  for (double p : probabilities)
+    steps.push_back(quantized(p));
+  std::vector<long> descending = steps;
+  std::sort(descending.begin(), descending.end(), std::greater<>());
+  double expected = 0; // pairs that are right, in steps
+  for (long step : descending)
+    expected += double(step);
+  const double step_count = 1 / comparison_grid;
+  double right = 0, best = 0;
+  long least = descending.empty() ? 0 : descending.front();
+  for (std::size_t k = 0; k < descending.size(); ++k) {
+    right += double(descending[k]);
+    const bool is_last_of_equals = k + 1 == descending.size() || descending[k + 1] < descending[k];
+    const double f1 = 2 * right / (double(k + 1) * step_count + expected);
+    if (!is_last_of_equals || f1 <= best) continue;
+    best = f1;
+    least = descending[k];
+  }
+  std::vector<char> result;
+  for (long step : steps)
+    result.push_back(step >= least);
+  return result;
+}
+
+Pair_weights fitted_pair_weights(const std::vector<Weighted_example>& examples, const Pair_weights& expected,
+                                 double charge)
+{
+  Pair_weights weights = expected;
+  for (int step = 0; step < newton_steps; ++step) {
+    Pair_weights gradient = charge * (expected - weights);
+    Eigen::Matrix<double, PAIR_TERM_COUNT, PAIR_TERM_COUNT> hessian =
+        charge * Eigen::Matrix<double, PAIR_TERM_COUNT, PAIR_TERM_COUNT>::Identity();
+    for (const auto& [judged, weight_of_all] : examples) {
+      const Eigen::ArrayXd p = probabilities(judged->terms, weights);
+      const double weight = weight_of_all / double(p.size());
+      gradient += weight * (judged->terms.transpose() * (judged->is_right - p).matrix());
+      hessian += weight * (judged->terms.transpose() * (p * (1 - p)).matrix().asDiagonal() * judged->terms);
+    }
+    weights += hessian.ldlt().solve(gradient);
+  }
+  return (weights / pair_weight_unit).array().round().matrix() * pair_weight_unit;
+}
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "matching/part_blocks.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+// What is known of a pair of parts. All terms are the same with source and target swapped.
+enum Pair_term : int {
+  SAME_LABEL,     // 1 or 0: the parts correspond by the likeliest labels of all parts, as by `ground_truth()`
+  VOTES_AGREE,    // cosine of the votes for the roles of the two parts
+  GEOMETRIC_PAIR, // 1 or 0: the geometric match has the pair
+  EXCESS,         // how much more the pair costs than the best one of either part, added; at most `largest_excess` each
+  CONSTANT,       // 1
+  PAIR_TERM_COUNT
+};
+
+constexpr double largest_excess = 5;
+
+// A row a pair of parts, source by source.
+using Pair_terms = Eigen::Matrix<double, Eigen::Dynamic, PAIR_TERM_COUNT>;
+// Of the terms, in the logit of the probability that a pair is right.
+using Pair_weights = Eigen::Matrix<double, PAIR_TERM_COUNT, 1>;
+
+// Fitted to the labelled shapes that the role model of the package was learned from, each pair of shapes matched with
+// neither in the training; for models that are learned from too few shapes for weights of their own.
+Pair_weights usual_pair_weights();
+
+// The excess of every pair.
+Eigen::MatrixXd excess_of_pairs(const Eigen::MatrixXd& costs);
+
+// How probable it is that the pairs are right.
+Eigen::ArrayXd probabilities(const Pair_terms& terms, const Pair_weights& weights);
+
+// Which pairs to take so that the expected F1 is greatest: all that are as probable as the least of them, or more.
+// Without a parameter: many where the parts are told well, few where they are not. O(n log n).
+std::vector<char> pairs_of_greatest_expected_f1(const Eigen::ArrayXd& probabilities);
+
+// The pairs of parts of two shapes, and which are right.
+struct Judged_terms
+{
+  Pair_terms terms;
+  Eigen::ArrayXd is_right; // 1 or 0
+};
+
+// The same, and what all its pairs together weigh.
+struct Weighted_example
+{
+  const Judged_terms* judged;
+  double weight;
+};
+
+// Logistic regression by Newton's method, with a charge for the square of how far each weight is from the expected one.
+// Rounded to what a file keeps.
+Pair_weights fitted_pair_weights(const std::vector<Weighted_example>& examples, const Pair_weights& expected,
+                                 double charge);
+
+constexpr double pair_weight_unit = 1e-6; // in a file
+
+} // namespace CGAL::Shape_correspondence::internal
