@@ -17,23 +17,7 @@ using namespace internal;
 
 namespace {
 
-constexpr double group_share = 0.3; // of a group's cost in those of its parts
-constexpr double union_charge = 1;  // added where a part corresponds to a set of parts as a whole
-
-Eigen::MatrixXd shared_in_groups(const Eigen::MatrixXd& costs, const Aligned_shape& source, const Aligned_shape& target)
-{
-  Eigen::MatrixXd result(costs.rows(), costs.cols());
-  for (const Part_group& g : groups(source))
-    for (const Part_group& h : groups(target)) {
-      const double group_cost = set_cost(costs, g.parts, h.parts);
-      for (std::size_t i : g.parts)
-        for (std::size_t j : h.parts) {
-          const auto row = Eigen::Index(i), column = Eigen::Index(j);
-          result(row, column) = (1 - group_share) * costs(row, column) + group_share * group_cost;
-        }
-    }
-  return result;
-}
+constexpr double union_charge = 1; // added where a part corresponds to a set of parts as a whole
 
 // The least cost of every part of `a` and a union that every part of `b` is in; infinite for parts in none.
 Eigen::MatrixXd costs_of_unions(const Normalized_shape& a, const Normalized_shape& b, const Point_distances& a_from_b,
@@ -99,15 +83,6 @@ Eigen::MatrixXd costs_of_kind(const Normalized_shape& a, const Normalized_shape&
 
 } // namespace
 
-Eigen::MatrixXd rough_costs(const Normalized_shape& a, const Normalized_shape& b, const Part_cost_weights& weights)
-{
-  Eigen::MatrixXd result = costs_of_boxes(a.boxes, b.boxes, weights);
-  for (std::size_t i = 0; i < a.parts.size(); ++i)
-    for (std::size_t j = 0; j < b.parts.size(); ++j)
-      result(Eigen::Index(i), Eigen::Index(j)) += cost_of_kind(a.parts[i], b.parts[j], weights);
-  return result;
-}
-
 double set_cost(const Eigen::MatrixXd& costs, const std::vector<std::size_t>& rows,
                 const std::vector<std::size_t>& columns)
 {
@@ -132,28 +107,26 @@ double mean_least_cost(const Eigen::MatrixXd& costs)
   return costs.rowwise().minCoeff().mean() + costs.colwise().minCoeff().mean();
 }
 
-Cost_matrices part_costs(const Normalized_shape& a, const Aligned_shape& source, const Normalized_shape& b,
-                         const Aligned_shape& target, const Part_cost_weights& weights)
+Eigen::MatrixXd part_costs(const Normalized_shape& a, const Aligned_shape& source, const Normalized_shape& b,
+                           const Aligned_shape& target, const Part_cost_weights& weights)
 {
   Point_distances a_from_b, b_from_a;
   point_distances(a, b, a_from_b, b_from_a);
 
   const Eigen::MatrixXd of_kind = costs_of_kind(a, b, a_from_b, b_from_a, weights);
-  const Eigen::MatrixXd alone = costs_after_warping(a.boxes, b.boxes, of_kind, weights);
-  Cost_matrices result;
-  result.of_parts = shared_in_groups(alone, source, target)
-                        .cwiseMin(costs_of_unions(a, b, a_from_b, b_from_a, weights))
-                        .cwiseMin(costs_of_unions(b, a, b_from_a, a_from_b, weights).transpose());
-  const Eigen::ArrayXXd agreement = contact_agreement(mutual_softmax(result.of_parts), source, target);
-  result.all = result.of_parts + weights.contacts * (1 - agreement).matrix();
-  return result;
+  const Eigen::MatrixXd without_contacts =
+      costs_after_warping(a.boxes, b.boxes, of_kind, weights)
+          .cwiseMin(costs_of_unions(a, b, a_from_b, b_from_a, weights))
+          .cwiseMin(costs_of_unions(b, a, b_from_a, a_from_b, weights).transpose());
+  const Eigen::ArrayXXd agreement = contact_agreement(mutual_softmax(without_contacts), source, target);
+  return without_contacts + weights.contacts * (1 - agreement).matrix();
 }
 
 Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target, const Part_cost_weights& weights)
 {
   const Normalized_shape a = normalized_shape(source, part_assemblies(source)),
                          b = normalized_shape(target, part_assemblies(target));
-  return part_costs(a, source, b, target, weights).all;
+  return part_costs(a, source, b, target, weights);
 }
 
 Eigen::MatrixXd costs_within_shape(const Normalized_shape& a, const std::vector<char>& is_chosen,

@@ -19,10 +19,9 @@ namespace CGAL::Shape_correspondence {
 /// aligned shapes. Symmetric: with the shapes swapped, the transposed matrix.
 ///
 /// The boxes are compared as they are and after either shape was warped towards the other, axis by axis, where the most
-/// alike parts ask for it; the three are averaged. A part shares in how alike its symmetry group is to the other's, and
-/// a group of `minimum_repetition` parts or more, or a panel (`Part_assemblies`), may cost less as a whole (legs for a
-/// pedestal, slats for a board). How well the parts that two parts touch correspond is told by these costs.
-/// O(n m k²) for n and m parts with k = `surface_samples` points each.
+/// alike parts ask for it; the three are averaged. A group of `minimum_repetition` parts or more, or a panel
+/// (`Part_assemblies`), may cost less as a whole (legs for a pedestal, slats for a board). How well the parts that two
+/// parts touch correspond is told by these costs. O(n m k²) for n and m parts with k = `surface_samples` points each.
 Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
                            const Part_cost_weights& weights = {});
 
@@ -33,19 +32,10 @@ namespace internal {
 struct Normalized_shape;
 }
 
-struct Cost_matrices
-{
-  Eigen::MatrixXd of_parts, all; ///< without the cost of contacts, and with it
-};
-
 /// The same of shapes whose boxes and surfaces are known.
-Cost_matrices part_costs(const internal::Normalized_shape& a, const Aligned_shape& source,
-                         const internal::Normalized_shape& b, const Aligned_shape& target,
-                         const Part_cost_weights& weights);
-
-/// The costs without those of surfaces and contacts.
-Eigen::MatrixXd rough_costs(const internal::Normalized_shape& a, const internal::Normalized_shape& b,
-                            const Part_cost_weights& weights);
+Eigen::MatrixXd part_costs(const internal::Normalized_shape& a, const Aligned_shape& source,
+                           const internal::Normalized_shape& b, const Aligned_shape& target,
+                           const Part_cost_weights& weights);
 
 /// The costs of the parts of one shape among each other, as far as one of the two is chosen; of others some are
 /// missing.

@@ -21,19 +21,11 @@ namespace {
 // source family, and on the generated shapes, which weigh the same. Pairs of blocks may have any margin below 0.
 constexpr double confidence_offset = 0.37, confidence_slope = 0.52, least_margin = -0.5, largest_margin = 3;
 
-// Parts that pair one to one at no more cost count as equal; set on the development set and the generated shapes.
-constexpr double equal_part_cost = 0.5;
-
-// Legs that pair one to one at no more cost are alike, and so many of them show that legs correspond to legs, not the
-// support to the support; set on the generated shapes of given and of drawn styles.
-constexpr double alike_leg_cost = 4;
-constexpr std::size_t least_alike_legs = 2;
-
 void check(const Part_matching_options& options)
 {
   const Part_cost_weights& w = options.weights;
   for (double value : {w.overlap, w.extent, w.ground, w.side, w.front, w.orientation, w.chamfer, w.contacts, w.chain,
-                       options.excess, options.confident_excess, options.shared_counterpart, options.upside_down})
+                       options.excess, options.confident_excess, options.shared_counterpart})
     if (!(value >= 0) || !std::isfinite(value))
       throw Invalid_input("match_parts: the weights and bounds of costs must be finite and not negative");
 }
@@ -68,18 +60,11 @@ bool are_all(const std::vector<std::size_t>& counts, std::size_t count)
   return std::all_of(counts.begin(), counts.end(), [&](std::size_t c) { return c == count; });
 }
 
-// Do the parts of a block pair one to one, each with one that is as good as equal?
-bool are_equal_pairs(const Block& block, const Match_matrix& confident, const Eigen::MatrixXd& costs)
+// Do the parts of a block pair one to one?
+bool pairs_one_to_one(const Block& block, const Match_matrix& confident)
 {
-  const std::vector<std::size_t> of_source = number_of_pairs(confident, block.source, block.target),
-                                 of_target = number_of_pairs(confident.transpose(), block.target, block.source);
-  if (!are_all(of_source, 1) || !are_all(of_target, 1)) return false;
-  for (std::size_t i : block.source)
-    for (std::size_t j : block.target)
-      if (confident(Eigen::Index(i), Eigen::Index(j)) &&
-          quantized(costs(Eigen::Index(i), Eigen::Index(j))) > quantized(equal_part_cost))
-        return false;
-  return true;
+  return are_all(number_of_pairs(confident, block.source, block.target), 1) &&
+         are_all(number_of_pairs(confident.transpose(), block.target, block.source), 1);
 }
 
 std::vector<char> flags(const std::vector<std::size_t>& parts, std::size_t count)
@@ -105,9 +90,9 @@ void match_all(const std::vector<std::size_t>& source, const std::vector<std::si
       pairs(Eigen::Index(i), Eigen::Index(j)) = true;
 }
 
-// Every part of a block with every other where they differ in number, or are in panels.
-void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confident, const Eigen::MatrixXd& costs,
-                     const Shape_features& source, const Shape_features& target, Match_matrix& pairs)
+// Every part of a block with every other where they differ in number, or are in panels and do not pair one to one.
+void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confident, const Shape_features& source,
+                     const Shape_features& target, Match_matrix& pairs)
 {
   const std::vector<char> source_panels = is_in_panel(source), target_panels = is_in_panel(target);
   const auto has_panel = [](const std::vector<std::size_t>& parts, const std::vector<char>& is_in_panel) {
@@ -116,7 +101,7 @@ void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confi
   for (const Block& block : blocks)
     if (block.source.size() != block.target.size() ||
         ((has_panel(block.source, source_panels) || has_panel(block.target, target_panels)) &&
-         !are_equal_pairs(block, confident, costs)))
+         !pairs_one_to_one(block, confident)))
       match_all(block.source, block.target, pairs);
 }
 
@@ -131,44 +116,12 @@ bool supports_pair_one_to_one(const Match_matrix& confident, const Part_assembli
   return true;
 }
 
-// Legs of either shape that pair with one of the other's each, and are alike.
-std::size_t number_of_alike_legs(const Match_matrix& confident, const Eigen::MatrixXd& costs,
-                                 const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
+// Do the supports of two shapes correspond as sets, every leg to every leg?
+bool support_as_sets(const Match_matrix& confident, const Part_assemblies& a, const Part_assemblies& b)
 {
-  const std::vector<std::size_t> of_a = number_of_pairs(confident, a, b),
-                                 of_b = number_of_pairs(confident.transpose(), b, a);
-  std::size_t result = 0;
-  for (std::size_t k = 0; k < a.size(); ++k)
-    for (std::size_t l = 0; l < b.size(); ++l) {
-      const auto i = Eigen::Index(a[k]), j = Eigen::Index(b[l]);
-      result += confident(i, j) && of_a[k] == 1 && of_b[l] == 1 && quantized(costs(i, j)) <= quantized(alike_leg_cost);
-    }
-  return result;
-}
-
-// How the supports of two shapes correspond.
-enum class Support_matching {
-  AS_OTHER_PARTS, // by blocks
-  ALIKE_LEGS,     // legs to the legs that they pair with only: either shape has some without a counterpart
-  AS_SETS         // every part to every part
-};
-
-Support_matching support_matching(const Match_matrix& confident, const Eigen::MatrixXd& costs, const Part_assemblies& a,
-                                  const Part_assemblies& b, bool alike_legs)
-{
-  if (a.support.empty() || b.support.empty()) return Support_matching::AS_OTHER_PARTS;
-  if (a.legs.size() <= b.legs.size() ? supports_pair_one_to_one(confident, a, b)
-                                     : supports_pair_one_to_one(confident.transpose(), b, a))
-    return Support_matching::AS_OTHER_PARTS;
-  return alike_legs && number_of_alike_legs(confident, costs, a.legs, b.legs) >= least_alike_legs
-             ? Support_matching::ALIKE_LEGS
-             : Support_matching::AS_SETS;
-}
-
-void leave_out(const std::vector<std::size_t>& left_out, std::vector<std::size_t>& parts)
-{
-  const auto is_left_out = [&](std::size_t part) { return std::binary_search(left_out.begin(), left_out.end(), part); };
-  parts.erase(std::remove_if(parts.begin(), parts.end(), is_left_out), parts.end());
+  if (a.support.empty() || b.support.empty()) return false;
+  return !(a.legs.size() <= b.legs.size() ? supports_pair_one_to_one(confident, a, b)
+                                          : supports_pair_one_to_one(confident.transpose(), b, a));
 }
 
 // Takes out pairs of a leg and a part that is not in the support.
@@ -184,24 +137,15 @@ void separate_supports(const Shape_features& source, const Shape_features& targe
       if (!a[i]) pairs(Eigen::Index(i), Eigen::Index(j)) = false;
 }
 
-Match_matrix matched(const Cost_matrices& costs, const Shape_features& source, const Shape_features& target,
+Match_matrix matched(const Eigen::MatrixXd& costs, const Shape_features& source, const Shape_features& target,
                      const Part_matching_options& options)
 {
-  Match_matrix confident = pairs_within(costs.all, options.confident_excess),
-               pairs = pairs_within(costs.all, options.excess);
-  const Part_assemblies &a = source.assemblies, &b = target.assemblies;
-  const Support_matching supports = support_matching(confident, costs.of_parts, a, b, options.alike_legs);
-  if (supports == Support_matching::AS_SETS) separate_supports(source, target, confident);
-  std::vector<Block> blocks = joined_blocks(confident, source, target, options);
-  if (supports == Support_matching::ALIKE_LEGS)
-    for (Block& block : blocks) {
-      leave_out(a.legs, block.source);
-      leave_out(b.legs, block.target);
-    }
-  complete_blocks(blocks, confident, costs.of_parts, source, target, pairs);
-  if (supports == Support_matching::AS_SETS) {
+  const Match_matrix confident = pairs_within(costs, options.confident_excess);
+  Match_matrix pairs = pairs_within(costs, options.excess);
+  complete_blocks(joined_blocks(confident, source, target, options), confident, source, target, pairs);
+  if (support_as_sets(confident, source.assemblies, target.assemblies)) {
     separate_supports(source, target, pairs);
-    match_all(a.legs, b.legs, pairs);
+    match_all(source.assemblies.legs, target.assemblies.legs, pairs);
   }
   return pairs;
 }
@@ -227,59 +171,53 @@ double margin(const Eigen::MatrixXd& costs, const Match_matrix& pairs, Eigen::In
 
 double confidence(double margin) { return 1 / (1 + std::exp(-(confidence_offset + confidence_slope * margin))); }
 
-Cost_matrices costs_of(const Shape_features& a, const Shape_features& b, const Part_matching_options& options)
+Eigen::MatrixXd costs_of(const Shape_features& a, const Shape_features& b, const Part_matching_options& options)
 {
   return part_costs(a.normalized, a.shape, b.normalized, b.shape, options.weights);
 }
 
-// Without surfaces: enough to tell whether the full costs may be less.
-long rough_cost(const Shape_features& a, const Shape_features& b, const Part_matching_options& options)
-{
-  return quantized(mean_least_cost(rough_costs(a.normalized, b.normalized, options.weights)));
-}
-
-Part_matching matching_of(Cost_matrices costs, const Shape_features& source, const Shape_features& target,
+Part_matching matching_of(Eigen::MatrixXd costs, const Shape_features& source, const Shape_features& target,
                           const Part_matching_options& options)
 {
   const Match_matrix pairs = matched(costs, source, target, options);
   Part_matching result;
   for (Eigen::Index i = 0; i < pairs.rows(); ++i)
     for (Eigen::Index j = 0; j < pairs.cols(); ++j)
-      if (pairs(i, j))
-        result.pairs.push_back({std::size_t(i), std::size_t(j), confidence(margin(costs.all, pairs, i, j))});
-  result.costs = std::move(costs.all);
+      if (pairs(i, j)) result.pairs.push_back({std::size_t(i), std::size_t(j), confidence(margin(costs, pairs, i, j))});
+  result.costs = std::move(costs);
   return result;
 }
 
 } // namespace
+
+bool comes_first(const Aligned_shape& a, const Aligned_shape& b)
+{
+  const auto key = [](const Aligned_shape& shape) {
+    double height = 0;
+    for (const Sampled_part& part : shape.parts)
+      height += part.surface.row(1).mean();
+    return std::make_pair(shape.parts.size(), quantized(height));
+  };
+  return key(a) < key(b);
+}
 
 Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
                           const Part_matching_options& options)
 {
   check(options);
   const Shape_features a(source, options), b(target, options);
-  Cost_matrices costs = costs_of(a, b, options);
-  // What has a chain hangs from it
-  const bool one_has_chain = a.has_chain() != b.has_chain();
-  if (!one_has_chain && (a.assemblies.has_main_surface || b.assemblies.has_main_surface || a.has_chain()))
-    return matching_of(std::move(costs), a, b, options);
+  if (a.has_chain() == b.has_chain()) return matching_of(costs_of(a, b, options), a, b, options);
 
+  // What has a chain hangs from it: one of the two is turned over, whichever costs less
   const Aligned_shape source_over = turned_over(source), target_over = turned_over(target);
   const Shape_features a_over(source_over, options), b_over(target_over, options);
-  const long rough = rough_cost(a, b, options);
-  long least =
-      one_has_chain ? std::numeric_limits<long>::max() : quantized(mean_least_cost(costs.all) - options.upside_down);
-  std::pair<const Shape_features*, const Shape_features*> best{&a, &b};
-  for (const auto& turned : {std::make_pair(&a, &b_over), std::make_pair(&a_over, &b)}) {
-    if (!one_has_chain && rough_cost(*turned.first, *turned.second, options) >= rough) continue;
-    Cost_matrices costs_over = costs_of(*turned.first, *turned.second, options);
-    if (quantized(mean_least_cost(costs_over.all)) >= least) continue;
-    least = quantized(mean_least_cost(costs_over.all));
-    costs = std::move(costs_over);
-    best = turned;
-  }
-  Part_matching result = matching_of(std::move(costs), *best.first, *best.second, options);
-  result.upside_down = best.first != &a || best.second != &b;
+  Eigen::MatrixXd target_turned = costs_of(a, b_over, options), source_turned = costs_of(a_over, b, options);
+  const long over_target = quantized(mean_least_cost(target_turned)),
+             over_source = quantized(mean_least_cost(source_turned));
+  const bool turn_source = over_source < over_target || (over_source == over_target && comes_first(source, target));
+  Part_matching result = turn_source ? matching_of(std::move(source_turned), a_over, b, options)
+                                     : matching_of(std::move(target_turned), a, b_over, options);
+  result.upside_down = true;
   return result;
 }
 

@@ -18,25 +18,25 @@ struct Part_matching
 {
   std::vector<Part_correspondence> pairs; ///< by source, then target, by index of the aligned shapes
   Eigen::MatrixXd costs;                  ///< source part × target part, by index of the aligned shapes
-  bool upside_down = false;               ///< one shape was turned over, as a hanging lamp for one that stands
+  bool upside_down = false;               ///< one shape was turned over, as a lamp that hangs from a chain
 };
+
+/// An order of two shapes that does not depend on which of them is the source, nor on turns about the up axis; settles
+/// what else that would decide.
+bool comes_first(const Aligned_shape& a, const Aligned_shape& b);
 
 /// Matches parts by their costs alone, without deforming a shape.
 ///
 /// A pair is judged by how much more it costs than the best one of either part, so that no cost is too high for parts
 /// that have nothing better. Pairs that cost little more than the best ones, the confident ones, join parts and groups
 /// of both shapes to blocks. A part that is in no confident pair joins the block of the parts that it resembles most. A
-/// block with as many parts of either shape keeps its pairs (four legs and four legs); of one with different numbers,
-/// every part corresponds to every other (a back of five slats and one of seven; a pedestal and four legs). The same
-/// holds of a block with a panel, whose parts have no places of their own, unless its parts are equal one to one.
+/// block with as many parts of either shape keeps its pairs (four legs and four legs); of one with different numbers
+/// every part corresponds to every other (a back of five slats and one of seven; a pedestal and four legs), as in a
+/// block with a panel, whose parts have no places of their own, unless they pair one to one.
 ///
 /// The supports of the shapes (`Part_assemblies::support`) are matched as sets, and with nothing else, unless their
 /// parts pair one to one, but for some that stand on the ground apart from the others (a ladder beside the legs of a
-/// bed). Where some legs of either shape are alike and others have no counterpart (a table and a desk with a cabinet on
-/// one side), legs correspond only to legs that they pair with.
-///
-/// Where neither shape has a main surface, one is turned over if the parts cost less then (a hanging lamp and one that
-/// stands). Where one of the two has a chain, it hangs, and is turned over whatever the cost.
+/// bed). Where one of the two shapes has a chain, it hangs, and is turned over.
 ///
 /// Deterministic; the source and the target have the same standing. O(n m k²) as `part_costs()`, and O(b³) for b
 /// blocks. \throw Invalid_input if a weight or an option is negative or not finite

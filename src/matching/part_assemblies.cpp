@@ -3,7 +3,6 @@
 
 #include "matching/part_assemblies.h"
 #include "matching/chains.h"
-#include "matching/row_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +19,14 @@ constexpr double main_surface_thickness = 0.3; // its height over its shorter si
 
 constexpr double side_depth =
     0.1; // of the shape's extent: a part in one of its sides is no thicker and no farther off it
+
+constexpr std::size_t no_part = std::size_t(-1);
+
+// Is the group a row of `minimum_repetition` parts or more?
+bool is_row(const Part_group& group)
+{
+  return group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= minimum_repetition;
+}
 
 // The sets of the shape's parts, one after the other.
 class Assembly_finder
@@ -46,8 +53,7 @@ public:
     result.is_on_ground = layout_.is_on_ground;
     result.is_in_chain = is_in_chain_;
     for (const Part_group& group : groups(shape_))
-      if (is_row(group) && !is_in_chain_[group.parts[0]])
-        add_panel(row_with_frame(group.parts, shape_, layout_, main_surface_, is_in_chain_), result.panels);
+      if (is_row(group) && !is_in_chain_[group.parts[0]]) add_panel(group.parts, result.panels);
     for (const std::vector<std::size_t>& chain : chains_)
       add_panel(chain, result.panels);
     if (result.has_main_surface) add_side_panels(result.support, result.panels);

@@ -42,12 +42,10 @@ inline void ablation(const Dataset& dataset)
     options.parts.weights.*weight = 0;
     methods.emplace_back(name, ours(options));
   }
-  constexpr double never = 1e6;
   const std::tuple<const char*, double Part_matching_options::*, double> rules[] = {
       {"best pairs of parts only", &Part_matching_options::excess, 0},
       {"no confident pairs, so no blocks", &Part_matching_options::confident_excess, 0},
-      {"no shared counterparts", &Part_matching_options::shared_counterpart, 0},
-      {"nothing turned over", &Part_matching_options::upside_down, never}};
+      {"no shared counterparts", &Part_matching_options::shared_counterpart, 0}};
   for (const auto& [name, rule, value] : rules) {
     Search_options options;
     options.parts.*rule = value;
@@ -56,7 +54,6 @@ inline void ablation(const Dataset& dataset)
   const std::pair<const char*, bool Part_matching_options::*> wholes[] = {
       {"no panels", &Part_matching_options::panels},
       {"no support", &Part_matching_options::support},
-      {"no alike legs", &Part_matching_options::alike_legs},
       {"no chains", &Part_matching_options::chains}};
   for (const auto& [name, whole] : wholes) {
     Search_options options;
@@ -65,8 +62,7 @@ inline void ablation(const Dataset& dataset)
   }
   Search_options plain;
   plain.parts.panels = plain.parts.support = plain.parts.chains = false;
-  plain.parts.upside_down = never;
-  methods.emplace_back("nothing turned over, no panels, support or chains", ours(plain));
+  methods.emplace_back("no panels, support or chains", ours(plain));
   plain.parts.excess = 2;
   plain.parts.shared_counterpart = 4;
   methods.emplace_back("nor their bounds: excess 2, shared counterpart 4", ours(plain));

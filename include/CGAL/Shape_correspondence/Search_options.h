@@ -60,11 +60,9 @@ struct Part_matching_options
   double excess = 1.5;
   double confident_excess = 0.5;   ///< the same, for pairs that decide which sets of parts correspond
   double shared_counterpart = 3.5; ///< parts of one shape that cost less among each other may share a counterpart
-  double upside_down = 1; ///< a shape is turned over where that makes the mean least cost of its parts so much less
-  bool panels = true;     ///< match panels as sets: rows with their frames, boards in one side of the shape
-  bool support = true;    ///< match the parts that support a seat or top as a set
-  bool alike_legs = true; ///< where only some legs are alike, match them one to one, not the supports as sets
-  bool chains = true;     ///< a shape with a chain hangs from it, and rings of chains correspond to each other only
+  bool panels = true;              ///< match panels as sets: rows, boards in one side of the shape
+  bool support = true;             ///< match the parts that support a seat or top as a set
+  bool chains = true; ///< a shape with a chain hangs from it, and rings of chains correspond to each other only
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
@@ -73,7 +71,8 @@ struct Search_options
 {
   Search_method method = Search_method::PARTS; ///< how the correspondence is found
   Part_matching_options parts;                 ///< options of `Search_method::PARTS`
-  /// What parts are for, joined with the costs of `Search_method::PARTS`; none: the costs alone. Shapes look to +z. `IO::shipped_role_model()` is the one that the program takes.
+  /// What parts are for, joined with the costs of `Search_method::PARTS`; none: the costs alone. Shapes look to +z.
+  /// `IO::shipped_role_model()` is the one that the program takes.
   std::shared_ptr<const Role_model> roles;
   /// Of both shapes, for `roles`; empty: the one that they are most like, or none where they are like none.
   std::string category;
