@@ -30,8 +30,10 @@ constexpr double share_in_hull = 0.95;    // of a piece that is in a hull
 constexpr double share_interlocked = 0.3; // of each of two pieces in the other's hull
 constexpr double alike = 0.01;            // relative difference of areas and sizes of copies
 constexpr std::size_t fewest_copies = 3;
+constexpr double assembly_size = 0.3;   // of an object whose pieces stay together if they touch
 constexpr double shell_distance = 0.03; // between both shells of a panel
 constexpr double shell_areas = 0.7;     // least ratio of them
+constexpr double unlimited = 1e100;     // a distance that none reaches
 constexpr double speck_size = 0.01;     // a smaller piece joins what it touches, whatever its object
 
 /// A piece with what distances to it need.
@@ -44,13 +46,14 @@ public:
 
   const Loose_piece& piece() const { return piece_; }
   const Triangle_tree& tree() const { return tree_; }
+  const Points& samples() const { return samples_; }
 
   bool is_within(const Measured_piece& other, double distance) const
   {
     return tree_.is_within(other.tree_, distance * distance);
   }
 
-  /// How far the point of this piece is that is farthest from another one; infinite if it is farther than `limit`.
+  /// How far the point of this piece is that is farthest from another one; infinite if that is `limit` or more.
   double distance_to(const Measured_piece& other, double limit) const
   {
     double result = 0;
@@ -154,14 +157,17 @@ private:
   void group_object(std::size_t begin, std::size_t end)
   {
     std::string& kept = result_.kept[pieces_[begin].object];
-    if (objects_ > 1 && holds_all_others(largest(begin, end), begin, end)) {
+    if (objects_ > 1 && holds_all_others(largest(begin, end), begin, end))
       kept = "its largest piece holds the others";
+    else if (objects_ > 1 && is_assembly(begin, end))
+      kept = "it is small, and its pieces touch";
+    if (!kept.empty()) {
       unite(begin, end);
       return;
     }
     std::vector<std::optional<Join>> joins(pieces_.size());
     for (std::size_t i = begin; i < end; ++i)
-      joins[i] = join_of(i, begin, end, false);
+      joins[i] = join_of(i, begin, end);
     treat_copies_alike(begin, end, joins);
     for (std::size_t i = begin; i < end; ++i)
       if (joins[i]) {
@@ -211,6 +217,29 @@ private:
     return true;
   }
 
+  /// Whether the pieces of an object are a small thing made of pieces that touch.
+  bool is_assembly(std::size_t begin, std::size_t end)
+  {
+    Points points(3, 0);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Points& samples = measured(i).samples();
+      points.conservativeResize(Eigen::NoChange, points.cols() + samples.cols());
+      points.rightCols(samples.cols()) = samples;
+    }
+    if (size_of(points, points.rowwise().mean()) > assembly_size * size_) return false;
+    Disjoint_sets sets(end - begin);
+    for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t j = begin; j < i; ++j)
+        if (sets[i - begin] != sets[j - begin] && are_touching(i, j)) sets.unite(i - begin, j - begin);
+    return sets.number_of_sets() == 1;
+  }
+
+  bool are_touching(std::size_t i, std::size_t other)
+  {
+    const double distance = options_.touching_distance * size_;
+    return boxes_are_near(i, other, distance) && measured(i).is_within(measured(other), distance);
+  }
+
   /// Of two pieces that may join one another the smaller one does; of copies the later one.
   bool may_join(std::size_t i, std::size_t other) const
   {
@@ -218,35 +247,46 @@ private:
     return std::abs(difference) > alike * pieces_[i].area ? difference > 0 : other < i;
   }
 
-  bool is_both_shells(std::size_t i, std::size_t other)
+  /// Two sheets that have one extent, such as the front and the back of a panel.
+  bool are_both_shells(std::size_t i, std::size_t other)
   {
     if (pieces_[i].closed || pieces_[other].closed) return false;
     if (pieces_[i].area < shell_areas * pieces_[other].area) return false;
     return std::isfinite(measured(other).distance_to(measured(i), shell_distance * size_));
   }
 
-  /// What a piece joins of others.
-  /// \param anyway whether it joins one even if nothing else than a copy says so
-  std::optional<Join> join_of(std::size_t i, std::size_t begin, std::size_t end, bool anyway)
+  /// What a piece joins of the others of its object.
+  std::optional<Join> join_of(std::size_t i, std::size_t begin, std::size_t end)
   {
-    const double layer = options_.layer_distance * size_, touching = options_.touching_distance * size_;
     const bool is_small = pieces_[i].size < options_.small_size * size_;
     std::optional<Join> best;
     for (std::size_t other = begin; other < end; ++other) {
+      if (other == i || !may_join(i, other) || !boxes_are_near(i, other, shell_distance * size_)) continue;
+      const double limit = is_small ? unlimited : shell_distance * size_;
+      const double distance = measured(i).distance_to(measured(other), best ? best->distance : limit);
+      if (!std::isfinite(distance)) continue;
+      if (const char* reason = reason_to_join(i, other, distance, is_small)) best = Join{other, distance, reason};
+    }
+    return best;
+  }
+
+  /// Null if there is none. \param distance of the farthest point
+  const char* reason_to_join(std::size_t i, std::size_t other, double distance, bool is_small)
+  {
+    if (distance <= options_.layer_distance * size_) return "lies on";
+    if (is_small && are_touching(i, other)) return "small, touches";
+    if (distance <= shell_distance * size_ && are_both_shells(i, other)) return "the other shell of";
+    return nullptr;
+  }
+
+  /// The nearest piece that another one may join.
+  std::optional<Join> nearest(std::size_t i, std::size_t begin, std::size_t end)
+  {
+    std::optional<Join> best;
+    for (std::size_t other = begin; other < end; ++other) {
       if (other == i || !may_join(i, other)) continue;
-      const double limit = anyway ? std::numeric_limits<double>::max()
-                                  : std::max(shell_distance * size_, is_small ? pieces_[i].size + touching : 0.);
-      if (!anyway && !boxes_are_near(i, other, is_small ? touching : shell_distance * size_)) continue;
-      const double distance = measured(i).distance_to(measured(other), std::min(limit, 1e100));
-      if (!std::isfinite(distance) || (best && best->distance <= distance)) continue;
-      if (anyway)
-        best = Join{other, distance, "a copy of pieces that joined, nearest to"};
-      else if (distance <= layer)
-        best = Join{other, distance, "lies on"};
-      else if (is_small && measured(i).is_within(measured(other), touching))
-        best = Join{other, distance, "small, touches"};
-      else if (distance <= shell_distance * size_ && is_both_shells(i, other))
-        best = Join{other, distance, "the other shell of"};
+      const double distance = measured(i).distance_to(measured(other), best ? best->distance : unlimited);
+      if (std::isfinite(distance)) best = Join{other, distance, "as its copies do, joins"};
     }
     return best;
   }
@@ -291,7 +331,7 @@ private:
         if (2 * joined <= family.size())
           joins[i].reset();
         else if (!joins[i])
-          joins[i] = join_of(i, begin, end, true);
+          joins[i] = nearest(i, begin, end);
     }
   }
 
@@ -299,9 +339,7 @@ private:
   {
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t j = begin; j < i; ++j) {
-        const double touching = options_.touching_distance * size_;
-        if (result_.sets[i] == result_.sets[j] || !boxes_are_near(i, j, touching)) continue;
-        if (!measured(i).is_within(measured(j), touching)) continue;
+        if (result_.sets[i] == result_.sets[j] || !are_touching(i, j)) continue;
         if (measured(i).share_in(measured(j)) < share_interlocked ||
             measured(j).share_in(measured(i)) < share_interlocked)
           continue;
@@ -315,14 +353,12 @@ private:
   {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (pieces_[i].size >= speck_size * size_ || !result_.reasons[i].empty()) continue;
-      const double touching = options_.touching_distance * size_;
       std::optional<Join> best;
       for (std::size_t other = 0; other < pieces_.size(); ++other) {
         if (pieces_[other].object == pieces_[i].object || pieces_[other].size < 2 * pieces_[i].size) continue;
-        if (!boxes_are_near(i, other, touching)) continue;
-        const double distance = measured(i).distance_to(measured(other), pieces_[i].size + touching);
-        if (!(distance < (best ? best->distance : std::numeric_limits<double>::infinity()))) continue;
-        if (measured(i).is_within(measured(other), touching)) best = Join{other, distance, "tiny, touches"};
+        if (!are_touching(i, other)) continue;
+        const double distance = measured(i).distance_to(measured(other), best ? best->distance : unlimited);
+        if (std::isfinite(distance)) best = Join{other, distance, "tiny, touches"};
       }
       if (!best) continue;
       result_.sets.unite(i, best->to);
