@@ -11,6 +11,7 @@
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/atomic_file.h"
+#include "io/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -212,7 +213,7 @@ void run_blend(const std::vector<std::string>& arguments)
   if (common.prints_table()) {
     print_schedules(blend);
     for (const std::string& warning : warnings)
-      std::cout << "warning: " << warning << '\n';
+      std::cout << "warning: " << IO::quote_terminal(warning) << '\n';
   }
 }
 
