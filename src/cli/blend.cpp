@@ -11,6 +11,7 @@
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/atomic_file.h"
+#include "io/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -37,7 +38,7 @@ The first frame is the source, the last one the target.
 With -o FILE.glb, one file with an animation; else a new folder with a file a frame, frame_000 and so on, in which
 a part is named s~t where source part s becomes t, s~ where s vanishes and ~t where t grows.
 
-SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA: one node is one part),
+SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D: a node is a part),
 folders of part meshes (one file is one part, its stem the part's name), or structural graphs (.json) whose parts
 name their meshes (key "mesh", a file's path relative to the graph).
 
@@ -212,7 +213,7 @@ void run_blend(const std::vector<std::string>& arguments)
   if (common.prints_table()) {
     print_schedules(blend);
     for (const std::string& warning : warnings)
-      std::cout << "warning: " << warning << '\n';
+      std::cout << "warning: " << IO::quote_terminal(warning) << '\n';
   }
 }
 

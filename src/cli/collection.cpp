@@ -11,6 +11,7 @@
 #include "cli/outputs.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
+#include "io/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>
@@ -76,13 +77,13 @@ void print_collection(const IO::Collection& collection)
                     short_number(distance(i, nearest))});
   }
   write_table(std::cout, rows);
-  std::cout << "\nmedoid: " << collection.shapes[collection.medoid].name
+  std::cout << "\nmedoid: " << IO::quote_terminal(collection.shapes[collection.medoid].name)
             << "\nclusters of parts: " << collection.co_analysis.number_of_labels << " over "
             << collection.co_analysis.part_pairs << " pairs of parts, " << collection.co_analysis.rejected_pairs
             << " more rejected\nordered pairs of shapes that a chain matches at less energy: "
             << collection.bridge_count << '\n';
   for (const std::string& warning : collection.warnings)
-    std::cout << "warning: " << warning << '\n';
+    std::cout << "warning: " << IO::quote_terminal(warning) << '\n';
 }
 
 void write_outputs(const Analysis& analysis, const Collection_shapes& shapes, const Common_options& common,
@@ -102,7 +103,7 @@ void write_outputs(const Analysis& analysis, const Collection_shapes& shapes, co
   if (!common.prints_table()) return;
   print_collection(collection);
   if (!common.html.empty() && collection.shapes.size() > IO::largest_pictured)
-    std::cout << common.html << ": shows " << IO::largest_pictured << " of the " << collection.shapes.size()
+    std::cout << IO::quote_terminal(common.html) << ": shows " << IO::largest_pictured << " of the " << collection.shapes.size()
               << " shapes; the file of --json has all\n";
 }
 

@@ -7,6 +7,7 @@
 #include "cli/outputs.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
+#include "io/quoting.h"
 #include "io/report_text.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
@@ -28,7 +29,7 @@ const char* const help_text =
 Builds the structural graph of a segmented shape: a curve or a sheet for every part, groups of parts that
 are symmetric, and contacts between parts.
 
-MODEL is a file (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA: one node is one part), a folder of part
+MODEL is a file (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D: a node is a part), a folder of part
 meshes (one file is one part, its stem the part's name), or a structural graph (.json, .xml).
 
 Example: shape_correspondence graph chair.obj -o chair.json --glb chair.glb
@@ -81,11 +82,11 @@ void print_graph(const std::string& path, const Structural_graph& graph)
                       IO::kind_of(p), short_number(solidity(p.volume, p.hull_volume)), touched_parts(shape, part)});
     }
   }
-  std::cout << path << ": " << shape.parts.size() << " parts, " << num_vertices(graph) << " groups, "
+  std::cout << IO::quote_terminal(path) << ": " << shape.parts.size() << " parts, " << num_vertices(graph) << " groups, "
             << shape.contacts.size() << " contacts\n\n";
   write_table(std::cout, rows);
   for (const std::string& warning : shape.warnings)
-    std::cout << "\nwarning: " << warning << '\n';
+    std::cout << "\nwarning: " << IO::quote_terminal(warning) << '\n';
 }
 
 } // namespace

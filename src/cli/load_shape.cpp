@@ -53,13 +53,14 @@ struct Read_model
 
 Read_model read_model(const std::string& path, const Common_options& common)
 {
-  Segmented_shape model = IO::read_segmented_shape(path, common.up_vector());
+  std::vector<std::string> warnings;
+  Segmented_shape model = IO::read_segmented_shape(path, common.up_vector(), &warnings);
   if (common.finds_up() && !says_up(path)) model.set_up(estimate_up(model));
-  if (!common.segment) return {std::move(model), {}};
+  if (!common.segment) return {std::move(model), std::move(warnings)};
   if (model.parts().size() > 1)
     throw Invalid_input("it has " + std::to_string(model.parts().size()) + " parts already; leave --segment out");
   Mesh_segmentation segmentation = segment_mesh(model.parts()[0].mesh, {}, model.name(), model.up());
-  Read_model result{std::move(segmentation.shape), {}};
+  Read_model result{std::move(segmentation.shape), std::move(warnings)};
   if (segmentation.pieces_left_out > 0)
     result.warnings.push_back("Pieces of the mesh that the segmentation left out, since they have no area: " +
                               std::to_string(segmentation.pieces_left_out) + ".");

@@ -3,6 +3,7 @@
 
 #include "cli/Common_options.h"
 #include "cli/commands.h"
+#include "io/quoting.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/version.h>
@@ -51,7 +52,7 @@ Command command_of(const std::string& name)
 
 int complain(const std::string& message, Exit_status status)
 {
-  std::cerr << "shape_correspondence: " << message << '\n';
+  std::cerr << "shape_correspondence: " << IO::quote_terminal(message, true) << '\n';
   return status;
 }
 

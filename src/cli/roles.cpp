@@ -9,6 +9,7 @@
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/Json.h"
+#include "io/quoting.h"
 #include "matching/cross_validate_roles.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
@@ -335,7 +336,7 @@ void predict(const std::string& path, const Roles_options& roles, const Common_o
   }
   write_output(common.json, [&](std::ostream& out) { document.write(out); });
   if (!common.prints_table()) return;
-  std::cout << path << ": " << found.category << "\n\n";
+  std::cout << IO::quote_terminal(path + ": " + found.category) << "\n\n";
   write_table(std::cout, rows);
 }
 
