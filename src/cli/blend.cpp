@@ -177,7 +177,11 @@ void run_blend(const std::vector<std::string>& arguments)
   Blend_output output;
   po::options_description options;
   const po::options_description searching = match_options(match);
-  options.add(output_options(output, common)).add(searching).add(model_options(common)).add(common_options(common));
+  options.add(output_options(output, common))
+      .add(searching)
+      .add(pair_options(common))
+      .add(model_options(common))
+      .add(common_options(common));
   const Arguments parsed = parse(arguments, options, 2, 2);
   if (parsed.help) {
     std::cout << help_text << options;

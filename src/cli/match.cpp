@@ -58,7 +58,11 @@ void run_match(const std::vector<std::string>& arguments)
   Common_options common;
   Match_options match;
   po::options_description options;
-  options.add(output_options(common)).add(match_options(match)).add(model_options(common)).add(common_options(common));
+  options.add(output_options(common))
+      .add(match_options(match))
+      .add(pair_options(common))
+      .add(model_options(common))
+      .add(common_options(common));
   const Arguments parsed = parse(arguments, options, 2, 2);
   if (parsed.help) {
     std::cout << help_text << options;
