@@ -26,6 +26,7 @@ using contacts::Triangle_tree;
 constexpr int surface_samples = 64;         // of a piece
 constexpr Eigen::Index vertex_samples = 64; // at most
 constexpr double hull_tolerance = 0.005;
+constexpr std::size_t most_pieces = 1000; // of an object; of more, such as leaves, none is a part
 constexpr double share_in_hull = 0.95;    // of a piece that is in a hull
 constexpr double share_interlocked = 0.3; // of each of two pieces in the other's hull
 constexpr double alike = 0.01;            // relative difference of areas and sizes of copies
@@ -68,10 +69,10 @@ public:
     return std::sqrt(result);
   }
 
-  /// Which share of this piece is in the hull of another.
-  double share_in(const Measured_piece& other) const
+  /// Which share of this piece is in the hull of another, or as near to it as `tolerance`.
+  double share_in(const Measured_piece& other, double tolerance) const
   {
-    return other.hull().share_inside(samples_, hull_tolerance * model_size_);
+    return other.hull().share_inside(samples_, tolerance);
   }
 
 private:
@@ -157,7 +158,9 @@ private:
   void group_object(std::size_t begin, std::size_t end)
   {
     std::string& kept = result_.kept[pieces_[begin].object];
-    if (objects_ > 1 && holds_all_others(largest(begin, end), begin, end))
+    if (objects_ > 1 && end - begin > most_pieces)
+      kept = "they are too many";
+    else if (objects_ > 1 && holds_all_others(largest(begin, end), begin, end))
       kept = "its largest piece holds the others";
     else if (objects_ > 1 && is_assembly(begin, end))
       kept = "it is small, and its pieces touch";
@@ -212,8 +215,9 @@ private:
   {
     for (std::size_t i = begin; i < end; ++i)
       if (i != largest && pieces_[i].size > (1 + alike) * pieces_[largest].size) return false;
+    const double tolerance = hull_tolerance * size_;
     for (std::size_t i = begin; i < end; ++i)
-      if (i != largest && measured(i).share_in(measured(largest)) < share_in_hull) return false;
+      if (i != largest && measured(i).share_in(measured(largest), tolerance) < share_in_hull) return false;
     return true;
   }
 
@@ -340,8 +344,9 @@ private:
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t j = begin; j < i; ++j) {
         if (result_.sets[i] == result_.sets[j] || !are_touching(i, j)) continue;
-        if (measured(i).share_in(measured(j)) < share_interlocked ||
-            measured(j).share_in(measured(i)) < share_interlocked)
+        const double tolerance = hull_tolerance * size_;
+        if (measured(i).share_in(measured(j), tolerance) < share_interlocked ||
+            measured(j).share_in(measured(i), tolerance) < share_interlocked)
           continue;
         result_.sets.unite(i, j);
         if (result_.reasons[i].empty()) result_.reasons[i] = "interlocks with " + names_[j];

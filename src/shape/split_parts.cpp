@@ -17,8 +17,13 @@ using namespace internal;
 
 namespace {
 
+// More are noise, of a surface that has no inside
+constexpr std::size_t most_segments = 30;
+
 double size_of_model(const Segmented_shape& model)
 {
+  if (model.parts().empty())
+    throw Invalid_input("shape '" + model.name() + "': there is no object to make parts of; give it a surface");
   Eigen::Index count = 0;
   for (const Shape_part& object : model.parts())
     count += object.mesh.points.cols();
@@ -70,8 +75,6 @@ public:
         size_(size_of_model(objects)),
         result_{Segmented_shape(objects.name(), objects.up()), {}, {}}
   {
-    if (objects_.empty())
-      throw Invalid_input("shape '" + objects.name() + "': there is no object to make parts of; give it a surface");
     for (std::size_t i = 0; i < objects_.size(); ++i)
       add_pieces(i, loose_pieces(objects_[i].mesh));
     name_pieces();
@@ -111,8 +114,7 @@ public:
 
   Part_split automatic(const Part_splitting_options& options)
   {
-    if (pieces_.size() == 1) segment();
-    if (result_.by_segments) return pieces();
+    if (pieces_.size() == 1) return segments_of_whole();
     std::vector<std::string> names;
     for (const Model_piece& piece : result_.pieces)
       names.push_back(piece.name);
@@ -121,6 +123,18 @@ public:
     for (std::size_t i = 0; i < pieces_.size(); ++i)
       result_.pieces[i].reason = groups.reasons[i];
     return of_sets(groups.sets, groups.kept);
+  }
+
+  /// Of a model that is one piece.
+  Part_split segments_of_whole()
+  {
+    const Loose_piece whole = pieces_[0];
+    segment();
+    if (pieces_.size() > most_segments) {
+      pieces_.assign(1, whole);
+      name_pieces();
+    }
+    return pieces();
   }
 
   Part_split assigned(const std::map<std::string, std::string>& part_of_piece)
@@ -181,14 +195,13 @@ private:
     for (std::size_t i = 0; i < pieces_.size(); ++i)
       groups[sets[i]].push_back(i);
     std::set<std::string> taken;
+    for (const Shape_part& object : objects_)
+      taken.insert(object.name);
     std::vector<std::size_t> parts_of_object(objects_.size(), 0);
     for (const auto& [first, group] : groups) {
-      const std::size_t object = pieces_[largest(group)].object;
-      const std::size_t number = ++parts_of_object[object];
+      const std::size_t object = pieces_[largest(group)].object, number = ++parts_of_object[object];
       const std::string& name = objects_[object].name;
-      add_part(group, number == 1 && taken.insert(name).second
-                          ? name
-                          : unused_name(name, std::max<std::size_t>(number, 2), taken));
+      add_part(group, number == 1 ? name : unused_name(name, number, taken));
       result_.pieces[largest(group)].reason.clear();
     }
     return finished(kept);

@@ -84,8 +84,8 @@ struct Part_split
 ///   shell of a panel), a small one the one that it touches, and pieces that touch and are deep in each other's hulls
 ///   stay together;
 /// - what most of three or more copies of a piece do, all of them do;
-/// - an object that would become more than `most_parts` parts stays as it is;
-/// - a model that would be one part becomes its pieces, and one that is one piece its segments.
+/// - an object that has more than 1000 pieces, or would become more than `most_parts` parts, stays as it is;
+/// - a model that would be one part becomes its pieces, and one that is one piece its segments, if they are at most 30.
 ///
 /// Does not depend on position, size, rotation (but for rounding) and order. Parts have the name of their object, with
 /// `#2`, `#3`, … for those after the first. An object of which nothing is split keeps its mesh as it is. Loose pieces
