@@ -103,7 +103,7 @@ void run_graph(const std::vector<std::string>& arguments)
     return;
   }
   check(common);
-  check_outputs({common.json, common.glb, common.html, files.graphml, files.dot});
+  check_outputs({common.json, common.glb, common.html, files.graphml, files.dot}, parsed.inputs);
   const Thread_limit limit(common.threads);
   const Loaded_shape shape = load_shape(parsed.inputs[0], common);
   write_output(common.json, [&](std::ostream& out) { IO::write_structural_graph_json(out, shape.graph); });

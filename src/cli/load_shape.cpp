@@ -4,6 +4,7 @@
 #include "cli/load_shape.h"
 #include "base/for_each_index.h"
 #include "cli/clock.h"
+#include "cli/outputs.h"
 #include "cli/progress_bar.h"
 #include "io/input_file.h"
 
@@ -90,6 +91,31 @@ void add_warning_of_up(Loaded_shape& shape)
                           ", along which the model stands best; if that is wrong, say it with --up.");
 }
 
+std::optional<Structural_graph> cached_graph(const std::string& content, const Common_options& common)
+{
+  if (common.cache.empty()) return std::nullopt;
+  try {
+    const IO::Structural_graph_cache cache(common.cache);
+    std::optional<Structural_graph> graph = cache.find(content);
+    if (!graph && cache.is_damaged(content)) warn(common, common.cache + ": a graph in it is damaged; it is made again");
+    return graph;
+  } catch (const Invalid_input& error) {
+    warn(common, error.what());
+    return std::nullopt;
+  }
+}
+
+/// What cannot be kept is not the worse for that.
+void cache_graph(const Structural_graph& graph, const Common_options& common)
+{
+  if (common.cache.empty()) return;
+  try {
+    IO::Structural_graph_cache(common.cache).insert(graph);
+  } catch (const Invalid_input& error) {
+    warn(common, std::string(error.what()) + "; the graph is not kept");
+  }
+}
+
 void load_model(const std::string& path, const Common_options& common, const Structure_options& options,
                 Loaded_shape& shape)
 {
@@ -97,19 +123,14 @@ void load_model(const std::string& path, const Common_options& common, const Str
   Read_model model = read_model(path, common);
   shape.model = std::move(model.shape);
   const std::string content = IO::content_hash(*shape.model, options);
-  std::optional<IO::Structural_graph_cache> cache;
-  std::optional<Structural_graph> known;
-  if (!common.cache.empty()) {
-    cache.emplace(common.cache);
-    known = cache->find(content);
-  }
+  std::optional<Structural_graph> known = cached_graph(content, common);
   shape.read_seconds = now() - begin;
   if (known) {
     shape.graph = std::move(*known);
   } else {
     build_graph(common, options, shape);
     structure(shape.graph).content = content;
-    if (cache) cache->insert(shape.graph);
+    cache_graph(shape.graph, common);
   }
   std::vector<std::string>& warnings = structure(shape.graph).warnings;
   warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
