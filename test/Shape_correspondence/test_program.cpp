@@ -141,9 +141,7 @@ TEST_CASE("Inputs that cannot be used end with status 1, a message and nothing l
   CHECK_THAT(refused(folder, folder.write("nan.obj", box + "o seat\nv nan 0 0\nv 1 0 0\nv 0 1 0\nf 9 10 11\n")),
              Contains("'seat'"));
   CHECK_THAT(refused(folder, folder.write("flat.obj", box + "o seat\nv 0 0 0\nv 1 0 0\nv 2 0 0\nf 9 10 11\n")),
-             Contains("'seat'"));
-  CHECK_THAT(refused(folder, folder.write("twice.obj", box + obj_box("o leg", 1, 3, 0, 0, 1, 1, 1))),
-             Contains("'leg'"));
+             Contains("only one part"));
   CHECK_THAT(refused(folder, folder.write("a.txt", box)), Contains(".txt"));
   CHECK_THAT(refused(folder, folder.write("b.json", "{\"format\": 1}")), Contains("format"));
   fs::create_directories(folder.path("none"));
@@ -241,9 +239,9 @@ TEST_CASE("A cache folder saves the abstraction, and is used only for the same m
   CHECK(first == second);
   CHECK(result_of(command + " --kind curve")["seconds"]["abstraction"] > 0);
   CHECK(folder.number_of_files() == 3);
-  const Run refused = run("graph " + quoted(table) + " --cache " + quoted(table));
-  CHECK(refused.status == 1);
-  CHECK_THAT(refused.error, Contains("cache"));
+  const Run without = run("graph " + quoted(table) + " --cache " + quoted(table));
+  CHECK(without.status == 0);
+  CHECK_THAT(without.error, Contains("warning") && Contains("cache"));
 }
 
 TEST_CASE("Symmetries, contacts and the upright axis on demand")
