@@ -191,7 +191,9 @@ void run_blend(const std::vector<std::string>& arguments)
   if (!output.match.empty()) check_needs_no_search(searching, parsed.values);
   check(common);
   check(output);
-  check_outputs({common.json, is_glb(output.path) ? output.path : ""});
+  std::vector<std::string> inputs = parsed.inputs;
+  inputs.push_back(output.match);
+  check_outputs({common.json, is_glb(output.path) ? output.path : ""}, inputs);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
   std::vector<Loaded_shape> shapes = load_shapes(paths, common);

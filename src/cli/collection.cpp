@@ -158,7 +158,10 @@ void run_collection(const std::vector<std::string>& arguments)
   matching.unmatched_energy = options.unmatched_energy;
   check(common);
   check(options, common, parsed.values);
-  check_outputs({common.json, common.html, options.npy, options.csv});
+  const std::vector<std::string> paths = collection_paths(parsed.inputs);
+  std::vector<std::string> inputs = paths;
+  inputs.push_back(options.nearest);
+  check_outputs({common.json, common.html, options.npy, options.csv}, inputs);
   Team team;
   if (team.size() > 1 && options.store.empty())
     throw Usage_error("several processes need --store, a folder that all reach");
@@ -166,7 +169,7 @@ void run_collection(const std::vector<std::string>& arguments)
   const std::string store_folder = options.store;
   Tile_store store(store_folder.empty() ? "" : (fs::path(store_folder) / "tiles").string());
   if (common.cache.empty() && !store_folder.empty()) common.cache = (fs::path(store_folder) / "cache").string();
-  const Collection_shapes shapes(collection_paths(parsed.inputs),
+  const Collection_shapes shapes(paths,
                                  store_folder.empty() ? "" : (fs::path(store_folder) / "graphs").string(),
                                  options.skip_bad, common, team);
   if (!options.nearest.empty()) {

@@ -114,8 +114,9 @@ po::options_description model_options(Common_options& options)
       "fraction of the volume at which the flow shows sheets, and whether a part is hollow");
   add("max-iterations", number(abstraction.maximum_iterations)->value_name("N"),
       "steps of the flow; the bounding box stands in for a part that needs more");
-  add("time-limit", number(abstraction.time_limit)->value_name("SECONDS"),
-      "for a part; the bounding box stands in for one that needs more");
+  add("time-limit", po::value(&abstraction.time_limit)->value_name("SECONDS"),
+      "for a part; the bounding box stands in for one that needs more, and a warning says so; default: none, so that "
+      "no result depends on the speed of the machine");
   add("curve-points", number(abstraction.curve_points)->value_name("N"),
       "control points of a curve; as many again for every full turn that it makes");
   add("sheet-points", number(abstraction.sheet_points)->value_name("N"), "control points along a side of a sheet");

@@ -108,7 +108,8 @@ void run_graph(const std::vector<std::string>& arguments)
     return;
   }
   check(common);
-  check_outputs({common.json, common.glb, common.html, files.graphml, files.dot, files.parts});
+  check_outputs({common.json, common.glb, common.html, files.graphml, files.dot, files.parts},
+                {parsed.inputs[0], common.parts_from});
   const Thread_limit limit(common.threads);
   if (!files.parts.empty() && is_graph_file(parsed.inputs[0]))
     throw Usage_error("--parts-json is for models; a graph has no pieces");

@@ -4,6 +4,7 @@
 #include "cli/load_shape.h"
 #include "base/for_each_index.h"
 #include "cli/clock.h"
+#include "cli/outputs.h"
 #include "cli/progress_bar.h"
 #include "cli/read_model.h"
 #include "io/input_file.h"
@@ -57,12 +58,38 @@ void check_has_parts(const Part_split& split, const Common_options& common)
   if (split.pieces.size() > 1)
     throw Invalid_input(
         "it has one part, of " + std::to_string(split.pieces.size()) + " pieces; " +
-        (common.parts_from.empty() ? "leave out --parts file" : "give them several parts in " + common.parts_from));
+        (common.parts_from.empty() ? "say --parts components" : "give them several parts in " + common.parts_from));
   throw Invalid_input(
       split.by_segments || common.parts == "components"
           ? "it is one piece, which is not divided by thickness either; cut it into objects in a program "
             "for modelling"
-          : "it has one object; leave out --parts file");
+          : "it has one object, of one piece; say --parts segments");
+}
+
+std::optional<Structural_graph> cached_graph(const std::string& content, const Common_options& common)
+{
+  if (common.cache.empty()) return std::nullopt;
+  try {
+    const IO::Structural_graph_cache cache(common.cache);
+    std::optional<Structural_graph> graph = cache.find(content);
+    if (!graph && cache.is_damaged(content))
+      warn(common, common.cache + ": a graph in it is damaged; it is made again");
+    return graph;
+  } catch (const Invalid_input& error) {
+    warn(common, error.what());
+    return std::nullopt;
+  }
+}
+
+/// What cannot be kept is not the worse for that.
+void cache_graph(const Structural_graph& graph, const Common_options& common)
+{
+  if (common.cache.empty()) return;
+  try {
+    IO::Structural_graph_cache(common.cache).insert(graph);
+  } catch (const Invalid_input& error) {
+    warn(common, std::string(error.what()) + "; the graph is not kept");
+  }
 }
 
 void load_model(const std::string& path, const Common_options& common, const Structure_options& options,
@@ -74,19 +101,14 @@ void load_model(const std::string& path, const Common_options& common, const Str
   shape.split = std::move(model.split);
   shape.model = shape.split.shape;
   const std::string content = IO::content_hash(*shape.model, options);
-  std::optional<IO::Structural_graph_cache> cache;
-  std::optional<Structural_graph> known;
-  if (!common.cache.empty()) {
-    cache.emplace(common.cache);
-    known = cache->find(content);
-  }
+  std::optional<Structural_graph> known = cached_graph(content, common);
   shape.read_seconds = now() - begin;
   if (known) {
     shape.graph = std::move(*known);
   } else {
     build_graph(common, options, shape);
     structure(shape.graph).content = content;
-    if (cache) cache->insert(shape.graph);
+    cache_graph(shape.graph, common);
   }
   // Not in the cache, where another way to the same parts may have put the graph
   structure(shape.graph).automatic_parts = shape.split.by_segments;

@@ -70,7 +70,7 @@ void run_match(const std::vector<std::string>& arguments)
   }
   Search_options search_with = search_options(match, parsed.values);
   check(common);
-  check_outputs({common.json, common.glb, common.html});
+  check_outputs({common.json, common.glb, common.html}, parsed.inputs);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
   const std::vector<Loaded_shape> shapes = load_shapes(paths, common);

@@ -130,7 +130,7 @@ void run_parts(const std::vector<std::string>& arguments)
     return;
   }
   check(common);
-  check_outputs({common.html});
+  check_outputs({common.html}, parsed.inputs);
   const bool all = parsed.values["all"].as<bool>();
   if (all && parsed.inputs.size() != 1) throw Usage_error("--all takes one folder");
   const std::vector<std::string> paths = all ? models_in(parsed.inputs[0]) : parsed.inputs;

@@ -241,7 +241,7 @@ IO::Json json_of(const Training_set& set, const Role_validation& validation, con
 
 void evaluate(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
 {
-  check_outputs({common.json});
+  check_outputs({common.json}, {});
   const Training_set set(folders, roles, common);
   if (set.pairs.empty()) throw Invalid_input(folders[0] + ": it takes two shapes of a category to match any");
   const Role_validation validation(set.shapes, set.pairs, left_out(roles.leave_out), roles.training);
@@ -293,7 +293,7 @@ IO::Json manifest(const Training_set& set, const Role_validation& validation, co
 void train(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
 {
   if (roles.output.empty()) throw Usage_error("'roles train' needs --output MODEL");
-  check_outputs({roles.output, roles.manifest});
+  check_outputs({roles.output, roles.manifest}, {});
   const Training_set set(folders, roles, common);
   const Role_validation validation(set.shapes, set.pairs, Left_out::SHAPES, roles.training);
   const Role_model model = validation.model();
@@ -311,7 +311,7 @@ std::string percentage(double probability)
 
 void predict(const std::string& path, const Roles_options& roles, const Common_options& common)
 {
-  check_outputs({common.json});
+  check_outputs({common.json}, {path, roles.model});
   const Loaded_shape shape = load_shape(path, common);
   const auto model = roles.model.empty() ? IO::shipped_role_model()
                                          : std::make_shared<const Role_model>(IO::read_role_model(roles.model));

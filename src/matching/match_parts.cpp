@@ -9,6 +9,7 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -253,6 +254,17 @@ Part_matching matching_of(Cost_matrices costs, const Shape_features& source, con
 
 } // namespace
 
+bool comes_first(const Aligned_shape& a, const Aligned_shape& b)
+{
+  const auto key = [](const Aligned_shape& shape) {
+    double height = 0;
+    for (const Sampled_part& part : shape.parts)
+      height += part.surface.row(1).mean();
+    return std::make_pair(shape.parts.size(), quantized(height));
+  };
+  return key(a) < key(b);
+}
+
 Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
                           const Part_matching_options& options)
 {
@@ -270,7 +282,9 @@ Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& targ
   long least =
       one_has_chain ? std::numeric_limits<long>::max() : quantized(mean_least_cost(costs.all) - options.upside_down);
   std::pair<const Shape_features*, const Shape_features*> best{&a, &b};
-  for (const auto& turned : {std::make_pair(&a, &b_over), std::make_pair(&a_over, &b)}) {
+  std::array<std::pair<const Shape_features*, const Shape_features*>, 2> ways{{{&a, &b_over}, {&a_over, &b}}};
+  if (comes_first(source, target)) std::swap(ways[0], ways[1]); // the first is taken where both cost the same
+  for (const auto& turned : ways) {
     if (!one_has_chain && rough_cost(*turned.first, *turned.second, options) >= rough) continue;
     Cost_matrices costs_over = costs_of(*turned.first, *turned.second, options);
     if (quantized(mean_least_cost(costs_over.all)) >= least) continue;

@@ -21,6 +21,10 @@ struct Part_matching
   bool upside_down = false;               ///< one shape was turned over, as a hanging lamp for one that stands
 };
 
+/// An order of two shapes that does not depend on which of them is the source, nor on turns about the up axis; settles
+/// what else that would decide.
+bool comes_first(const Aligned_shape& a, const Aligned_shape& b);
+
 /// Matches parts by their costs alone, without deforming a shape.
 ///
 /// A pair is judged by how much more it costs than the best one of either part, so that no cost is too high for parts

@@ -134,7 +134,7 @@ void warn_of_fallbacks(const std::vector<Part_abstraction>& parts, std::vector<s
 /// Groups, unless given, and the graph.
 Structural_graph assemble(Shape_structure shape, std::vector<Part_group> groups, const Structure_options& options)
 {
-  if (groups.empty()) groups = detect_symmetry_groups(shape.parts, shape.frame, options.symmetry);
+  if (groups.empty()) groups = detect_symmetry_groups(shape.parts, shape.frame, options.symmetry, &shape.warnings);
   return make_structural_graph(std::move(shape), std::move(groups));
 }
 

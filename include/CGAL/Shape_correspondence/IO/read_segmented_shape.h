@@ -38,7 +38,7 @@ namespace IO {
 /// \param up the upright direction
 /// \param warnings where not null, is told what was left out
 /// \throw Invalid_input if the file is missing, empty, of an unknown format, damaged or beyond the limits, if it has no
-/// parts or more than 3000, or a part that `Segmented_shape::add_part()` refuses; the message names the file and the part
+/// parts or more than 1000, or a part that `Segmented_shape::add_part()` refuses; the message names the file and the part
 Segmented_shape read_segmented_shape(const std::string& path, const Point& up = Point::UnitY(),
                                      std::vector<std::string>* warnings = nullptr);
 
