@@ -4,7 +4,7 @@
 """Models as people have them: what the program makes of files that nobody prepared.
 
   wild_models.py BUILD OUT FOLDER... [--install] [--step N] [--seconds S] [--megabytes M] [--jobs J]
-  wild_models.py BUILD OUT FOLDER... --labelled DATA [--category chair,table] [--most N]
+  wild_models.py BUILD OUT FOLDER... --labelled DATA [--category chair,table] [--options "--roles none"] [--step N]
 
 BUILD is the build folder, FOLDERs hold models in sub-folders of any depth. With --install, OUT/installed is one of them:
 Debian's sweethome3d-furniture and flightgear-data-ai (apt-get, as root) and the glTF examples of three.js (npm).
@@ -14,8 +14,9 @@ writes OUT/models.csv: read or refused and why, objects, parts, seconds, megabyt
 
 The second form takes models that are also in DATA, a folder of labelled shapes (CATEGORY/SHAPE/parts, labels.json,
 pairs.json): SHAPE ends in the name of the model. It compares parts (Rand indices by surface samples, OUT/parts.jsonl), then
-matches the pairs of pairs.json from raw files and from labelled parts, and evaluates both on labelled parts: a pair of parts
-of the raw shapes stands for the pairs of labelled parts that share at least half of either's surface with them.
+matches the pairs of pairs.json from raw files and from labelled parts, and evaluates both on labelled parts: those of which a
+part of the raw shape has the most surface correspond as it does. --options are for match; roles that were learned from the
+same shapes know their labelled parts, so `--roles none` is fair.
 """
 import argparse
 import collections
@@ -34,7 +35,6 @@ import zipfile
 
 MODEL_TYPES = (".obj", ".ac", ".gltf", ".glb", ".dae", ".fbx", ".3ds", ".dxf", ".ply", ".stl", ".off")
 PACKAGES = ("sweethome3d-furniture", "flightgear-data-ai")
-SHARED_HALF = 0.5  # of either surface, for parts to stand for each other
 
 
 def install(folder):
@@ -155,20 +155,18 @@ def labelled_shapes(data, categories):
 
 
 def stand_ins(row):
-    """By part of the raw model, the labelled parts that share half of either's surface with it."""
-    common, result = row["common_points"], collections.defaultdict(list)
-    sums = [sum(column) for column in zip(*common)]
-    for i, line in enumerate(common):
-        for j, n in enumerate(line):
-            if n > 0 and n >= SHARED_HALF * min(sum(line), sums[j]):
-                result[row["parts"][j]].append(row["labelled_parts"][i])
+    """By part of the raw model, the labelled parts of which it has more of the surface than any other part."""
+    result = collections.defaultdict(list)
+    for i, line in enumerate(row["common_points"]):
+        if max(line) > 0:
+            result[row["parts"][line.index(max(line))]].append(row["labelled_parts"][i])
     return result
 
 
-def match(program, source, target, file, cache):
+def match(program, source, target, file, cache, options):
     if not os.path.exists(file):
         done = subprocess.run([program, "match", source, target, "--json", file, "--quiet", "--threads", "1", "--cache", cache,
-                               "--up", "y"], capture_output=True, text=True)
+                               "--up", "y", *options], capture_output=True, text=True)
         if done.returncode:
             print(done.stderr.strip(), file=sys.stderr)
             return None
@@ -200,8 +198,8 @@ def compare(args, models):
     for category, source, target in pairs:
         name = os.path.join(category, f"{source}--{target}.json")
         truth = match(program, *(os.path.join(shapes[s][0], "parts") for s in (source, target)),
-                      os.path.join(args.out, "labelled", name), cache)
-        found = match(program, raw[source], raw[target], os.path.join(args.out, "raw", name), cache)
+                      os.path.join(args.out, "labelled", name), cache, args.options.split())
+        found = match(program, raw[source], raw[target], os.path.join(args.out, "raw", name), cache, args.options.split())
         carried = os.path.join(args.out, "carried", name)
         if not truth or not found:
             continue
@@ -223,6 +221,7 @@ def main():
     parser.add_argument("--install", action="store_true")
     parser.add_argument("--labelled", default="")
     parser.add_argument("--category", default="")
+    parser.add_argument("--options", default="")
     parser.add_argument("--step", type=int, default=1, help="take every N-th model or pair")
     parser.add_argument("--seconds", type=float, default=120)
     parser.add_argument("--megabytes", type=int, default=2048)

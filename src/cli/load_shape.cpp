@@ -55,15 +55,14 @@ void build_graph(const Common_options& common, const Structure_options& options,
 void check_has_parts(const Part_split& split, const Common_options& common)
 {
   if (split.shape.parts().size() > 1) return;
+  std::string why =
+      "of one piece, which thickness does not divide either; cut it into objects in a program for modelling";
   if (split.pieces.size() > 1)
-    throw Invalid_input(
-        "it has one part, of " + std::to_string(split.pieces.size()) + " pieces; " +
-        (common.parts_from.empty() ? "say --parts components" : "give them several parts in " + common.parts_from));
-  throw Invalid_input(
-      split.by_segments || common.parts == "components"
-          ? "it is one piece, which is not divided by thickness either; cut it into objects in a program "
-            "for modelling"
-          : "it has one object, of one piece; say --parts segments");
+    why = "of " + std::to_string(split.pieces.size()) + " pieces; " +
+          (common.parts_from.empty() ? "say --parts components" : "name several parts in " + common.parts_from);
+  else if (!split.by_segments && common.parts != "components")
+    why = "of one piece; say --parts segments";
+  throw Invalid_input("it has only one part, " + why + ": correspondences are between shapes of two parts or more");
 }
 
 std::optional<Structural_graph> cached_graph(const std::string& content, const Common_options& common)

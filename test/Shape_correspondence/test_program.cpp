@@ -332,7 +332,7 @@ TEST_CASE("Parts are made of a model that has none, and marked as automatic")
   CHECK(graph["segmentation"] == "automatic");
   CHECK(graph["parts"].size() >= 2);
   CHECK_THAT(graph["warnings"][0].get<std::string>(), Contains("automatic segmentation"));
-  CHECK_THAT(graph["warnings"][1].get<std::string>(), Contains("they have no area: 1."));
+  CHECK_THAT(graph["warnings"].dump(), Contains("they have no area: 1."));
   const std::string table = quoted(folder.write("table.obj", obj_table()));
   CHECK(run("match " + table + " " + model + " --parts segments --abstraction boxes").status == 0);
   const Run whole = run("graph " + quoted(folder.write("cube.obj", obj_box("o cube", 0, 0, 0, 0, 1, 1, 1))));
