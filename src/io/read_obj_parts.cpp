@@ -3,9 +3,11 @@
 
 #include "io/model_parts.h"
 #include "io/text_words.h"
+#include "shape/Loose_piece.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
+#include <algorithm>
 #include <map>
 
 // An own reader for Wavefront OBJ: assimp keeps coordinates as float, so a shape far from the origin would lose digits,
@@ -14,12 +16,17 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
+// Share of the surface. Of 20 files of one object and several materials whose parts are known, all are better divided
+// by materials above it, and none below; the pieces have at most .70 or at least .93.
+constexpr double mostly_one_piece = 0.8;
+
 /// A part under construction: an `o` statement, or a `g` statement inside one.
 struct Section
 {
   std::string object;
   std::string group;
   std::vector<std::vector<std::size_t>> polygons;
+  std::vector<std::string> materials; ///< of the polygons
 };
 
 class Obj_reader
@@ -31,6 +38,7 @@ public:
   {
     while (!text_.empty())
       read_statement(trimmed(without_comment(next_statement())));
+    divide_by_materials();
     return content();
   }
 
@@ -80,9 +88,11 @@ private:
     else if (keyword == "f" || keyword == "fo")
       read_face(statement);
     else if (keyword == "o")
-      sections_.push_back({name_of(statement, "object"), "", {}});
+      sections_.push_back({name_of(statement, "object"), "", {}, {}});
     else if (keyword == "g")
-      sections_.push_back({sections_.back().object, name_of(statement, "default"), {}});
+      sections_.push_back({sections_.back().object, name_of(statement, "default"), {}, {}});
+    else if (keyword == "usemtl")
+      material_ = trimmed(statement);
   }
 
   static std::string name_of(std::string_view statement, const std::string& otherwise)
@@ -106,10 +116,12 @@ private:
     std::vector<std::size_t> polygon;
     for (std::string_view word = next_word(statement); !word.empty(); word = next_word(statement))
       polygon.push_back(vertex_index(word.substr(0, word.find('/'))));
-    if (polygon.size() < 3)
+    if (polygon.size() < 3) {
       ++faces_left_out_;
-    else
-      sections_.back().polygons.push_back(std::move(polygon));
+      return;
+    }
+    sections_.back().polygons.push_back(std::move(polygon));
+    sections_.back().materials.push_back(material_);
   }
 
   std::size_t vertex_index(std::string_view word) const
@@ -128,6 +140,47 @@ private:
     const Section& section = sections_.back();
     const std::string& name = section.group.empty() ? section.object : section.group;
     return name.empty() ? "" : " (part " + cited(name) + ")";
+  }
+
+  /// The share of the largest loose piece of a section in its surface.
+  double share_of_largest_piece(const Section& section) const
+  {
+    double largest = 0, all = 0;
+    for (const Part_mesh& piece : internal::loose_pieces(weld(corners_of(section)))) {
+      const double area = internal::loose_piece(0, piece).area;
+      largest = std::max(largest, area);
+      all += area;
+    }
+    return all > 0 ? largest / all : 0;
+  }
+
+  std::vector<Point> corners_of(const Section& section) const
+  {
+    std::vector<Point> result, polygon;
+    for (const std::vector<std::size_t>& indices : section.polygons) {
+      polygon.clear();
+      for (std::size_t i : indices)
+        polygon.push_back(points_[i]);
+      add_polygon(polygon, result);
+    }
+    return result;
+  }
+
+  /// In a file of one object that is mostly one piece the materials stand for objects.
+  void divide_by_materials()
+  {
+    const auto has_faces = [](const Section& section) { return !section.polygons.empty(); };
+    if (std::count_if(sections_.begin(), sections_.end(), has_faces) != 1) return;
+    const Section whole = *std::find_if(sections_.begin(), sections_.end(), has_faces);
+    std::map<std::string, std::size_t> number;
+    std::vector<Section> divided;
+    for (std::size_t i = 0; i < whole.polygons.size(); ++i) {
+      const std::string& material = whole.materials[i];
+      if (number.emplace(material, divided.size()).second)
+        divided.push_back({material.empty() ? whole.object : material, "", {}, {}});
+      divided[number[material]].polygons.push_back(whole.polygons[i]);
+    }
+    if (divided.size() > 1 && share_of_largest_piece(whole) > mostly_one_piece) sections_ = std::move(divided);
   }
 
   /// The objects that have a group of each name with faces, up to two.
@@ -153,17 +206,8 @@ private:
     };
     Model_content result;
     result.faces_left_out = faces_left_out_;
-    std::vector<Point> polygon;
-    for (const Section& section : sections_) {
-      if (section.polygons.empty()) continue;
-      result.parts.push_back({part_name(section), {}});
-      for (const std::vector<std::size_t>& indices : section.polygons) {
-        polygon.clear();
-        for (std::size_t i : indices)
-          polygon.push_back(points_[i]);
-        add_polygon(polygon, result.parts.back().corners);
-      }
-    }
+    for (const Section& section : sections_)
+      if (!section.polygons.empty()) result.parts.push_back({part_name(section), corners_of(section)});
     if (result.parts.empty())
       throw Invalid_input(file_ + ": there is no face in it; it is not a Wavefront OBJ model, or an empty one");
     return result;
@@ -176,6 +220,7 @@ private:
   std::size_t faces_left_out_ = 0;
   std::vector<Point> points_;
   std::vector<Section> sections_;
+  std::string material_; ///< of the faces that come next
 };
 
 } // namespace
