@@ -29,6 +29,7 @@ struct Up_estimate
 /// surface, most of it above the ground, and differs most from its image upside down. A guess, since things that lie
 /// are like things that stand; a model that is upside down or aslant has no right answer. Of equal axes the first of y,
 /// z, x. O(n log n) in the number of vertices.
+/// \param shape its up direction does not matter
 /// \param odds_of_y how many times as probable y is as each other axis before the shape is looked at
 /// \pre the shape has a part
 Up_estimate estimate_up(const Segmented_shape& shape, double odds_of_y = 1);

@@ -35,12 +35,12 @@ enum class Part_splitting {
 /// Options of `split_parts()`. Lengths are over the size of the model, which is about its diameter.
 struct Part_splitting_options
 {
-  Part_splitting mode = Part_splitting::AUTO;
-  double layer_distance = 0.015; ///< a piece no point of which is farther from another piece lies on that
-  double small_size = 0.04;      ///< a smaller piece joins what it touches
-  double touching_distance = 0.005;
-  std::size_t most_parts = 100;      ///< an object that would become more stays as it is
-  Segmentation_options segmentation; ///< of `Part_splitting::SEGMENTS`, and of a model that is one piece
+  Part_splitting mode = Part_splitting::AUTO; ///< what becomes a part
+  double layer_distance = 0.015;              ///< a piece no point of which is farther from another piece lies on that
+  double small_size = 0.04;                   ///< a smaller piece joins what it touches
+  double touching_distance = 0.005;           ///< pieces that are no farther apart touch
+  std::size_t most_parts = 100;               ///< an object that would become more stays as it is
+  Segmentation_options segmentation;          ///< of `Part_splitting::SEGMENTS`, and of a model that is one piece
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
@@ -91,13 +91,17 @@ struct Part_split
 /// `#2`, `#3`, … for those after the first. An object of which nothing is split keeps its mesh as it is. Loose pieces
 /// without area are left out, and counted. O(n log n) in the number of triangles, and quadratic in that of an object's
 /// pieces.
+/// \param objects the model, an object a part
+/// \param options the mode, and what it depends on
 /// \throw Invalid_input if the model has no part
 Part_split split_parts(const Segmented_shape& objects, const Part_splitting_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceShapes
 /// The same with the parts as a person wants them.
+/// \param objects the model
 /// \param part_of_piece by name of the piece the name of its part; an empty name leaves the piece out
 /// \param by_segments whether pieces are those of `Part_splitting::SEGMENTS`
+/// \param segmentation how segments are made
 /// \throw Invalid_input if a piece is missing or there is none of a name
 Part_split split_parts(const Segmented_shape& objects, const std::map<std::string, std::string>& part_of_piece,
                        bool by_segments = false, const Segmentation_options& segmentation = {});

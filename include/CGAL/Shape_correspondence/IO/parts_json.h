@@ -23,11 +23,15 @@ namespace IO {
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes which piece of a model is in which part, for people to edit; the manual describes the format. Link
 /// `CGAL::Shape_correspondence_IO`.
+/// \param out the stream
+/// \param split the pieces and parts
 void write_parts_json(std::ostream& out, const Part_split& split);
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Makes the parts of a model that such a file says.
-/// \param objects the model \param path the file
+/// \param objects the model
+/// \param path the file
+/// \return the parts
 /// \throw Invalid_input if the file cannot be read, is no such file, or does not list the pieces of the model; the
 /// message names the file
 Part_split split_parts_by_json(const Segmented_shape& objects, const std::string& path);
