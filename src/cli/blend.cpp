@@ -8,6 +8,7 @@
 #include "cli/match_options.h"
 #include "cli/outputs.h"
 #include "cli/progress_bar.h"
+#include "cli/read_model.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/atomic_file.h"
@@ -196,6 +197,7 @@ void run_blend(const std::vector<std::string>& arguments)
   check_outputs({common.json, is_glb(output.path) ? output.path : ""}, inputs);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
+  const std::vector<std::string> warnings_of_up = find_up_of_pair(paths, common);
   std::vector<Loaded_shape> shapes = load_shapes(paths, common);
   for (std::size_t i : {0u, 1u})
     complete_surfaces(paths[i], shapes[i]);
@@ -211,6 +213,7 @@ void run_blend(const std::vector<std::string>& arguments)
   const Shape_blend blend(source.graph, *source.model, target.graph, *target.model, correspondence, with_progress(bar));
   write_blend(output, blend, correspondence);
   std::vector<std::string> warnings = warnings_of(paths, shapes);
+  warnings.insert(warnings.begin(), warnings_of_up.begin(), warnings_of_up.end());
   warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
   write_output(common.json, [&](std::ostream& out) {
     IO::write_blend_json(out, blend, source.graph, target.graph, paths[0], paths[1], output.path, output.frames,

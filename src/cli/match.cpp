@@ -8,6 +8,7 @@
 #include "cli/match_options.h"
 #include "cli/match_table.h"
 #include "cli/outputs.h"
+#include "cli/read_model.h"
 #include "cli/thread_limit.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
@@ -73,6 +74,7 @@ void run_match(const std::vector<std::string>& arguments)
   check_outputs({common.json, common.glb, common.html}, parsed.inputs);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
+  const std::vector<std::string> warnings_of_up = find_up_of_pair(paths, common);
   const std::vector<Loaded_shape> shapes = load_shapes(paths, common);
   const Loaded_shape &source = shapes[0], &target = shapes[1];
   search_with.source_parts = chosen_parts(match.source_parts, source.graph, paths[0]);
@@ -87,7 +89,8 @@ void run_match(const std::vector<std::string>& arguments)
   const IO::Match_seconds seconds{
       source.read_seconds + target.read_seconds, source.abstraction_seconds + target.abstraction_seconds,
       source.structure_seconds + target.structure_seconds + begin - begin_roles, now() - begin};
-  const std::vector<std::string> warnings = warnings_of(paths, shapes);
+  std::vector<std::string> warnings = warnings_of(paths, shapes);
+  warnings.insert(warnings.begin(), warnings_of_up.begin(), warnings_of_up.end());
   ranked[0].warnings.insert(ranked[0].warnings.begin(), warnings.begin(), warnings.end());
   write_output(common.json, [&](std::ostream& out) {
     IO::write_correspondences_json(out, ranked, source.graph, target.graph, paths[0], paths[1], seconds);

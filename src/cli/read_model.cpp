@@ -3,6 +3,7 @@
 
 #include "cli/read_model.h"
 #include "io/input_file.h"
+#include "io/model_parts.h"
 
 #include <CGAL/Shape_correspondence/IO/parts_json.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
@@ -19,6 +20,8 @@ namespace {
 
 // How many times as often as along another axis models stand along y, unless they are asked for by --up auto
 constexpr double odds_of_y = 20;
+// The same where two models tell of each other
+constexpr double odds_of_y_in_pair = 4.5;
 
 bool is_folder(const std::string& path) { return std::filesystem::is_directory(path); }
 
@@ -30,19 +33,27 @@ bool says_up(const std::string& path)
 
 char axis_name(const Point& axis) { return axis.x() > 0.5 ? 'x' : axis.y() > 0.5 ? 'y' : 'z'; }
 
+std::string warning_of(const Up_estimate& found, const std::string& option)
+{
+  return std::string("The upright axis was taken to be ") + axis_name(found.up) +
+         ", along which the model stands best (confidence " + std::to_string(std::lround(100 * found.confidence)) +
+         " %); if that is wrong, give another with " + option + ".";
+}
+
+/// Whether nothing says which axis of a model is up.
+bool is_up_unknown(const std::string& path, const Common_options& options)
+{
+  return options.up.empty() && !says_up(path) && !is_folder(path);
+}
+
 void find_up(const std::string& path, const Common_options& options, Read_model& model)
 {
-  const bool is_asked_for = options.finds_up();
-  if (says_up(path) || (!is_asked_for && (!options.up.empty() || is_folder(path)))) return;
+  const bool is_asked_for = options.finds_up() && !says_up(path);
+  if (!is_asked_for && !is_up_unknown(path, options)) return;
   const Up_estimate found = estimate_up(model.objects, is_asked_for ? 1 : odds_of_y);
   model.objects.set_up(found.up);
   model.up_confidence = found.confidence;
-  if (!is_asked_for && found.up == Point::UnitY()) return;
-  model.warnings.push_back(
-      std::string("The upright axis was taken to be ") + axis_name(found.up) +
-      ", along which the model stands best (confidence " + std::to_string(std::lround(100 * found.confidence)) +
-      " %); if that is wrong, give another with --up, or for one of two models with --source-up or "
-      "--target-up.");
+  if (is_asked_for || found.up != Point::UnitY()) model.warnings.push_back(warning_of(found, "--up"));
 }
 
 Part_splitting mode_of(const std::string& path, const std::string& word)
@@ -81,7 +92,30 @@ void warn_of_changes(const std::string& path, Read_model& model)
                            "` says why.");
 }
 
+bool is_model(const std::string& path) { return is_folder(path) || IO::is_model_file(path); }
+
 } // namespace
+
+std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, Common_options& options)
+{
+  std::array<bool, 2> is_known;
+  for (std::size_t i = 0; i < 2; ++i)
+    is_known[i] = !is_up_unknown(paths[i], options.of_input(i));
+  const bool are_asked_for = options.of_input(0).finds_up() || options.of_input(1).finds_up();
+  if ((is_known[0] && is_known[1]) || are_asked_for || !is_model(paths[0]) || !is_model(paths[1])) return {};
+  std::vector<Segmented_shape> models;
+  for (std::size_t i = 0; i < 2; ++i)
+    models.push_back(IO::read_segmented_shape(paths[i], options.of_input(i).up_vector()));
+  const std::array<Up_estimate, 2> found = estimate_up_of_pair(models[0], models[1], is_known, odds_of_y_in_pair);
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (is_known[i]) continue;
+    options.of_pair[i].up = axis_name(found[i].up);
+    if (found[i].up != Point::UnitY())
+      warnings.push_back(paths[i] + ": " + warning_of(found[i], i == 0 ? "--source-up" : "--target-up"));
+  }
+  return warnings;
+}
 
 Read_model read_model(const std::string& path, const Common_options& options)
 {

@@ -25,4 +25,8 @@ struct Read_model
 /// of part meshes are the parts, and y is up. \throw Invalid_input
 Read_model read_model(const std::string& path, const Common_options& options);
 
+/// Finds the upright axes of two models of one kind together, where no option, file or folder says them, and puts them
+/// into `options.of_pair`. \return what has to be said of it \throw Invalid_input
+std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, Common_options& options);
+
 } // namespace CGAL::Shape_correspondence::cli

@@ -36,6 +36,10 @@ constexpr double weight_of_stability = 9.2;
 constexpr double weight_of_horizontal = 8.3;
 constexpr double weight_of_asymmetry = 36;
 constexpr double weight_of_base = -25;
+// Of logarithms, for a pair. On 437 pairs of the same shapes, in sample: 98 % right where y is up in both, 92 % where
+// in one, with odds of y of 4.5.
+constexpr double weight_of_proportions = 1;
+constexpr double largest_difference = 2; // of the logarithms that counts
 
 // What a choice of the upright axis is judged by, in units of the shape's largest extent.
 struct Surface_summary
@@ -130,24 +134,94 @@ double uprightness(const Surface_summary& surface, const Nearest_points& samples
          weight_of_asymmetry * asymmetry(surface, samples, axis) + weight_of_base * share_of_base;
 }
 
+using Logits = std::array<double, 3>; // by axis
+
+Logits logits_of(const Surface_summary& surface, double odds_of_y)
+{
+  const Nearest_points samples(surface.samples);
+  Logits result;
+  for (int axis = 0; axis < 3; ++axis)
+    result[std::size_t(axis)] = comparison_grid * double(quantized(uprightness(surface, samples, axis)));
+  result[1] += std::log(odds_of_y);
+  return result;
+}
+
+// Of equal axes the first of y, z, x
+constexpr std::array<std::size_t, 3> axes_in_order{1, 2, 0};
+
+// Logarithms of the height and the least width over the greatest width, if an axis points up.
+Eigen::Vector2d proportions(const Surface_summary& surface, std::size_t axis)
+{
+  constexpr double thinnest = 1e-6;
+  const double a = surface.extents[Eigen::Index((axis + 1) % 3)], b = surface.extents[Eigen::Index((axis + 2) % 3)];
+  const double width = std::max({a, b, thinnest});
+  return {std::log(std::max(surface.extents[Eigen::Index(axis)], thinnest) / width),
+          std::log(std::max(std::min(a, b), thinnest) / width)};
+}
+
+double difference(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return (a - b).cwiseAbs().cwiseMin(largest_difference).sum();
+}
+
+// Logits of a shape the up direction of which is known.
+Logits known_logits(const Point& up)
+{
+  constexpr double impossible = -1e6;
+  Logits result{impossible, impossible, impossible};
+  Eigen::Index axis = 0;
+  up.cwiseAbs().maxCoeff(&axis);
+  result[std::size_t(axis)] = 0;
+  return result;
+}
+
 } // namespace
 
 Up_estimate estimate_up(const Segmented_shape& shape, double odds_of_y)
 {
   CGAL_precondition(!shape.parts().empty());
-  const Surface_summary surface = summary_of_surface(shape);
-  const Nearest_points samples(surface.samples);
-  std::array<double, 3> logits;
-  for (int axis = 0; axis < 3; ++axis)
-    logits[std::size_t(axis)] = comparison_grid * double(quantized(uprightness(surface, samples, axis)));
-  logits[1] += std::log(odds_of_y);
-  std::size_t best = 1;
-  for (std::size_t axis : {2, 0})
+  const Logits logits = logits_of(summary_of_surface(shape), odds_of_y);
+  std::size_t best = axes_in_order[0];
+  for (std::size_t axis : axes_in_order)
     if (logits[axis] > logits[best]) best = axis;
   double sum = 0;
   for (double logit : logits)
     sum += std::exp(logit - logits[best]);
   return {Point::Unit(Eigen::Index(best)), 1 / sum};
+}
+
+std::array<Up_estimate, 2> estimate_up_of_pair(const Segmented_shape& source, const Segmented_shape& target,
+                                               const std::array<bool, 2>& is_known, double odds_of_y)
+{
+  const std::array<const Segmented_shape*, 2> shapes{&source, &target};
+  std::array<Surface_summary, 2> surfaces;
+  std::array<Logits, 2> logits;
+  for (std::size_t i = 0; i < 2; ++i) {
+    CGAL_precondition(!shapes[i]->parts().empty());
+    surfaces[i] = summary_of_surface(*shapes[i]);
+    logits[i] = is_known[i] ? known_logits(shapes[i]->up()) : logits_of(surfaces[i], odds_of_y);
+  }
+  const auto logit = [&](std::size_t a, std::size_t b) {
+    return logits[0][a] + logits[1][b] -
+           weight_of_proportions * difference(proportions(surfaces[0], a), proportions(surfaces[1], b));
+  };
+  std::array<std::size_t, 2> best{axes_in_order[0], axes_in_order[0]};
+  for (std::size_t a : axes_in_order)
+    for (std::size_t b : axes_in_order)
+      if (logit(a, b) > logit(best[0], best[1])) best = {a, b};
+  double all = 0;
+  std::array<double, 2> same{0, 0};
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b < 3; ++b) {
+      const double odds = std::exp(logit(a, b) - logit(best[0], best[1]));
+      all += odds;
+      if (a == best[0]) same[0] += odds;
+      if (b == best[1]) same[1] += odds;
+    }
+  const auto estimate = [&](std::size_t i) {
+    return Up_estimate{is_known[i] ? shapes[i]->up() : Point(Point::Unit(Eigen::Index(best[i]))), same[i] / all};
+  };
+  return {estimate(0), estimate(1)};
 }
 
 } // namespace CGAL::Shape_correspondence

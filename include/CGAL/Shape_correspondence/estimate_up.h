@@ -13,6 +13,8 @@
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
+#include <array>
+
 namespace CGAL {
 namespace Shape_correspondence {
 
@@ -33,6 +35,15 @@ struct Up_estimate
 /// \param odds_of_y how many times as probable y is as each other axis before the shape is looked at
 /// \pre the shape has a part
 Up_estimate estimate_up(const Segmented_shape& shape, double odds_of_y = 1);
+
+/// \ingroup PkgShapeCorrespondenceShapes
+/// The same for two shapes of one kind: that their proportions are alike if they stand right counts, too.
+/// \param source,target the shapes
+/// \param is_known whether the up direction of the source and of the target, along an axis, is right as it is
+/// \param odds_of_y how many times as probable y is as each other axis before the shapes are looked at
+/// \pre the shapes have parts
+std::array<Up_estimate, 2> estimate_up_of_pair(const Segmented_shape& source, const Segmented_shape& target,
+                                               const std::array<bool, 2>& is_known, double odds_of_y = 1);
 
 } // namespace Shape_correspondence
 } // namespace CGAL
