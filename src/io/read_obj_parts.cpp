@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/limits.h"
 #include "io/model_parts.h"
 #include "io/text_words.h"
 #include "shape/Loose_piece.h"
@@ -142,16 +143,17 @@ private:
     return name.empty() ? "" : " (part " + cited(name) + ")";
   }
 
-  /// The share of the largest loose piece of a section in its surface.
-  double share_of_largest_piece(const Section& section) const
+  /// Whether loose pieces do not tell the parts of an object: one is most of its surface, or they are too many.
+  bool needs_materials(const Section& section) const
   {
+    const std::vector<Part_mesh> pieces = internal::loose_pieces(weld(corners_of(section)));
     double largest = 0, all = 0;
-    for (const Part_mesh& piece : internal::loose_pieces(weld(corners_of(section)))) {
+    for (const Part_mesh& piece : pieces) {
       const double area = internal::loose_piece(0, piece).area;
       largest = std::max(largest, area);
       all += area;
     }
-    return all > 0 ? largest / all : 0;
+    return pieces.size() > internal::most_parts || largest > mostly_one_piece * all;
   }
 
   std::vector<Point> corners_of(const Section& section) const
@@ -166,7 +168,7 @@ private:
     return result;
   }
 
-  /// In a file of one object that is mostly one piece the materials stand for objects.
+  /// In a file of one object materials stand for objects where its pieces do not.
   void divide_by_materials()
   {
     const auto has_faces = [](const Section& section) { return !section.polygons.empty(); };
@@ -180,7 +182,7 @@ private:
         divided.push_back({material.empty() ? whole.object : material, "", {}, {}});
       divided[number[material]].polygons.push_back(whole.polygons[i]);
     }
-    if (divided.size() > 1 && share_of_largest_piece(whole) > mostly_one_piece) sections_ = std::move(divided);
+    if (divided.size() > 1 && needs_materials(whole)) sections_ = std::move(divided);
   }
 
   /// The objects that have a group of each name with faces, up to two.

@@ -353,11 +353,12 @@ private:
       }
   }
 
-  /// Pieces that are all of an object, and so small that they are a screw or a dot.
+  /// Pieces so small that they are a screw or a dot, whatever their object, unless that was kept.
   void join_specks()
   {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (pieces_[i].size >= speck_size * size_ || !result_.reasons[i].empty()) continue;
+      const bool is_kept = !result_.kept[pieces_[i].object].empty();
+      if (is_kept || pieces_[i].size >= speck_size * size_ || !result_.reasons[i].empty()) continue;
       std::optional<Join> best;
       for (std::size_t other = 0; other < pieces_.size(); ++other) {
         if (pieces_[other].object == pieces_[i].object || pieces_[other].size < 2 * pieces_[i].size) continue;

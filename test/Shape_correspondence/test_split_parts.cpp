@@ -230,6 +230,14 @@ TEST_CASE("An object that would become too many parts stays as it is")
   const Part_split split = split_parts(model({{"leaves", joined(leaves)}, {"pot", box({1, -1, 0}, {1, 1, 1})}}));
   CHECK(names(split) == std::vector<std::string>{"leaves", "pot"});
   CHECK_THAT(split.decisions[0], Contains("it would be 120 parts"));
+
+  // Nor do its pieces join others, however small they are
+  std::vector<Part_mesh> dust;
+  for (int i = 0; i < 40; ++i)
+    for (int k = 0; k < 30; ++k)
+      dust.push_back(box({-0.4 + 0.02 * i, -0.4 + 0.02 * k, 0.5}, {0.002, 0.002, 0.002}, 0, 1));
+  const Part_split dusty = split_parts(model({{"pot", box({0, 0, 0}, {1, 1, 1})}, {"dust", joined(dust)}}));
+  CHECK(names(dusty) == std::vector<std::string>{"pot", "dust"});
 }
 
 TEST_CASE("A model of one object becomes its pieces, one of one piece its segments")
