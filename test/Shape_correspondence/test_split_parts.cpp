@@ -151,6 +151,18 @@ TEST_CASE("A cushion with its piping and buttons is one part")
   CHECK(names(split) == std::vector<std::string>{"wood", "wood#2", "wood#3", "wood#4", "top", "fabric"});
 }
 
+TEST_CASE("A lining joins the board that it lies on")
+{
+  const auto parts = [](double height) {
+    const Part_mesh boards = joined({box({0, 0, 0}, {1, 0.02, 1}), box({0, 1, 0}, {1, 0.02, 1})});
+    const Part_mesh lining = box({0, height, 0}, {0.5, 0.004, 0.5});
+    return partition(
+        split_parts(model({{"wood", joined({boards, lining})}, {"side", box({0.6, 0.5, 0}, {0.1, 1, 1})}})));
+  };
+  CHECK(parts(0.017) == std::set<std::set<std::string>>{{"wood#1", "wood#3"}, {"wood#2"}, {"side"}});
+  CHECK(parts(0.2).size() == 4);
+}
+
 TEST_CASE("Screws join what they touch, all of them alike")
 {
   std::vector<Part_mesh> pieces = legs();
