@@ -39,8 +39,8 @@ The first frame is the source, the last one the target.
 With -o FILE.glb, one file with an animation; else a new folder with a file a frame, frame_000 and so on, in which
 a part is named s~t where source part s becomes t, s~ where s vanishes and ~t where t grows.
 
-SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D: a node is a part),
-folders of part meshes (one file is one part, its stem the part's name), or structural graphs (.json) whose parts
+SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D; an object or
+node is a part, unless it gathers loose pieces, see --parts), folders of part meshes (one file is one part, its stem the part's name), or structural graphs (.json) whose parts
 name their meshes (key "mesh", a file's path relative to the graph).
 
 With --match R.json the parts correspond as in a result of `match` for the same two shapes; options of the search are

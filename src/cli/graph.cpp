@@ -30,8 +30,8 @@ const char* const help_text =
 Builds the structural graph of a segmented shape: a curve or a sheet for every part, groups of parts that
 are symmetric, and contacts between parts.
 
-MODEL is a file (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D: a node is a part), a folder of part
-meshes (one file is one part, its stem the part's name), or a structural graph (.json, .xml).
+MODEL is a file (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D; an object or
+node is a part, unless it gathers loose pieces, see --parts), a folder of part meshes (one file is one part, its stem the part's name), or a structural graph (.json, .xml).
 
 Example: shape_correspondence graph chair.obj -o chair.json --glb chair.glb
 

@@ -32,8 +32,8 @@ Parts are compared by place, size and shape, and by what they are for (--roles; 
 best with people, and the result is rated by the energy of deforming the source into the target. With --paper, --search beam or --search exact, the
 correspondence of least deformation energy is searched for instead.
 
-SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D: a node is a part),
-folders of part meshes (one file is one part, its stem the part's name), or structural graphs (.json, .xml).
+SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D; an object or
+node is a part, unless it gathers loose pieces, see --parts), folders of part meshes (one file is one part, its stem the part's name), or structural graphs (.json, .xml).
 
 Examples: shape_correspondence match chair.obj swivel_chair.obj --json result.json --html result.html
           shape_correspondence match chair.obj stool.obj --search exact --allow-unmatched --solutions 3
