@@ -9,7 +9,7 @@
 BUILD is the build folder, FOLDERs hold models in sub-folders of any depth. With --install, OUT/installed is one of them:
 Debian's sweethome3d-furniture and flightgear-data-ai (apt-get, as root) and the glTF examples of three.js (npm).
 
-The first form makes a structural graph of every N-th model, each in a process that may take S seconds and M megabytes, and
+The first form makes a structural graph of every N-th model, each in a process that may take S seconds of processor time and M megabytes, and
 writes OUT/models.csv: read or refused and why, objects, parts, seconds, megabytes; and a summary to standard output.
 
 The second form takes models that are also in DATA, a folder of labelled shapes (CATEGORY/SHAPE/parts, labels.json,
@@ -27,6 +27,7 @@ import json
 import os
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -34,6 +35,7 @@ import time
 import zipfile
 
 MODEL_TYPES = (".obj", ".ac", ".gltf", ".glb", ".dae", ".fbx", ".3ds", ".dxf", ".ply", ".stl", ".off")
+WAITING = 10  # times as long as it may work a process may take, on a busy machine
 PACKAGES = ("sweethome3d-furniture", "flightgear-data-ai")
 
 
@@ -64,14 +66,16 @@ def models_in(folders):
 
 
 def run_limited(command, seconds, megabytes):
-    """Runs a command. Returns its exit status, None if it took too long; standard output and error; seconds; megabytes."""
+    """Runs a command. Returns its exit status, None if it took too long; standard output and error; seconds of processor time;
+    megabytes."""
     def limit():
         resource.setrlimit(resource.RLIMIT_DATA, (megabytes << 20, megabytes << 20))
+        resource.setrlimit(resource.RLIMIT_CPU, (int(seconds), int(seconds)))
     begin = time.monotonic()
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as error:
         process = subprocess.Popen(command, stdout=out, stderr=error, preexec_fn=limit)
         status = None
-        while time.monotonic() - begin < seconds:
+        while time.monotonic() - begin < WAITING * seconds:
             pid, state, usage = os.wait4(process.pid, os.WNOHANG)
             if pid:
                 status = os.waitstatus_to_exitcode(state)
@@ -81,10 +85,12 @@ def run_limited(command, seconds, megabytes):
             process.kill()
             _, _, usage = os.wait4(process.pid, 0)
         process.returncode = status  # it is waited for
+        if status == -signal.SIGKILL or status == -signal.SIGXCPU:
+            status = None
         out.seek(0)
         error.seek(0)
         return (status, out.read().decode(errors="replace"), error.read().decode(errors="replace"),
-                time.monotonic() - begin, usage.ru_maxrss / 1024)
+                usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)
 
 
 def graph_row(program, model, args):

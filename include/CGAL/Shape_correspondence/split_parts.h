@@ -78,11 +78,12 @@ struct Part_split
 /// \ingroup PkgShapeCorrespondenceShapes
 /// Makes parts of the objects of a model. An object may gather pieces that only share a material, as four legs do, and
 /// a thing may lie in several pieces, as the spokes of a wheel do. In mode `Part_splitting::AUTO`
-/// - an object stays whole if it is one piece, or if the hull of its largest piece holds all others (a spoked wheel, a
-///   cushion with its piping), unless it is all of the model;
+/// - an object stays whole if it is one piece, if the hull of its largest piece holds all others (a spoked wheel, a
+///   cushion with its piping), or if it is smaller than .3 of the model and its pieces touch, unless it is all of the
+///   model;
 /// - of other objects every piece is a part, but a piece joins the one that it lies on (a lining, a screw, the other
 ///   shell of a panel), a small one the one that it touches, and pieces that touch and are deep in each other's hulls
-///   stay together;
+///   stay together; what is smaller than .01 joins what it touches of other objects, too;
 /// - what most of three or more copies of a piece do, all of them do;
 /// - an object that has more than 1000 pieces, or would become more than `most_parts` parts, stays as it is;
 /// - a model that would be one part becomes its pieces, and one that is one piece its segments, if they are at most 30.
