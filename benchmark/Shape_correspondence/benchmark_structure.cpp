@@ -275,7 +275,7 @@ void measure(const std::string& folder, bool quiet, bool brute_force, Totals& to
   for (const std::string& warning : warnings)
     if (!quiet) std::cout << "  " << warning << "\n";
   if (brute_force) compare_with_brute_force(shape, frame, contacts, !warnings.empty(), totals);
-  totals.upright += SC::estimate_up(shape) == shape.up();
+  totals.upright += SC::estimate_up(shape).up == shape.up();
   ++totals.shapes;
   totals.parts += parts.size();
   totals.groups += groups.size();

@@ -24,6 +24,7 @@
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 #include <CGAL/Shape_correspondence/nearest_shapes.h>
 #include <CGAL/Shape_correspondence/parameters.h>
+#include <CGAL/Shape_correspondence/split_parts.h>
 #include <CGAL/Shape_correspondence/topological_medoid.h>
 #include <CGAL/Shape_correspondence/transitive_correspondence.h>
 

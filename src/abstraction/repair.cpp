@@ -114,13 +114,18 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
   const double area = PMP::area(mesh);
   // A longer border is not a hole but the rim of a surface; triangulating it takes cubic time.
   const std::size_t longest_border = 400;
+  // Sum of the cubes of the lengths of all borders, about 30 of the longest
+  const double most_work = 2e9;
   const double smallest_fullness = 1e-3;
   Halfedge_mesh filled = mesh;
   std::vector<Halfedge_mesh::Halfedge_index> borders;
   PMP::extract_boundary_cycles(filled, std::back_inserter(borders));
+  double work = 0;
   for (auto h : borders) {
     deadline.check();
-    if (halfedges_around_face(h, filled).size() > longest_border) {
+    const std::size_t length = halfedges_around_face(h, filled).size();
+    work += std::pow(double(length), 3);
+    if (length > longest_border || work > most_work) {
       return false;
     }
     std::vector<Halfedge_mesh::Face_index> patch;

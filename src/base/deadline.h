@@ -46,7 +46,7 @@ private:
   Clock::time_point last_ = start_;
 };
 
-/// The time that a part may take. Steps that cannot be interrupted are bounded by the size of their input.
+/// The time that a part may take, where the caller sets one. Without, all steps are bounded by the size of their input.
 class Deadline
 {
 public:

@@ -38,6 +38,15 @@ void check_abstraction(const Abstraction_options& options)
 
 } // namespace
 
+Common_options Common_options::of_input(std::size_t index) const
+{
+  Common_options result = *this;
+  if (index >= of_pair.size()) return result;
+  if (!of_pair[index].up.empty()) result.up = of_pair[index].up;
+  if (!of_pair[index].parts_from.empty()) result.parts_from = of_pair[index].parts_from;
+  return result;
+}
+
 Point Common_options::up_vector() const
 {
   return up == "x" ? Point::UnitX() : up == "z" ? Point::UnitZ() : Point::UnitY();
@@ -68,7 +77,11 @@ std::vector<std::string> words_of(const std::string& list)
 
 void check(const Common_options& options)
 {
-  check_word("up", options.up, {"x", "y", "z", "auto"});
+  const std::vector<std::string> axes{"x", "y", "z", "auto"};
+  if (!options.up.empty()) check_word("up", options.up, axes);
+  for (std::size_t i : {0, 1})
+    if (!options.of_pair[i].up.empty()) check_word(i == 0 ? "source-up" : "target-up", options.of_pair[i].up, axes);
+  check_word("parts", options.parts, {"auto", "file", "components", "segments"});
   for (const std::string& kind : words_of(options.symmetries))
     check_word("symmetries", kind, {"reflection", "rotation", "translation"});
   check_between("symmetry-tolerance", options.symmetry_tolerance, 0, 0.5);

@@ -6,6 +6,8 @@
 #include <CGAL/Shape_correspondence/abstract_part.h>
 #include <CGAL/Shape_correspondence/detect_symmetry_groups.h>
 
+#include <array>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,18 +28,26 @@ struct Common_options
   std::string glb;               ///< empty: none
   std::string html;              ///< empty: none
   std::string cache;             ///< empty: none
-  std::string up = "y";          ///< x, y, z or auto
+  std::string up;                ///< x, y, z or auto; empty: what the file says, or a guess that favours y
   std::string progress = "auto"; ///< auto, always or never
   bool no_symmetry = false;
   double symmetry_tolerance = 0.05;
   std::string symmetries = "reflection,rotation,translation";
   double contact_tolerance = 0.02;
-  bool segment = false;
+  std::string parts = "auto"; ///< auto, file, components or segments
+  std::string parts_from;     ///< a file that says which piece is in which part; empty: none
+  struct Of_input
+  {
+    std::string up, parts_from; ///< empty: those of all inputs
+  };
+  std::array<Of_input, 2> of_pair; ///< of the source and the target
   Abstraction_options abstraction;
   bool quiet = false;
   int threads = 0; ///< 0: all
   long seed = 0;
 
+  /// The options for one input of several.
+  Common_options of_input(std::size_t index) const;
   /// The upright direction; y where it is to be found.
   Point up_vector() const;
   bool finds_up() const { return up == "auto"; }

@@ -8,9 +8,11 @@
 #include "cli/match_options.h"
 #include "cli/outputs.h"
 #include "cli/progress_bar.h"
+#include "cli/read_model.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/atomic_file.h"
+#include "io/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -37,8 +39,8 @@ The first frame is the source, the last one the target.
 With -o FILE.glb, one file with an animation; else a new folder with a file a frame, frame_000 and so on, in which
 a part is named s~t where source part s becomes t, s~ where s vanishes and ~t where t grows.
 
-SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA: one node is one part),
-folders of part meshes (one file is one part, its stem the part's name), or structural graphs (.json) whose parts
+SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D; an object or
+node is a part, unless it gathers loose pieces, see --parts), folders of part meshes (one file is one part, its stem the part's name), or structural graphs (.json) whose parts
 name their meshes (key "mesh", a file's path relative to the graph).
 
 With --match R.json the parts correspond as in a result of `match` for the same two shapes; options of the search are
@@ -176,7 +178,11 @@ void run_blend(const std::vector<std::string>& arguments)
   Blend_output output;
   po::options_description options;
   const po::options_description searching = match_options(match);
-  options.add(output_options(output, common)).add(searching).add(model_options(common)).add(common_options(common));
+  options.add(output_options(output, common))
+      .add(searching)
+      .add(pair_options(common))
+      .add(model_options(common))
+      .add(common_options(common));
   const Arguments parsed = parse(arguments, options, 2, 2);
   if (parsed.help) {
     std::cout << help_text << options;
@@ -186,9 +192,12 @@ void run_blend(const std::vector<std::string>& arguments)
   if (!output.match.empty()) check_needs_no_search(searching, parsed.values);
   check(common);
   check(output);
-  check_outputs({common.json, is_glb(output.path) ? output.path : ""});
+  std::vector<std::string> inputs = parsed.inputs;
+  inputs.push_back(output.match);
+  check_outputs({common.json, is_glb(output.path) ? output.path : ""}, inputs);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
+  const std::vector<std::string> warnings_of_up = find_up_of_pair(paths, common);
   std::vector<Loaded_shape> shapes = load_shapes(paths, common);
   for (std::size_t i : {0u, 1u})
     complete_surfaces(paths[i], shapes[i]);
@@ -204,6 +213,7 @@ void run_blend(const std::vector<std::string>& arguments)
   const Shape_blend blend(source.graph, *source.model, target.graph, *target.model, correspondence, with_progress(bar));
   write_blend(output, blend, correspondence);
   std::vector<std::string> warnings = warnings_of(paths, shapes);
+  warnings.insert(warnings.begin(), warnings_of_up.begin(), warnings_of_up.end());
   warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
   write_output(common.json, [&](std::ostream& out) {
     IO::write_blend_json(out, blend, source.graph, target.graph, paths[0], paths[1], output.path, output.frames,
@@ -212,7 +222,7 @@ void run_blend(const std::vector<std::string>& arguments)
   if (common.prints_table()) {
     print_schedules(blend);
     for (const std::string& warning : warnings)
-      std::cout << "warning: " << warning << '\n';
+      std::cout << "warning: " << IO::quote_terminal(warning) << '\n';
   }
 }
 

@@ -11,6 +11,7 @@
 #include "cli/outputs.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
+#include "io/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>
@@ -76,13 +77,13 @@ void print_collection(const IO::Collection& collection)
                     short_number(distance(i, nearest))});
   }
   write_table(std::cout, rows);
-  std::cout << "\nmedoid: " << collection.shapes[collection.medoid].name
+  std::cout << "\nmedoid: " << IO::quote_terminal(collection.shapes[collection.medoid].name)
             << "\nclusters of parts: " << collection.co_analysis.number_of_labels << " over "
             << collection.co_analysis.part_pairs << " pairs of parts, " << collection.co_analysis.rejected_pairs
             << " more rejected\nordered pairs of shapes that a chain matches at less energy: "
             << collection.bridge_count << '\n';
   for (const std::string& warning : collection.warnings)
-    std::cout << "warning: " << warning << '\n';
+    std::cout << "warning: " << IO::quote_terminal(warning) << '\n';
 }
 
 void write_outputs(const Analysis& analysis, const Collection_shapes& shapes, const Common_options& common,
@@ -102,7 +103,7 @@ void write_outputs(const Analysis& analysis, const Collection_shapes& shapes, co
   if (!common.prints_table()) return;
   print_collection(collection);
   if (!common.html.empty() && collection.shapes.size() > IO::largest_pictured)
-    std::cout << common.html << ": shows " << IO::largest_pictured << " of the " << collection.shapes.size()
+    std::cout << IO::quote_terminal(common.html) << ": shows " << IO::largest_pictured << " of the " << collection.shapes.size()
               << " shapes; the file of --json has all\n";
 }
 
@@ -157,7 +158,10 @@ void run_collection(const std::vector<std::string>& arguments)
   matching.unmatched_energy = options.unmatched_energy;
   check(common);
   check(options, common, parsed.values);
-  check_outputs({common.json, common.html, options.npy, options.csv});
+  const std::vector<std::string> paths = collection_paths(parsed.inputs);
+  std::vector<std::string> inputs = paths;
+  inputs.push_back(options.nearest);
+  check_outputs({common.json, common.html, options.npy, options.csv}, inputs);
   Team team;
   if (team.size() > 1 && options.store.empty())
     throw Usage_error("several processes need --store, a folder that all reach");
@@ -165,7 +169,7 @@ void run_collection(const std::vector<std::string>& arguments)
   const std::string store_folder = options.store;
   Tile_store store(store_folder.empty() ? "" : (fs::path(store_folder) / "tiles").string());
   if (common.cache.empty() && !store_folder.empty()) common.cache = (fs::path(store_folder) / "cache").string();
-  const Collection_shapes shapes(collection_paths(parsed.inputs),
+  const Collection_shapes shapes(paths,
                                  store_folder.empty() ? "" : (fs::path(store_folder) / "graphs").string(),
                                  options.skip_bad, common, team);
   if (!options.nearest.empty()) {

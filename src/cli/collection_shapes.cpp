@@ -4,12 +4,12 @@
 #include "cli/collection_shapes.h"
 #include "base/for_each_index.h"
 #include "cli/load_shape.h"
+#include "cli/outputs.h"
 #include "cli/progress_bar.h"
 #include "io/Json.h"
 #include "io/Json_field.h"
 #include "io/atomic_file.h"
 #include "io/digest.h"
-#include "io/input_file.h"
 #include "io/model_parts.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -18,7 +18,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <fstream>
 #include <mutex>
+#include <optional>
 #include <sstream>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -59,15 +61,27 @@ std::string graph_file(const std::string& folder, const std::string& content)
   return (fs::path(folder) / (content + ".json")).string();
 }
 
-/// Puts a graph into the folder, if there is one. \return the digest of the graph
-std::string store_graph(const std::string& folder, Structural_graph& graph)
+/// The text of a graph in the folder; none if it is missing or damaged.
+std::optional<std::string> stored_text(const std::string& folder, const std::string& content)
+{
+  std::ifstream in(graph_file(folder, content), std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in || IO::digest(text.str()) != content) return std::nullopt;
+  return text.str();
+}
+
+/// Puts a graph into the folder, if there is one. \return the digest of the graph, which is its name there
+std::string store_graph(const std::string& folder, const Common_options& options, Structural_graph& graph)
 {
   const std::string text = text_of(graph);
   const std::string content = IO::digest(text);
   if (folder.empty()) return content;
   graph = Structural_graph();
   const std::string file = graph_file(folder, content);
-  if (!fs::exists(file)) IO::write_atomically(file, [&](std::ostream& out) { out << text; });
+  if (stored_text(folder, content)) return content;
+  if (fs::exists(file)) warn(options, file + ": it is damaged; it is made again");
+  IO::write_atomically(file, [&](std::ostream& out) { out << text; });
   return content;
 }
 
@@ -85,7 +99,7 @@ Loaded_input load_input(const std::string& path, const std::string& folder, cons
   result.shape.name = structure.name;
   result.shape.warnings = structure.warnings;
   result.shape.parts = part_names(result.graph);
-  result.shape.content = store_graph(folder, result.graph);
+  result.shape.content = store_graph(folder, options, result.graph);
   return result;
 }
 
@@ -129,7 +143,7 @@ std::vector<Loaded_input> load_inputs(const std::vector<std::string>& paths, con
                                       const Common_options& options, Team& team)
 {
   Common_options quiet = options; // one bar for all
-  quiet.quiet = true;
+  quiet.progress = "never";
   Common_options shown = options;
   shown.quiet = options.quiet || !team.is_first();
   Progress_bar bar(shown, "graphs", "shape");
@@ -200,7 +214,10 @@ Collection_shapes::Collection_shapes(const std::vector<std::string>& paths, cons
                                      const Common_options& options, Team& team)
     : folder_(folder)
 {
-  if (!folder_.empty()) IO::make_folder(folder_, "a store");
+  if (!folder_.empty()) {
+    IO::make_folder(folder_, "a store");
+    IO::remove_leftovers(folder_);
+  }
   std::string failures;
   for (Loaded_input& input : load_inputs(paths, folder_, options, team)) {
     if (input.failure.empty()) {
@@ -221,7 +238,9 @@ Structural_graph Collection_shapes::graph(std::size_t shape) const
 {
   if (folder_.empty()) return graphs_[shape];
   const std::string path = graph_file(folder_, shapes_[shape].content);
-  std::ifstream in = IO::open_input(path);
+  const std::optional<std::string> text = stored_text(folder_, shapes_[shape].content);
+  if (!text) throw Invalid_input(path + ": it was damaged or removed meanwhile; run the command again");
+  std::istringstream in(*text);
   return IO::read_structural_graph_json(in, path);
 }
 

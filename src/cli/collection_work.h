@@ -5,6 +5,7 @@
 
 #include "cli/collection_options.h"
 #include "cli/collection_shapes.h"
+#include "cli/outputs.h"
 #include "cli/team.h"
 #include "cli/tile_store.h"
 #include "cli/tiles.h"
@@ -38,7 +39,8 @@ public:
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
       const std::vector<std::pair<std::size_t, std::size_t>> pairs = tiles_.pairs(tile);
       std::optional<std::vector<Rated_map>> rated = store_.find(tiles_.name(tile));
-      if (!rated || rated->size() != pairs.size()) { // damaged
+      if (!rated || rated->size() != pairs.size()) {
+        warn(common_, "a tile of the store is damaged; it is made again");
         store_.insert(tiles_.name(tile), tiles_.computed(tile, matching_));
         rated = store_.find(tiles_.name(tile));
       }

@@ -68,9 +68,14 @@ po::options_description model_options(Common_options& options)
   Abstraction_options& abstraction = options.abstraction;
   po::options_description result = option_group("Options on models");
   auto add = result.add_options();
-  add("up", po::value(&options.up)->value_name("AXIS")->default_value(options.up),
-      "the upright axis of model files: x, y, z or auto, which takes the one along which the model stands best and "
-      "says so. COLLADA files say it themselves and are turned to y up; a graph file says it, too");
+  add("up", po::value(&options.up)->value_name("AXIS"),
+      "the upright axis of model files: x, y, z, or auto, the one along which the model stands best. Default: what the "
+      "file says (glTF, COLLADA, a graph), y for a folder of part meshes, and else y unless the model clearly stands "
+      "along another axis, which a warning then says");
+  add("parts", po::value(&options.parts)->value_name("MODE")->default_value(options.parts),
+      "what the parts of a model file are: file, its objects (groups, nodes); components, its loose pieces; segments, "
+      "these divided by thickness; or auto, the objects, but for those of loose pieces that do not belong together, "
+      "which are split. `shape_correspondence parts MODEL` shows it. The files of a folder are parts as they are");
   add("no-symmetry", po::bool_switch(&options.no_symmetry), "take every part as a group of its own");
   add("symmetries", po::value(&options.symmetries)->value_name("KINDS")->default_value(options.symmetries),
       "the kinds of symmetry groups that are looked for");
@@ -80,8 +85,10 @@ po::options_description model_options(Common_options& options)
       "the widest gap between parts in contact, over the shape's diagonal");
   add("cache", po::value(&options.cache)->value_name("FOLDER"),
       "keep structural graphs in this folder, and take them from there when the model and the options are the same");
-  add("segment", po::bool_switch(&options.segment),
-      "make parts of a model that has only one: its components, and segments by the shape diameter function");
+  add("segment", po::bool_switch()->notifier([&](bool is_set) {
+    if (is_set) options.parts = "segments";
+  }),
+      "the same as --parts segments");
   add("abstraction", po::value<std::string>()->value_name("METHOD")->default_value("fitted")->notifier([&](auto& m) {
     check_word("abstraction", m, {"flow", "fitted", "boxes"});
     if (m == "flow") abstraction.abstractor = Mean_curvature_abstraction();
@@ -107,11 +114,25 @@ po::options_description model_options(Common_options& options)
       "fraction of the volume at which the flow shows sheets, and whether a part is hollow");
   add("max-iterations", number(abstraction.maximum_iterations)->value_name("N"),
       "steps of the flow; the bounding box stands in for a part that needs more");
-  add("time-limit", number(abstraction.time_limit)->value_name("SECONDS"),
-      "for a part; the bounding box stands in for one that needs more");
+  add("time-limit", po::value(&abstraction.time_limit)->value_name("SECONDS"),
+      "for a part; the bounding box stands in for one that needs more, and a warning says so; default: none, so that "
+      "no result depends on the speed of the machine");
   add("curve-points", number(abstraction.curve_points)->value_name("N"),
       "control points of a curve; as many again for every full turn that it makes");
   add("sheet-points", number(abstraction.sheet_points)->value_name("N"), "control points along a side of a sheet");
+  return result;
+}
+
+po::options_description pair_options(Common_options& options)
+{
+  po::options_description result = option_group("Options on one of two models");
+  auto add = result.add_options();
+  Common_options::Of_input &source = options.of_pair[0], &target = options.of_pair[1];
+  add("source-up", po::value(&source.up)->value_name("AXIS"), "the upright axis of the source, as --up");
+  add("target-up", po::value(&target.up)->value_name("AXIS"), "the same of the target");
+  add("source-parts-from", po::value(&source.parts_from)->value_name("FILE"),
+      "take the parts of the source from a list of its pieces and their parts, as `graph --parts-json` writes it");
+  add("target-parts-from", po::value(&target.parts_from)->value_name("FILE"), "the same of the target");
   return result;
 }
 

@@ -27,6 +27,9 @@ boost::program_options::options_description common_options(Common_options& optio
 /// Options on models: how parts are made and abstracted.
 boost::program_options::options_description model_options(Common_options& options);
 
+/// Options on the source and the target of a pair.
+boost::program_options::options_description pair_options(Common_options& options);
+
 /// The arguments of a command, parsed.
 struct Arguments
 {

@@ -9,6 +9,7 @@
 namespace CGAL::Shape_correspondence::cli {
 
 /// The commands of the program; they throw `Usage_error` and `Invalid_input`.
+void run_parts(const std::vector<std::string>& arguments);
 void run_graph(const std::vector<std::string>& arguments);
 void run_match(const std::vector<std::string>& arguments);
 void run_evaluate(const std::vector<std::string>& arguments);

@@ -310,7 +310,7 @@ void run_evaluate(const std::vector<std::string>& arguments)
   }
   check(common);
   check(evaluate);
-  check_outputs({common.json});
+  check_outputs({common.json}, parsed.inputs);
   evaluate.evaluation.seed = std::uint64_t(common.seed);
   const std::vector<IO::Labelled_shape> shapes = read_labels(evaluate.labels);
   const std::vector<Judged_result> results = judge(result_files(parsed.inputs), shapes);

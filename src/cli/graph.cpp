@@ -7,8 +7,10 @@
 #include "cli/outputs.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
+#include "io/quoting.h"
 #include "io/report_text.h"
 
+#include <CGAL/Shape_correspondence/IO/parts_json.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
@@ -28,17 +30,17 @@ const char* const help_text =
 Builds the structural graph of a segmented shape: a curve or a sheet for every part, groups of parts that
 are symmetric, and contacts between parts.
 
-MODEL is a file (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA: one node is one part), a folder of part
-meshes (one file is one part, its stem the part's name), or a structural graph (.json, .xml).
+MODEL is a file (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D; an object or
+node is a part, unless it gathers loose pieces, see --parts), a folder of part meshes (one file is one part, its stem the part's name), or a structural graph (.json, .xml).
 
 Example: shape_correspondence graph chair.obj -o chair.json --glb chair.glb
 
 )";
 
-/// Files for graph tools; empty: none.
+/// Files for other tools and for people; empty: none.
 struct Graph_files
 {
-  std::string graphml, dot;
+  std::string graphml, dot, parts;
 };
 
 po::options_description graph_options(Common_options& common, Graph_files& files)
@@ -55,6 +57,10 @@ po::options_description graph_options(Common_options& common, Graph_files& files
   add("graphml", po::value(&files.graphml)->value_name("FILE"),
       "write groups and contacts as GraphML, for graph tools: names, symmetries and solidities, no geometry");
   add("dot", po::value(&files.dot)->value_name("FILE"), "the same for Graphviz");
+  add("parts-json", po::value(&files.parts)->value_name("FILE"),
+      "write which loose piece of the model is in which part, a list to edit and to give to --parts-from");
+  add("parts-from", po::value(&common.parts_from)->value_name("FILE"),
+      "take the parts of the model from such a list; match and blend have --source-parts-from and --target-parts-from");
   return result;
 }
 
@@ -81,11 +87,11 @@ void print_graph(const std::string& path, const Structural_graph& graph)
                       IO::kind_of(p), short_number(solidity(p.volume, p.hull_volume)), touched_parts(shape, part)});
     }
   }
-  std::cout << path << ": " << shape.parts.size() << " parts, " << num_vertices(graph) << " groups, "
-            << shape.contacts.size() << " contacts\n\n";
+  std::cout << IO::quote_terminal(path) << ": " << shape.parts.size() << " parts, " << num_vertices(graph)
+            << " groups, " << shape.contacts.size() << " contacts\n\n";
   write_table(std::cout, rows);
   for (const std::string& warning : shape.warnings)
-    std::cout << "\nwarning: " << warning << '\n';
+    std::cout << "\nwarning: " << IO::quote_terminal(warning) << '\n';
 }
 
 } // namespace
@@ -102,8 +108,11 @@ void run_graph(const std::vector<std::string>& arguments)
     return;
   }
   check(common);
-  check_outputs({common.json, common.glb, common.html, files.graphml, files.dot});
+  check_outputs({common.json, common.glb, common.html, files.graphml, files.dot, files.parts},
+                {parsed.inputs[0], common.parts_from});
   const Thread_limit limit(common.threads);
+  if (!files.parts.empty() && is_graph_file(parsed.inputs[0]))
+    throw Usage_error("--parts-json is for models; a graph has no pieces");
   const Loaded_shape shape = load_shape(parsed.inputs[0], common);
   write_output(common.json, [&](std::ostream& out) { IO::write_structural_graph_json(out, shape.graph); });
   write_output(common.glb,
@@ -111,6 +120,7 @@ void run_graph(const std::vector<std::string>& arguments)
   write_output(common.html,
                [&](std::ostream& out) { IO::write_structural_graph_html(out, shape.graph, shape.model_pointer()); });
   write_output(files.graphml, [&](std::ostream& out) { IO::write_structural_graph_graphml(out, shape.graph); });
+  write_output(files.parts, [&](std::ostream& out) { IO::write_parts_json(out, shape.split); });
   write_output(files.dot, [&](std::ostream& out) { IO::write_structural_graph_dot(out, shape.graph); });
   if (common.prints_table()) print_graph(parsed.inputs[0], shape.graph);
 }

@@ -75,7 +75,9 @@ std::vector<Labelled_model> load_labelled_models(const std::string& folder, cons
   std::vector<std::string> paths;
   for (const IO::Labelled_shape& shape : shapes)
     paths.push_back((fs::path(shape.file).parent_path() / "parts").string());
-  std::vector<Loaded_shape> loaded = load_shapes(paths, options);
+  Common_options labelled = options;
+  labelled.parts = "file"; // the labelled ones
+  std::vector<Loaded_shape> loaded = load_shapes(paths, labelled);
   std::vector<Labelled_model> result;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     std::vector<Part_label> labels = labels_by_part(loaded[i].graph, shapes[i]);

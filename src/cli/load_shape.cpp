@@ -4,17 +4,16 @@
 #include "cli/load_shape.h"
 #include "base/for_each_index.h"
 #include "cli/clock.h"
+#include "cli/outputs.h"
 #include "cli/progress_bar.h"
+#include "cli/read_model.h"
 #include "io/input_file.h"
 
-#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
-#include <CGAL/Shape_correspondence/estimate_up.h>
-#include <CGAL/Shape_correspondence/segment_mesh.h>
 
 #include <exception>
 #include <filesystem>
@@ -30,8 +29,6 @@ bool has_extension(const std::string& path, const char* wanted)
   return IO::lower_extension(path) == wanted && !fs::is_directory(path);
 }
 
-bool says_up(const std::string& model_path) { return has_extension(model_path, ".dae"); }
-
 void load_graph(const std::string& path, const Common_options& common, const Structure_options& options,
                 Loaded_shape& shape)
 {
@@ -44,28 +41,6 @@ void load_graph(const std::string& path, const Common_options& common, const Str
   shape.read_seconds = now() - begin;
 }
 
-/// A model, and what had to be said while it was read.
-struct Read_model
-{
-  Segmented_shape shape;
-  std::vector<std::string> warnings;
-};
-
-Read_model read_model(const std::string& path, const Common_options& common)
-{
-  Segmented_shape model = IO::read_segmented_shape(path, common.up_vector());
-  if (common.finds_up() && !says_up(path)) model.set_up(estimate_up(model));
-  if (!common.segment) return {std::move(model), {}};
-  if (model.parts().size() > 1)
-    throw Invalid_input("it has " + std::to_string(model.parts().size()) + " parts already; leave --segment out");
-  Mesh_segmentation segmentation = segment_mesh(model.parts()[0].mesh, {}, model.name(), model.up());
-  Read_model result{std::move(segmentation.shape), {}};
-  if (segmentation.pieces_left_out > 0)
-    result.warnings.push_back("Pieces of the mesh that the segmentation left out, since they have no area: " +
-                              std::to_string(segmentation.pieces_left_out) + ".");
-  return result;
-}
-
 void build_graph(const Common_options& common, const Structure_options& options, Loaded_shape& shape)
 {
   Structure_times times;
@@ -74,19 +49,46 @@ void build_graph(const Common_options& common, const Structure_options& options,
                     : build_structural_graph<CGAL::Parallel_if_available_tag>(*shape.model, options, &times);
   shape.abstraction_seconds = times.abstraction;
   shape.structure_seconds = times.structure;
-  if (!common.segment) return;
-  Shape_structure& structure = Shape_correspondence::structure(shape.graph);
-  structure.automatic_parts = true;
-  structure.warnings.insert(structure.warnings.begin(), "The parts come from an automatic segmentation.");
 }
 
-void add_warning_of_up(Loaded_shape& shape)
+/// \throw Invalid_input if the model cannot have parts
+void check_has_parts(const Part_split& split, const Common_options& common)
 {
-  const Point up = shape.model->up();
-  const char axis = up.x() > 0.5 ? 'x' : up.y() > 0.5 ? 'y' : 'z';
-  structure(shape.graph)
-      .warnings.push_back(std::string("The upright axis was taken to be ") + axis +
-                          ", along which the model stands best; if that is wrong, say it with --up.");
+  if (split.shape.parts().size() > 1) return;
+  std::string why =
+      "of one piece, which thickness does not divide either; cut it into objects in a program for modelling";
+  if (split.pieces.size() > 1)
+    why = "of " + std::to_string(split.pieces.size()) + " pieces; " +
+          (common.parts_from.empty() ? "say --parts components" : "name several parts in " + common.parts_from);
+  else if (!split.by_segments && common.parts != "components")
+    why = "of one piece; say --parts segments";
+  throw Invalid_input("it has only one part, " + why + ": correspondences are between shapes of two parts or more");
+}
+
+std::optional<Structural_graph> cached_graph(const std::string& content, const Common_options& common)
+{
+  if (common.cache.empty()) return std::nullopt;
+  try {
+    const IO::Structural_graph_cache cache(common.cache);
+    std::optional<Structural_graph> graph = cache.find(content);
+    if (!graph && cache.is_damaged(content))
+      warn(common, common.cache + ": a graph in it is damaged; it is made again");
+    return graph;
+  } catch (const Invalid_input& error) {
+    warn(common, error.what());
+    return std::nullopt;
+  }
+}
+
+/// What cannot be kept is not the worse for that.
+void cache_graph(const Structural_graph& graph, const Common_options& common)
+{
+  if (common.cache.empty()) return;
+  try {
+    IO::Structural_graph_cache(common.cache).insert(graph);
+  } catch (const Invalid_input& error) {
+    warn(common, std::string(error.what()) + "; the graph is not kept");
+  }
 }
 
 void load_model(const std::string& path, const Common_options& common, const Structure_options& options,
@@ -94,25 +96,23 @@ void load_model(const std::string& path, const Common_options& common, const Str
 {
   const double begin = now();
   Read_model model = read_model(path, common);
-  shape.model = std::move(model.shape);
+  check_has_parts(model.split, common);
+  shape.split = std::move(model.split);
+  shape.model = shape.split.shape;
   const std::string content = IO::content_hash(*shape.model, options);
-  std::optional<IO::Structural_graph_cache> cache;
-  std::optional<Structural_graph> known;
-  if (!common.cache.empty()) {
-    cache.emplace(common.cache);
-    known = cache->find(content);
-  }
+  std::optional<Structural_graph> known = cached_graph(content, common);
   shape.read_seconds = now() - begin;
   if (known) {
     shape.graph = std::move(*known);
   } else {
     build_graph(common, options, shape);
     structure(shape.graph).content = content;
-    if (cache) cache->insert(shape.graph);
+    cache_graph(shape.graph, common);
   }
+  // Not in the cache, where another way to the same parts may have put the graph
+  structure(shape.graph).automatic_parts = shape.split.by_segments;
   std::vector<std::string>& warnings = structure(shape.graph).warnings;
-  warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
-  if (common.finds_up() && !says_up(path)) add_warning_of_up(shape);
+  warnings.insert(warnings.begin(), model.warnings.begin(), model.warnings.end());
 }
 
 } // namespace
@@ -148,7 +148,7 @@ std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, con
   std::vector<std::exception_ptr> failures(paths.size());
   internal::for_each_index<CGAL::Parallel_if_available_tag>(paths.size(), [&](std::size_t i) {
     try {
-      shapes[i] = load_shape(paths[i], options);
+      shapes[i] = load_shape(paths[i], options.of_input(i));
     } catch (...) {
       failures[i] = std::current_exception();
     }

@@ -5,8 +5,8 @@
 
 #include "cli/Common_options.h"
 
-#include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
+#include <CGAL/Shape_correspondence/split_parts.h>
 
 #include <optional>
 #include <string>
@@ -19,6 +19,7 @@ struct Loaded_shape
 {
   Structural_graph graph;
   std::optional<Segmented_shape> model;
+  Part_split split; ///< how the model got its parts; of a graph file empty
   double read_seconds = 0;
   double abstraction_seconds = 0;
   double structure_seconds = 0;
@@ -30,7 +31,7 @@ struct Loaded_shape
 /// graph. \throw Invalid_input; the message names `path`
 Loaded_shape load_shape(const std::string& path, const Common_options& options);
 
-/// The same for several inputs at once, on as many threads as there are.
+/// The same for several inputs at once, on as many threads as there are, each with its own options.
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options);
 
 /// What the graphs of inputs warn of; every line names its input.

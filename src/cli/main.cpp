@@ -3,6 +3,7 @@
 
 #include "cli/Common_options.h"
 #include "cli/commands.h"
+#include "io/quoting.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/version.h>
@@ -21,6 +22,7 @@ const char* const help_text =
 Finds which parts correspond between segmented shapes of one kind, however different their parts are.
 
 Commands:
+  parts       shows what is in model files, and what their parts would be
   graph       builds the structural graph of one shape: curves and sheets, symmetry groups, contacts
   match       finds the part correspondence of two shapes
   blend       makes the shapes in between two shapes, as files or as an animation
@@ -40,6 +42,7 @@ using Command = void (*)(const std::vector<std::string>&);
 
 Command command_of(const std::string& name)
 {
+  if (name == "parts") return run_parts;
   if (name == "graph") return run_graph;
   if (name == "match") return run_match;
   if (name == "blend") return run_blend;
@@ -51,7 +54,7 @@ Command command_of(const std::string& name)
 
 int complain(const std::string& message, Exit_status status)
 {
-  std::cerr << "shape_correspondence: " << message << '\n';
+  std::cerr << "shape_correspondence: " << IO::quote_terminal(message, true) << '\n';
   return status;
 }
 

@@ -8,6 +8,7 @@
 #include "cli/match_options.h"
 #include "cli/match_table.h"
 #include "cli/outputs.h"
+#include "cli/read_model.h"
 #include "cli/thread_limit.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
@@ -31,8 +32,8 @@ Parts are compared by place, size and shape, and by what they are for (--roles; 
 best with people, and the result is rated by the energy of deforming the source into the target. With --paper, --search beam or --search exact, the
 correspondence of least deformation energy is searched for instead.
 
-SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA: one node is one part),
-folders of part meshes (one file is one part, its stem the part's name), or structural graphs (.json, .xml).
+SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D; an object or
+node is a part, unless it gathers loose pieces, see --parts), folders of part meshes (one file is one part, its stem the part's name), or structural graphs (.json, .xml).
 
 Examples: shape_correspondence match chair.obj swivel_chair.obj --json result.json --html result.html
           shape_correspondence match chair.obj stool.obj --search exact --allow-unmatched --solutions 3
@@ -58,7 +59,11 @@ void run_match(const std::vector<std::string>& arguments)
   Common_options common;
   Match_options match;
   po::options_description options;
-  options.add(output_options(common)).add(match_options(match)).add(model_options(common)).add(common_options(common));
+  options.add(output_options(common))
+      .add(match_options(match))
+      .add(pair_options(common))
+      .add(model_options(common))
+      .add(common_options(common));
   const Arguments parsed = parse(arguments, options, 2, 2);
   if (parsed.help) {
     std::cout << help_text << options;
@@ -66,9 +71,10 @@ void run_match(const std::vector<std::string>& arguments)
   }
   Search_options search_with = search_options(match, parsed.values);
   check(common);
-  check_outputs({common.json, common.glb, common.html});
+  check_outputs({common.json, common.glb, common.html}, parsed.inputs);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
+  const std::vector<std::string> warnings_of_up = find_up_of_pair(paths, common);
   const std::vector<Loaded_shape> shapes = load_shapes(paths, common);
   const Loaded_shape &source = shapes[0], &target = shapes[1];
   search_with.source_parts = chosen_parts(match.source_parts, source.graph, paths[0]);
@@ -83,7 +89,8 @@ void run_match(const std::vector<std::string>& arguments)
   const IO::Match_seconds seconds{
       source.read_seconds + target.read_seconds, source.abstraction_seconds + target.abstraction_seconds,
       source.structure_seconds + target.structure_seconds + begin - begin_roles, now() - begin};
-  const std::vector<std::string> warnings = warnings_of(paths, shapes);
+  std::vector<std::string> warnings = warnings_of(paths, shapes);
+  warnings.insert(warnings.begin(), warnings_of_up.begin(), warnings_of_up.end());
   ranked[0].warnings.insert(ranked[0].warnings.begin(), warnings.begin(), warnings.end());
   write_output(common.json, [&](std::ostream& out) {
     IO::write_correspondences_json(out, ranked, source.graph, target.graph, paths[0], paths[1], seconds);

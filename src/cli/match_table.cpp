@@ -3,6 +3,7 @@
 
 #include "cli/match_table.h"
 #include "cli/text_table.h"
+#include "io/quoting.h"
 
 #include <algorithm>
 #include <ostream>
@@ -22,7 +23,7 @@ std::string names(const std::vector<std::size_t>& parts, const Structural_graph&
   std::vector<std::string> result;
   for (std::size_t part : parts)
     result.push_back(structure(graph).parts[part].name);
-  return listed(result);
+  return IO::quote_terminal(listed(result));
 }
 
 /// The pairs of one group of the deformed shape; operation and energy stand in the first line.
@@ -62,7 +63,7 @@ void write_match_table(std::ostream& out, const Correspondence& c, const Structu
                                                      : "target deformed into the source")
       << (c.complete ? "" : ", incomplete") << (c.optimal ? ", proven minimal" : "") << '\n';
   for (const std::string& warning : c.warnings)
-    out << "warning: " << warning << '\n';
+    out << "warning: " << IO::quote_terminal(warning) << '\n';
 }
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -2,21 +2,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/outputs.h"
-#include "cli/Common_options.h"
 #include "io/atomic_file.h"
+#include "io/quoting.h"
 
-#include <set>
+#include <filesystem>
+#include <iostream>
 
 namespace CGAL::Shape_correspondence::cli {
+namespace {
 
-void check_outputs(const std::vector<std::string>& files)
+namespace fs = std::filesystem;
+
+/// Whether two paths lead to the same file, or would if it were there.
+bool are_same_file(const std::string& a, const std::string& b)
 {
-  std::set<std::string> outputs;
+  std::error_code error;
+  if (fs::exists(a, error) && fs::exists(b, error)) return fs::equivalent(a, b, error);
+  const auto place = [&](const std::string& path) { return fs::weakly_canonical(fs::absolute(path, error), error); };
+  return a == b || place(a) == place(b);
+}
+
+} // namespace
+
+void check_outputs(const std::vector<std::string>& files, const std::vector<std::string>& inputs)
+{
+  std::vector<std::string> outputs;
   for (const std::string& file : files) {
     if (file.empty()) continue;
-    if (!outputs.insert(file).second) throw Usage_error("two outputs are the same file, " + file);
+    for (const std::string& other : outputs)
+      if (are_same_file(file, other)) throw Usage_error("two outputs are the same file, " + file);
+    for (const std::string& input : inputs)
+      if (file != "-" && !input.empty() && are_same_file(file, input)) throw Usage_error("the output " + file + " is an input, too");
+    outputs.push_back(file);
     IO::check_writable(file);
   }
+}
+
+void warn(const Common_options& options, const std::string& message)
+{
+  if (!options.quiet) std::cerr << "shape_correspondence: warning: " + IO::quote_terminal(message) + '\n';
 }
 
 void write_output(const std::string& file, const std::function<void(std::ostream&)>& write)

@@ -3,6 +3,7 @@
 
 #include "cli/progress_bar.h"
 #include "cli/clock.h"
+#include "io/quoting.h"
 
 #include <cmath>
 #include <iostream>
@@ -33,7 +34,7 @@ bool is_enabled(const Common_options& options)
 } // namespace
 
 Progress_bar::Progress_bar(const Common_options& options, std::string label, std::string unit)
-    : enabled_(is_enabled(options)), label_(std::move(label)), unit_(std::move(unit)), begin_(now())
+    : enabled_(is_enabled(options)), label_(IO::quote_terminal(label)), unit_(std::move(unit)), begin_(now())
 {}
 
 Progress_bar::~Progress_bar()

@@ -9,6 +9,7 @@
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/Json.h"
+#include "io/quoting.h"
 #include "matching/cross_validate_roles.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
@@ -254,7 +255,7 @@ IO::Json json_of(const Training_set& set, const Role_validation& validation, con
 
 void evaluate(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
 {
-  check_outputs({common.json});
+  check_outputs({common.json}, {});
   const Training_set set(folders, roles, common);
   if (set.pairs.empty()) throw Invalid_input(folders[0] + ": it takes two shapes of a category to match any");
   const Role_validation validation(set.shapes, set.pairs, left_out(roles.leave_out), roles.training);
@@ -305,7 +306,7 @@ IO::Json manifest(const Training_set& set, const Role_validation& validation, co
 void train(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
 {
   if (roles.output.empty()) throw Usage_error("'roles train' needs --output MODEL");
-  check_outputs({roles.output, roles.manifest});
+  check_outputs({roles.output, roles.manifest}, {});
   const Training_set set(folders, roles, common);
   const Role_validation validation(set.shapes, set.pairs, Left_out::SHAPES, roles.training);
   const Role_model model = validation.model();
@@ -323,7 +324,7 @@ std::string percentage(double probability)
 
 void predict(const std::string& path, const Roles_options& roles, const Common_options& common)
 {
-  check_outputs({common.json});
+  check_outputs({common.json}, {path, roles.model});
   const Loaded_shape shape = load_shape(path, common);
   const auto model = roles.model.empty() ? IO::shipped_role_model()
                                          : std::make_shared<const Role_model>(IO::read_role_model(roles.model));
@@ -348,7 +349,7 @@ void predict(const std::string& path, const Roles_options& roles, const Common_o
   }
   write_output(common.json, [&](std::ostream& out) { document.write(out); });
   if (!common.prints_table()) return;
-  std::cout << path << ": " << found.category << "\n\n";
+  std::cout << IO::quote_terminal(path + ": " + found.category) << "\n\n";
   write_table(std::cout, rows);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/text_table.h"
+#include "io/quoting.h"
 
 #include <boost/algorithm/string/join.hpp>
 
@@ -20,8 +21,11 @@ std::size_t width(const std::string& text)
 
 } // namespace
 
-void write_table(std::ostream& out, const std::vector<std::vector<std::string>>& rows)
+void write_table(std::ostream& out, std::vector<std::vector<std::string>> rows)
 {
+  for (std::vector<std::string>& row : rows)
+    for (std::string& field : row)
+      field = IO::quote_terminal(field);
   std::vector<std::size_t> widths;
   for (const std::vector<std::string>& row : rows) {
     widths.resize(std::max(widths.size(), row.size()), 0);

@@ -10,7 +10,7 @@
 namespace CGAL::Shape_correspondence::cli {
 
 /// Writes rows with their columns aligned; the first row is a heading.
-void write_table(std::ostream& out, const std::vector<std::vector<std::string>>& rows);
+void write_table(std::ostream& out, std::vector<std::vector<std::string>> rows);
 
 /// A number with four significant digits.
 std::string short_number(double number);

@@ -7,7 +7,6 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -19,7 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* extension = ".tile";
-constexpr std::chrono::hours age_of_leftovers{1};
 
 using Small = std::uint16_t; // numbers of parts, and confidences
 constexpr double largest = 65535;
@@ -99,24 +97,13 @@ std::optional<std::vector<Rated_map>> decoded(const std::string& bytes)
 
 std::string title(const std::string& name) { return "shape_correspondence tile " + name; }
 
-/// Files that killed processes did not finish.
-void remove_leftovers(const std::string& folder)
-{
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().filename().string().find(std::string(extension) + ".tmp") == std::string::npos) continue;
-    const auto age = fs::file_time_type::clock::now() - entry.last_write_time(error);
-    if (!error && age > age_of_leftovers) fs::remove(entry.path(), error);
-  }
-}
-
 } // namespace
 
 Tile_store::Tile_store(std::string folder) : folder_(std::move(folder))
 {
   if (folder_.empty()) return;
   IO::make_folder(folder_, "a store");
-  remove_leftovers(folder_);
+  IO::remove_leftovers(folder_);
 }
 
 std::string Tile_store::path(const std::string& name) const

@@ -2,24 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/Json.h"
+#include "io/quoting.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-std::string notation(const nlohmann::json& value)
-{
-  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 std::string quoted(const std::string& text)
 {
   const auto is_plain = [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; };
-  return std::all_of(text.begin(), text.end(), is_plain) ? '"' + text + '"' : notation(text);
+  return std::all_of(text.begin(), text.end(), is_plain) ? '"' + text + '"' : nlohmann::json(utf8_text(text)).dump();
 }
 
 } // namespace
@@ -49,7 +48,12 @@ Json Json::object()
   return result;
 }
 
-std::string Json::text_of_real(double number) { return notation(number); }
+std::string Json::text_of_real(double number)
+{
+  if (!std::isfinite(number))
+    throw Invalid_input("a number of the result is not finite: the input is too degenerate to be computed with");
+  return nlohmann::json(number).dump();
+}
 
 std::size_t Json::index_of(const std::string& key) const
 {

@@ -20,10 +20,11 @@ class Json
 {
 public:
   Json() = default; ///< null
+  /// \throw Invalid_input if the number is not finite, since then the input has been too much for the computation
   template <typename Number, typename = std::enable_if_t<std::is_arithmetic<Number>::value>>
   Json(Number number) : type_(Type::SCALAR), text_(text_of(number))
   {}
-  Json(std::string text) : type_(Type::TEXT), text_(std::move(text)) {}
+  Json(std::string text) : type_(Type::TEXT), text_(std::move(text)) {} ///< in UTF-8, or else in Latin-1
   Json(const char* text) : Json(std::string(text)) {}
   template <typename Value>
   Json(const std::vector<Value>& values) : type_(Type::ARRAY), elements_(values.begin(), values.end())
@@ -43,8 +44,7 @@ public:
   void push_back(Json element); ///< into an array, or null, which becomes one
   void erase(const std::string& key);
 
-  /// The text on one line. Numbers are the shortest that read back to the same double; bytes that are no UTF-8 are
-  /// replaced.
+  /// The text on one line. Numbers are the shortest that read back to the same double.
   std::string line() const;
   /// Writes an object for people and for line-wise comparison: a line a key, and a line an element of an array of
   /// objects.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/Json_field.h"
+#include "base/limits.h"
+#include "io/document.h"
 #include "io/input_file.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -9,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace CGAL::Shape_correspondence::IO {
 
@@ -34,6 +37,12 @@ Json_field Json_field::operator[](const std::string& key) const
   return at((*value_)[key], place_.empty() ? key : place_ + "." + key);
 }
 
+std::size_t Json_field::size() const
+{
+  if (!value_->is_array()) fail("is not an array [...]");
+  return value_->size();
+}
+
 std::vector<Json_field> Json_field::elements() const
 {
   if (!value_->is_array()) fail("is not an array [...]");
@@ -56,7 +65,7 @@ double Json_field::number() const
 {
   if (!value_->is_number()) fail("is not a number");
   const double result = value_->get<double>();
-  if (!std::isfinite(result)) fail("is not a finite number");
+  if (!(std::abs(result) <= internal::largest_number)) fail("is beyond 1e50");
   return result;
 }
 
@@ -70,6 +79,8 @@ double Json_field::number_at_least_0() const
 int Json_field::integer() const
 {
   if (!value_->is_number_integer()) fail("is not a whole number");
+  constexpr int largest = std::numeric_limits<int>::max();
+  if (std::abs(value_->get<double>()) > largest) fail("is beyond " + std::to_string(largest));
   return value_->get<int>();
 }
 
@@ -98,7 +109,9 @@ std::vector<std::string> Json_field::texts() const
 Point Json_field::point() const
 {
   const std::vector<Json_field> coordinates = elements(3, "a point [x, y, z]");
-  return Point(coordinates[0].number(), coordinates[1].number(), coordinates[2].number());
+  const Point result(coordinates[0].number(), coordinates[1].number(), coordinates[2].number());
+  if (result.cwiseAbs().maxCoeff() > internal::largest_coordinate) fail("has a coordinate beyond 1e15");
+  return result;
 }
 
 Point Json_field::unit_vector() const
@@ -110,8 +123,10 @@ Point Json_field::unit_vector() const
 
 Json_field read_json(std::istream& in, const std::string& file)
 {
+  const std::string text = read_document(in, file);
+  check_json_depth(text, file);
   try {
-    return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(in)), file, ""};
+    return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(text)), file, ""};
   } catch (const nlohmann::json::exception& error) {
     throw Invalid_input(file + ": it is not a JSON document (" + error.what() + ")");
   }

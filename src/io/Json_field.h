@@ -27,17 +27,18 @@ public:
   bool has(const std::string& key, const std::string& text) const;
   Json_field operator[](const std::string& key) const; ///< fails where the key is missing
 
+  std::size_t size() const;                 ///< of an array
   std::vector<Json_field> elements() const; ///< of an array
   std::vector<Json_field> elements(std::size_t size, const char* meaning) const;
 
-  double number() const;
+  double number() const; ///< fails beyond `largest_number`
   double number_at_least_0() const;
   int integer() const;
   bool boolean() const;
   bool is_null() const;
   std::string text() const;
   std::vector<std::string> texts() const; ///< of an array
-  Point point() const;
+  Point point() const; ///< fails beyond `largest_coordinate`
   Point unit_vector() const;
 
 private:
@@ -56,7 +57,7 @@ private:
   std::string place_;
 };
 
-/// The JSON document in a stream. \throw Invalid_input if it is none; names `file`
+/// The JSON document in a stream. \throw Invalid_input if it is none, or too long or deep; names `file`
 Json_field read_json(std::istream& in, const std::string& file);
 
 /// The JSON document in a file. \throw Invalid_input if it cannot be read or is none

@@ -6,7 +6,10 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <atomic>
+#include <cctype>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
@@ -39,6 +42,54 @@ bool is_device(const fs::path& file)
   return fs::exists(file, error) && !fs::is_regular_file(file, error) && !fs::is_directory(file, error);
 }
 
+std::string parent_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path().string() : "."; }
+
+/// What the names of temporary files go on with, after that of the file they are for; then follow the process and a count.
+const std::string& temporary_mark()
+{
+  static const std::string mark = [] {
+    char name[65] = {};
+    gethostname(name, sizeof name - 1);
+    std::string result = ".tmp-";
+    for (const char* c = name; *c; ++c)
+      if (std::isalnum(static_cast<unsigned char>(*c))) result += *c;
+    return result + '-';
+  }();
+  return mark;
+}
+
+/// Another name beside `place` each time; other processes may have made something of that name.
+std::string temporary_name(const fs::path& place)
+{
+  static std::atomic<unsigned> count{0};
+  return place.string() + temporary_mark() + std::to_string(getpid()) + '_' + std::to_string(count++);
+}
+
+/// The process of this machine that made a temporary file; 0 for other names.
+pid_t maker_of(const std::string& name)
+{
+  const std::string& mark = temporary_mark();
+  const std::size_t at = name.rfind(mark);
+  if (at == std::string::npos) return 0;
+  pid_t process = 0;
+  unsigned count = 0;
+  const char *const begin = name.data() + at + mark.size(), *const end = name.data() + name.size();
+  const auto [line, error] = std::from_chars(begin, end, process);
+  if (error != std::errc() || line == end || *line != '_') return 0;
+  const auto [last, count_error] = std::from_chars(line + 1, end, count);
+  return count_error == std::errc() && last == end ? process : 0;
+}
+
+/// Puts what is written on the disk, before it takes the place of what was there.
+void synchronize(const std::string& name, const std::string& path)
+{
+  const int descriptor = open(name.c_str(), O_RDONLY);
+  const bool failed = descriptor >= 0 && fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP;
+  const int reason = errno;
+  if (descriptor >= 0) close(descriptor);
+  if (failed) fail(path, std::strerror(reason));
+}
+
 /// What is made under a temporary name, for `path`; removed again unless it is renamed.
 class Temporary
 {
@@ -57,22 +108,19 @@ public:
   void rename_to(const fs::path& place)
   {
     std::error_code error;
+    const fs::file_status old = fs::status(place, error);
+    if (fs::is_regular_file(old)) fs::permissions(name_, old.permissions(), error);
+    synchronize(name_, path_);
     fs::rename(name_, place, error); // takes the place of a file, or of an empty folder
     if (error) fail(path_, error.message());
     renamed_ = true;
+    synchronize(parent_of(place), path_);
   }
 
 private:
   std::string path_, name_;
   bool renamed_ = false;
 };
-
-/// Another name beside `place` each time; other processes may have made something of that name.
-std::string temporary_name(const fs::path& place)
-{
-  static std::atomic<unsigned> count{0};
-  return place.string() + ".tmp" + std::to_string(getpid()) + '_' + std::to_string(count++);
-}
 
 /// Makes a file of a new name beside `file`. \return its name
 std::string make_file_beside(const fs::path& file, const std::string& path)
@@ -128,7 +176,9 @@ void check_writable(const std::string& path)
   if (path == "-") return;
   const fs::path file = resolved(path);
   check_existing(path, file);
-  if (!is_device(file)) Temporary(path, make_file_beside(file, path)); // gone again at once
+  if (is_device(file)) return;
+  remove_leftovers(parent_of(file), file.filename().string());
+  Temporary(path, make_file_beside(file, path)); // gone again at once
 }
 
 void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write)
@@ -153,6 +203,7 @@ void check_new_folder(const std::string& path)
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail(path, "it is a file");
   if (fs::exists(folder, error) && !fs::is_empty(folder, error)) fail(path, "the folder is there and not empty");
+  remove_leftovers(parent_of(folder), folder.filename().string());
   Temporary(path, make_folder_beside(folder, path)); // gone again at once
 }
 
@@ -162,6 +213,16 @@ void write_folder_atomically(const std::string& path, const std::function<void(c
   Temporary temporary(path, make_folder_beside(folder, path));
   write(temporary.name());
   temporary.rename_to(folder);
+}
+
+void remove_leftovers(const std::string& folder, const std::string& beginning)
+{
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    const pid_t maker = name.compare(0, beginning.size(), beginning) == 0 ? maker_of(name) : 0;
+    if (maker > 0 && kill(maker, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), error);
+  }
 }
 
 void make_folder(const std::string& path, const std::string& use)

@@ -13,8 +13,9 @@ namespace CGAL::Shape_correspondence::IO {
 /// `-` is standard output.
 void check_writable(const std::string& path);
 
-/// Calls `write` and puts what it writes into the file `path`, all of it or nothing: under a temporary name in the same
-/// folder first, which is then renamed. Devices and pipes are written directly; `-` is standard output.
+/// Calls `write` and puts what it writes into the file `path`, all of it or nothing, also when the machine stops: under a
+/// temporary name in the same folder first, which is then renamed. What is overwritten keeps its mode, and a symbolic link
+/// leads on to it. Devices and pipes are written directly; `-` is standard output.
 /// \throw Invalid_input if that fails; names the file
 void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write);
 
@@ -25,6 +26,10 @@ void check_new_folder(const std::string& path);
 /// Calls `write` with a folder of a temporary name beside `path`, which is then renamed to `path`: all of it or
 /// nothing. \throw Invalid_input if that fails; names the folder
 void write_folder_atomically(const std::string& path, const std::function<void(const std::string&)>& write);
+
+/// Removes temporary files and folders that processes of this machine left in a folder when they were killed.
+/// \param beginning of their names: of the file or folder that they were for
+void remove_leftovers(const std::string& folder, const std::string& beginning = "");
 
 /// Makes a folder if there is none. \param use what it is to be, "a store", for the user
 /// \throw Invalid_input if that fails; names the folder

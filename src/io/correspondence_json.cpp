@@ -57,8 +57,11 @@ Json groups(const Correspondence& correspondence, const Structural_graph& source
                       {"energy", group.energy},
                       {"terms", {{"distortion", group.distortion}, {"connectedness", group.connectedness}}},
                       {"solidity_ratio", group.solidity_ratio}});
-    // Not a number: not asked for; infinity, which JSON does not have, becomes null
-    if (!std::isnan(group.min_marginal)) result.back()["min_marginal"] = group.min_marginal;
+    // Not a number: not asked for; infinity, which JSON does not have: there is no other match
+    if (std::isinf(group.min_marginal))
+      result.back()["min_marginal"] = "infinite";
+    else if (!std::isnan(group.min_marginal))
+      result.back()["min_marginal"] = group.min_marginal;
   }
   return result;
 }

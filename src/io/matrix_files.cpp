@@ -1,6 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/quoting.h"
+
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>
 
 #include <charconv>
@@ -12,15 +14,6 @@ namespace {
 constexpr std::size_t npy_alignment = 64;
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "files of doubles are written as they are in memory");
-
-std::string quoted(const std::string& field)
-{
-  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
-  std::string result = "\"";
-  for (char c : field)
-    result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + '"';
-}
 
 std::string shortest(double number)
 {
@@ -48,10 +41,10 @@ void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix)
 void write_csv(std::ostream& out, const Eigen::MatrixXd& matrix, const std::vector<std::string>& names)
 {
   for (const std::string& name : names)
-    out << ',' << quoted(name);
+    out << ',' << quote_csv(name);
   out << "\r\n";
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    out << quoted(names[std::size_t(i)]);
+    out << quote_csv(names[std::size_t(i)]);
     for (Eigen::Index j = 0; j < matrix.cols(); ++j)
       out << ',' << shortest(matrix(i, j));
     out << "\r\n";

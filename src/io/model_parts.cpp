@@ -14,6 +14,10 @@ namespace {
 // Corners that bend back by less than this, over the polygon's area, count as straight.
 constexpr double straight = 1e-12;
 
+// Corners of a concave polygon up to which its triangles are found, in time cubic in them at worst; those of a greater
+// one are a fan.
+constexpr std::size_t most_corners = 1000;
+
 /// Twice the area vector of a polygon (Newell).
 Point area_vector(const std::vector<Point>& polygon)
 {
@@ -91,7 +95,8 @@ void add_polygon(const std::vector<Point>& polygon, std::vector<Point>& corners)
 {
   const Point area = area_vector(polygon);
   const Point normal = area.normalized();
-  if (polygon.size() < 4 || is_convex(polygon, normal, straight * area.norm())) {
+  if (polygon.size() < 4 || polygon.size() > most_corners ||
+      is_convex(polygon, normal, straight * area.norm())) {
     add_fan(polygon, corners);
     return;
   }

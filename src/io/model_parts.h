@@ -6,6 +6,7 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -17,10 +18,23 @@ struct Model_part
   std::vector<Point> corners;
 };
 
-/// The readers of the formats, one file each. They throw `Invalid_input`, and name the file. Part names may be empty.
-std::vector<Model_part> read_obj_parts(const std::string& file);
-std::vector<Model_part> read_soup_part(const std::string& file); ///< OFF and PLY, in double precision
-std::vector<Model_part> read_parts_with_assimp(const std::string& file);
+/// What a model file holds.
+struct Model_content
+{
+  std::vector<Model_part> parts;
+  std::size_t faces_left_out = 0; ///< those of fewer than three corners
+};
+
+/// The readers of the formats. They throw `Invalid_input`, and name the file. Names may be empty, equal, and of any
+/// bytes.
+/// \param text all of the file \param file its name, for messages
+Model_content read_obj_parts(std::string_view text, const std::string& file);
+Model_content read_off_part(std::string_view text, const std::string& file);
+Model_content read_ply_part(std::string_view text, const std::string& file);
+Model_content read_stl_parts(std::string_view text, const std::string& file);
+
+/// The same for the formats that assimp knows, in a process of its own: a file that breaks it is an error.
+Model_content read_parts_with_assimp(const std::string& file);
 
 /// Whether there is a reader for files of a name like this, by its extension.
 bool is_model_file(const std::string& path);

@@ -1,95 +1,138 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/limits.h"
 #include "io/input_file.h"
 #include "io/model_parts.h"
+#include "io/quoting.h"
+#include "shape/has_area.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 namespace fs = std::filesystem;
 
-const char* const known_formats = "OBJ, PLY, STL, OFF, glTF, GLB, COLLADA (dae)";
+const char* const known_formats = "OBJ, PLY, STL, OFF, glTF, GLB, COLLADA (dae), FBX, 3DS, DXF, AC3D (ac)";
 
-using Reader = std::vector<Model_part> (*)(const std::string&);
+using Text_reader = Model_content (*)(std::string_view, const std::string&);
 
-/// The reader of a file's format; null if it is no format of models.
-Reader reader_of(const fs::path& file)
+Text_reader text_reader_of(const std::string& extension)
 {
-  const std::string extension = lower_extension(file.string());
   if (extension == ".obj") return read_obj_parts;
-  if (extension == ".off" || extension == ".ply") return read_soup_part;
-  for (const char* known : {".stl", ".gltf", ".glb", ".dae"}) {
-    if (extension == known) return read_parts_with_assimp;
-  }
+  if (extension == ".off") return read_off_part;
+  if (extension == ".ply") return read_ply_part;
+  if (extension == ".stl") return read_stl_parts;
   return nullptr;
 }
 
-void check_readable(const fs::path& file)
+bool is_read_by_assimp(const std::string& extension)
 {
-  open_input(file.string());
+  const auto formats = {".gltf", ".glb", ".dae", ".fbx", ".3ds", ".dxf", ".ac"};
+  return std::find(formats.begin(), formats.end(), extension) != formats.end();
+}
+
+/// All of a file. \throw Invalid_input if it is empty, or no file
+std::string content_of(const std::string& file)
+{
+  std::ifstream in = open_input(file);
   std::error_code error;
-  if (fs::file_size(file, error) == 0 && !error) throw Invalid_input(file.string() + ": the file is empty");
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (error) throw Invalid_input(file + ": it is no file (" + error.message() + ")");
+  if (size == 0) throw Invalid_input(file + ": the file is empty");
+  std::string text(size, '\0');
+  in.read(text.data(), std::streamsize(size));
+  text.resize(std::size_t(in.gcount()));
+  return text;
 }
 
-std::vector<Model_part> read_parts(const fs::path& file)
+Model_content read_parts(const std::string& file)
 {
-  const Reader reader = reader_of(file);
-  if (!reader)
-    throw Invalid_input(file.string() + ": models are read from files of type " + known_formats + ", not '" +
-                        file.extension().string() + "'");
-  check_readable(file);
-  return reader(file.string());
+  const std::string extension = lower_extension(file);
+  const Text_reader reader = text_reader_of(extension);
+  if (!reader && !is_read_by_assimp(extension))
+    throw Invalid_input(file + ": models are read from files of type " + known_formats + ", not '" + extension + "'");
+  const std::string text = content_of(file);
+  Model_content content = reader ? reader(text, file) : read_parts_with_assimp(file);
+  for (Model_part& part : content.parts)
+    part.name = utf8_text(part.name);
+  return content;
 }
 
-void add_part(const std::string& file, const Model_part& part, Segmented_shape& shape)
+/// Gives parts that have none a name, and later ones of a name a number: leg, leg#2.
+/// \param shape the name of the shape, which a part that is all of it gets
+void complete_names(const std::string& shape, std::vector<Model_part>& parts)
+{
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].name.empty()) parts[i].name = parts.size() == 1 ? shape : "part_" + std::to_string(i + 1);
+    taken.insert(parts[i].name);
+  }
+  std::map<std::string, int> uses;
+  for (Model_part& part : parts) {
+    const std::string name = part.name;
+    int& number = uses[name];
+    if (++number == 1) continue;
+    while (!taken.insert(name + '#' + std::to_string(number)).second)
+      ++number;
+    part.name = name + '#' + std::to_string(number);
+  }
+}
+
+/// Adds a part to a shape. \return whether it has a surface; else it is left out
+bool add_part(const std::string& file, const Model_part& part, Segmented_shape& shape)
 {
   for (const Point& corner : part.corners) {
-    if (!corner.allFinite())
-      throw Invalid_input(file + ": part '" + part.name + "' has a coordinate that is not a finite number; repair it");
+    if (!(corner.cwiseAbs().maxCoeff() <= internal::largest_coordinate))
+      throw Invalid_input(file + ": part '" + part.name +
+                          "' has a coordinate that is not a finite number, or beyond 1e15; repair it");
   }
-  try {
-    shape.add_part(part.name, weld(part.corners));
-  } catch (const Invalid_input& error) {
-    throw Invalid_input(file + ": " + error.what());
-  }
+  Part_mesh mesh = weld(part.corners);
+  if (mesh.triangles.cols() == 0 || !internal::has_area(mesh)) return false;
+  shape.add_part(part.name, std::move(mesh));
+  return true;
 }
 
-void check_names(const std::string& file, const std::vector<Model_part>& parts)
+void check_number_of_parts(const std::string& path, std::size_t parts)
 {
-  std::vector<std::string> names;
-  for (const Model_part& part : parts)
-    names.push_back(part.name);
-  std::sort(names.begin(), names.end());
-  const auto twice = std::adjacent_find(names.begin(), names.end());
-  if (twice != names.end())
-    throw Invalid_input(file + ": two parts are named '" + *twice + "'; give every part a name of its own");
+  if (parts > internal::most_parts)
+    throw Invalid_input(path + ": it has " + std::to_string(parts) + " parts; a shape may have at most " +
+                        std::to_string(internal::most_parts));
 }
 
-Segmented_shape shape_of_parts(const std::string& file, const std::string& name, const std::vector<Model_part>& parts,
-                               const Point& up)
+void warn(std::size_t number, const std::string& of_what, std::vector<std::string>* warnings)
 {
-  check_names(file, parts);
+  if (warnings && number > 0) warnings->push_back(of_what + " were left out: " + std::to_string(number) + ".");
+}
+
+constexpr const char* poor_faces = "Faces of fewer than three corners";
+
+Segmented_shape read_file(const fs::path& path, const Point& up, std::vector<std::string>* warnings)
+{
+  const std::string file = path.string(), name = utf8_text(path.stem().string());
+  Model_content content = read_parts(file);
+  check_number_of_parts(file, content.parts.size());
+  complete_names(name, content.parts);
   Segmented_shape shape(name, up);
-  for (const Model_part& part : parts)
-    add_part(file, part, shape);
-  return shape;
-}
-
-Segmented_shape read_file(const fs::path& file, const Point& up)
-{
-  const std::string stem = file.stem().string();
-  std::vector<Model_part> parts = read_parts(file);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].name.empty()) parts[i].name = parts.size() == 1 ? stem : "part_" + std::to_string(i + 1);
+  std::string left_out;
+  std::size_t number_left_out = 0;
+  for (const Model_part& part : content.parts) {
+    if (add_part(file, part, shape)) continue;
+    left_out = part.name;
+    ++number_left_out;
   }
-  return shape_of_parts(file.string(), stem, parts, up);
+  if (shape.parts().empty())
+    throw Invalid_input(file + ": part '" + left_out + "': all triangles have zero area; give it a surface");
+  warn(content.faces_left_out, poor_faces, warnings);
+  warn(number_left_out, "Parts without a surface", warnings);
+  return shape;
 }
 
 std::vector<fs::path> model_files(const fs::path& folder)
@@ -99,18 +142,20 @@ std::vector<fs::path> model_files(const fs::path& folder)
   fs::directory_iterator entries(folder, error);
   if (error) throw Invalid_input(folder.string() + ": the folder cannot be read (" + error.message() + ")");
   for (const fs::directory_entry& entry : entries) {
-    if (reader_of(entry.path()) && entry.is_regular_file()) files.push_back(entry.path());
+    if (is_model_file(entry.path().string()) && entry.is_regular_file()) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;
 }
 
 /// One file, one part, whatever objects are in it.
-Model_part read_part(const fs::path& file)
+Model_part read_part(const fs::path& file, std::size_t& faces_left_out)
 {
-  Model_part part{file.stem().string(), {}};
-  for (const Model_part& piece : read_parts(file))
+  Model_part part{utf8_text(file.stem().string()), {}};
+  const Model_content content = read_parts(file.string());
+  for (const Model_part& piece : content.parts)
     part.corners.insert(part.corners.end(), piece.corners.begin(), piece.corners.end());
+  faces_left_out += content.faces_left_out;
   return part;
 }
 
@@ -120,36 +165,44 @@ std::string folder_name(const fs::path& folder)
   fs::path path = fs::absolute(folder).lexically_normal();
   if (path.filename().empty()) path = path.parent_path();
   if (path.filename() == "parts") path = path.parent_path();
-  return path.filename().string();
+  return utf8_text(path.filename().string());
 }
 
-Segmented_shape read_folder(const fs::path& path, const Point& up)
+Segmented_shape read_folder(const fs::path& path, const Point& up, std::vector<std::string>* warnings)
 {
   const fs::path folder = fs::is_directory(path / "parts") ? path / "parts" : path;
   const std::vector<fs::path> files = model_files(folder);
   if (files.empty())
     throw Invalid_input(folder.string() + ": there is no part in the folder; it needs a mesh file for every part (" +
                         known_formats + ")");
+  check_number_of_parts(folder.string(), files.size());
+  std::vector<Model_part> parts;
+  std::size_t faces_left_out = 0;
+  for (const fs::path& file : files)
+    parts.push_back(read_part(file, faces_left_out));
+  complete_names(folder_name(path), parts);
   Segmented_shape shape(folder_name(path), up);
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (i > 0 && files[i].stem() == files[i - 1].stem())
-      throw Invalid_input(files[i].string() + ": two parts are named '" + files[i].stem().string() +
-                          "'; give every part a name of its own");
-    add_part(files[i].string(), read_part(files[i]), shape);
-  }
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (!add_part(files[i].string(), parts[i], shape))
+      throw Invalid_input(files[i].string() + ": all triangles have zero area; remove the file or give it a surface");
+  warn(faces_left_out, poor_faces, warnings);
   return shape;
 }
 
 } // namespace
 
-bool is_model_file(const std::string& path) { return reader_of(path) != nullptr; }
+bool is_model_file(const std::string& path)
+{
+  const std::string extension = lower_extension(path);
+  return text_reader_of(extension) || is_read_by_assimp(extension);
+}
 
-Segmented_shape read_segmented_shape(const std::string& path, const Point& up)
+Segmented_shape read_segmented_shape(const std::string& path, const Point& up, std::vector<std::string>* warnings)
 {
   std::error_code error;
   if (!fs::exists(path, error)) throw Invalid_input(path + ": there is no such file or folder");
-  if (fs::is_directory(path, error)) return read_folder(path, up);
-  return read_file(path, up);
+  if (fs::is_directory(path, error)) return read_folder(path, up, warnings);
+  return read_file(path, up, warnings);
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/limits.h"
 #include "io/Json_field.h"
 #include "io/frame_of_abstractions.h"
 
@@ -139,6 +140,9 @@ Part_abstraction read_part(const Json_field& field)
 
 std::vector<Part_abstraction> read_parts(const Json_field& list, Part_indices& indices)
 {
+  if (list.size() > internal::most_parts)
+    list.fail("has " + std::to_string(list.size()) + " parts; a shape has at most " +
+              std::to_string(internal::most_parts));
   std::vector<Part_abstraction> parts;
   for (const Json_field& element : list.elements()) {
     Part_abstraction part = read_part(element);

@@ -1,8 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/limits.h"
 #include "io/B_spline.h"
+#include "io/document.h"
 #include "io/frame_of_abstractions.h"
+#include "io/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -11,6 +14,7 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -38,7 +42,7 @@ public:
   {
     std::vector<std::string> result;
     for (const auto& [name, child] : tree_)
-      if (name == key) result.push_back(boost::trim_copy(child.data()));
+      if (name == key) result.push_back(utf8_text(boost::trim_copy(child.data(), std::locale::classic())));
     return result;
   }
 
@@ -95,6 +99,8 @@ B_spline read_spline(const Xml_reader& node, bool is_sheet)
     const std::vector<double> p = node.numbers(points[i]);
     if (p.size() != 3) node.fail("has a <point> '" + points[i] + "' that is not three numbers");
     spline.points.col(i) << p[0], p[1], p[2];
+    if (!(spline.points.col(i).cwiseAbs().maxCoeff() <= internal::largest_coordinate))
+      node.fail("has a <point> '" + points[i] + "' with a coordinate beyond 1e15");
   }
   spline.rows = static_cast<int>(points.size());
   spline.cols = 1;
@@ -116,7 +122,9 @@ B_spline read_spline(const Xml_reader& node, bool is_sheet)
     if (weights.empty()) continue;
     if (weights.size() != points.size()) node.fail("does not have as many <weights> as points");
     spline.weights = Eigen::Map<const Eigen::VectorXd>(weights.data(), weights.size());
-    if (!(spline.weights.minCoeff() > 0)) node.fail("has <weights> that are not above 0");
+    constexpr double least = 1e-6, greatest = 1e6;
+    if (!(spline.weights.minCoeff() >= least && spline.weights.maxCoeff() <= greatest))
+      node.fail("has <weights> that are not between 1e-6 and 1e6");
   }
   return spline;
 }
@@ -160,7 +168,7 @@ std::vector<Eigen::Vector2d> read_coordinates(const Xml_reader& edge, const Tree
   std::vector<Eigen::Vector2d> result;
   for (const std::string& text : Xml_reader(coord, edge.place()).texts("uv")) {
     const std::vector<double> uv = edge.numbers(text);
-    if (uv.size() < 2) edge.fail("has a <uv> '" + text + "' of fewer than two numbers");
+    if (uv.size() < 2 || std::isnan(uv[0]) || std::isnan(uv[1])) edge.fail("has a <uv> '" + text + "' that is not two numbers");
     const auto clamp = [](double x) { return std::min(1.0, std::max(0.0, x)); };
     result.push_back(nearest_parameter(part.part, part.spline(clamp(uv[0]), clamp(uv[1]))));
   }
@@ -281,6 +289,9 @@ private:
       const Part_abstraction& part = parts_.back().part;
       if (!indices_.emplace(part.name, indices_.size()).second) node.fail("has the <id> of an earlier one");
       shape_.parts.push_back(part);
+      if (parts_.size() > internal::most_parts)
+        throw Invalid_input(file_ + ": it has more than " + std::to_string(internal::most_parts) +
+                            " <node>s, the most that a shape may have");
     });
     if (parts_.size() < 2) throw Invalid_input(file_ + ": it has fewer than two <node>s; a structure graph has more");
   }
@@ -288,12 +299,11 @@ private:
   /// Edges between the same nodes are one contact.
   void add(const Contact& contact)
   {
-    for (Contact& known : shape_.contacts) {
-      if (known.parts != contact.parts) continue;
-      known.further.push_back(contact.parameters);
-      return;
-    }
-    shape_.contacts.push_back(contact);
+    const auto [place, is_new] = contact_of_parts_.emplace(contact.parts, shape_.contacts.size());
+    if (is_new)
+      shape_.contacts.push_back(contact);
+    else
+      shape_.contacts[place->second].further.push_back(contact.parameters);
   }
 
   const Tree& document_;
@@ -301,6 +311,7 @@ private:
   Shape_structure shape_;
   std::vector<Spline_part> parts_;
   Indices indices_;
+  std::map<std::array<std::size_t, 2>, std::size_t> contact_of_parts_;
 };
 
 } // namespace
@@ -308,9 +319,11 @@ private:
 Structural_graph read_structural_graph_xml(std::istream& in, const std::string& file_name, const Point& up,
                                            const Structure_options& options)
 {
+  std::istringstream text(read_document(in, file_name));
+  check_xml_depth(text.str(), file_name);
   Tree tree;
   try {
-    boost::property_tree::read_xml(in, tree);
+    boost::property_tree::read_xml(text, tree);
   } catch (const boost::property_tree::xml_parser_error& error) {
     throw Invalid_input(file_name + ": it is not an XML document (line " + std::to_string(error.line()) + ": " +
                         error.message() + ")");

@@ -72,8 +72,9 @@ void add(const Abstraction_options& options, Bytes& bytes)
   bytes.add_all(name_of_abstractor(options), options.kind, options.part_kinds.size());
   for (const auto& [part, kind] : options.part_kinds)
     bytes.add_all(part, kind);
+  // Graphs that depend on the time limit are not kept
   bytes.add_all(options.edge_length, options.triangles, options.stop_volume, options.maximum_iterations,
-                options.time_limit, options.curve_points, options.sheet_points);
+                options.curve_points, options.sheet_points);
 }
 
 std::string title(const std::string& content) { return "shape_correspondence cache entry " + content; }
@@ -96,11 +97,17 @@ std::string content_hash(const Segmented_shape& shape, const Structure_options& 
 Structural_graph_cache::Structural_graph_cache(std::string folder) : folder_(std::move(folder))
 {
   make_folder(folder_, "a cache folder");
+  remove_leftovers(folder_);
 }
 
 std::string Structural_graph_cache::path(const std::string& content) const
 {
   return (std::filesystem::path(folder_) / (content + ".graph")).string();
+}
+
+bool Structural_graph_cache::is_damaged(const std::string& content) const
+{
+  return std::filesystem::exists(path(content)) && !find(content);
 }
 
 std::optional<Structural_graph> Structural_graph_cache::find(const std::string& content) const

@@ -5,6 +5,7 @@
 #include "io/Json.h"
 #include "io/drawn_shape.h"
 #include "io/picture_geometry.h"
+#include "io/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
@@ -59,7 +60,7 @@ void write_segmented_shape_obj(std::ostream& out, const Segmented_shape& shape)
   const auto precision = out.precision(17);
   int first = 1;
   for (const Shape_part& part : shape.parts()) {
-    out << "o " << part.name << '\n';
+    out << "o " << quote_obj(part.name) << '\n';
     for (Eigen::Index i = 0; i < part.mesh.points.cols(); ++i)
       out << "v " << part.mesh.points(0, i) << ' ' << part.mesh.points(1, i) << ' ' << part.mesh.points(2, i) << '\n';
     for (Eigen::Index t = 0; t < part.mesh.triangles.cols(); ++t)
@@ -76,7 +77,7 @@ void write_segmented_shape_ply(std::ostream& out, const Segmented_shape& shape)
   out << "ply\nformat binary_little_endian 1.0\n";
   int number = 0;
   for (const Shape_part& part : shape.parts()) {
-    out << "comment part " << number++ << ' ' << part.name << '\n';
+    out << "comment part " << number++ << ' ' << quote_ply(part.name) << '\n';
     points += part.mesh.points.cols();
     triangles += part.mesh.triangles.cols();
   }

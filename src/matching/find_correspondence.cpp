@@ -113,6 +113,31 @@ std::vector<Part_correspondence> original_pairs(const Part_matching& matching, c
   return result;
 }
 
+// The indices in one alignment of a shape of the parts of another one.
+std::vector<std::size_t> places_of_parts(const Aligned_shape& from, const Aligned_shape& to)
+{
+  std::vector<std::size_t> result;
+  for (std::size_t part : from.original)
+    result.push_back(std::size_t(std::find(to.original.begin(), to.original.end(), part) - to.original.begin()));
+  return result;
+}
+
+// A matching of one alignment of two shapes, in the indices of another one.
+Part_matching renumbered(const Part_matching& matching, const std::vector<std::size_t>& source,
+                         const std::vector<std::size_t>& target)
+{
+  Part_matching result = matching;
+  for (Part_correspondence& pair : result.pairs) {
+    pair.source = source[pair.source];
+    pair.target = target[pair.target];
+  }
+  std::sort(result.pairs.begin(), result.pairs.end(), is_before);
+  for (std::size_t i = 0; i < source.size(); ++i)
+    for (std::size_t j = 0; j < target.size(); ++j)
+      result.costs(Eigen::Index(source[i]), Eigen::Index(target[j])) = matching.costs(Eigen::Index(i), Eigen::Index(j));
+  return result;
+}
+
 // Another alignment than the one nearest to the given orientation must cost less than this share of it: a shape that is
 // alike from both sides costs about the same either way, and then the orientation of the file is the better guess. Set
 // on the development and the generated set.
@@ -239,6 +264,7 @@ private:
 
   std::vector<Correspondence> least_energy(const Prepared_shape& target) const;
   Correspondence matched_parts(const Prepared_shape& target) const;
+  Part_matching matched_in_common_frame(const Prepared_shape& target, const Aligned_shape& shape, int turn) const;
   Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const
   {
     return participating(target.alignments_->aligned(quarter_turns), options_.target_parts,
@@ -256,6 +282,19 @@ private:
   Shared_shape source_;
 };
 
+// To the side and to the front, places count differently, so that it matters by a quarter turn in whose frame shapes are
+// compared: in the frame of the one that comes first, whichever is the source.
+Part_matching Correspondence_finder::Impl::matched_in_common_frame(const Prepared_shape& target,
+                                                                   const Aligned_shape& shape, int turn) const
+{
+  if (turn % 2 == 0 || !comes_first(shape, *source_)) return match_parts(*source_, shape, options_.parts);
+  const Shared_shape own = aligned(target, 0),
+                     turned = participating(prepared_source_.alignments_->aligned(-turn), options_.source_parts,
+                                            options_.maximum_parts);
+  return renumbered(match_parts(*turned, *own, options_.parts), places_of_parts(*turned, *source_),
+                    places_of_parts(*own, shape));
+}
+
 Correspondence Correspondence_finder::Impl::matched_parts(const Prepared_shape& target) const
 {
   const std::vector<int> turns = tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments);
@@ -267,7 +306,7 @@ Correspondence Correspondence_finder::Impl::matched_parts(const Prepared_shape& 
   for (int turn : turns) {
     if (options_.progress && !options_.progress(double(done) / double(turns.size()))) break;
     const Shared_shape shape = aligned(target, turn);
-    Part_matching matching = match_parts(*source_, *shape, options_.parts);
+    Part_matching matching = matched_in_common_frame(target, *shape, turn);
     ++done;
     const double preference = turn == turns.front() ? clearly_cheaper : 1;
     const double cost = preference * double(alignment_cost(matching, *source_, *shape));

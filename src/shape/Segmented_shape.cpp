@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/limits.h"
 #include "shape/has_area.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -20,17 +21,15 @@ std::string part_message(const std::string& name, const std::string& what) { ret
 
 void check_coordinates(const std::string& name, const Points& points)
 {
-  // Past this, squares and cubes of lengths would leave the range of double.
-  const double largest = 1e90;
   for (Eigen::Index v = 0; v < points.cols(); ++v) {
     if (!points.col(v).allFinite()) {
       throw Invalid_input(part_message(name, "vertex " + std::to_string(v) +
                                                  " has a coordinate that is not a finite number; "
                                                  "repair or remove it"));
     }
-    if (points.col(v).cwiseAbs().maxCoeff() > largest) {
+    if (points.col(v).cwiseAbs().maxCoeff() > largest_coordinate) {
       throw Invalid_input(
-          part_message(name, "vertex " + std::to_string(v) + " has a coordinate beyond 1e90; scale the model down"));
+          part_message(name, "vertex " + std::to_string(v) + " has a coordinate beyond 1e15; scale the model down"));
     }
   }
 }

@@ -1,8 +1,10 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/Nearest_points.h"
 #include "base/planar_hull.h"
 #include "base/quantized.h"
+#include "shape/sample_triangles.h"
 
 #include <CGAL/Shape_correspondence/estimate_up.h>
 
@@ -11,24 +13,40 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
 
-constexpr double base_height = 0.02;      // over the largest extent: vertices so near to the lowest one are the base
+constexpr double base_height = 0.02;      // over the largest extent: what is so near to the lowest vertex is the base
 constexpr double horizontal_cosine = 0.9; // of a normal with the axis
 constexpr double least_stability = -0.2;  // of a shape that falls over, however far its centre is off the base
-constexpr double weight_of_horizontal = 0.5;
+constexpr int surface_samples = 3000;     // that stand for the surface
+constexpr int mirrored_samples = 600;     // of which images are compared with it
+
+// A logistic regression on 131 labelled shapes, of which each tells one axis from two. Over categories left out in turn
+// it found the axis of 90 %: of those of which it was over 90 % sure, all.
+constexpr double weight_of_stability = 9.2;
+constexpr double weight_of_horizontal = 8.3;
+constexpr double weight_of_asymmetry = 36;
+constexpr double weight_of_base = -25;
+// Of logarithms, for a pair. On 437 pairs of the same shapes, in sample: 98 % right where y is up in both, 92 % where
+// in one, with odds of y of 4.5.
+constexpr double weight_of_proportions = 1;
+constexpr double largest_difference = 2; // of the logarithms that counts
 
 // What a choice of the upright axis is judged by, in units of the shape's largest extent.
 struct Surface_summary
 {
   Points vertices;
+  Points samples;
+  Point extents = Point::Zero();
   Point centre = Point::Zero();     // of the surface
   Point horizontal = Point::Zero(); // by axis, the share of the surface that is perpendicular to it
 };
@@ -53,14 +71,17 @@ Surface_summary summary_of_surface(const Segmented_shape& shape)
   const Point low = result.vertices.rowwise().minCoeff();
   const double extent = (result.vertices.colwise() - low).maxCoeff();
   result.vertices = (result.vertices.colwise() - low) / extent;
+  result.extents = result.vertices.rowwise().maxCoeff();
 
   double area = 0;
+  std::vector<contacts::Sampled_triangle> triangles;
   Eigen::Index first_vertex = 0;
   for (const Shape_part& part : shape.parts()) {
     for (Eigen::Index t = 0; t < part.mesh.triangles.cols(); ++t) {
       const auto corner = [&](int k) -> Point { return result.vertices.col(first_vertex + part.mesh.triangles(k, t)); };
       const Point normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)) / 2;
       area += normal.norm();
+      triangles.push_back({corner(0), corner(1) - corner(0), corner(2) - corner(0), normal.norm()});
       result.centre += normal.norm() * (corner(0) + corner(1) + corner(2)) / 3;
       for (int axis = 0; axis < 3; ++axis)
         if (std::abs(normal[axis]) > horizontal_cosine * normal.norm()) result.horizontal[axis] += normal.norm();
@@ -69,6 +90,10 @@ Surface_summary summary_of_surface(const Segmented_shape& shape)
   }
   result.centre /= area;
   result.horizontal /= area;
+  const std::vector<Point> points = contacts::sample_triangles(triangles, surface_samples).points;
+  result.samples.resize(3, surface_samples);
+  for (int i = 0; i < surface_samples; ++i)
+    result.samples.col(i) = points[std::size_t(i)];
   return result;
 }
 
@@ -83,8 +108,20 @@ double depth_inside(const Eigen::Vector2d& point, const Planar_points& hull)
   return depth;
 }
 
-// How well the shape stands if an axis points up.
-double uprightness(const Surface_summary& surface, int axis)
+// How far the surface is, on average, from its image in a horizontal plane, if an axis points up.
+double asymmetry(const Surface_summary& surface, const Nearest_points& samples, int axis)
+{
+  double sum = 0;
+  for (int i = 0; i < mirrored_samples; ++i) {
+    Point image = surface.samples.col(i * (surface_samples / mirrored_samples));
+    image[axis] = surface.extents[axis] - image[axis];
+    sum += samples.distance(image);
+  }
+  return sum / mirrored_samples;
+}
+
+// How well the shape stands if an axis points up: the logarithm of the odds, but for a constant.
+double uprightness(const Surface_summary& surface, const Nearest_points& samples, int axis)
 {
   const int side = (axis + 1) % 3, front = (axis + 2) % 3;
   Planar_points base;
@@ -92,19 +129,99 @@ double uprightness(const Surface_summary& surface, int axis)
     if (surface.vertices(axis, v) < base_height)
       base.emplace_back(surface.vertices(side, v), surface.vertices(front, v));
   const double stability = depth_inside({surface.centre[side], surface.centre[front]}, planar_hull(std::move(base)));
-  return std::max(stability, least_stability) + weight_of_horizontal * surface.horizontal[axis];
+  const double share_of_base = (surface.samples.row(axis).array() < base_height).cast<double>().mean();
+  return weight_of_stability * std::max(stability, least_stability) + weight_of_horizontal * surface.horizontal[axis] +
+         weight_of_asymmetry * asymmetry(surface, samples, axis) + weight_of_base * share_of_base;
+}
+
+using Logits = std::array<double, 3>; // by axis
+
+Logits logits_of(const Surface_summary& surface, double odds_of_y)
+{
+  const Nearest_points samples(surface.samples);
+  Logits result;
+  for (int axis = 0; axis < 3; ++axis)
+    result[std::size_t(axis)] = comparison_grid * double(quantized(uprightness(surface, samples, axis)));
+  result[1] += std::log(odds_of_y);
+  return result;
+}
+
+// Of equal axes the first of y, z, x
+constexpr std::array<std::size_t, 3> axes_in_order{1, 2, 0};
+
+// Logarithms of the height and the least width over the greatest width, if an axis points up.
+Eigen::Vector2d proportions(const Surface_summary& surface, std::size_t axis)
+{
+  constexpr double thinnest = 1e-6;
+  const double a = surface.extents[Eigen::Index((axis + 1) % 3)], b = surface.extents[Eigen::Index((axis + 2) % 3)];
+  const double width = std::max({a, b, thinnest});
+  return {std::log(std::max(surface.extents[Eigen::Index(axis)], thinnest) / width),
+          std::log(std::max(std::min(a, b), thinnest) / width)};
+}
+
+double difference(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return (a - b).cwiseAbs().cwiseMin(largest_difference).sum();
+}
+
+// Logits of a shape the up direction of which is known.
+Logits known_logits(const Point& up)
+{
+  constexpr double impossible = -1e6;
+  Logits result{impossible, impossible, impossible};
+  Eigen::Index axis = 0;
+  up.cwiseAbs().maxCoeff(&axis);
+  result[std::size_t(axis)] = 0;
+  return result;
 }
 
 } // namespace
 
-Point estimate_up(const Segmented_shape& shape)
+Up_estimate estimate_up(const Segmented_shape& shape, double odds_of_y)
 {
   CGAL_precondition(!shape.parts().empty());
-  const Surface_summary surface = summary_of_surface(shape);
-  int best = 1;
-  for (int axis : {2, 0})
-    if (quantized(uprightness(surface, axis)) > quantized(uprightness(surface, best))) best = axis;
-  return Point::Unit(best);
+  const Logits logits = logits_of(summary_of_surface(shape), odds_of_y);
+  std::size_t best = axes_in_order[0];
+  for (std::size_t axis : axes_in_order)
+    if (logits[axis] > logits[best]) best = axis;
+  double sum = 0;
+  for (double logit : logits)
+    sum += std::exp(logit - logits[best]);
+  return {Point::Unit(Eigen::Index(best)), 1 / sum};
+}
+
+std::array<Up_estimate, 2> estimate_up_of_pair(const Segmented_shape& source, const Segmented_shape& target,
+                                               const std::array<bool, 2>& is_known, double odds_of_y)
+{
+  const std::array<const Segmented_shape*, 2> shapes{&source, &target};
+  std::array<Surface_summary, 2> surfaces;
+  std::array<Logits, 2> logits;
+  for (std::size_t i = 0; i < 2; ++i) {
+    CGAL_precondition(!shapes[i]->parts().empty());
+    surfaces[i] = summary_of_surface(*shapes[i]);
+    logits[i] = is_known[i] ? known_logits(shapes[i]->up()) : logits_of(surfaces[i], odds_of_y);
+  }
+  const auto logit = [&](std::size_t a, std::size_t b) {
+    return logits[0][a] + logits[1][b] -
+           weight_of_proportions * difference(proportions(surfaces[0], a), proportions(surfaces[1], b));
+  };
+  std::array<std::size_t, 2> best{axes_in_order[0], axes_in_order[0]};
+  for (std::size_t a : axes_in_order)
+    for (std::size_t b : axes_in_order)
+      if (logit(a, b) > logit(best[0], best[1])) best = {a, b};
+  double all = 0;
+  std::array<double, 2> same{0, 0};
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b < 3; ++b) {
+      const double odds = std::exp(logit(a, b) - logit(best[0], best[1]));
+      all += odds;
+      if (a == best[0]) same[0] += odds;
+      if (b == best[1]) same[1] += odds;
+    }
+  const auto estimate = [&](std::size_t i) {
+    return Up_estimate{is_known[i] ? shapes[i]->up() : Point(Point::Unit(Eigen::Index(best[i]))), same[i] / all};
+  };
+  return {estimate(0), estimate(1)};
 }
 
 } // namespace CGAL::Shape_correspondence

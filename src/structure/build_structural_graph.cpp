@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/limits.h"
 #include "shape/sample_triangles.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -31,6 +32,30 @@ void check_number_of_parts(const std::string& name, std::size_t parts)
   if (parts < 2)
     throw Invalid_input("shape '" + name + "': has " + (parts == 0 ? "no part" : "only one part") +
                         "; correspondences need a shape that is segmented into two parts or more");
+  if (parts > most_parts)
+    throw Invalid_input("shape '" + name + "': has " + std::to_string(parts) + " parts; a shape may have at most " +
+                        std::to_string(most_parts));
+}
+
+/// Of what others have abstracted.
+void check_numbers(const Shape_structure& shape)
+{
+  const auto fail = [&shape](const std::string& what) { throw Invalid_input("shape '" + shape.name + "': " + what); };
+  const Shape_frame& frame = shape.frame;
+  if (!frame.origin.allFinite() || !frame.axes.allFinite() || !(frame.height > 0) || !std::isfinite(frame.height))
+    fail("its frame is not finite, or has no height");
+  for (const Part_abstraction& part : shape.parts) {
+    const Points& points = part.control_points();
+    if (points.cols() < 2) fail("part '" + part.name + "' has fewer than two control points");
+    if (!(points.cwiseAbs().maxCoeff() <= largest_coordinate))
+      fail("part '" + part.name + "' has a control point that is not finite or beyond 1e15; scale the shape down");
+    for (double measure : {part.volume, part.hull_volume, part.area})
+      if (!(measure >= 0 && measure <= largest_number))
+        fail("part '" + part.name + "' has a volume or an area that is negative, not finite or beyond 1e50");
+  }
+  for (const Contact& contact : shape.contacts)
+    if (std::max(contact.parts[0], contact.parts[1]) >= shape.parts.size() || contact.parts[0] == contact.parts[1])
+      fail("a contact does not name two of its parts");
 }
 
 std::vector<contacts::Sampled_triangle> triangles_of(const Part_mesh& mesh)
@@ -109,7 +134,7 @@ void warn_of_fallbacks(const std::vector<Part_abstraction>& parts, std::vector<s
 /// Groups, unless given, and the graph.
 Structural_graph assemble(Shape_structure shape, std::vector<Part_group> groups, const Structure_options& options)
 {
-  if (groups.empty()) groups = detect_symmetry_groups(shape.parts, shape.frame, options.symmetry);
+  if (groups.empty()) groups = detect_symmetry_groups(shape.parts, shape.frame, options.symmetry, &shape.warnings);
   return make_structural_graph(std::move(shape), std::move(groups));
 }
 
@@ -140,6 +165,7 @@ Structural_graph complete_structural_graph(Shape_structure shape, std::vector<Pa
                                            const Structure_options& options)
 {
   check_number_of_parts(shape.name, shape.parts.size());
+  check_numbers(shape);
   if (shape.contacts.empty())
     shape.contacts = detect_contacts(shape.parts, shape.frame, options.contacts, shape.warnings);
   return assemble(std::move(shape), std::move(groups), options);

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/limits.h"
 #include "structure/reflections.h"
 #include "structure/rings.h"
 #include "structure/rows.h"
@@ -51,6 +52,7 @@ private:
 
   void add_pairs(std::vector<Explanation>& found) const
   {
+    if (!options_.reflection && !options_.rotation && !options_.translation) return;
     for (std::size_t i : free_)
       for (std::size_t j : free_) {
         if (j <= i || parts_.are_at_different_ends(i, j)) continue;
@@ -173,7 +175,7 @@ void sort_by_first_part(std::vector<Part_group>& groups)
 } // namespace
 
 std::vector<Part_group> detect_symmetry_groups(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
-                                               const Symmetry_options& options)
+                                               const Symmetry_options& options, std::vector<std::string>* warnings)
 {
   std::vector<Part_signature> signatures;
   for (const Part_abstraction& part : parts)
@@ -186,6 +188,12 @@ std::vector<Part_group> detect_symmetry_groups(const std::vector<Part_abstractio
   if (!options.enabled) kinds.reflection = kinds.rotation = kinds.translation = false;
 
   Part_relations relations(std::move(sorted), frame, options.tolerance);
+  if (options.enabled && relations.number_of_congruent_pairs() > most_symmetry_work / std::max<std::size_t>(1, parts.size())) {
+    kinds.reflection = kinds.rotation = kinds.translation = false;
+    if (warnings)
+      warnings->push_back("Too many of the " + std::to_string(parts.size()) +
+                          " parts are alike to look for symmetry groups; every part is a group of its own.");
+  }
   std::vector<Part_group> groups;
   for (Explanation& explanation : Group_finder(relations, kinds)()) {
     for (std::size_t& member : explanation.members)

@@ -39,9 +39,9 @@ TEST_CASE("The models of data/ are found to stand as they do, whichever axis is 
     const Segmented_shape shape = generated_shapes::shape_of(assembly);
     for (int up = 0; up < 3; ++up) {
       CAPTURE(assembly.name, up);
-      CHECK(estimate_up(moved(shape, up)) == Point::Unit(up));
-      CHECK(estimate_up(moved(shape, up, 1e-3, {5, -7, 2})) == Point::Unit(up));
-      CHECK(estimate_up(moved(shape, up, 1e80)) == Point::Unit(up));
+      CHECK(estimate_up(moved(shape, up)).up == Point::Unit(up));
+      CHECK(estimate_up(moved(shape, up, 1e-3, {5, -7, 2})).up == Point::Unit(up));
+      CHECK(estimate_up(moved(shape, up, 1e13)).up == Point::Unit(up));
     }
   }
 }
@@ -50,5 +50,41 @@ TEST_CASE("Of axes that are as good as one another the first of y, z, x is up")
 {
   Segmented_shape cube;
   cube.add_part("cube", box_shapes::box(Point::Zero(), Point::Ones()));
-  CHECK(estimate_up(cube) == Point::UnitY());
+  CHECK(estimate_up(cube).up == Point::UnitY());
+}
+
+TEST_CASE("The guess of the upright axis says how sure it is, and what is known before counts")
+{
+  Segmented_shape cube;
+  cube.add_part("cube", box_shapes::box(Point::Zero(), Point::Ones()));
+  CHECK(estimate_up(cube).confidence == Approx(1. / 3).margin(0.03));
+  CHECK(estimate_up(cube, 8).confidence == Approx(0.8).margin(0.03));
+
+  const Segmented_shape chair = generated_shapes::shape_of(generated_shapes::gen::models()[0].make());
+  CHECK(estimate_up(chair).confidence > 0.9);
+  const Up_estimate lying = estimate_up(moved(chair, 2), 20);
+  CHECK(lying.up == Point::UnitZ());
+  CHECK(lying.confidence < estimate_up(moved(chair, 2)).confidence);
+  CHECK(estimate_up(moved(chair, 2), 1e30).up == Point::UnitY());
+}
+
+TEST_CASE("Of two shapes of one kind the one tells of the other")
+{
+  // A plate is a table top or a board on the wall
+  Segmented_shape flat, high;
+  flat.add_part("plate", box_shapes::box(Point::Zero(), {1, 0.1, 1}));
+  high.add_part("plate", box_shapes::box(Point::Zero(), {1, 1, 0.1}));
+  const auto known = estimate_up_of_pair(flat, high, {true, false});
+  CHECK(known[0].up == Point::UnitY());
+  CHECK(known[0].confidence == Approx(1));
+  CHECK(known[1].up == Point::UnitZ());
+  CHECK(known[1].confidence > estimate_up(high).confidence);
+
+  const Segmented_shape chair = generated_shapes::shape_of(generated_shapes::gen::models()[0].make());
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      const auto found = estimate_up_of_pair(moved(chair, a), moved(chair, b), {false, false}, 4.5);
+      CHECK(found[0].up == Point::Unit(a));
+      CHECK(found[1].up == Point::Unit(b));
+    }
 }

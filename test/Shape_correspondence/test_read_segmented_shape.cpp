@@ -178,6 +178,128 @@ TEST_CASE("OFF, PLY, STL and COLLADA")
   CHECK(dae.parts()[1].mesh.points.row(1).maxCoeff() == Approx(6));
 }
 
+TEST_CASE("COLLADA parts are named as their nodes, not by their identifiers")
+{
+  const Temporary_folder folder;
+  std::string text = collada;
+  text.replace(text.find("name=\"low\""), 10, "name=\"Seat of oak\"");
+  CHECK(names(IO::read_segmented_shape(folder.write("a.dae", text))) == Names{"Seat of oak", "high"});
+}
+
+TEST_CASE("AC3D, DXF and glTF: nodes are parts, also two of one mesh, moved and mirrored")
+{
+  const Temporary_folder folder;
+  const std::string surfaces =
+      "numsurf 4\n"
+      "SURF 0x0\nmat 0\nrefs 3\n0 0 0\n2 0 0\n1 0 0\nSURF 0x0\nmat 0\nrefs 3\n0 0 0\n1 0 0\n3 0 0\n"
+      "SURF 0x0\nmat 0\nrefs 3\n0 0 0\n3 0 0\n2 0 0\nSURF 0x0\nmat 0\nrefs 3\n1 0 0\n2 0 0\n3 0 0\n";
+  const auto object = [&](const std::string& name, const std::string& place) {
+    return "OBJECT poly\nname \"" + name + "\"\n" + place + "numvert 4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" + surfaces +
+           "kids 0\n";
+  };
+  const Segmented_shape ac = IO::read_segmented_shape(
+      folder.write("a.ac", "AC3Db\nMATERIAL \"m\" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 0 trans 0\n"
+                           "OBJECT world\nkids 2\n" +
+                               object("wing", "") + object("tail", "loc 5 0 0\n")));
+  REQUIRE(names(ac) == Names{"wing", "tail"});
+  CHECK(ac.parts()[1].mesh.points.row(0).minCoeff() == Approx(5));
+
+  const auto face = [](const std::string& layer, double x) {
+    std::ostringstream out;
+    out << "0\n3DFACE\n8\n" << layer << "\n";
+    const double corners[4][3] = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x, 1, 0}};
+    for (int k = 0; k < 4; ++k)
+      for (int i = 0; i < 3; ++i)
+        out << 10 * (i + 1) + k << '\n' << corners[k][i] << '\n';
+    return out.str();
+  };
+  CHECK_FALSE(IO::read_segmented_shape(folder.write("a.dxf", "0\nSECTION\n2\nENTITIES\n" + face("A", 0) + face("B", 3) +
+                                                                 "0\nENDSEC\n0\nEOF\n"))
+                  .parts()
+                  .empty());
+
+  // One triangle of positions (0,0,0), (1,0,0), (0,1,0) in base 64
+  const Segmented_shape gltf = IO::read_segmented_shape(
+      folder.write("a.gltf", R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+ "nodes": [{"name": "left", "mesh": 0}, {"name": "frame", "scale": [-1, 1, 1], "children": [2]}, {"name": "right", "mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}],
+ "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})"));
+  REQUIRE(names(gltf) == Names{"left", "right"});
+  CHECK(gltf.parts()[0].mesh.points.row(0).maxCoeff() == 1);
+  CHECK(gltf.parts()[1].mesh.points.row(0).minCoeff() == -1);
+}
+
+TEST_CASE("Faces of fewer than three corners, and parts without area, are left out and counted")
+{
+  const Temporary_folder folder;
+  const std::string text = obj_box("o leg", 0, 0, 0, 0, 1, 1, 1) + "f 1 2\nf 3\no line\nf 1 2 2\n";
+  std::vector<std::string> warnings;
+  const Segmented_shape shape = IO::read_segmented_shape(folder.write("a.obj", text), Point::UnitY(), &warnings);
+  CHECK(names(shape) == Names{"leg"});
+  CHECK(shape.parts()[0].mesh.triangles.cols() == 12);
+  REQUIRE(warnings.size() == 2);
+  CHECK_THAT(warnings[0], Contains("fewer than three corners") && Contains("2"));
+  CHECK_THAT(warnings[1], Contains("Parts without a surface") && Contains("1"));
+  CHECK(names(IO::read_segmented_shape(folder.write("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n"))) ==
+        Names{"a"});
+}
+
+TEST_CASE("Parts of one name get numbers")
+{
+  const Temporary_folder folder;
+  std::string text;
+  for (int i = 0; i < 4; ++i)
+    text += obj_box(i == 2 ? "o leg#2" : "o leg", i, 2 * i, 0, 0, 1, 1, 1);
+  CHECK(names(IO::read_segmented_shape(folder.write("a.obj", text))) == Names{"leg", "leg#3", "leg#2", "leg#4"});
+  folder.write("twice/leg.obj", obj_box("o leg", 0, 0, 0, 0, 1, 1, 1));
+  folder.write("twice/leg.off", off_box);
+  CHECK(names(IO::read_segmented_shape(folder.path("twice"))) == Names{"leg", "leg#2"});
+}
+
+TEST_CASE("Names in Latin-1 become UTF-8 without loss")
+{
+  const Temporary_folder folder;
+  const std::string text = obj_box("o T\xFCr", 0, 0, 0, 0, 1, 1, 1) + obj_box("o T\xF6r", 1, 2, 0, 0, 1, 1, 1);
+  CHECK(names(IO::read_segmented_shape(folder.write("a.obj", text))) == Names{"T\xC3\xBCr", "T\xC3\xB6r"});
+}
+
+TEST_CASE("PLY: all encodings and number types, faces among other lists")
+{
+  const Temporary_folder folder;
+  const std::string header = "comment binary\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                             "property list uchar short more\nelement face 1\nproperty uchar red\n"
+                             "property list uint uchar vertex_index\nend_header\n";
+  const auto binary = [&](bool little) {
+    std::string bytes =
+        std::string("ply\nformat ") + (little ? "binary_little_endian" : "binary_big_endian") + " 1.0\n" + header;
+    const auto append = [&](const void* number, std::size_t size) {
+      std::string all(static_cast<const char*>(number), size);
+      bytes += little ? all : std::string(all.rbegin(), all.rend());
+    };
+    for (int v = 0; v < 3; ++v) {
+      for (int i = 0; i < 3; ++i) {
+        const float x = v == i + 1 ? 2.5f : 0.f;
+        append(&x, sizeof x);
+      }
+      bytes += '\x01';
+      const short more = 7;
+      append(&more, sizeof more);
+    }
+    bytes += '\x80';
+    const unsigned three = 3;
+    append(&three, sizeof three);
+    return bytes + std::string("\x00\x01\x02", 3);
+  };
+  for (bool little : {true, false}) {
+    const Part_mesh mesh = IO::read_segmented_shape(folder.write("a.ply", binary(little))).parts()[0].mesh;
+    REQUIRE(mesh.triangles.cols() == 1);
+    CHECK(mesh.points.col(1) == Point(2.5, 0, 0));
+    CHECK(mesh.points.col(2) == Point(0, 2.5, 0));
+  }
+}
+
 TEST_CASE("A folder of part meshes")
 {
   const Temporary_folder folder;
@@ -218,8 +340,6 @@ TEST_CASE("Bad models are refused with file, part and reason")
   CHECK_THAT(refused("range.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"), Contains("range.off"));
   CHECK_THAT(refused("flat.obj", "o leg\n" + triangle + "f 1 2 2\n"), Contains("'leg'"));
   CHECK_THAT(refused("thin.obj", "o leg\nv 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), Contains("'leg'"));
-  CHECK_THAT(refused("twice.obj", obj_box("o leg", 0, 0, 0, 0, 1, 1, 1) + obj_box("o leg", 1, 2, 0, 0, 1, 1, 1)),
-             Contains("two parts are named 'leg'"));
   CHECK_THAT(refused("number.obj", "v 0 zero 0\n"), Contains("line 1") && Contains("'zero'"));
   CHECK_THAT(read_complaint(folder.path("missing.obj")), Contains("missing.obj") && Contains("no such file"));
 }
@@ -229,10 +349,27 @@ TEST_CASE("Bad folders are refused")
   const Temporary_folder folder;
   fs::create_directories(folder.path("none"));
   CHECK_THAT(read_complaint(folder.path("none")), Contains("none") && Contains("no part"));
-  folder.write("twice/leg.obj", obj_box("o leg", 0, 0, 0, 0, 1, 1, 1));
-  folder.write("twice/leg.off", off_box);
-  CHECK_THAT(read_complaint(folder.path("twice")), Contains("two parts are named 'leg'"));
   folder.write("bad/leg.obj", obj_box("o leg", 0, 0, 0, 0, 1, 1, 1));
   folder.write("bad/seat.obj", "");
   CHECK_THAT(read_complaint(folder.path("bad")), Contains("seat.obj"));
+}
+
+TEST_CASE("In an OBJ of one object that is one piece materials are parts, in one of several pieces they are not")
+{
+  const Temporary_folder folder;
+  // A strip of two squares that share an edge
+  const std::string strip = "o strip\nv 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\n";
+  const std::string squares = "usemtl wood\nf 1 2 5 4\nusemtl brass\nf 2 3 6 5\n";
+  const Segmented_shape divided = IO::read_segmented_shape(folder.write("strip.obj", strip + squares));
+  REQUIRE(divided.parts().size() == 2);
+  CHECK(divided.parts()[0].name == "wood");
+  CHECK(divided.parts()[1].name == "brass");
+  CHECK(divided.parts()[1].mesh.triangles.cols() == 2);
+
+  const std::string far = "v 0 0 5\nv 1 0 5\nv 1 1 5\nv 0 1 5\n";
+  CHECK(IO::read_segmented_shape(folder.write("loose.obj", strip + far + squares + "f 7 8 9 10\n")).parts().size() ==
+        1);
+  CHECK(IO::read_segmented_shape(folder.write("named.obj", strip + squares + far + "o other\nf 7 8 9 10\n"))
+            .parts()
+            .size() == 2);
 }

@@ -41,7 +41,7 @@ struct Shape_part
 /// \ingroup PkgShapeCorrespondenceShapes
 /// A shape that is segmented into named parts, each a triangle mesh; the input of the package.
 ///
-/// Units and position are arbitrary; the up direction is the only convention.
+/// Units and position are arbitrary as long as no coordinate is beyond 1e15; the up direction is the only convention.
 class Segmented_shape
 {
 public:
@@ -99,7 +99,7 @@ public:
   }
 
   /// Adds a part.
-  /// \throw Invalid_input if the name is empty or taken, an index or a coordinate is invalid (NaN, infinite),
+  /// \throw Invalid_input if the name is empty or taken, an index or a coordinate is invalid (NaN, beyond 1e15),
   /// or the part has no triangle of positive area
   void add_part(std::string name, Part_mesh mesh);
 

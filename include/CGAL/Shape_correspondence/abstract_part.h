@@ -19,6 +19,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -83,7 +84,9 @@ struct Abstraction_options
   int triangles = 1500;         ///< about how many triangles the remeshed part may have; edges are longer if need be
   double stop_volume = 0.02;    ///< fraction of the volume at which the flow shows sheets, and whether a part is hollow
   int maximum_iterations = 300; ///< of the flow; the bounding box stands in for a part that needs more
-  double time_limit = 20;       ///< seconds a part; the bounding box stands in for a part that needs more
+  /// Seconds a part; the bounding box stands in for a part that needs more, and the report says so. Without a limit, the
+  /// default, no result depends on the speed of the machine.
+  double time_limit = std::numeric_limits<double>::infinity();
   int curve_points = 16;        ///< control points of a curve; as many again for every full turn that it makes
   int sheet_points = 8;         ///< control points of a sheet along each side
   /// Called after every part with the number of parts done and their total; from one thread at a time.

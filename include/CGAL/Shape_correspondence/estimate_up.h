@@ -13,17 +13,37 @@
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
+#include <array>
+
 namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// Guesses which of the axes x, y and z points up: the one along which the shape stands most firmly, which is by how
-/// far its centre is inside of what it stands on, and has the most horizontal surface. A guess, since things that lie
-/// are like things that stand; a model that is upside down or aslant has no right answer. Of equal axes the first of
-/// y, z, x. O(n log n) in the number of vertices.
-/// \return a unit vector
+/// A guess of the upright axis of a shape.
+struct Up_estimate
+{
+  Point up;              ///< a unit vector along an axis
+  double confidence = 0; ///< how probable it is, from 1/3 to 1
+};
+
+/// \ingroup PkgShapeCorrespondenceShapes
+/// Guesses which of the axes x, y and z points up: the one along which the shape stands firmly, has much horizontal
+/// surface, most of it above the ground, and differs most from its image upside down. A guess, since things that lie
+/// are like things that stand; a model that is upside down or aslant has no right answer. Of equal axes the first of y,
+/// z, x. O(n log n) in the number of vertices.
+/// \param shape its up direction does not matter
+/// \param odds_of_y how many times as probable y is as each other axis before the shape is looked at
 /// \pre the shape has a part
-Point estimate_up(const Segmented_shape& shape);
+Up_estimate estimate_up(const Segmented_shape& shape, double odds_of_y = 1);
+
+/// \ingroup PkgShapeCorrespondenceShapes
+/// The same for two shapes of one kind: that their proportions are alike if they stand right counts, too.
+/// \param source,target the shapes
+/// \param is_known whether the up direction of the source and of the target, along an axis, is right as it is
+/// \param odds_of_y how many times as probable y is as each other axis before the shapes are looked at
+/// \pre the shapes have parts
+std::array<Up_estimate, 2> estimate_up_of_pair(const Segmented_shape& source, const Segmented_shape& target,
+                                               const std::array<bool, 2>& is_known, double odds_of_y = 1);
 
 } // namespace Shape_correspondence
 } // namespace CGAL

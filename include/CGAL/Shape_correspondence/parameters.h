@@ -141,7 +141,7 @@ Options options_from(const NamedParameters& np)
 ///   \cgalParamNBegin{time_limit}
 ///     \cgalParamDescription{seconds for one part; the bounding box stands in for a part that needs more}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{`20`}
+///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{progress}
 ///     \cgalParamDescription{called after every part with the number of parts done and their total, by one thread at a

@@ -23,7 +23,7 @@ namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Identifies what `build_structural_graph()` makes of a shape: a hash (SHA-1) of all names, coordinates and triangles
-/// to the bit, of all options that the graph depends on, and of the version of the algorithms. Of the abstractor it
+/// to the bit, of all options that the graph depends on but the time limit, and of the version of the algorithms. Of the abstractor it
 /// holds the type only: one that has a state needs a folder for every state. Linear time.
 std::string content_hash(const Segmented_shape& shape, const Structure_options& options);
 
@@ -40,6 +40,9 @@ public:
   /// The graph of this content, the same to the bit but for the hulls and most surface samples of the parts, which are
   /// not saved (those that matching uses are); none if it is not there.
   std::optional<Structural_graph> find(const std::string& content) const;
+
+  /// Whether there is a file for this content, which is damaged.
+  bool is_damaged(const std::string& content) const;
 
   /// Saves a graph under its `content`, in place of what was there. One that depends on the machine's speed, since a
   /// part reached the time limit, is not saved.

@@ -1,0 +1,237 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "command_line.h"
+#include "io/Json.h"
+#include "shape/Triangle_tree.h"
+#include "shape/sample_triangles.h"
+
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/split_parts.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <map>
+
+// How well the parts that split_parts() makes of raw model files agree with labelled parts of the same shapes, by
+// points on the labelled surfaces: Rand indices (Rand 1971; Hubert and Arabie 1985), and how much each part has of each
+// other.
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace benchmark {
+namespace {
+
+using internal::contacts::Sampled_triangle;
+using internal::contacts::Triangle;
+using internal::contacts::Triangle_tree;
+
+constexpr int points_of_shape = 8000;
+constexpr double same_place = 0.005; // over the diagonal: how far a labelled point may be from the raw surface
+
+const char* const usage =
+    "Usage: benchmark_parts [--parts auto|file|components|segments] RAW LABELLED [RAW LABELLED]...\n"
+    "Writes a line of JSON for every pair of a raw model and a folder of labelled part meshes.\n";
+
+Part_splitting mode_of(const std::string& word)
+{
+  const std::map<std::string, Part_splitting> modes{{"auto", Part_splitting::AUTO},
+                                                    {"file", Part_splitting::FILE},
+                                                    {"components", Part_splitting::COMPONENTS},
+                                                    {"segments", Part_splitting::SEGMENTS}};
+  const auto found = modes.find(word);
+  if (found == modes.end()) throw std::invalid_argument("--parts cannot be '" + word + "'");
+  return found->second;
+}
+
+/// All triangles of a shape, and the part of each.
+struct Surface
+{
+  std::vector<Triangle> triangles;
+  std::vector<std::size_t> parts;
+};
+
+Surface surface_of(const Segmented_shape& shape)
+{
+  Surface result;
+  for (std::size_t i = 0; i < shape.parts().size(); ++i) {
+    const Part_mesh& mesh = shape.parts()[i].mesh;
+    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+      result.triangles.push_back({mesh.points.col(mesh.triangles(0, t)), mesh.points.col(mesh.triangles(1, t)),
+                                  mesh.points.col(mesh.triangles(2, t))});
+      result.parts.push_back(i);
+    }
+  }
+  return result;
+}
+
+/// Points on a surface, and the part of each.
+struct Labelled_points
+{
+  std::vector<Point> points;
+  std::vector<std::size_t> parts;
+};
+
+Labelled_points points_on(const Segmented_shape& shape)
+{
+  const Surface surface = surface_of(shape);
+  std::vector<Sampled_triangle> triangles;
+  std::vector<double> area_until;
+  double area = 0;
+  for (const Triangle& t : surface.triangles) {
+    const Point u = t[1] - t[0], v = t[2] - t[0];
+    triangles.push_back({t[0], u, v, u.cross(v).norm() / 2});
+    area_until.push_back(area += triangles.back().area);
+  }
+  Labelled_points result;
+  result.points = internal::contacts::sample_triangles(triangles, points_of_shape).points;
+  for (std::size_t k = 0; k < result.points.size(); ++k) {
+    const double target = (double(k) + 0.5) / points_of_shape * area;
+    const auto found = std::lower_bound(area_until.begin(), area_until.end() - 1, target);
+    result.parts.push_back(surface.parts[std::size_t(found - area_until.begin())]);
+  }
+  return result;
+}
+
+double diagonal_of(const std::vector<Point>& points)
+{
+  Eigen::AlignedBox3d box;
+  for (const Point& p : points)
+    box.extend(p);
+  return box.diagonal().norm();
+}
+
+using Counts = std::vector<std::vector<double>>; // by labelled part and raw part, of points
+
+/// The points on each part of the one shape that are on each part of the other.
+Counts common_points(const Labelled_points& labelled, std::size_t labelled_parts, const Segmented_shape& raw)
+{
+  const Surface surface = surface_of(raw);
+  const Triangle_tree tree(surface.triangles);
+  const double limit = same_place * diagonal_of(labelled.points);
+  Counts best;
+  double most = -1;
+  for (int turn = 0; turn < 4; ++turn) { // labelled shapes look to +z, raw ones need not
+    Counts counts(labelled_parts, std::vector<double>(raw.parts().size(), 0));
+    double all = 0;
+    const Eigen::Matrix3d rotation = Eigen::AngleAxisd(turn * EIGEN_PI / 2, Point::UnitY()).toRotationMatrix();
+    for (std::size_t k = 0; k < labelled.points.size(); ++k) {
+      Point nearest;
+      double squared = limit * limit;
+      std::size_t triangle = 0;
+      if (!tree.improve_nearest(rotation * labelled.points[k], nearest, squared, triangle)) continue;
+      ++counts[labelled.parts[k]][surface.parts[tree.given_number(triangle)]];
+      ++all;
+    }
+    if (all <= most) continue;
+    most = all;
+    best = std::move(counts);
+  }
+  return best;
+}
+
+struct Agreement
+{
+  double rand = 0, adjusted = 0;
+  double covered = 0; ///< share of the labelled surface that is in the raw model
+};
+
+Agreement agreement_of(const Counts& counts)
+{
+  double all = 0, together = 0, rows = 0, columns = 0;
+  std::vector<double> column_sums(counts[0].size(), 0);
+  for (const std::vector<double>& row : counts) {
+    double sum = 0;
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      together += row[j] * row[j];
+      sum += row[j];
+      column_sums[j] += row[j];
+    }
+    rows += sum * sum;
+    all += sum;
+  }
+  for (double sum : column_sums)
+    columns += sum * sum;
+  const double pairs = all * all, expected = rows * columns / pairs, largest = (rows + columns) / 2;
+  Agreement result;
+  result.rand = 1 - (rows + columns - 2 * together) / pairs;
+  result.adjusted = largest > expected ? (together - expected) / (largest - expected) : 1;
+  result.covered = all / points_of_shape;
+  return result;
+}
+
+IO::Json names_of(const Segmented_shape& shape)
+{
+  IO::Json result = IO::Json::array();
+  for (const Shape_part& part : shape.parts())
+    result.push_back(part.name);
+  return result;
+}
+
+void compare(const std::string& raw_path, const std::string& labelled_path, const Part_splitting_options& options)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  const Segmented_shape objects = IO::read_segmented_shape(raw_path);
+  const auto read = std::chrono::steady_clock::now();
+  const Segmented_shape parts = split_parts(objects, options).shape;
+  const auto split = std::chrono::steady_clock::now();
+  const Segmented_shape labelled = IO::read_segmented_shape(labelled_path);
+  const Counts counts = common_points(points_on(labelled), labelled.parts().size(), parts);
+  const Agreement agreement = agreement_of(counts);
+  IO::Json shared = IO::Json::array();
+  for (const std::vector<double>& row : counts)
+    shared.push_back(IO::Json(row));
+  const auto seconds = [](auto a, auto b) { return std::chrono::duration<double>(b - a).count(); };
+  std::cout << IO::Json({{"raw", raw_path},
+                         {"labelled", labelled_path},
+                         {"objects", objects.parts().size()},
+                         {"rand", agreement.rand},
+                         {"adjusted_rand", agreement.adjusted},
+                         {"covered", agreement.covered},
+                         {"read_seconds", seconds(begin, read)},
+                         {"split_seconds", seconds(read, split)},
+                         {"parts", names_of(parts)},
+                         {"labelled_parts", names_of(labelled)},
+                         {"common_points", std::move(shared)}})
+                   .line()
+            << std::endl;
+}
+
+} // namespace
+} // namespace benchmark
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+int main(int argc, char** argv)
+{
+  using namespace CGAL::Shape_correspondence;
+  try {
+    benchmark::Command_line words(argc, argv);
+    Part_splitting_options options;
+    std::vector<std::string> paths;
+    while (!words.is_at_end()) {
+      const std::string& word = words.word();
+      if (word == "--parts") {
+        options.mode = benchmark::mode_of(words.value());
+        continue;
+      }
+      benchmark::refuse_option(word);
+      paths.push_back(word);
+    }
+    if (paths.empty() || paths.size() % 2 != 0) throw std::invalid_argument("inputs come in pairs");
+    for (std::size_t i = 0; i < paths.size(); i += 2) {
+      try {
+        benchmark::compare(paths[i], paths[i + 1], options);
+      } catch (const Invalid_input& error) {
+        std::cerr << error.what() << '\n';
+      }
+    }
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "benchmark_parts: " << error.what() << '\n' << benchmark::usage;
+    return 2;
+  }
+}

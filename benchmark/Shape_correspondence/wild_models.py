@@ -1,0 +1,251 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Models as people have them: what the program makes of files that nobody prepared.
+
+  wild_models.py BUILD OUT FOLDER... [--install] [--step N] [--seconds S] [--megabytes M] [--jobs J]
+  wild_models.py BUILD OUT FOLDER... --labelled DATA [--category chair,table] [--options "--roles none"] [--step N]
+
+BUILD is the build folder, FOLDERs hold models in sub-folders of any depth. With --install, OUT/installed is one of them:
+Debian's sweethome3d-furniture and flightgear-data-ai (apt-get, as root) and the glTF examples of three.js (npm).
+
+The first form makes a structural graph of every N-th model, each in a process that may take S seconds of processor time and M megabytes, and
+writes OUT/models.csv: read or refused and why, objects, parts, seconds, megabytes; and a summary to standard output.
+
+The second form takes models that are also in DATA, a folder of labelled shapes (CATEGORY/SHAPE/parts, labels.json,
+pairs.json): SHAPE ends in the name of the model. It compares parts (Rand indices by surface samples, OUT/parts.jsonl), then
+matches the pairs of pairs.json from raw files and from labelled parts, and evaluates both on labelled parts: those of which a
+part of the raw shape has the most surface correspond as it does. --options are for match; roles that were learned from the
+same shapes know their labelled parts, so `--roles none` is fair.
+"""
+import argparse
+import collections
+import concurrent.futures
+import csv
+import glob
+import json
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import zipfile
+
+MODEL_TYPES = (".obj", ".ac", ".gltf", ".glb", ".dae", ".fbx", ".3ds", ".dxf", ".ply", ".stl", ".off")
+WAITING = 10  # times as long as it may work a process may take, on a busy machine
+PACKAGES = ("sweethome3d-furniture", "flightgear-data-ai")
+
+
+def install(folder):
+    """Unpacks the models of packages into a folder, unless it is there."""
+    if os.path.isdir(folder):
+        return
+    subprocess.run(["apt-get", "install", "-y", "--no-install-recommends", *PACKAGES], check=True)
+    os.makedirs(folder)
+    files = subprocess.run(["dpkg", "-L", *PACKAGES], check=True, capture_output=True, text=True).stdout.split("\n")
+    for file in files:
+        if file.endswith(".sh3f"):
+            with zipfile.ZipFile(file) as archive:
+                archive.extractall(os.path.join(folder, os.path.basename(file)[:-5]))
+        elif file.lower().endswith(".ac"):
+            shutil.copy(file, folder)
+    subprocess.run(["npm", "pack", "three"], cwd=folder, check=True, capture_output=True)
+    for archive in glob.glob(os.path.join(folder, "three-*.tgz")):
+        shutil.unpack_archive(archive, os.path.join(folder, "three"))
+
+
+def models_in(folders):
+    found = []
+    for folder in folders:
+        for path, _, names in os.walk(folder):
+            found += [os.path.join(path, name) for name in names if name.lower().endswith(MODEL_TYPES)]
+    return sorted(found)
+
+
+def run_limited(command, seconds, megabytes):
+    """Runs a command. Returns its exit status, None if it took too long; standard output and error; seconds of processor time;
+    megabytes."""
+    def limit():
+        resource.setrlimit(resource.RLIMIT_DATA, (megabytes << 20, megabytes << 20))
+        resource.setrlimit(resource.RLIMIT_CPU, (int(seconds), int(seconds)))
+    begin = time.monotonic()
+    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as error:
+        process = subprocess.Popen(command, stdout=out, stderr=error, preexec_fn=limit)
+        status = None
+        while time.monotonic() - begin < WAITING * seconds:
+            pid, state, usage = os.wait4(process.pid, os.WNOHANG)
+            if pid:
+                status = os.waitstatus_to_exitcode(state)
+                break
+            time.sleep(0.02)
+        else:
+            process.kill()
+            _, _, usage = os.wait4(process.pid, 0)
+        process.returncode = status  # it is waited for
+        if status == -signal.SIGKILL or status == -signal.SIGXCPU:
+            status = None
+        out.seek(0)
+        error.seek(0)
+        return (status, out.read().decode(errors="replace"), error.read().decode(errors="replace"),
+                usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)
+
+
+def graph_row(program, model, args):
+    status, out, error, seconds, megabytes = run_limited(
+        [program, "graph", model, "--json", "-", "--threads", "1", "--cache", os.path.join(args.out, "cache"),
+         "--time-limit", "10"], args.seconds, args.megabytes)
+    row = {"model": model, "result": "graph", "parts": "", "seconds": round(seconds, 2), "megabytes": round(megabytes),
+           "why": ""}
+    if status == 0:
+        graph = json.loads(out)
+        row["parts"] = len(graph["parts"])
+        row["why"] = " ".join(w for w in graph.get("warnings", []) if "split" in w or "one piece" in w)
+    elif status is None:
+        row["result"], row["why"] = "time", f"more than {args.seconds} s"
+    elif status == 1:
+        row["result"], row["why"] = "refused", error.strip().replace(model, "")
+    else:
+        row["result"], row["why"] = "crash", f"exit status {status}"
+    return row
+
+
+def survey(args, models):
+    program = os.path.join(args.build, "shape_correspondence")
+    chosen = models[:: args.step]
+    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+        rows = list(pool.map(lambda model: graph_row(program, model, args), chosen))
+    with open(os.path.join(args.out, "models.csv"), "w", newline="") as file:
+        table = csv.DictWriter(file, rows[0].keys())
+        table.writeheader()
+        table.writerows(rows)
+    counts = collections.Counter(row["result"] for row in rows)
+    print(f"{len(rows)} of {len(models)} models: " + ", ".join(f"{n} {result}" for result, n in counts.most_common()))
+    for why, n in collections.Counter(row["why"] for row in rows if row["result"] != "graph").most_common():
+        print(f"  {n:4}  {why}")
+    graphs = [row for row in rows if row["result"] == "graph"]
+    for value in ("parts", "seconds", "megabytes"):
+        values = sorted(row[value] for row in graphs)
+        print(f"{value}: median {values[len(values) // 2]}, most {values[-1]}")
+
+
+def plain(name):
+    return "".join(c for c in name.lower() if c.isalnum())
+
+
+def raw_models_of(shapes, models):
+    """The model of every labelled shape that has one: the longest name that the shape's ends in, in a library of its own."""
+    by_name = collections.defaultdict(list)
+    for model in models:
+        by_name[plain(os.path.splitext(os.path.basename(model))[0])].append(model)
+    found = {}
+    for shape, source in shapes.items():
+        name = shape.split("_", 2)[-1]
+        same = by_name.get(plain(name), [])
+        same = [m for m in same if len(same) == 1 or any(plain(word) in plain(source) for word in m.split(os.sep)[-5:-2])]
+        if same:
+            found[shape] = same[0]
+    return found
+
+
+def labelled_shapes(data, categories):
+    shapes = {}
+    for file in sorted(glob.glob(os.path.join(data, "*", "*", "labels.json"))):
+        with open(file) as text:
+            labels = json.load(text)
+        if not categories or labels["category"] in categories:
+            shapes[labels["id"]] = (os.path.dirname(file), labels.get("source", ""))
+    return shapes
+
+
+def stand_ins(row):
+    """By part of the raw model, the labelled parts of which it has more of the surface than any other part."""
+    result = collections.defaultdict(list)
+    for i, line in enumerate(row["common_points"]):
+        if max(line) > 0:
+            result[row["parts"][line.index(max(line))]].append(row["labelled_parts"][i])
+    return result
+
+
+def match(program, source, target, file, cache, options):
+    if not os.path.exists(file):
+        done = subprocess.run([program, "match", source, target, "--json", file, "--quiet", "--threads", "1", "--cache", cache,
+                               "--up", "y", *options], capture_output=True, text=True)
+        if done.returncode:
+            print(done.stderr.strip(), file=sys.stderr)
+            return None
+    with open(file) as text:
+        return json.load(text)
+
+
+def compare(args, models):
+    program = os.path.join(args.build, "shape_correspondence")
+    shapes = labelled_shapes(args.labelled, set(filter(None, args.category.split(","))))
+    raw = raw_models_of({name: source for name, (_, source) in shapes.items()}, models)
+    words = [word for name in sorted(raw) for word in (raw[name], os.path.join(shapes[name][0], "parts"))]
+    parts = os.path.join(args.out, "parts.jsonl")
+    with open(parts, "w") as file:
+        subprocess.run([os.path.join(args.build, "benchmark", "Shape_correspondence", "benchmark_parts"), *words], stdout=file)
+    with open(parts) as file:
+        rows = [json.loads(line) for line in file]
+    rows = {os.path.basename(os.path.dirname(row["labelled"])): row for row in rows if row["covered"] > 0.8}
+    if not rows:
+        sys.exit("no model is one of a labelled shape")
+    print(f"{len(rows)} raw models of labelled shapes: Rand index {sum(r['rand'] for r in rows.values()) / len(rows):.3f}, "
+          f"adjusted {sum(r['adjusted_rand'] for r in rows.values()) / len(rows):.3f}")
+    with open(os.path.join(args.labelled, "pairs.json")) as file:
+        pairs = [pair for pair in json.load(file) if pair[1] in rows and pair[2] in rows][:: args.step]
+    for kind in ("raw", "carried", "labelled"):
+        for category in {pair[0] for pair in pairs}:
+            os.makedirs(os.path.join(args.out, kind, category), exist_ok=True)
+    cache = os.path.join(args.out, "cache")
+    for category, source, target in pairs:
+        name = os.path.join(category, f"{source}--{target}.json")
+        truth = match(program, *(os.path.join(shapes[s][0], "parts") for s in (source, target)),
+                      os.path.join(args.out, "labelled", name), cache, args.options.split())
+        found = match(program, raw[source], raw[target], os.path.join(args.out, "raw", name), cache, args.options.split())
+        carried = os.path.join(args.out, "carried", name)
+        if not truth or not found:
+            continue
+        here, there = stand_ins(rows[source]), stand_ins(rows[target])
+        truth["pairs"] = sorted({(a, b) for p, q in found["pairs"] for a in here[p] for b in there[q]})
+        truth.pop("confidences", None)
+        with open(carried, "w") as file:
+            json.dump(truth, file)
+    for kind in ("labelled", "carried"):
+        print({"labelled": "From labelled parts:", "carried": "From raw files:"}[kind], flush=True)
+        subprocess.run([program, "evaluate", os.path.join(args.out, kind), "--ground-truth", args.labelled])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build")
+    parser.add_argument("out")
+    parser.add_argument("folders", nargs="*")
+    parser.add_argument("--install", action="store_true")
+    parser.add_argument("--labelled", default="")
+    parser.add_argument("--category", default="")
+    parser.add_argument("--options", default="")
+    parser.add_argument("--step", type=int, default=1, help="take every N-th model or pair")
+    parser.add_argument("--seconds", type=float, default=120)
+    parser.add_argument("--megabytes", type=int, default=2048)
+    parser.add_argument("--jobs", type=int, default=1)
+    args = parser.parse_args()
+    os.makedirs(args.out, exist_ok=True)
+    folders = list(args.folders)
+    if args.install:
+        folders.append(os.path.join(args.out, "installed"))
+        install(folders[-1])
+    models = models_in(folders)
+    if not models:
+        sys.exit("there is no model; name a folder, or --install some")
+    if args.labelled:
+        compare(args, models)
+    else:
+        survey(args, models)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Shape_correspondence developers
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_IO_PARTS_JSON_H
+#define CGAL_SHAPE_CORRESPONDENCE_IO_PARTS_JSON_H
+
+#include <CGAL/Shape_correspondence/split_parts.h>
+
+#include <iosfwd>
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace IO {
+
+/// \ingroup PkgShapeCorrespondenceIO
+/// Writes which piece of a model is in which part, for people to edit; the manual describes the format. Link
+/// `CGAL::Shape_correspondence_IO`.
+/// \param out the stream
+/// \param split the pieces and parts
+void write_parts_json(std::ostream& out, const Part_split& split);
+
+/// \ingroup PkgShapeCorrespondenceIO
+/// Makes the parts of a model that such a file says.
+/// \param objects the model
+/// \param path the file
+/// \return the parts
+/// \throw Invalid_input if the file cannot be read, is no such file, or does not list the pieces of the model; the
+/// message names the file
+Part_split split_parts_by_json(const Segmented_shape& objects, const std::string& path);
+
+} // namespace IO
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_IO_PARTS_JSON_H

@@ -1,0 +1,113 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Shape_correspondence developers
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SPLIT_PARTS_H
+#define CGAL_SHAPE_CORRESPONDENCE_SPLIT_PARTS_H
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/segment_mesh.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// \ingroup PkgShapeCorrespondenceOptions
+/// What becomes a part of a shape whose file holds objects.
+enum class Part_splitting {
+  AUTO,       ///< objects whose loose pieces do not belong together are split
+  FILE,       ///< every object
+  COMPONENTS, ///< every loose piece
+  SEGMENTS    ///< every loose piece, and of each closed one the segments that `segment_mesh()` finds
+};
+
+/// \ingroup PkgShapeCorrespondenceOptions
+/// Options of `split_parts()`. Lengths are over the size of the model, which is about its diameter.
+struct Part_splitting_options
+{
+  Part_splitting mode = Part_splitting::AUTO; ///< what becomes a part
+  double layer_distance = 0.015;              ///< a piece no point of which is farther from another piece lies on that
+  double small_size = 0.04;                   ///< a smaller piece joins what it touches
+  double touching_distance = 0.005;           ///< pieces that are no farther apart touch
+  std::size_t most_parts = 100;               ///< an object that would become more stays as it is
+  Segmentation_options segmentation;          ///< of `Part_splitting::SEGMENTS`, and of a model that is one piece
+};
+
+/// \ingroup PkgShapeCorrespondenceShapes
+/// The part of a piece that is in none.
+constexpr std::size_t no_part = std::size_t(-1);
+
+/// \ingroup PkgShapeCorrespondenceShapes
+/// A loose piece of an object: triangles that are connected through vertices, or a segment of them.
+struct Model_piece
+{
+  std::string name;       ///< that of its object, with `#1`, `#2`, … where that has several
+  std::size_t object = 0; ///< index of the object
+  std::size_t part = 0;   ///< index of the part that it belongs to; `no_part` if it is left out
+  bool closed = false;    ///< whether two triangles meet at every edge
+  double size = 0;        ///< over that of the model
+  std::string reason;     ///< why it is in a part with others; empty for the largest of its part
+};
+
+/// \ingroup PkgShapeCorrespondenceShapes
+/// What `split_parts()` makes.
+struct Part_split
+{
+  Segmented_shape shape;              ///< the parts
+  std::vector<Model_piece> pieces;    ///< by object; in one, by their first triangles
+  std::vector<std::string> decisions; ///< by object: what became of it, and why
+  bool by_segments = false;           ///< whether pieces are segments
+  std::size_t pieces_left_out = 0;    ///< pieces without area
+
+  /// Whether the parts are others than the objects.
+  bool changes_objects() const;
+  /// Whether a piece of an object is in a part that has not all of that object.
+  bool is_split(std::size_t object) const;
+};
+
+/// \ingroup PkgShapeCorrespondenceShapes
+/// Makes parts of the objects of a model. An object may gather pieces that only share a material, as four legs do, and
+/// a thing may lie in several pieces, as the spokes of a wheel do. In mode `Part_splitting::AUTO`
+/// - an object stays whole if it is one piece, if the hull of its largest piece holds all others (a spoked wheel, a
+///   cushion with its piping), or if it is smaller than .3 of the model and its pieces touch, unless it is all of the
+///   model;
+/// - of other objects every piece is a part, but a piece joins the one that it lies on (a lining, a screw, the other
+///   shell of a panel), a small one the one that it touches, and pieces that touch and are deep in each other's hulls
+///   stay together; what is smaller than .01 joins what it touches of other objects, too;
+/// - what most of three or more copies of a piece do, all of them do;
+/// - an object that has more than 1000 pieces, or would become more than `most_parts` parts, stays as it is;
+/// - a model that would be one part becomes its pieces, and one that is one piece its segments, if they are at most 30.
+///
+/// Does not depend on position, size, rotation (but for rounding) and order. Parts have the name of their object, with
+/// `#2`, `#3`, … for those after the first. An object of which nothing is split keeps its mesh as it is. Loose pieces
+/// without area are left out, and counted. O(n log n) in the number of triangles, and quadratic in that of an object's
+/// pieces.
+/// \param objects the model, an object a part
+/// \param options the mode, and what it depends on
+/// \throw Invalid_input if the model has no part
+Part_split split_parts(const Segmented_shape& objects, const Part_splitting_options& options = {});
+
+/// \ingroup PkgShapeCorrespondenceShapes
+/// The same with the parts as a person wants them.
+/// \param objects the model
+/// \param part_of_piece by name of the piece the name of its part; an empty name leaves the piece out
+/// \param by_segments whether pieces are those of `Part_splitting::SEGMENTS`
+/// \param segmentation how segments are made
+/// \throw Invalid_input if a piece is missing or there is none of a name
+Part_split split_parts(const Segmented_shape& objects, const std::map<std::string, std::string>& part_of_piece,
+                       bool by_segments = false, const Segmentation_options& segmentation = {});
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SPLIT_PARTS_H

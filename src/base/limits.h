@@ -1,0 +1,29 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <cstddef>
+
+namespace CGAL::Shape_correspondence::internal {
+
+// What inputs may be like. The manual, section "Limits", says the same.
+
+/// No coordinate is farther from 0. Products of volumes stay far inside the range of double.
+constexpr double largest_coordinate = 1e15;
+
+/// No other number in a document is greater: volumes, areas, ratios.
+constexpr double largest_number = 1e50;
+
+/// Parts of a shape. Detecting contacts and matching take time quadratic in them: ten seconds for so many.
+constexpr std::size_t most_parts = 1000;
+
+/// Congruent pairs of parts, times the parts: what looking for rows of parts takes time in. About ten seconds; any shape
+/// of 300 parts is below it.
+constexpr std::size_t most_symmetry_work = 30'000'000;
+
+/// Bytes of a JSON or XML document, and how deep its values may be nested.
+constexpr std::size_t largest_document = std::size_t(1) << 28;
+constexpr std::size_t deepest_document = 100;
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cli/read_model.h"
+#include "io/input_file.h"
+#include "io/model_parts.h"
+
+#include <CGAL/Shape_correspondence/IO/parts_json.h>
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/estimate_up.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+namespace CGAL::Shape_correspondence::cli {
+namespace {
+
+// How many times as often as along another axis models stand along y, unless they are asked for by --up auto
+constexpr double odds_of_y = 20;
+// The same where two models tell of each other
+constexpr double odds_of_y_in_pair = 4.5;
+
+bool is_folder(const std::string& path) { return std::filesystem::is_directory(path); }
+
+bool says_up(const std::string& path)
+{
+  const auto formats = {".dae", ".gltf", ".glb"};
+  return std::find(formats.begin(), formats.end(), IO::lower_extension(path)) != formats.end();
+}
+
+char axis_name(const Point& axis) { return axis.x() > 0.5 ? 'x' : axis.y() > 0.5 ? 'y' : 'z'; }
+
+std::string warning_of(const Up_estimate& found, const std::string& option)
+{
+  return std::string("The upright axis was taken to be ") + axis_name(found.up) +
+         ", along which the model stands best (confidence " + std::to_string(std::lround(100 * found.confidence)) +
+         " %); if that is wrong, give another with " + option + ".";
+}
+
+/// Whether nothing says which axis of a model is up.
+bool is_up_unknown(const std::string& path, const Common_options& options)
+{
+  return options.up.empty() && !says_up(path) && !is_folder(path);
+}
+
+void find_up(const std::string& path, const Common_options& options, Read_model& model)
+{
+  const bool is_asked_for = options.finds_up() && !says_up(path);
+  if (!is_asked_for && !is_up_unknown(path, options)) return;
+  const Up_estimate found = estimate_up(model.objects, is_asked_for ? 1 : odds_of_y);
+  model.objects.set_up(found.up);
+  model.up_confidence = found.confidence;
+  if (is_asked_for || found.up != Point::UnitY()) model.warnings.push_back(warning_of(found, "--up"));
+}
+
+Part_splitting mode_of(const std::string& path, const std::string& word)
+{
+  const std::map<std::string, Part_splitting> modes{{"file", Part_splitting::FILE},
+                                                    {"components", Part_splitting::COMPONENTS},
+                                                    {"segments", Part_splitting::SEGMENTS}};
+  const auto found = modes.find(word);
+  if (found != modes.end()) return found->second;
+  return is_folder(path) ? Part_splitting::FILE : Part_splitting::AUTO;
+}
+
+/// At most so many objects are named in a warning.
+constexpr std::size_t most_named = 8;
+
+/// What an automatic choice of parts changed, and what to type if it is not wanted.
+void warn_of_changes(const std::string& path, Read_model& model)
+{
+  const Part_split& split = model.split;
+  if (split.by_segments) {
+    model.warnings.push_back(
+        "The model is one piece: its parts come from an automatic segmentation by thickness, which is "
+        "rough; `shape_correspondence parts " +
+        path + " --html F` shows them.");
+    return;
+  }
+  if (!split.changes_objects()) return;
+  std::string names;
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < split.decisions.size(); ++i)
+    if (split.is_split(i) && ++number <= most_named) names += (number > 1 ? ", " : "") + model.objects.parts()[i].name;
+  if (number > most_named) names += " and " + std::to_string(number - most_named) + " more";
+  const std::string what = number > 0 ? "Objects of loose pieces were split into parts: " + names
+                                      : "Tiny objects joined the parts that they touch";
+  model.warnings.push_back(what + ". --parts file takes the objects as they are; `shape_correspondence parts " + path +
+                           "` says why.");
+}
+
+bool is_model(const std::string& path) { return is_folder(path) || IO::is_model_file(path); }
+
+} // namespace
+
+std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, Common_options& options)
+{
+  std::array<bool, 2> is_known;
+  for (std::size_t i = 0; i < 2; ++i)
+    is_known[i] = !is_up_unknown(paths[i], options.of_input(i));
+  const bool are_asked_for = options.of_input(0).finds_up() || options.of_input(1).finds_up();
+  if ((is_known[0] && is_known[1]) || are_asked_for || !is_model(paths[0]) || !is_model(paths[1])) return {};
+  std::vector<Segmented_shape> models;
+  for (std::size_t i = 0; i < 2; ++i)
+    models.push_back(IO::read_segmented_shape(paths[i], options.of_input(i).up_vector()));
+  const std::array<Up_estimate, 2> found = estimate_up_of_pair(models[0], models[1], is_known, odds_of_y_in_pair);
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (is_known[i]) continue;
+    options.of_pair[i].up = axis_name(found[i].up);
+    if (found[i].up != Point::UnitY())
+      warnings.push_back(paths[i] + ": " + warning_of(found[i], i == 0 ? "--source-up" : "--target-up"));
+  }
+  return warnings;
+}
+
+Read_model read_model(const std::string& path, const Common_options& options)
+{
+  Read_model model;
+  model.objects = IO::read_segmented_shape(path, options.up_vector(), &model.warnings);
+  find_up(path, options, model);
+  if (!options.parts_from.empty()) {
+    model.split = IO::split_parts_by_json(model.objects, options.parts_from);
+    return model;
+  }
+  Part_splitting_options splitting;
+  splitting.mode = mode_of(path, options.parts);
+  model.split = split_parts(model.objects, splitting);
+  if (splitting.mode == Part_splitting::AUTO) warn_of_changes(path, model);
+  if (splitting.mode == Part_splitting::SEGMENTS)
+    model.warnings.insert(model.warnings.begin(), "The parts come from an automatic segmentation.");
+  if (model.split.pieces_left_out > 0 && splitting.mode != Part_splitting::FILE)
+    model.warnings.push_back("Loose pieces that were left out, since they have no area: " +
+                             std::to_string(model.split.pieces_left_out) + ".");
+  return model;
+}
+
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "cli/Common_options.h"
+
+#include <CGAL/Shape_correspondence/split_parts.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::cli {
+
+/// A model, its parts, and what has to be said of them.
+struct Read_model
+{
+  Segmented_shape objects; ///< as the file has them
+  Part_split split;
+  double up_confidence = 1; ///< of the upright axis; 1 if it is given
+  std::vector<std::string> warnings;
+};
+
+/// Reads a model, finds its upright axis and makes its parts, as the options say. In mode `auto` the files of a folder
+/// of part meshes are the parts, and y is up. \throw Invalid_input
+Read_model read_model(const std::string& path, const Common_options& options);
+
+/// Finds the upright axes of two models of one kind together, where no option, file or folder says them, and puts them
+/// into `options.of_pair`. \return what has to be said of it \throw Invalid_input
+std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, Common_options& options);
+
+} // namespace CGAL::Shape_correspondence::cli

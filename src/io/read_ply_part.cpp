@@ -1,0 +1,260 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/model_parts.h"
+#include "io/text_words.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+// An own reader for PLY, of all its encodings and number types: CGAL's and assimp's trust the counts in the file.
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+enum class Ply_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
+
+struct Ply_property
+{
+  std::string name;
+  Ply_type type = Ply_type::INT8;
+  bool is_list = false;
+  Ply_type count_type = Ply_type::INT8; ///< of a list
+};
+
+struct Ply_element
+{
+  std::string name;
+  std::size_t count = 0;
+  std::vector<Ply_property> properties;
+};
+
+enum class Ply_encoding { ASCII, LITTLE_ENDIAN_BYTES, BIG_ENDIAN_BYTES };
+
+std::size_t size_of(Ply_type type)
+{
+  constexpr std::array<std::size_t, 8> sizes = {1, 1, 2, 2, 4, 4, 4, 8};
+  return sizes[std::size_t(type)];
+}
+
+class Ply_reader
+{
+public:
+  Ply_reader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+  Model_content read()
+  {
+    read_header();
+    for (const Ply_element& element : elements_)
+      read_element(element);
+    if (faces_.empty() && result_.faces_left_out == 0) fail("there is no face in it; a model needs a mesh for every part");
+    Model_part part;
+    std::vector<Point> polygon;
+    for (const std::vector<double>& face : faces_) {
+      polygon.clear();
+      for (double index : face)
+        polygon.push_back(points_[checked_index(index)]);
+      add_polygon(polygon, part.corners);
+    }
+    result_.parts.push_back(std::move(part));
+    return std::move(result_);
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& what) const { throw Invalid_input(file_ + ": " + what); }
+
+  void read_header()
+  {
+    if (trimmed(next_line(text_)) != "ply") fail("it cannot be read as a PLY model: it does not begin with 'ply'");
+    for (;;) {
+      if (text_.empty()) fail("its PLY header has no end; the file is cut off");
+      std::string_view line = next_line(text_);
+      const std::string_view keyword = next_word(line);
+      if (keyword == "end_header") return;
+      if (keyword == "format")
+        read_format(next_word(line));
+      else if (keyword == "element")
+        read_element_statement(line);
+      else if (keyword == "property")
+        read_property(line);
+    }
+  }
+
+  void read_format(std::string_view word)
+  {
+    if (word == "ascii")
+      encoding_ = Ply_encoding::ASCII;
+    else if (word == "binary_little_endian")
+      encoding_ = Ply_encoding::LITTLE_ENDIAN_BYTES;
+    else if (word == "binary_big_endian")
+      encoding_ = Ply_encoding::BIG_ENDIAN_BYTES;
+    else
+      fail("its PLY format is " + cited(word) + ", which is none of ascii, binary_little_endian, binary_big_endian");
+  }
+
+  void read_element_statement(std::string_view line)
+  {
+    Ply_element element;
+    element.name = next_word(line);
+    const std::string_view count = next_word(line);
+    if (!parse(count, element.count)) fail("its PLY header has " + cited(count) + " for a number of elements");
+    elements_.push_back(std::move(element));
+  }
+
+  void read_property(std::string_view line)
+  {
+    if (elements_.empty()) fail("its PLY header has a property of no element");
+    Ply_property property;
+    std::string_view type = next_word(line);
+    property.is_list = type == "list";
+    if (property.is_list) {
+      property.count_type = type_of(next_word(line));
+      type = next_word(line);
+    }
+    property.type = type_of(type);
+    property.name = next_word(line);
+    elements_.back().properties.push_back(std::move(property));
+  }
+
+  Ply_type type_of(std::string_view word) const
+  {
+    constexpr const char* names[][2] = {{"char", "int8"},   {"uchar", "uint8"}, {"short", "int16"},   {"ushort", "uint16"},
+                                        {"int", "int32"},   {"uint", "uint32"}, {"float", "float32"}, {"double", "float64"}};
+    for (std::size_t i = 0; i < std::size(names); ++i)
+      if (word == names[i][0] || word == names[i][1]) return Ply_type(i);
+    fail("its PLY header has a property of type " + cited(word) + ", which is none");
+  }
+
+  /// The fewest bytes that an element takes.
+  std::size_t least_size(const Ply_element& element) const
+  {
+    std::size_t result = 0;
+    for (const Ply_property& property : element.properties)
+      result += encoding_ == Ply_encoding::ASCII ? 2 : size_of(property.is_list ? property.count_type : property.type);
+    return result;
+  }
+
+  void read_element(const Ply_element& element)
+  {
+    const std::size_t least = least_size(element);
+    if (least == 0) return;
+    // The last word of a text needs no blank after it
+    if (element.count > (text_.size() + 1) / least)
+      fail("its header says " + std::to_string(element.count) + " of '" + element.name +
+           "', but the rest of the file is too short for them; it is cut off or damaged");
+    for (std::size_t i = 0; i < element.count; ++i) {
+      Point point = Point::Zero();
+      int coordinates = 0;
+      for (const Ply_property& property : element.properties) {
+        if (property.is_list) {
+          read_list(element, property);
+          continue;
+        }
+        const double number = next(property.type);
+        for (int k = 0; k < 3; ++k) {
+          if (property.name.size() != 1 || property.name[0] != "xyz"[k]) continue;
+          point[k] = number;
+          ++coordinates;
+        }
+      }
+      if (element.name != "vertex") continue;
+      if (coordinates != 3) fail("its vertices do not have the properties x, y and z");
+      points_.push_back(point);
+    }
+  }
+
+  void read_list(const Ply_element& element, const Ply_property& property)
+  {
+    const double count = next(property.count_type);
+    if (!(count >= 0) || count > double(text_.size()) || count != std::floor(count))
+      fail("it has a list of " + number_text(count) + " numbers, which is more than the rest of the file holds; it is "
+                                                      "cut off or damaged");
+    std::vector<double> list(static_cast<std::size_t>(count));
+    for (double& number : list)
+      number = next(property.type);
+    if (element.name != "face" || (property.name != "vertex_indices" && property.name != "vertex_index")) return;
+    if (list.size() < 3)
+      ++result_.faces_left_out;
+    else
+      faces_.push_back(std::move(list));
+  }
+
+  std::size_t checked_index(double index) const
+  {
+    if (!(index >= 0) || index >= double(points_.size()) || index != std::floor(index))
+      fail("a face uses vertex " + number_text(index) + ", but there are only " + std::to_string(points_.size()) +
+           " (numbered from 0)");
+    return static_cast<std::size_t>(index);
+  }
+
+  static std::string number_text(double number)
+  {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, number).ptr};
+  }
+
+  double next(Ply_type type)
+  {
+    if (encoding_ == Ply_encoding::ASCII) {
+      const std::string_view word = next_word(text_);
+      double number = 0;
+      if (word.empty()) fail("it ends before all of its elements are there; the file is cut off");
+      if (!parse(word, number)) fail("it has " + cited(word) + " in the place of a number");
+      return number;
+    }
+    switch (type) {
+    case Ply_type::INT8:
+      return next_bytes<std::int8_t, std::uint8_t>();
+    case Ply_type::UINT8:
+      return next_bytes<std::uint8_t, std::uint8_t>();
+    case Ply_type::INT16:
+      return next_bytes<std::int16_t, std::uint16_t>();
+    case Ply_type::UINT16:
+      return next_bytes<std::uint16_t, std::uint16_t>();
+    case Ply_type::INT32:
+      return next_bytes<std::int32_t, std::uint32_t>();
+    case Ply_type::UINT32:
+      return next_bytes<std::uint32_t, std::uint32_t>();
+    case Ply_type::FLOAT32:
+      return next_bytes<float, std::uint32_t>();
+    case Ply_type::FLOAT64:
+      break;
+    }
+    return next_bytes<double, std::uint64_t>();
+  }
+
+  template <typename Number, typename Bits>
+  double next_bytes()
+  {
+    constexpr std::size_t size = sizeof(Bits);
+    if (text_.size() < size) fail("it ends before all of its elements are there; the file is cut off");
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::size_t from_low = encoding_ == Ply_encoding::LITTLE_ENDIAN_BYTES ? i : size - 1 - i;
+      bits |= std::uint64_t(static_cast<unsigned char>(text_[i])) << (8 * from_low);
+    }
+    text_.remove_prefix(size);
+    const auto own_bits = static_cast<Bits>(bits);
+    Number number;
+    std::memcpy(&number, &own_bits, size);
+    return double(number);
+  }
+
+  std::string_view text_;
+  std::string file_;
+  Ply_encoding encoding_ = Ply_encoding::ASCII;
+  std::vector<Ply_element> elements_;
+  std::vector<Point> points_;
+  std::vector<std::vector<double>> faces_;
+  Model_content result_;
+};
+
+} // namespace
+
+Model_content read_ply_part(std::string_view text, const std::string& file) { return Ply_reader(text, file).read(); }
+
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <string_view>
+
+namespace CGAL::Shape_correspondence::IO {
+
+/// Text without the blanks at its ends.
+inline std::string_view trimmed(std::string_view text)
+{
+  const char* const blanks = " \t\r\n\v\f";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+/// Takes the first word off `text`; empty if there is none.
+inline std::string_view next_word(std::string_view& text)
+{
+  const char* const blanks = " \t\r\n\v\f";
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  const std::string_view word = text.substr(0, text.find_first_of(blanks));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+/// Takes the first line off `text`, without its end.
+inline std::string_view next_line(std::string_view& text)
+{
+  const std::string_view line = text.substr(0, text.find('\n'));
+  text.remove_prefix(std::min(line.size() + 1, text.size()));
+  return line;
+}
+
+/// Reads a number that makes up the whole word, in any locale.
+template <typename Number>
+bool parse(std::string_view word, Number& number)
+{
+  if (!word.empty() && word[0] == '+') word.remove_prefix(1);
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return error == std::errc() && end == word.data() + word.size();
+}
+
+/// A word of a file in a message: in quotes, the beginning of a long one.
+inline std::string cited(std::string_view word)
+{
+  constexpr std::size_t longest = 40;
+  return "'" + std::string(word.substr(0, longest)) + (word.size() > longest ? "...'" : "'");
+}
+
+} // namespace CGAL::Shape_correspondence::IO

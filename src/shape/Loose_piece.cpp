@@ -1,0 +1,132 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "shape/Loose_piece.h"
+#include "base/Disjoint_sets.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+/// By vertex, the first one at the same place.
+Indices first_at_place(const Points& points)
+{
+  Indices order(std::size_t(points.cols()));
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto key = [&](std::size_t v) {
+    const Point p = points.col(Eigen::Index(v));
+    return std::array<double, 3>{p.x(), p.y(), p.z()};
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+  Indices result(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    result[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? result[order[i - 1]] : order[i];
+  return result;
+}
+
+std::size_t corner(const Part_mesh& mesh, std::size_t t, int k)
+{
+  return std::size_t(mesh.triangles(k, Eigen::Index(t)));
+}
+
+/// Some triangles of a mesh, with the vertices that they use.
+Part_mesh extracted(const Part_mesh& mesh, const Indices& triangles, std::vector<int>& number)
+{
+  Part_mesh result;
+  result.triangles.resize(3, Eigen::Index(triangles.size()));
+  Indices used;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t v = corner(mesh, triangles[i], k);
+      if (number[v] < 0) {
+        number[v] = int(used.size());
+        used.push_back(v);
+      }
+      result.triangles(k, Eigen::Index(i)) = number[v];
+    }
+  result.points.resize(3, Eigen::Index(used.size()));
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    result.points.col(Eigen::Index(i)) = mesh.points.col(Eigen::Index(used[i]));
+    number[used[i]] = -1;
+  }
+  return result;
+}
+
+bool is_closed(const Part_mesh& mesh)
+{
+  const Indices place = first_at_place(mesh.points);
+  std::vector<std::array<std::size_t, 2>> edges;
+  for (std::size_t t = 0; t < std::size_t(mesh.triangles.cols()); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(place[corner(mesh, t, k)], place[corner(mesh, t, (k + 1) % 3)]);
+      if (a != b) edges.push_back({a, b});
+    }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i < edges.size(); i += 2)
+    if (i + 1 == edges.size() || edges[i] != edges[i + 1]) return false;
+  return true;
+}
+
+} // namespace
+
+std::vector<Part_mesh> loose_pieces(const Part_mesh& mesh)
+{
+  const Indices place = first_at_place(mesh.points);
+  Disjoint_sets sets(place.size());
+  const auto triangles = std::size_t(mesh.triangles.cols());
+  for (std::size_t t = 0; t < triangles; ++t)
+    for (int k = 1; k < 3; ++k)
+      sets.unite(place[corner(mesh, t, 0)], place[corner(mesh, t, k)]);
+  constexpr std::size_t none = std::size_t(-1);
+  Indices piece_of_set(place.size(), none);
+  std::vector<Indices> pieces;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    std::size_t& piece = piece_of_set[sets[place[corner(mesh, t, 0)]]];
+    if (piece == none) {
+      piece = pieces.size();
+      pieces.emplace_back();
+    }
+    pieces[piece].push_back(t);
+  }
+  std::vector<Part_mesh> result;
+  std::vector<int> number(place.size(), -1);
+  for (const Indices& piece : pieces)
+    result.push_back(extracted(mesh, piece, number));
+  return result;
+}
+
+double size_of(const Points& points, const Point& middle)
+{
+  Eigen::Index farthest = 0;
+  (points.colwise() - middle).colwise().squaredNorm().maxCoeff(&farthest);
+  const Point from = points.col(farthest);
+  return (points.colwise() - from).colwise().norm().maxCoeff();
+}
+
+Loose_piece loose_piece(std::size_t object, Part_mesh mesh)
+{
+  double area = 0;
+  Point middle = Point::Zero();
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Point a = mesh.points.col(mesh.triangles(0, t)), b = mesh.points.col(mesh.triangles(1, t)),
+                c = mesh.points.col(mesh.triangles(2, t));
+    const double twice = (b - a).cross(c - a).norm();
+    area += twice / 2;
+    middle += twice / 6 * (a + b + c);
+  }
+  middle = area > 0 ? Point(middle / area) : Point(mesh.points.rowwise().mean());
+  const double size = size_of(mesh.points, middle);
+  const bool closed = is_closed(mesh);
+  return {object, std::move(mesh), area, size, closed};
+}
+
+} // namespace CGAL::Shape_correspondence::internal

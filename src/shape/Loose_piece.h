@@ -1,0 +1,32 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// A piece of an object that hangs together.
+struct Loose_piece
+{
+  std::size_t object;
+  Part_mesh mesh;
+  double area;
+  double size; ///< about its diameter
+  bool closed; ///< two triangles meet at every edge
+};
+
+/// The triangles that are connected through vertices at the same place, by their first triangles.
+std::vector<Part_mesh> loose_pieces(const Part_mesh& mesh);
+
+/// Measures a piece.
+Loose_piece loose_piece(std::size_t object, Part_mesh mesh);
+
+/// About the diameter of points: the distance of the point farthest from the middle to the one farthest from that.
+double size_of(const Points& points, const Point& middle);
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,392 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "shape/group_pieces.h"
+#include "shape/Hull_planes.h"
+#include "shape/Triangle_tree.h"
+#include "shape/sample_triangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+using contacts::Triangle;
+using contacts::Triangle_tree;
+
+// Calibrated on raw files of which the parts are known (benchmark/Shape_correspondence/RESULTS.md). Lengths over the
+// size of the model.
+constexpr int surface_samples = 64;         // of a piece
+constexpr Eigen::Index vertex_samples = 64; // at most
+constexpr double hull_tolerance = 0.005;
+constexpr std::size_t most_pieces = 1000; // of an object; of more, such as leaves, none is a part
+constexpr double share_in_hull = 0.95;    // of a piece that is in a hull
+constexpr double share_interlocked = 0.3; // of each of two pieces in the other's hull
+constexpr double alike = 0.01;            // relative difference of areas and sizes of copies
+constexpr std::size_t fewest_copies = 3;
+constexpr double assembly_size = 0.3;   // of an object whose pieces stay together if they touch
+constexpr double shell_distance = 0.03; // between both shells of a panel
+constexpr double shell_areas = 0.7;     // least ratio of them
+constexpr double unlimited = 1e100;     // a distance that none reaches
+constexpr double speck_size = 0.01;     // a smaller piece joins what it touches, whatever its object
+
+/// A piece with what distances to it need.
+class Measured_piece
+{
+public:
+  Measured_piece(const Loose_piece& piece, double model_size)
+      : piece_(piece), tree_(triangles_of(piece.mesh)), samples_(samples_of(piece.mesh)), model_size_(model_size)
+  {}
+
+  const Loose_piece& piece() const { return piece_; }
+  const Triangle_tree& tree() const { return tree_; }
+  const Points& samples() const { return samples_; }
+
+  bool is_within(const Measured_piece& other, double distance) const
+  {
+    return tree_.is_within(other.tree_, distance * distance);
+  }
+
+  /// How far the point of this piece is that is farthest from another one; infinite if that is `limit` or more.
+  double distance_to(const Measured_piece& other, double limit) const
+  {
+    double result = 0;
+    for (Eigen::Index i = 0; i < samples_.cols(); ++i) {
+      double squared = limit * limit;
+      Point nearest;
+      std::size_t triangle = 0;
+      if (!other.tree_.improve_nearest(samples_.col(i), nearest, squared, triangle))
+        return std::numeric_limits<double>::infinity();
+      result = std::max(result, squared);
+    }
+    return std::sqrt(result);
+  }
+
+  /// Which share of this piece is in the hull of another, or as near to it as `tolerance`.
+  double share_in(const Measured_piece& other, double tolerance) const
+  {
+    return other.hull().share_inside(samples_, tolerance);
+  }
+
+private:
+  static std::vector<Triangle> triangles_of(const Part_mesh& mesh)
+  {
+    std::vector<Triangle> result;
+    result.reserve(std::size_t(mesh.triangles.cols()));
+    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+      result.push_back({mesh.points.col(mesh.triangles(0, t)), mesh.points.col(mesh.triangles(1, t)),
+                        mesh.points.col(mesh.triangles(2, t))});
+    return result;
+  }
+
+  /// Points by area, and vertices, which corners are among.
+  static Points samples_of(const Part_mesh& mesh)
+  {
+    std::vector<contacts::Sampled_triangle> triangles;
+    for (const Triangle& t : triangles_of(mesh)) {
+      const Point u = t[1] - t[0], v = t[2] - t[0];
+      triangles.push_back({t[0], u, v, u.cross(v).norm() / 2});
+    }
+    std::vector<Point> points = contacts::sample_triangles(triangles, surface_samples).points;
+    const Eigen::Index step = 1 + (mesh.points.cols() - 1) / vertex_samples;
+    for (Eigen::Index v = 0; v < mesh.points.cols(); v += step)
+      points.push_back(mesh.points.col(v));
+    Points result(3, Eigen::Index(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      result.col(Eigen::Index(i)) = points[i];
+    return result;
+  }
+
+  const Hull_planes& hull() const
+  {
+    if (!hull_) hull_.emplace(piece_.mesh.points, hull_tolerance * model_size_);
+    return *hull_;
+  }
+
+  const Loose_piece& piece_;
+  Triangle_tree tree_;
+  Points samples_;
+  double model_size_;
+  mutable std::optional<Hull_planes> hull_; ///< made when it is asked for
+};
+
+/// Why a piece joins another one.
+struct Join
+{
+  std::size_t to;
+  double distance; ///< of its farthest point; the nearest is joined
+  const char* reason;
+};
+
+class Grouping
+{
+public:
+  Grouping(const std::vector<Loose_piece>& pieces, const std::vector<std::string>& names, std::size_t objects,
+           double size, const Part_splitting_options& options)
+      : pieces_(pieces),
+        names_(names),
+        objects_(objects),
+        size_(size),
+        options_(options),
+        measured_(pieces.size()),
+        result_{Disjoint_sets(pieces.size()), std::vector<std::string>(pieces.size()),
+                std::vector<std::string>(objects)}
+  {}
+
+  Piece_groups run()
+  {
+    for (std::size_t begin = 0; begin < pieces_.size();) {
+      std::size_t end = begin;
+      while (end < pieces_.size() && pieces_[end].object == pieces_[begin].object)
+        ++end;
+      if (end - begin > 1) group_object(begin, end);
+      begin = end;
+    }
+    join_specks();
+    return std::move(result_);
+  }
+
+private:
+  /// The pieces of an object.
+  void group_object(std::size_t begin, std::size_t end)
+  {
+    std::string& kept = result_.kept[pieces_[begin].object];
+    if (objects_ > 1 && end - begin > most_pieces)
+      kept = "they are too many";
+    else if (objects_ > 1 && holds_all_others(largest(begin, end), begin, end))
+      kept = "its largest piece holds the others";
+    else if (objects_ > 1 && is_assembly(begin, end))
+      kept = "it is small, and its pieces touch";
+    if (!kept.empty()) {
+      unite(begin, end);
+      return;
+    }
+    std::vector<std::optional<Join>> joins(pieces_.size());
+    for (std::size_t i = begin; i < end; ++i)
+      joins[i] = join_of(i, begin, end);
+    treat_copies_alike(begin, end, joins);
+    for (std::size_t i = begin; i < end; ++i)
+      if (joins[i]) {
+        result_.sets.unite(i, joins[i]->to);
+        result_.reasons[i] = joins[i]->reason + (' ' + names_[joins[i]->to]);
+      }
+    join_interlocked(begin, end);
+    if (number_of_groups(begin, end) <= options_.most_parts || objects_ == 1) return;
+    kept = "it would be " + std::to_string(number_of_groups(begin, end)) + " parts";
+    unite(begin, end);
+  }
+
+  void unite(std::size_t begin, std::size_t end)
+  {
+    for (std::size_t i = begin + 1; i < end; ++i)
+      result_.sets.unite(begin, i);
+  }
+
+  std::size_t number_of_groups(std::size_t begin, std::size_t end) const
+  {
+    std::set<std::size_t> groups;
+    for (std::size_t i = begin; i < end; ++i)
+      groups.insert(result_.sets[i]);
+    return groups.size();
+  }
+
+  const Measured_piece& measured(std::size_t i)
+  {
+    if (!measured_[i]) measured_[i] = std::make_unique<Measured_piece>(pieces_[i], size_);
+    return *measured_[i];
+  }
+
+  std::size_t largest(std::size_t begin, std::size_t end) const
+  {
+    const auto first = pieces_.begin();
+    return std::size_t(std::max_element(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(end),
+                                        [](const Loose_piece& a, const Loose_piece& b) { return a.size < b.size; }) -
+                       first);
+  }
+
+  bool holds_all_others(std::size_t largest, std::size_t begin, std::size_t end)
+  {
+    for (std::size_t i = begin; i < end; ++i)
+      if (i != largest && pieces_[i].size > (1 + alike) * pieces_[largest].size) return false;
+    const double tolerance = hull_tolerance * size_;
+    for (std::size_t i = begin; i < end; ++i)
+      if (i != largest && measured(i).share_in(measured(largest), tolerance) < share_in_hull) return false;
+    return true;
+  }
+
+  /// Whether the pieces of an object are a small thing made of pieces that touch.
+  bool is_assembly(std::size_t begin, std::size_t end)
+  {
+    Points points(3, 0);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Points& samples = measured(i).samples();
+      points.conservativeResize(Eigen::NoChange, points.cols() + samples.cols());
+      points.rightCols(samples.cols()) = samples;
+    }
+    if (size_of(points, points.rowwise().mean()) > assembly_size * size_) return false;
+    Disjoint_sets sets(end - begin);
+    for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t j = begin; j < i; ++j)
+        if (sets[i - begin] != sets[j - begin] && are_touching(i, j)) sets.unite(i - begin, j - begin);
+    return sets.number_of_sets() == 1;
+  }
+
+  bool are_touching(std::size_t i, std::size_t other)
+  {
+    const double distance = options_.touching_distance * size_;
+    return boxes_are_near(i, other, distance) && measured(i).is_within(measured(other), distance);
+  }
+
+  /// Of two pieces that may join one another the smaller one does; of copies the later one.
+  bool may_join(std::size_t i, std::size_t other) const
+  {
+    const double difference = pieces_[other].area - pieces_[i].area;
+    return std::abs(difference) > alike * pieces_[i].area ? difference > 0 : other < i;
+  }
+
+  /// Two sheets that have one extent, such as the front and the back of a panel.
+  bool are_both_shells(std::size_t i, std::size_t other)
+  {
+    if (pieces_[i].closed || pieces_[other].closed) return false;
+    if (pieces_[i].area < shell_areas * pieces_[other].area) return false;
+    return std::isfinite(measured(other).distance_to(measured(i), shell_distance * size_));
+  }
+
+  /// What a piece joins of the others of its object.
+  std::optional<Join> join_of(std::size_t i, std::size_t begin, std::size_t end)
+  {
+    const bool is_small = pieces_[i].size < options_.small_size * size_;
+    std::optional<Join> best;
+    for (std::size_t other = begin; other < end; ++other) {
+      if (other == i || !may_join(i, other) || !boxes_are_near(i, other, shell_distance * size_)) continue;
+      const double limit = is_small ? unlimited : shell_distance * size_;
+      const double distance = measured(i).distance_to(measured(other), best ? best->distance : limit);
+      if (!std::isfinite(distance)) continue;
+      if (const char* reason = reason_to_join(i, other, distance, is_small)) best = Join{other, distance, reason};
+    }
+    return best;
+  }
+
+  /// Null if there is none. \param distance of the farthest point
+  const char* reason_to_join(std::size_t i, std::size_t other, double distance, bool is_small)
+  {
+    if (distance <= options_.layer_distance * size_) return "lies on";
+    if (is_small && are_touching(i, other)) return "small, touches";
+    if (distance <= shell_distance * size_ && are_both_shells(i, other)) return "the other shell of";
+    return nullptr;
+  }
+
+  /// The nearest piece that another one may join.
+  std::optional<Join> nearest(std::size_t i, std::size_t begin, std::size_t end)
+  {
+    std::optional<Join> best;
+    for (std::size_t other = begin; other < end; ++other) {
+      if (other == i || !may_join(i, other)) continue;
+      const double distance = measured(i).distance_to(measured(other), best ? best->distance : unlimited);
+      if (std::isfinite(distance)) best = Join{other, distance, "as its copies do, joins"};
+    }
+    return best;
+  }
+
+  bool boxes_are_near(std::size_t i, std::size_t other, double distance)
+  {
+    return measured(i).tree().box().exteriorDistance(measured(other).tree().box()) <= distance;
+  }
+
+  /// Pieces of one number of triangles, area and size, by the first of them.
+  Disjoint_sets copies(std::size_t begin, std::size_t end) const
+  {
+    std::vector<std::size_t> order(end - begin);
+    std::iota(order.begin(), order.end(), begin);
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return std::pair(pieces_[a].area, a) < std::pair(pieces_[b].area, b);
+    });
+    Disjoint_sets result(pieces_.size());
+    for (std::size_t a = 0; a < order.size(); ++a)
+      for (std::size_t b = a + 1; b < order.size(); ++b) {
+        const Loose_piece &p = pieces_[order[a]], &q = pieces_[order[b]];
+        if (q.area > (1 + alike) * p.area) break;
+        if (p.mesh.triangles.cols() != q.mesh.triangles.cols() || std::abs(p.size - q.size) > alike * p.size) continue;
+        result.unite(order[a], order[b]);
+        break;
+      }
+    return result;
+  }
+
+  void treat_copies_alike(std::size_t begin, std::size_t end, std::vector<std::optional<Join>>& joins)
+  {
+    const Disjoint_sets of_copies = copies(begin, end);
+    std::map<std::size_t, std::vector<std::size_t>> families;
+    for (std::size_t i = begin; i < end; ++i)
+      families[of_copies[i]].push_back(i);
+    for (const auto& [first, family] : families) {
+      if (family.size() < fewest_copies) continue;
+      const auto joined =
+          std::size_t(std::count_if(family.begin(), family.end(), [&](std::size_t i) { return joins[i].has_value(); }));
+      if (joined == 0 || joined == family.size()) continue;
+      for (std::size_t i : family)
+        if (2 * joined <= family.size())
+          joins[i].reset();
+        else if (!joins[i])
+          joins[i] = nearest(i, begin, end);
+    }
+  }
+
+  void join_interlocked(std::size_t begin, std::size_t end)
+  {
+    for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t j = begin; j < i; ++j) {
+        if (result_.sets[i] == result_.sets[j] || !are_touching(i, j)) continue;
+        const double tolerance = hull_tolerance * size_;
+        if (measured(i).share_in(measured(j), tolerance) < share_interlocked ||
+            measured(j).share_in(measured(i), tolerance) < share_interlocked)
+          continue;
+        result_.sets.unite(i, j);
+        if (result_.reasons[i].empty()) result_.reasons[i] = "interlocks with " + names_[j];
+      }
+  }
+
+  /// Pieces so small that they are a screw or a dot, whatever their object, unless that was kept.
+  void join_specks()
+  {
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const bool is_kept = !result_.kept[pieces_[i].object].empty();
+      if (is_kept || pieces_[i].size >= speck_size * size_ || !result_.reasons[i].empty()) continue;
+      std::optional<Join> best;
+      for (std::size_t other = 0; other < pieces_.size(); ++other) {
+        if (pieces_[other].object == pieces_[i].object || pieces_[other].size < 2 * pieces_[i].size) continue;
+        if (!are_touching(i, other)) continue;
+        const double distance = measured(i).distance_to(measured(other), best ? best->distance : unlimited);
+        if (std::isfinite(distance)) best = Join{other, distance, "tiny, touches"};
+      }
+      if (!best) continue;
+      result_.sets.unite(i, best->to);
+      result_.reasons[i] = best->reason + (' ' + names_[best->to]);
+    }
+  }
+
+  const std::vector<Loose_piece>& pieces_;
+  const std::vector<std::string>& names_;
+  std::size_t objects_;
+  double size_;
+  const Part_splitting_options& options_;
+  std::vector<std::unique_ptr<Measured_piece>> measured_; ///< made when they are asked for
+  Piece_groups result_;
+};
+
+} // namespace
+
+Piece_groups group_pieces(const std::vector<Loose_piece>& pieces, const std::vector<std::string>& names,
+                          std::size_t objects, double size, const Part_splitting_options& options)
+{
+  return Grouping(pieces, names, objects, size, options).run();
+}
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "base/Disjoint_sets.h"
+#include "shape/Loose_piece.h"
+
+#include <CGAL/Shape_correspondence/split_parts.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// Which loose pieces are one part.
+struct Piece_groups
+{
+  Disjoint_sets sets;               ///< of pieces
+  std::vector<std::string> reasons; ///< by piece, why it joined another one; empty if it did not
+  std::vector<std::string> kept;    ///< by object, why it was kept as it is although it has several pieces; or empty
+};
+
+/// Decides it as `split_parts()` says for `Part_splitting::AUTO`.
+/// \param pieces of all objects, those of an object next to one another
+/// \param names of the pieces, for the reasons \param objects how many there are \param size of the model
+Piece_groups group_pieces(const std::vector<Loose_piece>& pieces, const std::vector<std::string>& names,
+                          std::size_t objects, double size, const Part_splitting_options& options);
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,314 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "shape/Loose_piece.h"
+#include "shape/group_pieces.h"
+#include "shape/has_area.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/split_parts.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace CGAL::Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+// More are noise, of a surface that has no inside
+constexpr std::size_t most_segments = 30;
+
+double size_of_model(const Segmented_shape& model)
+{
+  if (model.parts().empty())
+    throw Invalid_input("shape '" + model.name() + "': there is no object to make parts of; give it a surface");
+  Eigen::Index count = 0;
+  for (const Shape_part& object : model.parts())
+    count += object.mesh.points.cols();
+  Points points(3, count);
+  for (const Shape_part& object : model.parts()) {
+    points.middleCols(points.cols() - count, object.mesh.points.cols()) = object.mesh.points;
+    count -= object.mesh.points.cols();
+  }
+  const Point middle = (points.rowwise().minCoeff() + points.rowwise().maxCoeff()) / 2;
+  return size_of(points, middle);
+}
+
+/// The name with `#` and a number, the first from `number` on that is not taken; takes it.
+std::string unused_name(const std::string& name, std::size_t number, std::set<std::string>& taken)
+{
+  std::string result = name + '#' + std::to_string(number);
+  while (!taken.insert(result).second)
+    result = name + '#' + std::to_string(++number);
+  return result;
+}
+
+Part_mesh joined(const std::vector<const Part_mesh*>& meshes)
+{
+  Eigen::Index points = 0, triangles = 0;
+  for (const Part_mesh* mesh : meshes) {
+    points += mesh->points.cols();
+    triangles += mesh->triangles.cols();
+  }
+  Part_mesh result;
+  result.points.resize(3, points);
+  result.triangles.resize(3, triangles);
+  points = triangles = 0;
+  for (const Part_mesh* mesh : meshes) {
+    result.points.middleCols(points, mesh->points.cols()) = mesh->points;
+    result.triangles.middleCols(triangles, mesh->triangles.cols()) = mesh->triangles.array() + int(points);
+    points += mesh->points.cols();
+    triangles += mesh->triangles.cols();
+  }
+  return result;
+}
+
+/// The loose pieces of a model, and the parts that become of them.
+class Splitter
+{
+public:
+  Splitter(const Segmented_shape& objects, const Segmentation_options& segmentation)
+      : objects_(objects.parts()),
+        segmentation_(segmentation),
+        size_(size_of_model(objects)),
+        result_{Segmented_shape(objects.name(), objects.up()), {}, {}}
+  {
+    for (std::size_t i = 0; i < objects_.size(); ++i)
+      add_pieces(i, loose_pieces(objects_[i].mesh));
+    name_pieces();
+  }
+
+  std::size_t number_of_pieces() const { return pieces_.size(); }
+
+  /// Divides pieces into segments.
+  void segment()
+  {
+    result_.by_segments = true;
+    std::vector<Loose_piece> whole;
+    whole.swap(pieces_);
+    for (const Loose_piece& piece : whole) {
+      const Mesh_segmentation segments = segment_mesh(piece.mesh, segmentation_);
+      result_.pieces_left_out += segments.pieces_left_out;
+      std::vector<Part_mesh> meshes;
+      for (const Shape_part& segment : segments.shape.parts())
+        meshes.push_back(segment.mesh);
+      add_pieces(piece.object, std::move(meshes));
+    }
+    name_pieces();
+  }
+
+  /// Every object a part.
+  Part_split objects()
+  {
+    for (Model_piece& piece : result_.pieces)
+      piece.part = piece.object;
+    for (const Shape_part& object : objects_)
+      result_.shape.add_part(object.name, object.mesh);
+    return finished({});
+  }
+
+  /// Every piece a part.
+  Part_split pieces() { return of_sets(Disjoint_sets(pieces_.size())); }
+
+  Part_split automatic(const Part_splitting_options& options)
+  {
+    if (pieces_.size() == 1) return segments_of_whole();
+    std::vector<std::string> names;
+    for (const Model_piece& piece : result_.pieces)
+      names.push_back(piece.name);
+    const Piece_groups groups = group_pieces(pieces_, names, objects_.size(), size_, options);
+    if (groups.sets.number_of_sets() == 1) return pieces();
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      result_.pieces[i].reason = groups.reasons[i];
+    return of_sets(groups.sets, groups.kept);
+  }
+
+  /// Of a model that is one piece.
+  Part_split segments_of_whole()
+  {
+    const Loose_piece whole = pieces_[0];
+    segment();
+    if (pieces_.size() > most_segments) {
+      pieces_.assign(1, whole);
+      name_pieces();
+    }
+    return pieces();
+  }
+
+  Part_split assigned(const std::map<std::string, std::string>& part_of_piece)
+  {
+    std::vector<std::string> names; // of parts
+    std::map<std::string, Group> groups;
+    std::set<std::string> known;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      Model_piece& piece = result_.pieces[i];
+      known.insert(piece.name);
+      const auto part = part_of_piece.find(piece.name);
+      if (part == part_of_piece.end()) throw Invalid_input("the piece '" + piece.name + "' of the model is not listed");
+      if (part->second.empty()) continue;
+      if (groups.count(part->second) == 0) names.push_back(part->second);
+      groups[part->second].push_back(i);
+    }
+    for (const auto& [piece, part] : part_of_piece)
+      if (known.count(piece) == 0) throw Invalid_input("the model has no piece '" + piece + "'");
+    for (Model_piece& piece : result_.pieces)
+      piece.part = no_part;
+    for (const std::string& name : names)
+      add_part(groups[name], name);
+    return finished({});
+  }
+
+private:
+  using Group = std::vector<std::size_t>; // of pieces
+
+  void add_pieces(std::size_t object, std::vector<Part_mesh> meshes)
+  {
+    for (Part_mesh& mesh : meshes) {
+      if (has_area(mesh))
+        pieces_.push_back(loose_piece(object, std::move(mesh)));
+      else
+        ++result_.pieces_left_out;
+    }
+  }
+
+  void name_pieces()
+  {
+    std::vector<std::size_t> count(objects_.size(), 0), number(objects_.size(), 0);
+    for (const Loose_piece& piece : pieces_)
+      ++count[piece.object];
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < objects_.size(); ++i)
+      if (count[i] == 1) taken.insert(objects_[i].name);
+    result_.pieces.clear();
+    for (const Loose_piece& piece : pieces_) {
+      std::string name = objects_[piece.object].name;
+      if (count[piece.object] > 1) name = unused_name(name, ++number[piece.object], taken);
+      result_.pieces.push_back({name, piece.object, 0, piece.closed, piece.size / size_, ""});
+    }
+  }
+
+  Part_split of_sets(const Disjoint_sets& sets, const std::vector<std::string>& kept = {})
+  {
+    std::map<std::size_t, Group> groups;
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      groups[sets[i]].push_back(i);
+    std::set<std::string> taken;
+    for (const Shape_part& object : objects_)
+      taken.insert(object.name);
+    std::vector<std::size_t> parts_of_object(objects_.size(), 0);
+    for (const auto& [first, group] : groups) {
+      const std::size_t object = pieces_[largest(group)].object, number = ++parts_of_object[object];
+      const std::string& name = objects_[object].name;
+      add_part(group, number == 1 ? name : unused_name(name, number, taken));
+      result_.pieces[largest(group)].reason.clear();
+    }
+    return finished(kept);
+  }
+
+  std::size_t largest(const Group& group) const
+  {
+    return *std::max_element(group.begin(), group.end(),
+                             [&](std::size_t a, std::size_t b) { return pieces_[a].area < pieces_[b].area; });
+  }
+
+  /// Whether some pieces are all of an object and nothing else.
+  bool is_object(const Group& group) const
+  {
+    if (result_.by_segments) return false;
+    const auto is_of_it = [object = pieces_[group[0]].object](const Loose_piece& piece) {
+      return piece.object == object;
+    };
+    return std::all_of(group.begin(), group.end(), [&](std::size_t i) { return is_of_it(pieces_[i]); }) &&
+           std::size_t(std::count_if(pieces_.begin(), pieces_.end(), is_of_it)) == group.size();
+  }
+
+  void add_part(const Group& group, const std::string& name)
+  {
+    std::vector<const Part_mesh*> meshes;
+    for (std::size_t i : group) {
+      result_.pieces[i].part = result_.shape.parts().size();
+      meshes.push_back(&pieces_[i].mesh);
+    }
+    result_.shape.add_part(name, is_object(group) ? objects_[pieces_[group[0]].object].mesh : joined(meshes));
+  }
+
+  Part_split finished(const std::vector<std::string>& kept)
+  {
+    for (std::size_t i = 0; i < objects_.size(); ++i)
+      result_.decisions.push_back(decision(i, kept.empty() ? "" : kept[i]));
+    return std::move(result_);
+  }
+
+  /// What became of an object.
+  std::string decision(std::size_t object, const std::string& why_kept) const
+  {
+    std::size_t pieces = 0;
+    std::set<std::size_t> parts;
+    for (const Model_piece& piece : result_.pieces)
+      if (piece.object == object) {
+        ++pieces;
+        parts.insert(piece.part);
+      }
+    const std::string count = std::to_string(pieces) + (result_.by_segments ? " segments" : " pieces");
+    if (pieces == 0) return "left out: it has no area";
+    if (pieces == 1) return "one piece";
+    if (parts.size() > 1) return count + ", split into " + std::to_string(parts.size()) + " parts";
+    return count + ", kept whole" + (why_kept.empty() ? "" : ": " + why_kept);
+  }
+
+  const std::vector<Shape_part>& objects_;
+  const Segmentation_options& segmentation_;
+  double size_;
+  std::vector<Loose_piece> pieces_;
+  Part_split result_;
+};
+
+} // namespace
+
+bool Part_split::is_split(std::size_t object) const
+{
+  std::set<std::size_t> parts;
+  for (const Model_piece& piece : pieces)
+    if (piece.object == object) parts.insert(piece.part);
+  return parts.size() > 1;
+}
+
+bool Part_split::changes_objects() const
+{
+  std::map<std::size_t, std::size_t> object_of_part;
+  for (const Model_piece& piece : pieces)
+    if (!object_of_part.emplace(piece.part, piece.object).second && object_of_part[piece.part] != piece.object)
+      return true;
+  for (std::size_t i = 0; i < decisions.size(); ++i)
+    if (is_split(i)) return true;
+  return false;
+}
+
+Part_split split_parts(const Segmented_shape& objects, const Part_splitting_options& options)
+{
+  Splitter splitter(objects, options.segmentation);
+  switch (options.mode) {
+  case Part_splitting::FILE:
+    return splitter.objects();
+  case Part_splitting::COMPONENTS:
+    return splitter.pieces();
+  case Part_splitting::SEGMENTS:
+    splitter.segment();
+    return splitter.pieces();
+  case Part_splitting::AUTO:
+    break;
+  }
+  return splitter.automatic(options);
+}
+
+Part_split split_parts(const Segmented_shape& objects, const std::map<std::string, std::string>& part_of_piece,
+                       bool by_segments, const Segmentation_options& segmentation)
+{
+  Splitter splitter(objects, segmentation);
+  if (by_segments) splitter.segment();
+  return splitter.assigned(part_of_piece);
+}
+
+} // namespace CGAL::Shape_correspondence

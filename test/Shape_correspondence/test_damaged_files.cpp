@@ -1,0 +1,200 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Files that are cut off, or made to harm: each is read, or is an error that names it, within moments.
+
+#include "hand_made_graphs.h"
+#include "io/isolated.h"
+#include "model_files.h"
+
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
+#include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+
+#include <catch2/catch.hpp>
+
+#include <csignal>
+
+using namespace CGAL::Shape_correspondence;
+using namespace model_files;
+using Catch::Matchers::Contains;
+
+namespace {
+
+/// What reading the file complains of; it names the file.
+std::string read_complaint(const std::string& file)
+{
+  const std::string message = complaint([&] { IO::read_segmented_shape(file); });
+  if (!message.empty()) CHECK_THAT(message, Contains(file));
+  return message;
+}
+
+std::string ply(const std::string& format, const std::string& vertices, const std::string& list, const std::string& faces)
+{
+  return "ply\nformat " + format + " 1.0\nelement vertex " + vertices +
+         "\nproperty double x\nproperty double y\nproperty double z\nelement face " + faces + "\nproperty list " + list +
+         " vertex_indices\nend_header\n";
+}
+
+std::string json_complaint(const std::string& text)
+{
+  return complaint([&] {
+    std::istringstream in(text);
+    IO::read_structural_graph_json(in, "g.json");
+  });
+}
+
+std::string xml_complaint(const std::string& text)
+{
+  return complaint([&] {
+    std::istringstream in(text);
+    IO::read_structural_graph_xml(in, "g.xml");
+  });
+}
+
+std::string repeated(const std::string& text, std::size_t times)
+{
+  std::string result;
+  for (std::size_t i = 0; i < times; ++i)
+    result += text;
+  return result;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to)
+{
+  REQUIRE(text.find(from) != std::string::npos);
+  return text.replace(text.find(from), from.size(), to);
+}
+
+} // namespace
+
+TEST_CASE("A model that is cut off anywhere is read or refused")
+{
+  const Temporary_folder folder;
+  const std::string vertices = box_vertices(0, 0, 0, 1, 2, 3, ""), faces = box_faces(0, "4 ");
+  std::string binary = ply("binary_little_endian", "8", "uchar int", "6");
+  for (int i = 0; i < 24; ++i) {
+    const double x = (i % 3 == 0 ? i / 3 & 1 : i % 3 == 1 ? i / 6 & 1 : i / 12);
+    binary.append(reinterpret_cast<const char*>(&x), sizeof x);
+  }
+  for (int f = 0; f < 6; ++f) {
+    const int corners[] = {f, 0, 7};
+    binary += '\x03';
+    binary.append(reinterpret_cast<const char*>(corners), sizeof corners);
+  }
+  std::string stl(84, ' ');
+  stl[80] = 2, stl[81] = stl[82] = stl[83] = 0;
+  stl += std::string(100, '\x3F');
+  const std::pair<std::string, std::string> models[] = {
+      {"a.ply", ply("ascii", "8", "uchar int", "6") + vertices + faces},
+      {"b.ply", binary},
+      {"a.off", "OFF\n8 6 0\n" + vertices + faces},
+      {"a.stl", stl},
+      {"a.obj", obj_table()}};
+  for (const auto& [name, text] : models)
+    for (std::size_t size = 0; size <= text.size(); ++size) {
+      INFO(name << " of " << size << " bytes");
+      const std::string message = read_complaint(folder.write(name, text.substr(0, size)));
+      if (size == text.size() && name != "a.stl") CHECK(message.empty());
+      if (size + 3 < text.size() && name != "a.obj") CHECK(!message.empty());
+    }
+}
+
+TEST_CASE("Counts beyond the size of the file are refused before anything is made for them")
+{
+  const Temporary_folder folder;
+  const auto refused = [&](const std::string& name, const std::string& text) {
+    return read_complaint(folder.write(name, text));
+  };
+  for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+    CHECK_THAT(refused("a.ply", ply(format, "4000000000", "uchar int", "1") + "0 0 0"), Contains("too short"));
+    CHECK_THAT(refused("a.ply", ply(format, "18446744073709551615", "uchar int", "1") + "0 0 0"), Contains("too short"));
+  }
+  CHECK_THAT(refused("a.ply", ply("ascii", "1", "uint int", "1") + "0 0 0 4294967295 0"), Contains("4294967295"));
+  CHECK_THAT(refused("a.ply", ply("ascii", "1", "uint int", "1") + "0 0 0 -1 0"), Contains("list of -1"));
+  CHECK_THAT(refused("a.off", "OFF\n2000000000 1 0\n0 0 0\n"), Contains("2000000000"));
+  CHECK_THAT(refused("a.off", "OFF\n1 1 0\n0 0 0\n1000000000 0\n"), Contains("1000000000"));
+  CHECK_THAT(refused("a.stl", std::string(80, ' ') + std::string(4, '\x7F') + std::string(50, '\0')),
+             Contains("more than the file holds"));
+}
+
+TEST_CASE("Coordinates beyond 1e15 are refused, those at it are not")
+{
+  const Temporary_folder folder;
+  const auto box = [](double size) { return obj_box("o a", 0, 0, 0, 0, size, size, size); };
+  CHECK(read_complaint(folder.write("a.obj", box(1e15))).empty());
+  CHECK(read_complaint(folder.write("a.obj", box(1e-12))).empty());
+  CHECK_THAT(read_complaint(folder.write("a.obj", box(1.01e15))), Contains("1e15") && Contains("'a'"));
+  const std::string node = "<node><id>X</id><type>CURVE</type><point>0 0 0</point><point>1e308 0 -1e308</point></node>";
+  CHECK_THAT(xml_complaint("<document>" + replaced(node, "X", "a") + replaced(node, "X", "b") + "</document>"),
+             Contains("1e15"));
+  std::ostringstream good;
+  IO::write_structural_graph_json(good, hand_made::table());
+  CHECK(json_complaint(good.str()).empty());
+  CHECK_THAT(json_complaint(replaced(good.str(), "\"points\":[[", "\"points\":[[1e200,0,0],[")), Contains("1e50"));
+  CHECK_THAT(json_complaint(replaced(good.str(), "\"points\":[[", "\"points\":[[1e16,0,0],[")), Contains("1e15"));
+}
+
+TEST_CASE("Documents nested deeply are refused")
+{
+  for (std::size_t depth : {101u, 200000u}) {
+    CHECK_THAT(json_complaint(repeated("[", depth)), Contains("deeper than 100"));
+    CHECK_THAT(json_complaint(repeated("{\"]]\":", depth)), Contains("deeper than 100"));
+    CHECK_THAT(xml_complaint(repeated("<a>", depth)), Contains("deeper than 100"));
+    CHECK_THAT(xml_complaint(repeated("<a><!--</a></a>--><?x </a>?><b x='/>'/>", depth)), Contains("deeper than 100"));
+  }
+}
+
+TEST_CASE("Whole numbers beyond their range, and a million parts, are refused")
+{
+  std::ostringstream good;
+  IO::write_structural_graph_json(good, hand_made::table());
+  CHECK_THAT(json_complaint(replaced(good.str(), "\"version\": 1", "\"version\": 4294967297")), Contains("beyond"));
+  CHECK_THAT(json_complaint(replaced(good.str(), "\"version\": 1", "\"version\": 18446744073709551615")),
+             Contains("beyond"));
+  const std::string head = R"({"format": "shape_correspondence/graph", "version": 1, "parts": [0)";
+  CHECK_THAT(json_complaint(head + repeated(",0", 999999) + "]}"), Contains("1000000 parts") && Contains("at most"));
+  std::string objects = "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + repeated("o a\nf 1 2 3\n", 100000);
+  const Temporary_folder folder;
+  CHECK_THAT(read_complaint(folder.write("a.obj", objects)), Contains("100000 parts"));
+}
+
+TEST_CASE("What breaks the process that it is read in is an error that names the file")
+{
+  const auto outcome = [](const std::function<std::string()>& work) {
+    return complaint([&] { IO::run_isolated("a.fbx", work); });
+  };
+  CHECK(IO::run_isolated("a.fbx", [] { return std::string(1 << 20, 'x'); }) == std::string(1 << 20, 'x'));
+  CHECK(IO::run_isolated("a.fbx", [] { return std::string(); }).empty());
+  CHECK(outcome([]() -> std::string { throw Invalid_input("a.fbx: refused"); }) == "a.fbx: refused");
+  CHECK_THAT(outcome([]() -> std::string { throw std::logic_error("odd"); }), Contains("a.fbx") && Contains("odd"));
+  CHECK_THAT(outcome([]() -> std::string { std::abort(); }), Contains("a.fbx") && Contains("breaks its reader"));
+  CHECK_THAT(outcome([]() -> std::string { std::raise(SIGKILL); return ""; }), Contains("a.fbx"));
+#ifndef __SANITIZE_ADDRESS__
+  CHECK_THAT(outcome([] { return std::string(std::size_t(3) << 30, 'x'); }), Contains("a.fbx") && Contains("memory"));
+#endif
+}
+
+TEST_CASE("A small COLLADA file of a thousand million instances is an error within seconds")
+{
+  std::string nodes;
+  for (int level = 0; level < 9; ++level) {
+    const std::string next = level == 8 ? "<instance_geometry url=\"#g\"/>"
+                                        : repeated("<instance_node url=\"#n" + std::to_string(level + 1) + "\"/>", 10);
+    nodes += "<node id=\"n" + std::to_string(level) + "\">" + next + "</node>\n";
+  }
+  const Temporary_folder folder;
+  const std::string file = folder.write(
+      "a.dae", R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="pa" count="9">0 0 0 1 0 0 0 1 0</float_array>
+<technique_common><accessor source="#pa" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+<param name="Z" type="float"/></accessor></technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/>
+</vertices><triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles></mesh></geometry>
+</library_geometries><library_nodes>)" +
+                   nodes + R"(</library_nodes><library_visual_scenes><visual_scene id="s"><node id="r">
+<instance_node url="#n0"/></node></visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>)");
+  CHECK(!read_complaint(file).empty());
+}

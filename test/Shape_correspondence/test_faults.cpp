@@ -1,0 +1,204 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Disks that are full, files that were changed, processes that are killed or stopped, outputs in each other's way.
+
+#include "hand_made_graphs.h"
+#include "io/atomic_file.h"
+#include "program.h"
+
+#include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+
+#include <csignal>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace CGAL::Shape_correspondence;
+using namespace model_files;
+using Catch::Matchers::Contains;
+
+namespace {
+
+/// The only file of a folder.
+std::string file_in(const std::string& folder)
+{
+  REQUIRE(std::distance(fs::directory_iterator(folder), fs::directory_iterator()) == 1);
+  return fs::directory_iterator(folder)->path().string();
+}
+
+/// Changes a digit in the second half of a file.
+void damage(const std::string& file)
+{
+  std::string text = text_of(file);
+  const std::size_t at = text.find_first_of("12345678", text.size() / 2);
+  REQUIRE(at != std::string::npos);
+  ++text[at];
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+std::string graph_text(const Structural_graph& graph, const std::string& name)
+{
+  Structural_graph named = graph;
+  structure(named).name = name;
+  std::ostringstream text;
+  IO::write_structural_graph_json(text, named);
+  return text.str();
+}
+
+std::size_t files_of(const std::string& folder)
+{
+  std::size_t n = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder))
+    ++n;
+  return n;
+}
+
+/// Runs `work` in a process that kills itself in the middle of it.
+template <typename Work>
+void die_in(const Work& work)
+{
+  const pid_t child = fork();
+  if (child == 0) {
+    work([] { raise(SIGKILL); });
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  REQUIRE(WIFSIGNALED(status));
+}
+
+} // namespace
+
+TEST_CASE("A damaged graph of the cache is made again, with a warning")
+{
+  const Temporary_folder folder;
+  const std::string command = "graph " + quoted(folder.write("table.obj", obj_table())) + " --json - --cache " +
+                              quoted(folder.path("cache"));
+  const std::string expected = run(command).out;
+  const std::string entry = file_in(folder.path("cache")), kept = text_of(entry);
+  damage(entry);
+  const Run again = run(command);
+  CHECK(again.status == 0);
+  CHECK(again.out == expected);
+  CHECK_THAT(again.error, Contains("warning") && Contains("damaged"));
+  CHECK(text_of(entry) == kept);
+  CHECK(run(command).error.empty());
+}
+
+TEST_CASE("A cache that cannot be written is a warning")
+{
+  const Temporary_folder folder;
+  const std::string model = quoted(folder.write("table.obj", obj_table()));
+  const std::string expected = run("graph " + model).out;
+  fs::create_directories(folder.path("cache"));
+  // A disk that is full after some kilobytes
+  const std::string command = "trap '' XFSZ; ulimit -f 8; " + quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " graph " + model +
+                              " --cache " + quoted(folder.path("cache")) + " >" + quoted(folder.path("out")) + " 2>" +
+                              quoted(folder.path("error"));
+  const int status = std::system(command.c_str());
+  CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
+  CHECK(text_of(folder.path("out")) == expected);
+  CHECK_THAT(text_of(folder.path("error")), Contains("warning") && Contains("not kept"));
+  CHECK(files_of(folder.path("cache")) == 0);
+}
+
+TEST_CASE("A damaged graph or tile of a store is made again, with a warning")
+{
+  const Temporary_folder folder;
+  folder.write("shapes/a.json", graph_text(hand_made::chair(), "a"));
+  folder.write("shapes/b.json", graph_text(hand_made::slatted_chair(), "b"));
+  const std::string command = "collection " + quoted(folder.path("shapes")) + " --json - --store " + quoted(folder.path("store"));
+  const std::string expected = run(command).out;
+  REQUIRE(!expected.empty());
+  damage((fs::directory_iterator(folder.path("store/graphs"))->path()).string());
+  const Run with_graph = run(command);
+  CHECK(with_graph.out == expected);
+  CHECK_THAT(with_graph.error, Contains("warning") && Contains("damaged"));
+  const std::string tile = file_in(folder.path("store/tiles"));
+  std::string bytes = text_of(tile);
+  bytes.back() ^= 1;
+  std::ofstream(tile, std::ios::binary) << bytes;
+  const Run with_tile = run(command);
+  CHECK(with_tile.out == expected);
+  CHECK_THAT(with_tile.error, Contains("warning") && Contains("damaged"));
+  CHECK(run(command).error.empty());
+}
+
+TEST_CASE("What killed processes left behind is removed by the next that writes there")
+{
+  const Temporary_folder folder;
+  const std::string file = folder.path("r.json"), frames = folder.path("fr");
+  die_in([&](const auto& die) { IO::write_atomically(file, [&](std::ostream&) { die(); }); });
+  die_in([&](const auto& die) { IO::write_folder_atomically(frames, [&](const std::string&) { die(); }); });
+  folder.write("r.json.tmp-1_1", "of somebody else");
+  fs::create_directories(folder.path("other.tmp"));
+  CHECK(files_of(folder.path("")) == 4);
+  IO::check_writable(file);
+  CHECK(files_of(folder.path("")) == 3);
+  IO::check_new_folder(frames);
+  CHECK(files_of(folder.path("")) == 2);
+}
+
+TEST_CASE("What is overwritten keeps its mode, and links to it")
+{
+  const Temporary_folder folder;
+  const std::string file = folder.write("r.json", "old"), link = folder.path("link");
+  chmod(file.c_str(), 0640);
+  fs::create_symlink("r.json", link);
+  IO::write_atomically(link, [](std::ostream& out) { out << "new"; });
+  CHECK(text_of(file) == "new");
+  CHECK(fs::is_symlink(link));
+  struct stat status = {};
+  REQUIRE(stat(file.c_str(), &status) == 0);
+  CHECK((status.st_mode & 0777) == 0640);
+}
+
+TEST_CASE("Two outputs of one file, and an output that is an input, are refused however they are spelt")
+{
+  const Temporary_folder folder;
+  const std::string a = folder.write("a.json", graph_text(hand_made::chair(), "a")), before = text_of(a);
+  fs::create_symlink("a.json", folder.path("link.json"));
+  fs::create_symlink(".", folder.path("here"));
+  fs::create_symlink("r.json", folder.path("r_link.json"));
+  folder.write("r.json", "");
+  const std::string match = "match " + quoted(a) + " " + quoted(a), o1 = folder.path("o1");
+  for (const std::string& outputs :
+       {" --json " + quoted(o1) + " --glb " + quoted(folder.path("./o1")),
+        " --json " + quoted(o1) + " --glb " + quoted(folder.path("here/o1")),
+        " --json " + quoted(folder.path("r.json")) + " --html " + quoted(folder.path("r_link.json")),
+        " --json " + quoted(a), " --glb " + quoted(folder.path("./a.json")), " --html " + quoted(folder.path("link.json"))}) {
+    INFO(outputs);
+    const Run result = run(match + outputs);
+    CHECK(result.status == 2);
+    CHECK_THAT(result.error, Contains("same file") || Contains("is an input"));
+    CHECK(text_of(a) == before);
+  }
+  CHECK(run(match + " --json " + quoted(o1) + " --glb " + quoted(folder.path("o2"))).status == 0);
+}
+
+TEST_CASE("A process that is stopped for a while writes the same bytes")
+{
+  const Temporary_folder folder;
+  const std::string model = folder.write("table.obj", obj_table()), output = folder.path("g.json");
+  const std::string expected = run("graph " + quoted(model) + " --json -").out;
+  for (useconds_t before : {5000u, 30000u, 100000u}) {
+    const pid_t child = fork();
+    if (child == 0) {
+      execl(SHAPE_CORRESPONDENCE_PROGRAM, "shape_correspondence", "graph", model.c_str(), "--quiet", "--json",
+            output.c_str(), static_cast<char*>(nullptr));
+      _exit(127);
+    }
+    usleep(before);
+    kill(child, SIGSTOP);
+    usleep(500000);
+    kill(child, SIGCONT);
+    int status = 0;
+    waitpid(child, &status, 0);
+    REQUIRE((WIFEXITED(status) && WEXITSTATUS(status) == 0));
+    CHECK(text_of(output) == expected);
+  }
+  // No clock decides unless it is asked to
+  CHECK(Abstraction_options().time_limit == std::numeric_limits<double>::infinity());
+}
