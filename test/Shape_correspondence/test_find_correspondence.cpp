@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
@@ -455,4 +457,21 @@ TEST_CASE("The default takes chosen parts only, and any alignment where asked to
   options = {};
   options.alignments = 0;
   CHECK(find_correspondence(chair(), turned, options).target_quarter_turns == 2);
+}
+
+TEST_CASE("The default finds the same pairs from either shape, also where their frames are a quarter turn apart")
+{
+  for (Structural_graph source : {slatted_chair(), chair(), table(), pedestal_table()})
+    for (Structural_graph target : {chair(), table(), slatted_chair()})
+      for (int turns = 0; turns < 4; ++turns) {
+        CAPTURE(structure(source).name, structure(target).name, turns);
+        const Eigen::AngleAxisd quarter(turns * EIGEN_PI / 2, Point::UnitY());
+        structure(target).frame.axes = quarter.toRotationMatrix();
+        std::set<std::pair<std::size_t, std::size_t>> there, back;
+        for (const Part_correspondence& pair : find_correspondence(source, target).pairs)
+          there.emplace(pair.source, pair.target);
+        for (const Part_correspondence& pair : find_correspondence(target, source).pairs)
+          back.emplace(pair.target, pair.source);
+        CHECK(there == back);
+      }
 }
