@@ -82,8 +82,8 @@ void print_graph(const std::string& path, const Structural_graph& graph)
                       IO::kind_of(p), short_number(solidity(p.volume, p.hull_volume)), touched_parts(shape, part)});
     }
   }
-  std::cout << IO::quote_terminal(path) << ": " << shape.parts.size() << " parts, " << num_vertices(graph) << " groups, "
-            << shape.contacts.size() << " contacts\n\n";
+  std::cout << IO::quote_terminal(path) << ": " << shape.parts.size() << " parts, " << num_vertices(graph)
+            << " groups, " << shape.contacts.size() << " contacts\n\n";
   write_table(std::cout, rows);
   for (const std::string& warning : shape.warnings)
     std::cout << "\nwarning: " << IO::quote_terminal(warning) << '\n';

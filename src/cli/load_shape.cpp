@@ -97,7 +97,8 @@ std::optional<Structural_graph> cached_graph(const std::string& content, const C
   try {
     const IO::Structural_graph_cache cache(common.cache);
     std::optional<Structural_graph> graph = cache.find(content);
-    if (!graph && cache.is_damaged(content)) warn(common, common.cache + ": a graph in it is damaged; it is made again");
+    if (!graph && cache.is_damaged(content))
+      warn(common, common.cache + ": a graph in it is damaged; it is made again");
     return graph;
   } catch (const Invalid_input& error) {
     warn(common, error.what());

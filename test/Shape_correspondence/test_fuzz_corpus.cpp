@@ -26,22 +26,22 @@ TEST_CASE("Every file of the corpus is read or refused")
   const fs::path corpus = fs::path(__FILE__).parent_path() / "fuzz" / "corpus";
   using Reader = std::function<void(const std::string&)>;
   const auto model = [](auto reader) -> Reader { return [reader](const std::string& text) { reader(text, "input"); }; };
-  const std::map<std::string, Reader> readers = {
-      {"obj", model(IO::read_obj_parts)},
-      {"off", model(IO::read_off_part)},
-      {"ply", model(IO::read_ply_part)},
-      {"stl", model(IO::read_stl_parts)},
-      {"graph_json",
-       [](const std::string& text) {
-         std::istringstream in(text);
-         std::stringstream again;
-         IO::write_structural_graph_json(again, IO::read_structural_graph_json(in, "input"));
-         IO::read_structural_graph_json(again, "again");
-       }},
-      {"graph_xml", [](const std::string& text) {
-         std::istringstream in(text);
-         IO::read_structural_graph_xml(in, "input");
-       }}};
+  const std::map<std::string, Reader> readers = {{"obj", model(IO::read_obj_parts)},
+                                                 {"off", model(IO::read_off_part)},
+                                                 {"ply", model(IO::read_ply_part)},
+                                                 {"stl", model(IO::read_stl_parts)},
+                                                 {"graph_json",
+                                                  [](const std::string& text) {
+                                                    std::istringstream in(text);
+                                                    std::stringstream again;
+                                                    IO::write_structural_graph_json(
+                                                        again, IO::read_structural_graph_json(in, "input"));
+                                                    IO::read_structural_graph_json(again, "again");
+                                                  }},
+                                                 {"graph_xml", [](const std::string& text) {
+                                                    std::istringstream in(text);
+                                                    IO::read_structural_graph_xml(in, "input");
+                                                  }}};
   for (const auto& [folder, reader] : readers) {
     std::size_t good = 0;
     for (const auto& entry : fs::directory_iterator(corpus / folder)) {

@@ -189,9 +189,10 @@ TEST_CASE("COLLADA parts are named as their nodes, not by their identifiers")
 TEST_CASE("AC3D, DXF and glTF: nodes are parts, also two of one mesh, moved and mirrored")
 {
   const Temporary_folder folder;
-  const std::string surfaces = "numsurf 4\n"
-                               "SURF 0x0\nmat 0\nrefs 3\n0 0 0\n2 0 0\n1 0 0\nSURF 0x0\nmat 0\nrefs 3\n0 0 0\n1 0 0\n3 0 0\n"
-                               "SURF 0x0\nmat 0\nrefs 3\n0 0 0\n3 0 0\n2 0 0\nSURF 0x0\nmat 0\nrefs 3\n1 0 0\n2 0 0\n3 0 0\n";
+  const std::string surfaces =
+      "numsurf 4\n"
+      "SURF 0x0\nmat 0\nrefs 3\n0 0 0\n2 0 0\n1 0 0\nSURF 0x0\nmat 0\nrefs 3\n0 0 0\n1 0 0\n3 0 0\n"
+      "SURF 0x0\nmat 0\nrefs 3\n0 0 0\n3 0 0\n2 0 0\nSURF 0x0\nmat 0\nrefs 3\n1 0 0\n2 0 0\n3 0 0\n";
   const auto object = [&](const std::string& name, const std::string& place) {
     return "OBJECT poly\nname \"" + name + "\"\n" + place + "numvert 4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" + surfaces +
            "kids 0\n";
@@ -213,13 +214,13 @@ TEST_CASE("AC3D, DXF and glTF: nodes are parts, also two of one mesh, moved and 
     return out.str();
   };
   CHECK_FALSE(IO::read_segmented_shape(folder.write("a.dxf", "0\nSECTION\n2\nENTITIES\n" + face("A", 0) + face("B", 3) +
-                                                                  "0\nENDSEC\n0\nEOF\n"))
+                                                                 "0\nENDSEC\n0\nEOF\n"))
                   .parts()
                   .empty());
 
   // One triangle of positions (0,0,0), (1,0,0), (0,1,0) in base 64
-  const Segmented_shape gltf = IO::read_segmented_shape(folder.write(
-      "a.gltf", R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+  const Segmented_shape gltf = IO::read_segmented_shape(
+      folder.write("a.gltf", R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
  "nodes": [{"name": "left", "mesh": 0}, {"name": "frame", "scale": [-1, 1, 1], "children": [2]}, {"name": "right", "mesh": 0}],
  "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
  "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
@@ -271,7 +272,8 @@ TEST_CASE("PLY: all encodings and number types, faces among other lists")
                              "property list uchar short more\nelement face 1\nproperty uchar red\n"
                              "property list uint uchar vertex_index\nend_header\n";
   const auto binary = [&](bool little) {
-    std::string bytes = std::string("ply\nformat ") + (little ? "binary_little_endian" : "binary_big_endian") + " 1.0\n" + header;
+    std::string bytes =
+        std::string("ply\nformat ") + (little ? "binary_little_endian" : "binary_big_endian") + " 1.0\n" + header;
     const auto append = [&](const void* number, std::size_t size) {
       std::string all(static_cast<const char*>(number), size);
       bytes += little ? all : std::string(all.rbegin(), all.rend());

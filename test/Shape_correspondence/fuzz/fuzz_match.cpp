@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The library from random structural graphs: the input seeds them and chooses the options. A match is an error that says
-// why, or consists of pairs of parts that there are, and numbers.
+// The library from random structural graphs: the input seeds them and chooses the options. A match is an error that
+// says why, or consists of pairs of parts that there are, and numbers.
 
 #include "random_graph.h"
 
@@ -24,7 +24,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::mt19937 random(seed);
   try {
     const std::size_t most_parts = random() % 16 == 0 ? 60 : 8;
-    const Structural_graph source = random_graph::graph(random, most_parts), target = random_graph::graph(random, most_parts);
+    const Structural_graph source = random_graph::graph(random, most_parts),
+                           target = random_graph::graph(random, most_parts);
     Search_options options;
     options.method = random() % 3 == 0 && most_parts < 60 ? Search_method::BEAM : Search_method::PARTS;
     options.alignments = int(random() % 2);

@@ -22,23 +22,24 @@ namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Reads a model file (OBJ, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D; every node that owns triangles is a
-/// part) or a folder of part meshes (every model file in it, or in its sub-folder `parts`, is a part, its stem the name;
-/// sorted by name). Vertices at the same place are welded, polygons triangulated; faces of fewer than three corners, and
-/// parts of a file that have no area, are left out.
+/// part) or a folder of part meshes (every model file in it, or in its sub-folder `parts`, is a part, its stem the
+/// name; sorted by name). Vertices at the same place are welded, polygons triangulated; faces of fewer than three
+/// corners, and parts of a file that have no area, are left out.
 ///
-/// In OBJ every `o` or `g` statement with faces is a part, in STL every solid; groups of one name in several objects are
-/// named `object/group`. Later parts of a name get a number: `leg`, `leg#2`. Names become UTF-8; those that are no UTF-8
-/// are taken for Latin-1. OBJ, OFF, PLY and STL keep double precision, the other formats are read in single precision.
-/// COLLADA files say which way is up: they are turned to y up.
+/// In OBJ every `o` or `g` statement with faces is a part, in STL every solid; groups of one name in several objects
+/// are named `object/group`. Later parts of a name get a number: `leg`, `leg#2`. Names become UTF-8; those that are no
+/// UTF-8 are taken for Latin-1. OBJ, OFF, PLY and STL keep double precision, the other formats are read in single
+/// precision. COLLADA files say which way is up: they are turned to y up.
 ///
-/// Formats but OBJ, OFF, PLY and STL are read by assimp, in a process of its own, a `fork()` of the caller's, which ends
-/// in an error if it takes more than 2 GB of memory or 60 seconds of processor time. Link
+/// Formats but OBJ, OFF, PLY and STL are read by assimp, in a process of its own, a `fork()` of the caller's, which
+/// ends in an error if it takes more than 2 GB of memory or 60 seconds of processor time. Link
 /// `CGAL::Shape_correspondence_IO`.
 /// \param path the file or folder
 /// \param up the upright direction
 /// \param warnings where not null, is told what was left out
 /// \throw Invalid_input if the file is missing, empty, of an unknown format, damaged or beyond the limits, if it has no
-/// parts or more than 1000, or a part that `Segmented_shape::add_part()` refuses; the message names the file and the part
+/// parts or more than 1000, or a part that `Segmented_shape::add_part()` refuses; the message names the file and the
+/// part
 Segmented_shape read_segmented_shape(const std::string& path, const Point& up = Point::UnitY(),
                                      std::vector<std::string>* warnings = nullptr);
 
