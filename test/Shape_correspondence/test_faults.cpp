@@ -104,6 +104,22 @@ TEST_CASE("A cache that cannot be written is a warning")
   CHECK(files_of(folder.path("cache")) == 0);
 }
 
+#ifndef __SANITIZE_ADDRESS__
+TEST_CASE("A file that memory does not suffice for is named")
+{
+  const Temporary_folder folder;
+  std::string text = "{\"format\": [\"a\"";
+  for (int i = 0; i < 4000000; ++i)
+    text += ",\"a\"";
+  const std::string file = folder.write("a.json", text + "]}");
+  const std::string command = "ulimit -v 250000; " + quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " graph --threads 1 " +
+                              quoted(file) + " 2>" + quoted(folder.path("error"));
+  const int status = std::system(command.c_str());
+  CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 1));
+  CHECK_THAT(text_of(folder.path("error")), Contains(file) && Contains("memory"));
+}
+#endif
+
 TEST_CASE("A damaged graph or tile of a store is made again, with a warning")
 {
   const Temporary_folder folder;
