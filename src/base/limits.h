@@ -18,9 +18,9 @@ constexpr double largest_number = 1e50;
 /// Parts of a shape. Detecting contacts and matching take time quadratic in them: ten seconds for so many.
 constexpr std::size_t most_parts = 1000;
 
-/// Congruent pairs of parts, times the parts: what looking for rows of parts takes time in. About ten seconds; any shape
-/// of 300 parts is below it.
-constexpr std::size_t most_symmetry_work = 30'000'000;
+/// Congruent pairs of parts, times the parts: what looking for rows of parts takes time in. About three seconds; any
+/// shape of 240 parts is below it.
+constexpr std::size_t most_symmetry_work = 15'000'000;
 
 /// Bytes of a JSON or XML document, and how deep its values may be nested.
 constexpr std::size_t largest_document = std::size_t(1) << 28;

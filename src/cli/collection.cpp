@@ -103,8 +103,8 @@ void write_outputs(const Analysis& analysis, const Collection_shapes& shapes, co
   if (!common.prints_table()) return;
   print_collection(collection);
   if (!common.html.empty() && collection.shapes.size() > IO::largest_pictured)
-    std::cout << IO::quote_terminal(common.html) << ": shows " << IO::largest_pictured << " of the " << collection.shapes.size()
-              << " shapes; the file of --json has all\n";
+    std::cout << IO::quote_terminal(common.html) << ": shows " << IO::largest_pictured << " of the "
+              << collection.shapes.size() << " shapes; the file of --json has all\n";
 }
 
 /// The shapes nearest to a query instead of all pairs.
@@ -169,8 +169,7 @@ void run_collection(const std::vector<std::string>& arguments)
   const std::string store_folder = options.store;
   Tile_store store(store_folder.empty() ? "" : (fs::path(store_folder) / "tiles").string());
   if (common.cache.empty() && !store_folder.empty()) common.cache = (fs::path(store_folder) / "cache").string();
-  const Collection_shapes shapes(paths,
-                                 store_folder.empty() ? "" : (fs::path(store_folder) / "graphs").string(),
+  const Collection_shapes shapes(paths, store_folder.empty() ? "" : (fs::path(store_folder) / "graphs").string(),
                                  options.skip_bad, common, team);
   if (!options.nearest.empty()) {
     if (team.is_first()) find_nearest(shapes, options, matching, common);

@@ -18,6 +18,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <new>
 
 namespace CGAL::Shape_correspondence::cli {
 namespace {
@@ -138,6 +139,8 @@ Loaded_shape load_shape(const std::string& path, const Common_options& common)
   } catch (const Invalid_input& error) {
     const std::string message = error.what();
     throw Invalid_input(message.rfind(path, 0) == 0 ? message : path + ": " + message);
+  } catch (const std::bad_alloc&) {
+    throw Invalid_input(path + ": it needs more memory than there is");
   }
   return shape;
 }

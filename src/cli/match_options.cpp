@@ -109,7 +109,9 @@ po::options_description match_options(Match_options& match)
   add("search", po::value(&match.method)->value_name("METHOD")->default_value(match.method),
       "parts (what parts cost standing for one another; agrees best with people), beam (least deformation energy by "
       "the "
-      "paper's pruned beam search) or exact (least deformation energy, with a proof); auto: parts, or what the other "
+      "paper's pruned beam search) or exact (the same, proven for each direction; of the directions, the one of less "
+      "energy per connected pair of parts is "
+      "taken); auto: parts, or what the other "
       "options need");
   add("paper", po::bool_switch(&match.paper),
       "match as the paper does: --search beam --front auto, and --max-parts of the source alone");

@@ -61,7 +61,7 @@ void write_match_table(std::ostream& out, const Correspondence& c, const Structu
       << short_number(c.terms.connectedness) << ", split " << short_number(c.terms.split) << "), the "
       << (c.direction == Direction::SOURCE_TO_TARGET ? "source deformed into the target"
                                                      : "target deformed into the source")
-      << (c.complete ? "" : ", incomplete") << (c.optimal ? ", proven minimal" : "") << '\n';
+      << (c.complete ? "" : ", incomplete") << (c.optimal ? ", proven minimal for this direction" : "") << '\n';
   for (const std::string& warning : c.warnings)
     out << "warning: " << IO::quote_terminal(warning) << '\n';
 }

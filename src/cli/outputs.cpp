@@ -32,7 +32,8 @@ void check_outputs(const std::vector<std::string>& files, const std::vector<std:
     for (const std::string& other : outputs)
       if (are_same_file(file, other)) throw Usage_error("two outputs are the same file, " + file);
     for (const std::string& input : inputs)
-      if (file != "-" && !input.empty() && are_same_file(file, input)) throw Usage_error("the output " + file + " is an input, too");
+      if (file != "-" && !input.empty() && are_same_file(file, input))
+        throw Usage_error("the output " + file + " is an input, too");
     outputs.push_back(file);
     IO::check_writable(file);
   }

@@ -10,8 +10,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 namespace CGAL::Shape_correspondence::IO {
 
@@ -121,10 +123,23 @@ Point Json_field::unit_vector() const
   return result;
 }
 
+namespace {
+
+/// Throws `std::bad_alloc` if there is not the memory for the values of a document. The parser cannot: it needs memory
+/// to take down again what it has built.
+void check_memory(const std::string& text)
+{
+  constexpr std::size_t size_of_value = 128; // bytes, with what lists that grow leave behind
+  ::operator delete(::operator new(size_of_value*(1 + std::size_t(std::count(text.begin(), text.end(), ',')))));
+}
+
+} // namespace
+
 Json_field read_json(std::istream& in, const std::string& file)
 {
   const std::string text = read_document(in, file);
   check_json_depth(text, file);
+  check_memory(text);
   try {
     return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(text)), file, ""};
   } catch (const nlohmann::json::exception& error) {

@@ -38,7 +38,7 @@ public:
   bool is_null() const;
   std::string text() const;
   std::vector<std::string> texts() const; ///< of an array
-  Point point() const; ///< fails beyond `largest_coordinate`
+  Point point() const;                    ///< fails beyond `largest_coordinate`
   Point unit_vector() const;
 
 private:

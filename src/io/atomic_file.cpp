@@ -44,7 +44,8 @@ bool is_device(const fs::path& file)
 
 std::string parent_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path().string() : "."; }
 
-/// What the names of temporary files go on with, after that of the file they are for; then follow the process and a count.
+/// What the names of temporary files go on with, after that of the file they are for; then follow the process and a
+/// count.
 const std::string& temporary_mark()
 {
   static const std::string mark = [] {

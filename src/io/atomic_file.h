@@ -13,9 +13,9 @@ namespace CGAL::Shape_correspondence::IO {
 /// `-` is standard output.
 void check_writable(const std::string& path);
 
-/// Calls `write` and puts what it writes into the file `path`, all of it or nothing, also when the machine stops: under a
-/// temporary name in the same folder first, which is then renamed. What is overwritten keeps its mode, and a symbolic link
-/// leads on to it. Devices and pipes are written directly; `-` is standard output.
+/// Calls `write` and puts what it writes into the file `path`, all of it or nothing, also when the machine stops: under
+/// a temporary name in the same folder first, which is then renamed. What is overwritten keeps its mode, and a symbolic
+/// link leads on to it. Devices and pipes are written directly; `-` is standard output.
 /// \throw Invalid_input if that fails; names the file
 void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write);
 

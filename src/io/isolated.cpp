@@ -159,7 +159,8 @@ std::string run_isolated(const std::string& file, const std::function<std::strin
   std::string answer = received(pipe);
   close(pipe);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
   if (status != 0 || answer.empty())
     throw Invalid_input(file + ": it " + ending(status) + "; it is damaged, or too large");
   const std::string content = answer.substr(1);

@@ -95,8 +95,7 @@ void add_polygon(const std::vector<Point>& polygon, std::vector<Point>& corners)
 {
   const Point area = area_vector(polygon);
   const Point normal = area.normalized();
-  if (polygon.size() < 4 || polygon.size() > most_corners ||
-      is_convex(polygon, normal, straight * area.norm())) {
+  if (polygon.size() < 4 || polygon.size() > most_corners || is_convex(polygon, normal, straight * area.norm())) {
     add_fan(polygon, corners);
     return;
   }

@@ -14,8 +14,8 @@ namespace CGAL::Shape_correspondence::IO {
 std::string utf8_text(const std::string& bytes);
 
 /// A name in a statement of an OBJ file, and in a comment of a PLY file: one line, in which control characters, blanks
-/// at the ends and what would begin a comment or continue the line are %XX, their bytes in hexadecimal digits; so is a %
-/// before two such digits.
+/// at the ends and what would begin a comment or continue the line are %XX, their bytes in hexadecimal digits; so is a
+/// % before two such digits.
 std::string quote_obj(const std::string& name);
 std::string quote_ply(const std::string& name);
 

@@ -51,7 +51,8 @@ public:
     read_header();
     for (const Ply_element& element : elements_)
       read_element(element);
-    if (faces_.empty() && result_.faces_left_out == 0) fail("there is no face in it; a model needs a mesh for every part");
+    if (faces_.empty() && result_.faces_left_out == 0)
+      fail("there is no face in it; a model needs a mesh for every part");
     Model_part part;
     std::vector<Point> polygon;
     for (const std::vector<double>& face : faces_) {
@@ -122,8 +123,9 @@ private:
 
   Ply_type type_of(std::string_view word) const
   {
-    constexpr const char* names[][2] = {{"char", "int8"},   {"uchar", "uint8"}, {"short", "int16"},   {"ushort", "uint16"},
-                                        {"int", "int32"},   {"uint", "uint32"}, {"float", "float32"}, {"double", "float64"}};
+    constexpr const char* names[][2] = {{"char", "int8"},     {"uchar", "uint8"},   {"short", "int16"},
+                                        {"ushort", "uint16"}, {"int", "int32"},     {"uint", "uint32"},
+                                        {"float", "float32"}, {"double", "float64"}};
     for (std::size_t i = 0; i < std::size(names); ++i)
       if (word == names[i][0] || word == names[i][1]) return Ply_type(i);
     fail("its PLY header has a property of type " + cited(word) + ", which is none");
@@ -171,8 +173,9 @@ private:
   {
     const double count = next(property.count_type);
     if (!(count >= 0) || count > double(text_.size()) || count != std::floor(count))
-      fail("it has a list of " + number_text(count) + " numbers, which is more than the rest of the file holds; it is "
-                                                      "cut off or damaged");
+      fail("it has a list of " + number_text(count) +
+           " numbers, which is more than the rest of the file holds; it is "
+           "cut off or damaged");
     std::vector<double> list(static_cast<std::size_t>(count));
     for (double& number : list)
       number = next(property.type);

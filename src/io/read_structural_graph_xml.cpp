@@ -168,7 +168,8 @@ std::vector<Eigen::Vector2d> read_coordinates(const Xml_reader& edge, const Tree
   std::vector<Eigen::Vector2d> result;
   for (const std::string& text : Xml_reader(coord, edge.place()).texts("uv")) {
     const std::vector<double> uv = edge.numbers(text);
-    if (uv.size() < 2 || std::isnan(uv[0]) || std::isnan(uv[1])) edge.fail("has a <uv> '" + text + "' that is not two numbers");
+    if (uv.size() < 2 || std::isnan(uv[0]) || std::isnan(uv[1]))
+      edge.fail("has a <uv> '" + text + "' that is not two numbers");
     const auto clamp = [](double x) { return std::min(1.0, std::max(0.0, x)); };
     result.push_back(nearest_parameter(part.part, part.spline(clamp(uv[0]), clamp(uv[1]))));
   }

@@ -49,10 +49,12 @@ void write_structural_graph_dot(std::ostream& out, const Structural_graph& graph
 {
   out << "graph G {\n";
   for (std::size_t v = 0; v < num_vertices(graph); ++v)
-    out << v << " [label=" << quote_dot(names(graph, v)) << ", solidity=" << solidity(graph[v].volume, graph[v].hull_volume)
+    out << v << " [label=" << quote_dot(names(graph, v))
+        << ", solidity=" << solidity(graph[v].volume, graph[v].hull_volume)
         << ", symmetry=" << name_of(graph[v].symmetry.type) << "];\n";
   for (auto [edge, last] = edges(graph); edge != last; ++edge)
-    out << source(*edge, graph) << "--" << target(*edge, graph) << " [contacts=" << graph[*edge].contacts.size() << "];\n";
+    out << source(*edge, graph) << "--" << target(*edge, graph) << " [contacts=" << graph[*edge].contacts.size()
+        << "];\n";
   out << "}\n";
 }
 

@@ -282,15 +282,14 @@ private:
   Shared_shape source_;
 };
 
-// To the side and to the front, places count differently, so that it matters by a quarter turn in whose frame shapes are
-// compared: in the frame of the one that comes first, whichever is the source.
+// To the side and to the front, places count differently, so that it matters by a quarter turn in whose frame shapes
+// are compared: in the frame of the one that comes first, whichever is the source.
 Part_matching Correspondence_finder::Impl::matched_in_common_frame(const Prepared_shape& target,
                                                                    const Aligned_shape& shape, int turn) const
 {
   if (turn % 2 == 0 || !comes_first(shape, *source_)) return match_parts(*source_, shape, options_.parts);
-  const Shared_shape own = aligned(target, 0),
-                     turned = participating(prepared_source_.alignments_->aligned(-turn), options_.source_parts,
-                                            options_.maximum_parts);
+  const Shared_shape own = aligned(target, 0), turned = participating(prepared_source_.alignments_->aligned(-turn),
+                                                                      options_.source_parts, options_.maximum_parts);
   return renumbered(match_parts(*turned, *own, options_.parts), places_of_parts(*turned, *source_),
                     places_of_parts(*own, shape));
 }

@@ -188,7 +188,8 @@ std::vector<Part_group> detect_symmetry_groups(const std::vector<Part_abstractio
   if (!options.enabled) kinds.reflection = kinds.rotation = kinds.translation = false;
 
   Part_relations relations(std::move(sorted), frame, options.tolerance);
-  if (options.enabled && relations.number_of_congruent_pairs() > most_symmetry_work / std::max<std::size_t>(1, parts.size())) {
+  if (options.enabled &&
+      relations.number_of_congruent_pairs() > most_symmetry_work / std::max<std::size_t>(1, parts.size())) {
     kinds.reflection = kinds.rotation = kinds.translation = false;
     if (warnings)
       warnings->push_back("Too many of the " + std::to_string(parts.size()) +

@@ -135,7 +135,7 @@ TEST_CASE("Completing keeps what is given")
     std::vector<Part_group> groups(2);
     groups[0].parts = {0, 1, 2};
     groups[1].parts = {3, 4};
-    shape.contacts = {{{0, 3}, {Eigen::Vector2d(0.5, 0), Eigen::Vector2d(1, 0)}}};
+    shape.contacts = {{{0, 3}, {Eigen::Vector2d(0.5, 0), Eigen::Vector2d(1, 0)}, {}}};
     const Structural_graph graph = complete_structural_graph(shape, groups);
     CHECK(num_vertices(graph) == 2);
     CHECK(structure(graph).contacts.size() == 1);

@@ -31,11 +31,12 @@ std::string read_complaint(const std::string& file)
   return message;
 }
 
-std::string ply(const std::string& format, const std::string& vertices, const std::string& list, const std::string& faces)
+std::string ply(const std::string& format, const std::string& vertices, const std::string& list,
+                const std::string& faces)
 {
   return "ply\nformat " + format + " 1.0\nelement vertex " + vertices +
-         "\nproperty double x\nproperty double y\nproperty double z\nelement face " + faces + "\nproperty list " + list +
-         " vertex_indices\nend_header\n";
+         "\nproperty double x\nproperty double y\nproperty double z\nelement face " + faces + "\nproperty list " +
+         list + " vertex_indices\nend_header\n";
 }
 
 std::string json_complaint(const std::string& text)
@@ -110,7 +111,8 @@ TEST_CASE("Counts beyond the size of the file are refused before anything is mad
   };
   for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
     CHECK_THAT(refused("a.ply", ply(format, "4000000000", "uchar int", "1") + "0 0 0"), Contains("too short"));
-    CHECK_THAT(refused("a.ply", ply(format, "18446744073709551615", "uchar int", "1") + "0 0 0"), Contains("too short"));
+    CHECK_THAT(refused("a.ply", ply(format, "18446744073709551615", "uchar int", "1") + "0 0 0"),
+               Contains("too short"));
   }
   CHECK_THAT(refused("a.ply", ply("ascii", "1", "uint int", "1") + "0 0 0 4294967295 0"), Contains("4294967295"));
   CHECK_THAT(refused("a.ply", ply("ascii", "1", "uint int", "1") + "0 0 0 -1 0"), Contains("list of -1"));
@@ -171,7 +173,11 @@ TEST_CASE("What breaks the process that it is read in is an error that names the
   CHECK(outcome([]() -> std::string { throw Invalid_input("a.fbx: refused"); }) == "a.fbx: refused");
   CHECK_THAT(outcome([]() -> std::string { throw std::logic_error("odd"); }), Contains("a.fbx") && Contains("odd"));
   CHECK_THAT(outcome([]() -> std::string { std::abort(); }), Contains("a.fbx") && Contains("breaks its reader"));
-  CHECK_THAT(outcome([]() -> std::string { std::raise(SIGKILL); return ""; }), Contains("a.fbx"));
+  CHECK_THAT(outcome([]() -> std::string {
+               std::raise(SIGKILL);
+               return "";
+             }),
+             Contains("a.fbx"));
 #ifndef __SANITIZE_ADDRESS__
   CHECK_THAT(outcome([] { return std::string(std::size_t(3) << 30, 'x'); }), Contains("a.fbx") && Contains("memory"));
 #endif

@@ -41,7 +41,7 @@ TEST_CASE("The models of data/ are found to stand as they do, whichever axis is 
       CAPTURE(assembly.name, up);
       CHECK(estimate_up(moved(shape, up)).up == Point::Unit(up));
       CHECK(estimate_up(moved(shape, up, 1e-3, {5, -7, 2})).up == Point::Unit(up));
-      CHECK(estimate_up(moved(shape, up, 1e13)).up == Point::Unit(up));
+      CHECK(estimate_up(moved(shape, up, 1e12)).up == Point::Unit(up));
     }
   }
 }

@@ -74,8 +74,8 @@ void die_in(const Work& work)
 TEST_CASE("A damaged graph of the cache is made again, with a warning")
 {
   const Temporary_folder folder;
-  const std::string command = "graph " + quoted(folder.write("table.obj", obj_table())) + " --json - --cache " +
-                              quoted(folder.path("cache"));
+  const std::string command =
+      "graph " + quoted(folder.write("table.obj", obj_table())) + " --json - --cache " + quoted(folder.path("cache"));
   const std::string expected = run(command).out;
   const std::string entry = file_in(folder.path("cache")), kept = text_of(entry);
   damage(entry);
@@ -104,12 +104,29 @@ TEST_CASE("A cache that cannot be written is a warning")
   CHECK(files_of(folder.path("cache")) == 0);
 }
 
+#ifndef __SANITIZE_ADDRESS__
+TEST_CASE("A file that memory does not suffice for is named")
+{
+  const Temporary_folder folder;
+  std::string text = "{\"format\": [\"a\"";
+  for (int i = 0; i < 4000000; ++i)
+    text += ",\"a\"";
+  const std::string file = folder.write("a.json", text + "]}");
+  const std::string command = "ulimit -v 250000; " + quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " graph --threads 1 " +
+                              quoted(file) + " 2>" + quoted(folder.path("error"));
+  const int status = std::system(command.c_str());
+  CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 1));
+  CHECK_THAT(text_of(folder.path("error")), Contains(file) && Contains("memory"));
+}
+#endif
+
 TEST_CASE("A damaged graph or tile of a store is made again, with a warning")
 {
   const Temporary_folder folder;
   folder.write("shapes/a.json", graph_text(hand_made::chair(), "a"));
   folder.write("shapes/b.json", graph_text(hand_made::slatted_chair(), "b"));
-  const std::string command = "collection " + quoted(folder.path("shapes")) + " --json - --store " + quoted(folder.path("store"));
+  const std::string command =
+      "collection " + quoted(folder.path("shapes")) + " --json - --store " + quoted(folder.path("store"));
   const std::string expected = run(command).out;
   REQUIRE(!expected.empty());
   damage((fs::directory_iterator(folder.path("store/graphs"))->path()).string());
@@ -168,7 +185,8 @@ TEST_CASE("Two outputs of one file, and an output that is an input, are refused 
        {" --json " + quoted(o1) + " --glb " + quoted(folder.path("./o1")),
         " --json " + quoted(o1) + " --glb " + quoted(folder.path("here/o1")),
         " --json " + quoted(folder.path("r.json")) + " --html " + quoted(folder.path("r_link.json")),
-        " --json " + quoted(a), " --glb " + quoted(folder.path("./a.json")), " --html " + quoted(folder.path("link.json"))}) {
+        " --json " + quoted(a), " --glb " + quoted(folder.path("./a.json")),
+        " --html " + quoted(folder.path("link.json"))}) {
     INFO(outputs);
     const Run result = run(match + outputs);
     CHECK(result.status == 2);

@@ -6,12 +6,16 @@
 #include "hand_made_graphs.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <set>
+#include <utility>
 
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
@@ -455,4 +459,45 @@ TEST_CASE("The default takes chosen parts only, and any alignment where asked to
   options = {};
   options.alignments = 0;
   CHECK(find_correspondence(chair(), turned, options).target_quarter_turns == 2);
+}
+
+namespace {
+
+/// Curves and sheets at random places, in a frame that is turned by quarter turns.
+Structural_graph random_parts(std::mt19937& random, int quarter_turns)
+{
+  std::uniform_real_distribution<double> coordinate(0, 1);
+  const auto place = [&] {
+    const double x = coordinate(random), y = coordinate(random);
+    return Point(x, y, coordinate(random));
+  };
+  Shape_structure shape;
+  const std::size_t n = 4 + random() % 5;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::string name = "part " + std::to_string(i);
+    const Point a = place(), b = place(), c = place();
+    shape.parts.push_back(i % 2 == 0 ? curve(name, a, b) : sheet(name, a, b - a, c - a));
+  }
+  const Eigen::AngleAxisd turn(quarter_turns * EIGEN_PI / 2, Point::UnitY());
+  shape.frame.axes = turn.toRotationMatrix();
+  Structure_options options;
+  options.symmetry.enabled = false;
+  return complete_structural_graph(std::move(shape), {}, options);
+}
+
+} // namespace
+
+TEST_CASE("The default finds the same pairs from either shape, also where their frames are a quarter turn apart")
+{
+  std::mt19937 random(1);
+  for (int trial = 0; trial < 40; ++trial) {
+    CAPTURE(trial);
+    const Structural_graph source = random_parts(random, 0), target = random_parts(random, trial % 4);
+    std::set<std::pair<std::size_t, std::size_t>> there, back;
+    for (const Part_correspondence& pair : find_correspondence(source, target).pairs)
+      there.emplace(pair.source, pair.target);
+    for (const Part_correspondence& pair : find_correspondence(target, source).pairs)
+      back.emplace(pair.target, pair.source);
+    CHECK(there == back);
+  }
 }

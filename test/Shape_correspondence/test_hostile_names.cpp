@@ -43,19 +43,21 @@ Names hostile_names()
           std::string("nul\0nul", 7),
           "\x7F",
           "\x08\x08\x08",
-          "T\xFCr",                    // Latin-1
+          "T\xFCr", // Latin-1
           "T\xF6r",
-          "T\xC3\xBCr, too",           // UTF-8
-          "\xE2\x82",                  // cut off
-          "\xC0\xAF",                  // overlong
-          "\xED\xA0\x80",              // a surrogate
-          "\xF4\x90\x80\x80",          // beyond Unicode
-          "\xC2\x9B" "31m",            // a control character of two bytes
-          "\xE2\x80\xAEgel",           // right to left
-          "\xE2\x80\xA8line",          // a line separator
-          "\xEF\xBB\xBF" "bom",
-          "\xEF\xBF\xBE",              // no character
-          "\xF0\x9F\xAA\x91",          // a chair
+          "T\xC3\xBCr, too",  // UTF-8
+          "\xE2\x82",         // cut off
+          "\xC0\xAF",         // overlong
+          "\xED\xA0\x80",     // a surrogate
+          "\xF4\x90\x80\x80", // beyond Unicode
+          "\xC2\x9B"
+          "31m",              // a control character of two bytes
+          "\xE2\x80\xAEgel",  // right to left
+          "\xE2\x80\xA8line", // a line separator
+          "\xEF\xBB\xBF"
+          "bom",
+          "\xEF\xBF\xBE",     // no character
+          "\xF0\x9F\xAA\x91", // a chair
           "\"",
           "a\" b=\"c",
           "'",
@@ -201,7 +203,8 @@ TEST_CASE("OBJ and PLY: names read back, nothing is injected")
   std::size_t comments = 0;
   for (std::string line; std::getline(header, line);) {
     const std::string begin = "comment part " + std::to_string(comments) + " ";
-    if (line.compare(0, begin.size(), begin) == 0) CHECK(decoded(line.substr(begin.size())) == in_utf8(hostile_names())[comments++]);
+    if (line.compare(0, begin.size(), begin) == 0)
+      CHECK(decoded(line.substr(begin.size())) == in_utf8(hostile_names())[comments++]);
   }
   CHECK(comments == 50);
 }
@@ -314,10 +317,11 @@ TEST_CASE("GLB and web pages hold the names in their JSON")
 TEST_CASE("The terminal gets no control characters, by results, warnings and errors")
 {
   const Temporary_folder folder;
-  const std::string graph =
-      quoted(folder.write("g\x1B.json", text_of_output([](std::ostream& out) { IO::write_structural_graph_json(out, chain()); })));
-  for (const std::string& arguments : {"graph " + graph, "match " + graph + " " + graph, "match " + graph + " missing\x1B",
-                                       "match " + graph + " " + graph + " --source-parts \x1B"}) {
+  const std::string graph = quoted(folder.write(
+      "g\x1B.json", text_of_output([](std::ostream& out) { IO::write_structural_graph_json(out, chain()); })));
+  for (const std::string& arguments :
+       {"graph " + graph, "match " + graph + " " + graph, "match " + graph + " missing\x1B",
+        "match " + graph + " " + graph + " --source-parts \x1B"}) {
     INFO(arguments);
     const Run result = run(arguments);
     CHECK_FALSE(has_control(result.out + result.error));
@@ -330,10 +334,13 @@ TEST_CASE("blend takes the program's own result for parts with names in Latin-1"
   const Temporary_folder folder;
   std::string text = obj_table();
   for (std::size_t at = text.find("leg_"); at != std::string::npos; at = text.find("leg_", at))
-    text.replace(at, 4, "F\xFC\xDF" "e_");
+    text.replace(at, 4,
+                 "F\xFC\xDF"
+                 "e_");
   const std::string model = quoted(folder.write("T\xFCr.obj", text)), result = quoted(folder.path("r.json"));
   CHECK(run("match " + model + " " + model + " --json " + result).status == 0);
-  const Run blend = run("blend " + model + " " + model + " --match " + result + " --frames 2 -o " + quoted(folder.path("f")));
+  const Run blend =
+      run("blend " + model + " " + model + " --match " + result + " --frames 2 -o " + quoted(folder.path("f")));
   INFO(blend.error);
   CHECK(blend.status == 0);
 }

@@ -212,7 +212,7 @@ TEST_CASE("A picture of a graph: faint surfaces, an abstraction a part, contacts
   for (const Shape_part& part : shape.parts())
     structure.parts.push_back(hand_made::curve(part.name, part.mesh.points.col(0), part.mesh.points.col(7)));
   for (std::size_t leg = 1; leg < 5; ++leg)
-    structure.contacts.push_back({{0, leg}, {Eigen::Vector2d(0.5, 0), Eigen::Vector2d(1, 0)}});
+    structure.contacts.push_back({{0, leg}, {Eigen::Vector2d(0.5, 0), Eigen::Vector2d(1, 0)}, {}});
   const Structural_graph graph =
       make_structural_graph(structure, {hand_made::group({0}), hand_made::group({1, 2, 3, 4})});
   std::ostringstream out;

@@ -74,7 +74,7 @@ struct Correspondence
   Energy_terms terms;                                ///< its terms
   Direction direction = Direction::SOURCE_TO_TARGET; ///< which shape was deformed into which
   bool complete = false; ///< every group of the deformed shape is assigned, or left unmatched where that is allowed
-  bool optimal = false;  ///< the energy is proven minimal over the labels
+  bool optimal = false;  ///< the energy is proven minimal over the labels, of this direction and turn of the target
   int target_quarter_turns = 0;          ///< of the target about up, into the source's frame
   Search_summary search;                 ///< how the search went
   std::string category;                  ///< whose roles were joined with the costs of parts; empty: none

@@ -84,11 +84,11 @@ struct Abstraction_options
   int triangles = 1500;         ///< about how many triangles the remeshed part may have; edges are longer if need be
   double stop_volume = 0.02;    ///< fraction of the volume at which the flow shows sheets, and whether a part is hollow
   int maximum_iterations = 300; ///< of the flow; the bounding box stands in for a part that needs more
-  /// Seconds a part; the bounding box stands in for a part that needs more, and the report says so. Without a limit, the
-  /// default, no result depends on the speed of the machine.
+  /// Seconds a part; the bounding box stands in for a part that needs more, and the report says so. Without a limit,
+  /// the default, no result depends on the speed of the machine.
   double time_limit = std::numeric_limits<double>::infinity();
-  int curve_points = 16;        ///< control points of a curve; as many again for every full turn that it makes
-  int sheet_points = 8;         ///< control points of a sheet along each side
+  int curve_points = 16; ///< control points of a curve; as many again for every full turn that it makes
+  int sheet_points = 8;  ///< control points of a sheet along each side
   /// Called after every part with the number of parts done and their total; from one thread at a time.
   std::function<void(std::size_t, std::size_t)> progress;
 

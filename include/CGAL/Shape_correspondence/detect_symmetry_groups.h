@@ -53,8 +53,8 @@ struct Symmetry_options
 /// Members come in the order along the generator: of a pair, the one with the larger x (z) in the frame first; of a
 /// ring, by angle; of a row, along the vector. Groups come in the order of their first part, volumes and hulls filled
 /// in. The result does not depend on the order of the parts, nor on the shape's pose. O(n²) comparisons of hulls for n
-/// parts. Where k of the pairs of parts are congruent and k n is more than 3e7, which it cannot be up to 300 parts, no
-/// groups are looked for: every part is one.
+/// parts. Where k of the pairs of parts are congruent and k n is more than 1.5e7, which it cannot be up to 240 parts,
+/// no groups are looked for: every part is one.
 /// \param parts the abstractions of the shape's parts
 /// \param frame the frame of the shape
 /// \param options which symmetries are looked for, and the tolerance

@@ -23,8 +23,8 @@ namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Identifies what `build_structural_graph()` makes of a shape: a hash (SHA-1) of all names, coordinates and triangles
-/// to the bit, of all options that the graph depends on but the time limit, and of the version of the algorithms. Of the abstractor it
-/// holds the type only: one that has a state needs a folder for every state. Linear time.
+/// to the bit, of all options that the graph depends on but the time limit, and of the version of the algorithms. Of
+/// the abstractor it holds the type only: one that has a state needs a folder for every state. Linear time.
 std::string content_hash(const Segmented_shape& shape, const Structure_options& options);
 
 /// \ingroup PkgShapeCorrespondenceIO
