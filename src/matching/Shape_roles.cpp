@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/Shape_roles.h"
+#include "base/quantized.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,10 @@ void drop_repeated_fine_labels(std::vector<Part_label>& labels)
   }
 }
 
+// Between parts that are as good as the same. Half of it is too little for the slats of a bed in data/; the scores of
+// labelled shapes do not change with it.
+constexpr double same_part_cost = 1;
+
 Role_votes counted(const Role_evidence& evidence, const Category_roles& category)
 {
   const Eigen::MatrixXi of_classes = category.forest.votes(evidence.features, int(category.classes.size()));
@@ -61,6 +66,22 @@ Role_votes counted(const Role_evidence& evidence, const Category_roles& category
     result.labels.push_back({category.roles[std::size_t(role)], best->fine + suffix});
   }
   drop_repeated_fine_labels(result.labels);
+  return result;
+}
+
+// Pairs of the geometric match that either part has alone, at a cost of no more than `same_part_cost`.
+Part_pairs same_parts(const Part_matching& geometric)
+{
+  std::vector<int> of_source(std::size_t(geometric.costs.rows())), of_target(std::size_t(geometric.costs.cols()));
+  for (const Part_correspondence& pair : geometric.pairs) {
+    ++of_source[pair.source];
+    ++of_target[pair.target];
+  }
+  Part_pairs result;
+  for (const Part_correspondence& pair : geometric.pairs)
+    if (of_source[pair.source] == 1 && of_target[pair.target] == 1 &&
+        quantized(geometric.costs(Eigen::Index(pair.source), Eigen::Index(pair.target))) <= quantized(same_part_cost))
+      result.emplace_back(pair.source, pair.target);
   return result;
 }
 
@@ -136,13 +157,17 @@ Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& 
 }
 
 std::vector<Part_correspondence> pairs_by_terms(const Pair_terms& terms, const Pair_weights& weights,
-                                                std::size_t target_size)
+                                                const Part_matching& geometric)
 {
-  const Eigen::ArrayXd probable = probabilities(terms, weights);
+  const auto m = std::size_t(geometric.costs.cols());
+  Eigen::ArrayXd probable = probabilities(terms, weights);
+  for (const auto& [i, j] : same_parts(geometric))
+    for (std::size_t k = 0; k < std::size_t(probable.size()); ++k)
+      if ((k / m == i) != (k % m == j)) probable[Eigen::Index(k)] = 0;
   const std::vector<char> taken = pairs_of_greatest_expected_f1(probable);
   std::vector<Part_correspondence> result;
   for (std::size_t k = 0; k < taken.size(); ++k)
-    if (taken[k]) result.push_back({k / target_size, k % target_size, probable[Eigen::Index(k)]});
+    if (taken[k]) result.push_back({k / m, k % m, probable[Eigen::Index(k)]});
   return result;
 }
 

@@ -66,8 +66,10 @@ Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& tar
 Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,
                       const std::vector<std::size_t>& target_parts, const Part_matching& geometric);
 
-// The pairs of greatest expected F1, by source, then target; their confidence is how probable they are.
+// The pairs of greatest expected F1, by source, then target; their confidence is how probable they are. Parts that the
+// geometric match takes for the same part, at next to no cost, correspond to each other only: however many parts have
+// the same label, a shape corresponds to itself part by part.
 std::vector<Part_correspondence> pairs_by_terms(const Pair_terms& terms, const Pair_weights& weights,
-                                                std::size_t target_size);
+                                                const Part_matching& geometric);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -128,13 +128,13 @@ Role_validation::Role_validation(const std::vector<Validation_shape>& shapes, co
     if (of_others.count(category) == 0) of_others[category] = weights_without(category);
   }
   for_each_index(pairs.size(), true, [&](std::size_t i) {
-    const Labelled_graph &source = shapes[pairs[i][0]].labelled, &target = shapes[pairs[i][1]].labelled;
+    const std::string& category = shapes[pairs[i][0]].labelled.category;
     std::vector<Part_correspondence> matched = geometric[i].pairs;
     if (!pairs_[i].category.empty()) {
-      Pair_weights weights = of_others.at(source.category);
-      if (pairs_[i].category == source.category)
-        weights = weights_of(source.category, weights, {pairs[i][0], pairs[i][1]});
-      matched = pairs_by_terms(found[i], weights, target.labels.size());
+      Pair_weights weights = of_others.at(category);
+      if (pairs_[i].category == category)
+        weights = weights_of(category, weights, {pairs[i][0], pairs[i][1]});
+      matched = pairs_by_terms(found[i], weights, geometric[i]);
     }
     pairs_[i].geometric = evaluate_correspondence(part_pairs(geometric[i].pairs), truths[i]);
     pairs_[i].joined = evaluate_correspondence(part_pairs(matched), truths[i]);

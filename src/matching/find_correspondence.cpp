@@ -346,7 +346,7 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
   }
   const Role_votes &source = a->votes(category.index), &of_target = b->votes(category.index);
   const Pair_terms terms = pair_terms(source, source_->original, of_target, aligned_target.original, matching);
-  matching.pairs = pairs_by_terms(terms, model.categories[category.index].weights, aligned_target.original.size());
+  matching.pairs = pairs_by_terms(terms, model.categories[category.index].weights, matching);
   result.category = model.categories[category.index].name;
   for (const Part_label& label : source.labels)
     result.source_roles.push_back(label.coarse);

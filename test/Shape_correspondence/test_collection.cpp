@@ -91,9 +91,9 @@ TEST_CASE("A folder of shapes: energies, medoid, tree, clusters, files")
 {
   const Temporary_folder folder;
   const std::string in = shape_folder(folder);
-  const Run done =
-      run(quoted(in) + " --json " + quoted(folder.path("c.json")) + " --npy " + quoted(folder.path("c.npy")) +
-          " --csv " + quoted(folder.path("c.csv")) + " --html " + quoted(folder.path("c.html")));
+  const Run done = run(quoted(in) + " --roles none --json " + quoted(folder.path("c.json")) + " --npy " +
+                       quoted(folder.path("c.npy")) + " --csv " + quoted(folder.path("c.csv")) + " --html " +
+                       quoted(folder.path("c.html")));
   INFO(done.error);
   REQUIRE(done.status == 0);
   CHECK_THAT(done.out, Contains("medoid") && Contains("shape 3"));
