@@ -85,15 +85,14 @@ Search_method search_method(const Match_options& match, const po::variables_map&
   return Search_method::PARTS;
 }
 
-/// Roles say more than geometry does where the front of the shapes is known and parts are what they are matched by.
+/// Roles are for matching by parts.
 std::shared_ptr<const Role_model> role_model(const Match_options& match, const po::variables_map& values,
                                              const Search_options& search)
 {
   if (match.roles == "none") return nullptr;
-  if (search.method != Search_method::PARTS || search.alignments != 1) {
+  if (search.method != Search_method::PARTS) {
     for (const char* option : {"roles", "category"})
-      if (is_given(values, option))
-        throw Usage_error("--" + std::string(option) + " needs --search parts and --front given");
+      if (is_given(values, option)) throw Usage_error("--" + std::string(option) + " needs --search parts");
     return nullptr;
   }
   return match.roles == "auto" ? IO::shipped_role_model()
@@ -136,7 +135,8 @@ po::options_description match_options(Match_options& match)
       "the target); auto: source with --paper, else both");
   add("front", po::value(&match.front)->value_name("HOW")->default_value(match.front),
       "of the alignments that the shapes' own symmetry leaves: given takes the one nearest to their orientation in the "
-      "files, auto the best-scoring one, without roles (the default with --paper)");
+      "files; auto finds the fronts of shapes of a known category by the roles of their parts, and else takes the "
+      "best-scoring alignment (the default with --paper)");
   add("alignments", po::value(&match.alignments)->value_name("N")->default_value(match.alignments),
       "how many alignments are tried, nearest to the given orientation first; auto: one with --front given, all with "
       "--front auto");

@@ -200,12 +200,31 @@ Calibration calibration_of(const Training_set& set, const Role_validation& valid
   return result;
 }
 
+// How often the front of a shape is among those that are thought possible, or the only one. \param category empty: the
+// mean of all
+double share_of_fronts(const Training_set& set, const Role_validation& validation, const std::string& category,
+                       int Validated_pair::*fronts)
+{
+  std::map<std::string, std::pair<double, double>> found; // and how many there are
+  for (const Validated_pair& pair : validation.pairs()) {
+    const std::string& name = set.models[pair.shapes[0]].labels.category;
+    if (!category.empty() && name != category) continue;
+    found[name].first += pair.*fronts;
+    found[name].second += 2;
+  }
+  double sum = 0;
+  for (const auto& [name, shares] : found)
+    sum += shares.first / shares.second;
+  return sum / double(std::max<std::size_t>(1, found.size()));
+}
+
 void print(const Training_set& set, const Role_validation& validation, const Common_options& common)
 {
   const Evaluation geometric = mean_of(set, validation, geometric_score, common),
                    joined = mean_of(set, validation, joined_score, common);
   std::vector<std::vector<std::string>> rows{{"category", "pairs", "geometry P", "R", "F1", "with roles P", "R", "F1",
-                                              "gain", "stated", "right", "AUC", "P sure", "share"}};
+                                              "gain", "stated", "right", "AUC", "P sure", "share", "front",
+                                              "sure front"}};
   const auto add_row = [&](const std::string& name, const Mean_score& without, const Mean_score& with) {
     rows.push_back({name, std::to_string(without.correspondences)});
     for (const Mean_score* score : {&without, &with})
@@ -215,6 +234,8 @@ void print(const Training_set& set, const Role_validation& validation, const Com
     for (double value : {with.f1.mean - without.f1.mean, confidences.stated, confidences.right, confidences.auc,
                          confidences.sure_precision, confidences.sure_share})
       rows.back().push_back(fixed(value));
+    for (const auto found : {&Validated_pair::fronts_kept, &Validated_pair::fronts_found})
+      rows.back().push_back(fixed(share_of_fronts(set, validation, name == "mean" ? "" : name, found)));
   };
   for (std::size_t c = 0; c < geometric.categories.size(); ++c)
     add_row(geometric.categories[c].first, geometric.categories[c].second, joined.categories[c].second);

@@ -79,9 +79,9 @@ double Role_distances::mean_distance(const Role_features& parts, std::size_t cat
   return sum / (double(queries.rows()) * ROLE_FEATURE_COUNT * steps_per_deviation);
 }
 
-Role_evidence given_role_evidence(const Structural_graph& graph)
+Role_evidence role_evidence(const Structural_graph& graph, int quarter_turns)
 {
-  const Aligned_shape shape = align_shape(graph, given_quarter_turns(structure(graph).frame));
+  const Aligned_shape shape = align_shape(graph, given_quarter_turns(structure(graph).frame) + quarter_turns);
   return {role_features(graph, shape), part_sides(shape)};
 }
 

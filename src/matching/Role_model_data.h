@@ -75,7 +75,7 @@ struct Role_evidence
   std::vector<Side> sides;
 };
 
-// Of a shape that looks to +z, as given.
-Role_evidence given_role_evidence(const Structural_graph& graph);
+// Of a shape that looks to +z once it was turned so often by 90° from the orientation that it was given in.
+Role_evidence role_evidence(const Structural_graph& graph, int quarter_turns = 0);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -106,7 +106,7 @@ Role_trainer::Role_trainer(const std::vector<Labelled_graph>& shapes, const Role
 {
   check(shapes, options);
   for_each_index(shapes.size(), true,
-                 [&](std::size_t shape) { evidence_[shape] = given_role_evidence(*shapes[shape].graph); });
+                 [&](std::size_t shape) { evidence_[shape] = role_evidence(*shapes[shape].graph); });
 }
 
 std::vector<std::string> Role_trainer::categories() const

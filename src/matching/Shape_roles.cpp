@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -36,6 +37,9 @@ void drop_repeated_fine_labels(std::vector<Part_label>& labels)
       labels[part].fine.clear();
   }
 }
+
+// A shape surely does not look the way for which the mean log share of agreeing trees is so much less.
+constexpr double clearly_less = 0.05;
 
 // Between parts that are as good as the same. Half of it is too little for the slats of a bed in data/; the scores of
 // labelled shapes do not change with it.
@@ -95,8 +99,8 @@ std::vector<Part_label> chosen(const std::vector<Part_label>& labels, const std:
 
 } // namespace
 
-Shape_roles::Shape_roles(const Structural_graph& graph, const Role_model& model)
-    : Shape_roles(given_role_evidence(graph), model)
+Shape_roles::Shape_roles(const Structural_graph& graph, const Role_model& model, int quarter_turns)
+    : Shape_roles(role_evidence(graph, quarter_turns), model)
 {}
 
 Shape_roles::Shape_roles(Role_evidence evidence, const Role_model& model)
@@ -115,22 +119,65 @@ const Role_votes& Shape_roles::votes(std::size_t category) const
   return votes_[category].votes;
 }
 
-std::size_t nearest_category(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model)
+namespace {
+
+// \param distance of two shapes, by category: summed, and the larger one
+template <typename Distance>
+Pair_category nearest_category(const Role_model_data& model, const Distance& distance)
 {
-  const auto distance = [&](std::size_t category) { return source.distance(category) + target.distance(category); };
+  const std::size_t none = model.categories.size();
+  if (none == 0) return {none, "The role model knows no category; the parts were matched by geometry alone."};
   std::size_t nearest = 0;
-  for (std::size_t category = 1; category < model.categories.size(); ++category)
-    if (distance(category) < distance(nearest)) nearest = category;
-  return nearest;
+  for (std::size_t category = 1; category < none; ++category)
+    if (distance(category).first < distance(nearest).first) nearest = category;
+  if (distance(nearest).second <= largest_distance) return {nearest, ""};
+  return {none, "The shapes are of no category that the role model knows (the nearest is " +
+                    model.categories[nearest].name + "); the parts were matched by geometry alone."};
 }
+
+std::pair<double, double> sum_and_larger(double a, double b) { return {a + b, std::max(a, b)}; }
+
+double least_distance(const Turned_roles& shape, std::size_t category)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& turned : shape)
+    least = std::min(least, turned->distance(category));
+  return least;
+}
+
+// Mean over the parts of the log of the share of the trees that vote for the likeliest role.
+double agreement_of_trees(const Shape_roles& shape, std::size_t category, int trees)
+{
+  const Eigen::MatrixXi& votes = shape.votes(category).roles;
+  return (votes.rowwise().maxCoeff().cast<double>().array() / trees).log().mean();
+}
+
+} // namespace
 
 Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model)
 {
-  const std::size_t none = model.categories.size(), nearest = nearest_category(source, target, model);
-  if (nearest == none) return {none, "The role model knows no category; the parts were matched by geometry alone."};
-  if (std::max(source.distance(nearest), target.distance(nearest)) <= largest_distance) return {nearest, ""};
-  return {none, "The shapes are of no category that the role model knows (the nearest is " +
-                    model.categories[nearest].name + "); the parts were matched by geometry alone."};
+  return nearest_category(model, [&](std::size_t category) {
+    return sum_and_larger(source.distance(category), target.distance(category));
+  });
+}
+
+Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model)
+{
+  return nearest_category(model, [&](std::size_t category) {
+    return sum_and_larger(least_distance(source, category), least_distance(target, category));
+  });
+}
+
+std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees)
+{
+  std::array<long, 4> agreement{};
+  for (std::size_t turn = 0; turn < 4; ++turn)
+    agreement[turn] = quantized(agreement_of_trees(*shape[turn], category, trees));
+  const long least = *std::max_element(agreement.begin(), agreement.end()) - quantized(clearly_less);
+  std::vector<int> result;
+  for (int turn = 0; turn < 4; ++turn)
+    if (agreement[std::size_t(turn)] >= least) result.push_back(turn);
+  return result;
 }
 
 Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,

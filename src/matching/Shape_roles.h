@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -27,8 +28,8 @@ struct Role_votes
 class Shape_roles
 {
 public:
-  // The shape looks to +z.
-  Shape_roles(const Structural_graph& graph, const Role_model& model);
+  // The shape looks to +z once it was turned so often by 90°.
+  Shape_roles(const Structural_graph& graph, const Role_model& model, int quarter_turns = 0);
   Shape_roles(Role_evidence evidence, const Role_model& model);
 
   // From the labelled parts of a category, see `Role_distances::mean_distance()`.
@@ -48,9 +49,6 @@ private:
   std::unique_ptr<Counted_votes[]> votes_;
 };
 
-// The category whose labelled parts are nearest to both shapes; the number of categories if there are none.
-std::size_t nearest_category(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model);
-
 // The category that two shapes are taken to be of.
 struct Pair_category
 {
@@ -60,6 +58,16 @@ struct Pair_category
 
 // The nearest category, or none where one of the shapes is far from its labelled parts.
 Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model);
+
+// A shape by how often it was turned by 90° from the orientation that it was given in.
+using Turned_roles = std::array<std::shared_ptr<const Shape_roles>, 4>;
+
+// The turns with which a shape of a category may look to +z: where the trees agree on the roles of its parts nearly as
+// much as anywhere. Ascending, so the given one is first.
+std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees);
+
+// The nearest category of two shapes whose fronts are not known.
+Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model);
 
 // Of all pairs of parts, source by source. `source_parts`, `target_parts`: the rows of the votes that the parts of the
 // match have.

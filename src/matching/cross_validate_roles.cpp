@@ -115,6 +115,15 @@ Role_validation::Role_validation(const std::vector<Validation_shape>& shapes, co
     if (told < none)
       examples_[i] =
           judged_terms(pair_terms(a.votes(told), b.votes(told), geometric[i]), truths[i], target.labels.size());
+    if (told < none)
+      for (const std::size_t end : pair) {
+        Turned_roles turned;
+        for (int turn = 0; turn < 4; ++turn)
+          turned[std::size_t(turn)] = std::make_shared<Shape_roles>(*shapes[end].labelled.graph, model, turn);
+        const std::vector<int> fronts = front_turns(turned, told, options.trees);
+        pairs_[i].fronts_kept += fronts.front() == 0;
+        pairs_[i].fronts_found += fronts.front() == 0 && fronts.size() == 1;
+      }
     if (category == none) return;
     pairs_[i].category = model.data().categories[category].name;
     found[i] = category == told ? examples_[i].terms : pair_terms(a.votes(category), b.votes(category), geometric[i]);
@@ -132,8 +141,7 @@ Role_validation::Role_validation(const std::vector<Validation_shape>& shapes, co
     std::vector<Part_correspondence> matched = geometric[i].pairs;
     if (!pairs_[i].category.empty()) {
       Pair_weights weights = of_others.at(category);
-      if (pairs_[i].category == category)
-        weights = weights_of(category, weights, {pairs[i][0], pairs[i][1]});
+      if (pairs_[i].category == category) weights = weights_of(category, weights, {pairs[i][0], pairs[i][1]});
       matched = pairs_by_terms(found[i], weights, geometric[i]);
     }
     pairs_[i].geometric = evaluate_correspondence(part_pairs(geometric[i].pairs), truths[i]);

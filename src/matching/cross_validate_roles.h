@@ -44,7 +44,9 @@ struct Validated_pair
   Validation_pair shapes{};
   std::string category;                   // as the matcher finds it; empty: none
   Correspondence_score geometric, joined; // by geometry alone, and as the matcher does it
-  std::vector<Judged_pair> judged;        // of the latter
+  // How many fronts of the two shapes are thought possible, and thought the only ones possible, with the category told
+  int fronts_kept = 0, fronts_found = 0;
+  std::vector<Judged_pair> judged; // of the matcher's pairs
 };
 
 // Matches of pairs of shapes that the training did not see. The weights of the terms follow from pairs of other

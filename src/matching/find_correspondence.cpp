@@ -203,21 +203,30 @@ struct Prepared_shape::Alignments
     return shapes[turn];
   }
 
-  // Of the model that was asked for last: a shape is hardly ever matched with several.
-  std::shared_ptr<const Shape_roles> roles(const std::shared_ptr<const Role_model>& model)
+  // Of the model that was asked for last: a shape is hardly ever matched with several. The turns are from the given
+  // orientation.
+  std::shared_ptr<const Shape_roles> roles(const std::shared_ptr<const Role_model>& model, int quarter_turns = 0)
   {
     const std::lock_guard<std::mutex> lock(roles_mutex);
-    if (role_model != model) {
-      shape_roles = std::make_shared<Shape_roles>(graph, *model);
-      role_model = model;
-    }
-    return shape_roles;
+    if (role_model != model) turned_roles = {};
+    role_model = model;
+    std::shared_ptr<const Shape_roles>& result = turned_roles[std::size_t(quarter_turns)];
+    if (!result) result = std::make_shared<Shape_roles>(graph, *model, quarter_turns);
+    return result;
+  }
+
+  Turned_roles roles_by_turn(const std::shared_ptr<const Role_model>& model)
+  {
+    Turned_roles result;
+    for (int turn = 0; turn < 4; ++turn)
+      result[std::size_t(turn)] = roles(model, turn);
+    return result;
   }
 
   const Structural_graph& graph;
   std::mutex roles_mutex;
   std::shared_ptr<const Role_model> role_model;
-  std::shared_ptr<const Shape_roles> shape_roles;
+  Turned_roles turned_roles;
   std::array<std::once_flag, 4> is_aligned;
   std::array<Matching_problem::Shared_shape, 4> shapes;
 };
@@ -265,6 +274,19 @@ private:
   std::vector<Correspondence> least_energy(const Prepared_shape& target) const;
   Correspondence matched_parts(const Prepared_shape& target) const;
   Part_matching matched_in_common_frame(const Prepared_shape& target, const Aligned_shape& shape, int turn) const;
+  Part_matching matched_in_frames(const Prepared_shape& target, const Aligned_shape& shape, int source_turn,
+                                  int target_turn) const;
+
+  // An alignment that is tried: the turn of the target into the source's frame, and, by roles, the quarter turns from
+  // the given orientations with which the shapes look to +z.
+  struct Way
+  {
+    int turn = 0, source_front = 0, target_front = 0;
+    bool by_roles = false;
+  };
+  // The alignments that are tried, the first guess first. \param category of both shapes, if roles tell one
+  std::vector<Way> ways(const Prepared_shape& target, Pair_category& category) const;
+  Part_matching matched_way(const Prepared_shape& target, const Aligned_shape& shape, const Way& way) const;
   Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const
   {
     return participating(target.alignments_->aligned(quarter_turns), options_.target_parts,
@@ -272,8 +294,8 @@ private:
   }
   double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;
 
-  void join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target, Part_matching& matching,
-                  Correspondence& result) const;
+  void join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target, const Pair_category& category,
+                  const Way& way, Part_matching& matching, Correspondence& result) const;
 
   Search_options options_;
   Prepared_shape prepared_source_;
@@ -288,62 +310,105 @@ Part_matching Correspondence_finder::Impl::matched_in_common_frame(const Prepare
                                                                    const Aligned_shape& shape, int turn) const
 {
   if (turn % 2 == 0 || !comes_first(shape, *source_)) return match_parts(*source_, shape, options_.parts);
-  const Shared_shape own = aligned(target, 0), turned = participating(prepared_source_.alignments_->aligned(-turn),
-                                                                      options_.source_parts, options_.maximum_parts);
-  return renumbered(match_parts(*turned, *own, options_.parts), places_of_parts(*turned, *source_),
-                    places_of_parts(*own, shape));
+  return matched_in_frames(target, shape, -turn, 0);
+}
+
+// With either shape turned from its own frame.
+Part_matching Correspondence_finder::Impl::matched_in_frames(const Prepared_shape& target, const Aligned_shape& shape,
+                                                             int source_turn, int target_turn) const
+{
+  const Shared_shape b = aligned(target, target_turn),
+                     a = participating(prepared_source_.alignments_->aligned(source_turn), options_.source_parts,
+                                       options_.maximum_parts);
+  return renumbered(match_parts(*a, *b, options_.parts), places_of_parts(*a, *source_), places_of_parts(*b, shape));
+}
+
+std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(const Prepared_shape& target,
+                                                                                Pair_category& category) const
+{
+  std::vector<Way> result;
+  const Shape_frame& target_frame = structure(target.graph()).frame;
+  if (options_.roles) {
+    const Role_model_data& model = options_.roles->data();
+    category.index = model.index(options_.category);
+    Prepared_shape::Alignments &a = *prepared_source_.alignments_, &b = *target.alignments_;
+    if (options_.alignments == 1) {
+      if (options_.category.empty())
+        category = category_of_pair(*a.roles(options_.roles), *b.roles(options_.roles), model);
+    } else {
+      const Turned_roles source = a.roles_by_turn(options_.roles), of_target = b.roles_by_turn(options_.roles);
+      if (options_.category.empty()) category = category_of_pair(source, of_target, model);
+      if (category.index < model.categories.size())
+        for (int from : front_turns(source, category.index, model.trees))
+          for (int to : front_turns(of_target, category.index, model.trees))
+            result.push_back(
+                {given_quarter_turns(target_frame) + to - given_quarter_turns(source_frame_) - from, from, to, true});
+    }
+  }
+  if (result.empty())
+    for (int turn : tried_turns(source_frame_, target_frame, options_.alignments))
+      result.push_back({turn, 0, 0, false});
+  return result;
+}
+
+Part_matching Correspondence_finder::Impl::matched_way(const Prepared_shape& target, const Aligned_shape& shape,
+                                                       const Way& way) const
+{
+  if (!way.by_roles) return matched_in_common_frame(target, shape, way.turn);
+  return matched_in_frames(target, shape, given_quarter_turns(source_frame_) + way.source_front,
+                           given_quarter_turns(structure(target.graph()).frame) + way.target_front);
 }
 
 Correspondence Correspondence_finder::Impl::matched_parts(const Prepared_shape& target) const
 {
-  const std::vector<int> turns = tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments);
+  Pair_category category;
+  const std::vector<Way> tried = ways(target, category);
   Part_matching best;
   Shared_shape best_shape;
-  int best_turn = turns.front();
+  Way best_way = tried.front();
   double best_cost = std::numeric_limits<double>::infinity();
   std::size_t done = 0;
-  for (int turn : turns) {
-    if (options_.progress && !options_.progress(double(done) / double(turns.size()))) break;
-    const Shared_shape shape = aligned(target, turn);
-    Part_matching matching = matched_in_common_frame(target, *shape, turn);
+  for (const Way& way : tried) {
+    if (options_.progress && !options_.progress(double(done) / double(tried.size()))) break;
+    const Shared_shape shape = aligned(target, way.turn);
+    Part_matching matching = matched_way(target, *shape, way);
+    const double preference = done == 0 ? clearly_cheaper : 1;
     ++done;
-    const double preference = turn == turns.front() ? clearly_cheaper : 1;
     const double cost = preference * double(alignment_cost(matching, *source_, *shape));
     if (cost >= best_cost) continue;
     best_cost = cost;
-    best_turn = turn;
+    best_way = way;
     best = std::move(matching);
     best_shape = shape;
   }
-  if (done == 0) best_shape = aligned(target, best_turn);
+  if (done == 0) best_shape = aligned(target, best_way.turn);
   Correspondence known;
-  if (options_.roles && done > 0) join_roles(target, *best_shape, best, known);
+  if (options_.roles && done > 0) join_roles(target, *best_shape, category, best_way, best, known);
   const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
   best.pairs.erase(std::remove_if(best.pairs.begin(), best.pairs.end(), unsure), best.pairs.end());
 
-  const Search_run run(source_, best_shape, best_turn, group_labels(best, *source_, *best_shape), options_);
+  const Search_run run(source_, best_shape, best_way.turn, group_labels(best, *source_, *best_shape), options_);
   Correspondence result = correspondence_of(run, run.result.best(), {});
   result.pairs = original_pairs(best, *source_, *best_shape);
   result.category = std::move(known.category);
   result.source_roles = std::move(known.source_roles);
   result.target_roles = std::move(known.target_roles);
   result.warnings.insert(result.warnings.end(), known.warnings.begin(), known.warnings.end());
-  if (done < turns.size()) mark_cancelled(done, turns.size(), result);
+  if (done < tried.size()) mark_cancelled(done, tried.size(), result);
   return result;
 }
 
 void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target,
-                                             Part_matching& matching, Correspondence& result) const
+                                             const Pair_category& category, const Way& way, Part_matching& matching,
+                                             Correspondence& result) const
 {
-  const std::shared_ptr<const Shape_roles> a = prepared_source_.alignments_->roles(options_.roles),
-                                           b = target.alignments_->roles(options_.roles);
   const Role_model_data& model = options_.roles->data();
-  Pair_category category{model.index(options_.category), ""};
-  if (options_.category.empty()) category = category_of_pair(*a, *b, model);
   if (category.index == model.categories.size()) {
     result.warnings.push_back(category.note);
     return;
   }
+  const std::shared_ptr<const Shape_roles> a = prepared_source_.alignments_->roles(options_.roles, way.source_front),
+                                           b = target.alignments_->roles(options_.roles, way.target_front);
   const Role_votes &source = a->votes(category.index), &of_target = b->votes(category.index);
   const Pair_terms terms = pair_terms(source, source_->original, of_target, aligned_target.original, matching);
   matching.pairs = pairs_by_terms(terms, model.categories[category.index].weights, matching);

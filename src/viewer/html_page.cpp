@@ -4,7 +4,6 @@
 #include "viewer/html_page.h"
 #include "viewer/html_text.h"
 
-#include <cstdint>
 #include <ostream>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -202,20 +201,6 @@ new ResizeObserver(() => {
   draw(false);
 }).observe(canvas);
 )page";
-
-std::string base64(const std::string& bytes)
-{
-  static constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string result;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t triple = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      triple = triple << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      result += i + k > bytes.size() ? '=' : digits[triple >> (18 - 6 * k) & 63];
-  }
-  return result;
-}
 
 /// The numbers in the bytes of another type.
 template <typename Number, typename Matrix>

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <ostream>
 #include <string>
@@ -42,6 +43,30 @@ inline std::string script_text(const Json& json)
   std::string result;
   for (char c : json.line())
     result += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return result;
+}
+
+/// Text as it stands between tags.
+inline std::string html_text(const std::string& text)
+{
+  std::string result;
+  for (char c : text)
+    result += c == '<' ? std::string("&lt;") : c == '&' ? std::string("&amp;") : std::string(1, c);
+  return result;
+}
+
+/// Bytes as the text that pages embed them as.
+inline std::string base64(const std::string& bytes)
+{
+  static constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string result;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t triple = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      triple = triple << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      result += i + k > bytes.size() ? '=' : digits[triple >> (18 - 6 * k) & 63];
+  }
   return result;
 }
 

@@ -5,7 +5,6 @@
 #include "viewer/html_text.h"
 #include "viewer/shape_picture.h"
 
-#include <cstdint>
 #include <ostream>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -13,28 +12,6 @@ namespace {
 
 constexpr int picture_width = 240;         // pixels
 constexpr std::size_t most_in_legend = 12; // parts
-
-std::string escaped(const std::string& text)
-{
-  std::string result;
-  for (char c : text)
-    result += c == '<' ? std::string("&lt;") : c == '&' ? std::string("&amp;") : std::string(1, c);
-  return result;
-}
-
-std::string base64(const std::string& bytes)
-{
-  const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string result;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      word = word << 8 | (i + k < bytes.size() ? std::uint8_t(bytes[i + k]) : 0);
-    for (std::size_t k = 0; k < 4; ++k)
-      result += i + k <= bytes.size() ? digits[word >> 6 * (3 - k) & 63] : '=';
-  }
-  return result;
-}
 
 } // namespace
 
@@ -44,23 +21,23 @@ void Parts_sheet::add(const std::string& title, const Segmented_shape& objects, 
   const std::vector<Shape_part>& parts = split.shape.parts();
   const std::vector<Colour> colours = distinct_colours(parts.size());
   figures_ += "<figure><img alt=\"\" src=\"data:image/bmp;base64," +
-              base64(shape_picture(split.shape, colours, picture_width)) + "\"><figcaption><b>" + escaped(title) +
+              base64(shape_picture(split.shape, colours, picture_width)) + "\"><figcaption><b>" + html_text(title) +
               "</b>";
   for (const std::string& line : lines)
-    figures_ += "<br>" + escaped(line);
+    figures_ += "<br>" + html_text(line);
   figures_ += "<br>";
   for (std::size_t i = 0; i < parts.size() && i < most_in_legend; ++i)
-    figures_ += "<i style=\"background:" + css_colour(colours[i]) + "\"></i> " + escaped(parts[i].name) + " ";
+    figures_ += "<i style=\"background:" + css_colour(colours[i]) + "\"></i> " + html_text(parts[i].name) + " ";
   if (parts.size() > most_in_legend) figures_ += "…";
   figures_ += "<details><summary>objects</summary>";
   for (std::size_t i = 0; i < split.decisions.size(); ++i)
-    figures_ += escaped(objects.parts()[i].name + ": " + split.decisions[i]) + "<br>";
+    figures_ += html_text(objects.parts()[i].name + ": " + split.decisions[i]) + "<br>";
   figures_ += "</details></figcaption></figure>\n";
 }
 
 void Parts_sheet::add(const std::string& title, const std::string& complaint)
 {
-  figures_ += "<figure><figcaption><b>" + escaped(title) + "</b><br>" + escaped(complaint) + "</figcaption></figure>\n";
+  figures_ += "<figure><figcaption><b>" + html_text(title) + "</b><br>" + html_text(complaint) + "</figcaption></figure>\n";
 }
 
 void Parts_sheet::write(std::ostream& out) const

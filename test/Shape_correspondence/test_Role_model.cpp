@@ -16,6 +16,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <Eigen/Geometry>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -289,6 +291,32 @@ TEST_CASE("Matching with roles")
   CHECK_THAT(unknown.warnings.back(), Contains("geometry alone"));
   options.category = "boat";
   CHECK_THROWS_AS(find_correspondence(a.graph, b.graph, options), Invalid_input);
+}
+
+TEST_CASE("The fronts of shapes of a known category are found by the roles of their parts")
+{
+  Search_options options;
+  options.roles = std::make_shared<const Role_model>(train_role_model(labelled(examples())));
+  options.alignments = 0;
+  const Furniture source = chair(0.17, 1.9);
+  Furniture target = chair(0.22, 2.1);
+  const Eigen::Matrix3d quarter = Eigen::AngleAxisd(EIGEN_PI / 2, Point::UnitY()).toRotationMatrix();
+  for (int turn = 0; turn < 4; ++turn) {
+    INFO(turn);
+    for (const bool swap : {false, true}) {
+      const Furniture &a = swap ? target : source, &b = swap ? source : target;
+      const Correspondence found = find_correspondence(a.graph, b.graph, options);
+      CHECK(found.category == "chair");
+      CHECK(found.pairs.size() == 6);
+      for (const Part_correspondence& pair : found.pairs)
+        CHECK(a.labels[pair.source].fine == b.labels[pair.target].fine);
+    }
+    for (Part_abstraction& part : structure(target.graph).parts) {
+      Points& line = std::get<Curve>(part.geometry).points;
+      line = (quarter * line).eval();
+      part.surface = (quarter * part.surface).eval();
+    }
+  }
 }
 
 namespace {

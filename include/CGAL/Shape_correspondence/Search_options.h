@@ -89,7 +89,8 @@ struct Search_options
   std::vector<std::size_t> target_parts; ///< only these parts of the target, by their index; empty: all parts
   /// How many alignments are tried, turns of the target about the up axis by 90° or 180°. The one that scores best is
   /// taken, by `Search_method::PARTS` only if it is clearly better than the first; 1 is the first, the one nearest to
-  /// the given orientation, 0 all of them.
+  /// the given orientation, 0 all of them. With `roles`, other numbers than 1 mean all in which the shapes of a known
+  /// category may look to +z, by the roles of their parts.
   int alignments = 1;
   int solutions = 1;          ///< how many `find_correspondences()` returns at most
   bool min_marginals = false; ///< compute `Group_match::min_marginal`, by exact searches whatever the method
