@@ -41,7 +41,8 @@ ROLES = [("shapes", "the training sees neither shape of a pair"), ("sources", "t
 ROLES_NOTE = ("The category is not told. The weights of the terms follow from other categories, and from pairs of the same one that share no "
               "shape with the one\nat hand. Geometry is the same method without roles; its rules were set on some of these shapes. `stated`: mean confidence; "
               "`right`: share of the pairs\nof parts that are right; AUC: how often a right pair has more confidence than a wrong one; `P sure`, `share`: "
-              "precision and share of the pairs\nof a confidence of .7 or more.")
+              "precision and share of the pairs\nof a confidence of .7 or more; `front`, `sure front`: how often the front of a shape is among the ways that roles leave possible, or the only "
+              "one, with\nthe category told (so none where it is left out).")
 # They name shapes, or need large categories, closed surfaces or shapes made worse
 GENERATED_ONLY = ("gallery", "table1", "figure15", "worst", "figure17", "figure18", "figure19")
 # A check: shapes that nothing was chosen on, so only what says how good the methods are
