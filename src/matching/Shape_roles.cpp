@@ -41,10 +41,6 @@ void drop_repeated_fine_labels(std::vector<Part_label>& labels)
 // A shape surely does not look the way for which the mean log share of agreeing trees is so much less.
 constexpr double clearly_less = 0.05;
 
-// Between parts that are as good as the same. Half of it is too little for the slats of a bed in data/; the scores of
-// labelled shapes do not change with it.
-constexpr double same_part_cost = 1;
-
 Role_votes counted(const Role_evidence& evidence, const Category_roles& category)
 {
   const Eigen::MatrixXi of_classes = category.forest.votes(evidence.features, int(category.classes.size()));

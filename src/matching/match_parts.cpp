@@ -60,11 +60,18 @@ bool are_all(const std::vector<std::size_t>& counts, std::size_t count)
   return std::all_of(counts.begin(), counts.end(), [&](std::size_t c) { return c == count; });
 }
 
-// Do the parts of a block pair one to one?
-bool pairs_one_to_one(const Block& block, const Match_matrix& confident)
+// Do the parts of a block pair one to one, each with one that is as good as the same?
+bool are_same_parts(const Block& block, const Match_matrix& confident, const Eigen::MatrixXd& costs)
 {
-  return are_all(number_of_pairs(confident, block.source, block.target), 1) &&
-         are_all(number_of_pairs(confident.transpose(), block.target, block.source), 1);
+  if (!are_all(number_of_pairs(confident, block.source, block.target), 1) ||
+      !are_all(number_of_pairs(confident.transpose(), block.target, block.source), 1))
+    return false;
+  for (std::size_t i : block.source)
+    for (std::size_t j : block.target)
+      if (confident(Eigen::Index(i), Eigen::Index(j)) &&
+          quantized(costs(Eigen::Index(i), Eigen::Index(j))) > quantized(same_part_cost))
+        return false;
+  return true;
 }
 
 std::vector<char> flags(const std::vector<std::size_t>& parts, std::size_t count)
@@ -90,9 +97,9 @@ void match_all(const std::vector<std::size_t>& source, const std::vector<std::si
       pairs(Eigen::Index(i), Eigen::Index(j)) = true;
 }
 
-// Every part of a block with every other where they differ in number, or are in panels and do not pair one to one.
-void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confident, const Shape_features& source,
-                     const Shape_features& target, Match_matrix& pairs)
+// Every part of a block with every other where they differ in number, or are in panels and not the same.
+void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confident, const Eigen::MatrixXd& costs,
+                     const Shape_features& source, const Shape_features& target, Match_matrix& pairs)
 {
   const std::vector<char> source_panels = is_in_panel(source), target_panels = is_in_panel(target);
   const auto has_panel = [](const std::vector<std::size_t>& parts, const std::vector<char>& is_in_panel) {
@@ -101,7 +108,7 @@ void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confi
   for (const Block& block : blocks)
     if (block.source.size() != block.target.size() ||
         ((has_panel(block.source, source_panels) || has_panel(block.target, target_panels)) &&
-         !pairs_one_to_one(block, confident)))
+         !are_same_parts(block, confident, costs)))
       match_all(block.source, block.target, pairs);
 }
 
@@ -142,7 +149,7 @@ Match_matrix matched(const Eigen::MatrixXd& costs, const Shape_features& source,
 {
   const Match_matrix confident = pairs_within(costs, options.confident_excess);
   Match_matrix pairs = pairs_within(costs, options.excess);
-  complete_blocks(joined_blocks(confident, source, target, options), confident, source, target, pairs);
+  complete_blocks(joined_blocks(confident, source, target, options), confident, costs, source, target, pairs);
   if (support_as_sets(confident, source.assemblies, target.assemblies)) {
     separate_supports(source, target, pairs);
     match_all(source.assemblies.legs, target.assemblies.legs, pairs);
