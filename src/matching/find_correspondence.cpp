@@ -158,25 +158,29 @@ void mark_cancelled(std::size_t done, std::size_t runs, Correspondence& correspo
                                     std::to_string(runs) + " runs; this is the best result up to then.");
 }
 
-// The shape as far as it takes part.
+// The shape as far as it takes part. \param chosen indices in the structural graph; empty: all
 Matching_problem::Shared_shape participating(Matching_problem::Shared_shape shape,
-                                             const std::vector<std::size_t>& chosen, int maximum_parts)
+                                             const std::vector<std::size_t>& chosen)
 {
-  if (!chosen.empty()) {
-    std::vector<char> is_kept(shape->parts.size(), 0);
-    for (std::size_t part : chosen) {
-      const auto found = std::find(shape->original.begin(), shape->original.end(), part);
-      if (found == shape->original.end())
-        throw Invalid_input("find_correspondence: there is no part number " + std::to_string(part) +
-                            " to choose, the shape has " + std::to_string(shape->parts.size()) + " parts");
-      is_kept[std::size_t(found - shape->original.begin())] = 1;
-    }
-    shape = std::make_shared<Deformable_shape>(restricted(*shape, is_kept));
+  if (chosen.empty()) return shape;
+  std::vector<char> is_kept(shape->parts.size(), 0);
+  for (std::size_t part : chosen) {
+    const auto found = std::find(shape->original.begin(), shape->original.end(), part);
+    if (found == shape->original.end())
+      throw Invalid_input("find_correspondence: there is no part number " + std::to_string(part) +
+                          " to choose, the shape has " + std::to_string(shape->parts.size()) + " parts");
+    is_kept[std::size_t(found - shape->original.begin())] = 1;
   }
-  if (maximum_parts > 0)
-    shape = std::make_shared<Deformable_shape>(
-        restricted(*shape, most_prominent_parts(*shape, std::size_t(maximum_parts))));
-  return shape;
+  return std::make_shared<Deformable_shape>(restricted(*shape, is_kept));
+}
+
+// Which of the parts take part, of equally prominent ones the same in every alignment. \param shape in its own frame
+std::vector<std::size_t> participants(const Matching_problem::Shared_shape& shape,
+                                      const std::vector<std::size_t>& chosen, int maximum_parts)
+{
+  if (maximum_parts == 0) return chosen;
+  const Matching_problem::Shared_shape all = participating(shape, chosen);
+  return restricted(*all, most_prominent_parts(*all, std::size_t(maximum_parts))).original;
 }
 
 } // namespace
@@ -250,7 +254,8 @@ public:
         number_of_parts_(structure(source.graph()).parts.size())
   {
     check(options);
-    source_ = participating(source.alignments_->aligned(0), options.source_parts, options.maximum_parts);
+    source_ = source.alignments_->aligned(0);
+    source_ = participating(source_, participants(source_, options.source_parts, options.maximum_parts));
     if (options.maximum_parts > 0 && !options.coarse_target) options_.both_directions = false;
   }
 
@@ -287,10 +292,13 @@ private:
   // The alignments that are tried, the first guess first. \param category of both shapes, if roles tell one
   std::vector<Way> ways(const Prepared_shape& target, Pair_category& category) const;
   Part_matching matched_way(const Prepared_shape& target, const Aligned_shape& shape, const Way& way) const;
+  using Alignments = Prepared_shape::Alignments;
   Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const
   {
-    return participating(target.alignments_->aligned(quarter_turns), options_.target_parts,
-                         options_.coarse_target ? options_.maximum_parts : 0);
+    Alignments& shapes = *target.alignments_;
+    const int maximum_parts = options_.coarse_target ? options_.maximum_parts : 0;
+    return participating(shapes.aligned(quarter_turns),
+                         participants(shapes.aligned(0), options_.target_parts, maximum_parts));
   }
   double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;
 
@@ -318,8 +326,7 @@ Part_matching Correspondence_finder::Impl::matched_in_frames(const Prepared_shap
                                                              int source_turn, int target_turn) const
 {
   const Shared_shape b = aligned(target, target_turn),
-                     a = participating(prepared_source_.alignments_->aligned(source_turn), options_.source_parts,
-                                       options_.maximum_parts);
+                     a = participating(prepared_source_.alignments_->aligned(source_turn), source_->original);
   return renumbered(match_parts(*a, *b, options_.parts), places_of_parts(*a, *source_), places_of_parts(*b, shape));
 }
 
@@ -331,7 +338,7 @@ std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(
   if (options_.roles) {
     const Role_model_data& model = options_.roles->data();
     category.index = model.index(options_.category);
-    Prepared_shape::Alignments &a = *prepared_source_.alignments_, &b = *target.alignments_;
+    Alignments &a = *prepared_source_.alignments_, &b = *target.alignments_;
     if (options_.alignments == 1) {
       if (options_.category.empty())
         category = category_of_pair(*a.roles(options_.roles), *b.roles(options_.roles), model);

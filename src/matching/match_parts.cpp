@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
@@ -200,10 +201,12 @@ Part_matching matching_of(Eigen::MatrixXd costs, const Shape_features& source, c
 bool comes_first(const Aligned_shape& a, const Aligned_shape& b)
 {
   const auto key = [](const Aligned_shape& shape) {
-    double height = 0;
-    for (const Sampled_part& part : shape.parts)
+    double height = 0, off_axis = 0;
+    for (const Sampled_part& part : shape.parts) {
       height += part.surface.row(1).mean();
-    return std::make_pair(shape.parts.size(), quantized(height));
+      off_axis += part.surface.row(0).cwiseAbs2().mean() + part.surface.row(2).cwiseAbs2().mean();
+    }
+    return std::make_tuple(shape.parts.size(), quantized(height), quantized(off_axis));
   };
   return key(a) < key(b);
 }

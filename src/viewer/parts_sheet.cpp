@@ -37,7 +37,8 @@ void Parts_sheet::add(const std::string& title, const Segmented_shape& objects, 
 
 void Parts_sheet::add(const std::string& title, const std::string& complaint)
 {
-  figures_ += "<figure><figcaption><b>" + html_text(title) + "</b><br>" + html_text(complaint) + "</figcaption></figure>\n";
+  figures_ +=
+      "<figure><figcaption><b>" + html_text(title) + "</b><br>" + html_text(complaint) + "</figcaption></figure>\n";
 }
 
 void Parts_sheet::write(std::ostream& out) const

@@ -252,6 +252,34 @@ TEST_CASE("Options out of range are refused")
   CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);
 }
 
+TEST_CASE("A coarse correspondence is of the same parts in every alignment")
+{
+  // Posts that are equally prominent, so that which ones are the most prominent is settled by their places
+  Shape_structure shape;
+  shape.name = "posts";
+  shape.parts = {curve("a", {-.6, 0, -.2}, {-.6, 1, -.2}), curve("b", {-.2, 0, .6}, {-.2, 1, .6}),
+                 curve("c", {.2, 0, -.6}, {.2, 1, -.6}), curve("d", {.6, 0, .2}, {.6, 1, .2})};
+  const Structural_graph posts = make_structural_graph(shape, {group({0}), group({1}), group({2}), group({3})});
+  Shape_structure more = shape;
+  more.frame.axes = Eigen::AngleAxisd(EIGEN_PI / 2, Point::UnitY()).toRotationMatrix();
+  for (Part_abstraction& part : more.parts)
+    std::get<Curve>(part.geometry).points.row(0) *= 0.9;
+  more.parts.push_back(curve("e", {0, 0, 0}, {0, 1, 0}));
+  const Structural_graph five =
+      make_structural_graph(more, {group({0}), group({1}), group({2}), group({3}), group({4})});
+  Search_options options;
+  for (options.maximum_parts = 1; options.maximum_parts <= 4; ++options.maximum_parts) {
+    INFO(options.maximum_parts);
+    std::set<std::pair<std::size_t, std::size_t>> there, back;
+    for (const Part_correspondence& pair : find_correspondence(posts, five, options).pairs)
+      there.emplace(pair.source, pair.target);
+    for (const Part_correspondence& pair : find_correspondence(five, posts, options).pairs)
+      back.emplace(pair.target, pair.source);
+    CHECK(!there.empty());
+    CHECK(there == back);
+  }
+}
+
 TEST_CASE("Only the chosen parts take part")
 {
   Search_options options = least_energy();
