@@ -78,8 +78,6 @@ double size_of_object(const Read_model& model, std::size_t object)
   return result;
 }
 
-char axis_name(const Point& axis) { return axis.x() > 0.5 ? 'x' : axis.y() > 0.5 ? 'y' : 'z'; }
-
 /// How many parts of how many objects, and which way is up.
 std::string summary(const Read_model& model)
 {

@@ -31,8 +31,6 @@ bool says_up(const std::string& path)
   return std::find(formats.begin(), formats.end(), IO::lower_extension(path)) != formats.end();
 }
 
-char axis_name(const Point& axis) { return axis.x() > 0.5 ? 'x' : axis.y() > 0.5 ? 'y' : 'z'; }
-
 std::string warning_of(const Up_estimate& found, const std::string& option)
 {
   return std::string("The upright axis was taken to be ") + axis_name(found.up) +
@@ -95,6 +93,8 @@ void warn_of_changes(const std::string& path, Read_model& model)
 bool is_model(const std::string& path) { return is_folder(path) || IO::is_model_file(path); }
 
 } // namespace
+
+char axis_name(const Point& axis) { return axis.x() > 0.5 ? 'x' : axis.y() > 0.5 ? 'y' : 'z'; }
 
 std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, Common_options& options)
 {

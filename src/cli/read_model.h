@@ -21,6 +21,9 @@ struct Read_model
   std::vector<std::string> warnings;
 };
 
+/// Of an upright axis: x, y or z.
+char axis_name(const Point& axis);
+
 /// Reads a model, finds its upright axis and makes its parts, as the options say. In mode `auto` the files of a folder
 /// of part meshes are the parts, and y is up. \throw Invalid_input
 Read_model read_model(const std::string& path, const Common_options& options);

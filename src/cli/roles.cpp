@@ -200,22 +200,23 @@ Calibration calibration_of(const Training_set& set, const Role_validation& valid
   return result;
 }
 
-// How often the front of a shape is among those that are thought possible, or the only one. \param category empty: the
-// mean of all
-double share_of_fronts(const Training_set& set, const Role_validation& validation, const std::string& category,
-                       int Validated_pair::*fronts)
+// How often the front of a shape is among those that are thought possible, or the only one; - where no category was
+// told.
+// \param category empty: the mean of all
+std::string share_of_fronts(const Training_set& set, const Role_validation& validation, const std::string& category,
+                            int Front_count::*fronts)
 {
-  std::map<std::string, std::pair<double, double>> found; // and how many there are
+  std::map<std::string, Front_count> counts;
   for (const Validated_pair& pair : validation.pairs()) {
     const std::string& name = set.models[pair.shapes[0]].labels.category;
-    if (!category.empty() && name != category) continue;
-    found[name].first += pair.*fronts;
-    found[name].second += 2;
+    if (pair.fronts.shapes == 0 || (!category.empty() && name != category)) continue;
+    counts[name].shapes += pair.fronts.shapes;
+    counts[name].*fronts += pair.fronts.*fronts;
   }
   double sum = 0;
-  for (const auto& [name, shares] : found)
-    sum += shares.first / shares.second;
-  return sum / double(std::max<std::size_t>(1, found.size()));
+  for (const auto& [name, count] : counts)
+    sum += double(count.*fronts) / count.shapes;
+  return counts.empty() ? "-" : fixed(sum / double(counts.size()));
 }
 
 void print(const Training_set& set, const Role_validation& validation, const Common_options& common)
@@ -234,13 +235,25 @@ void print(const Training_set& set, const Role_validation& validation, const Com
     for (double value : {with.f1.mean - without.f1.mean, confidences.stated, confidences.right, confidences.auc,
                          confidences.sure_precision, confidences.sure_share})
       rows.back().push_back(fixed(value));
-    for (const auto found : {&Validated_pair::fronts_kept, &Validated_pair::fronts_found})
-      rows.back().push_back(fixed(share_of_fronts(set, validation, name == "mean" ? "" : name, found)));
+    for (const auto fronts : {&Front_count::possible, &Front_count::sure})
+      rows.back().push_back(share_of_fronts(set, validation, name == "mean" ? "" : name, fronts));
   };
   for (std::size_t c = 0; c < geometric.categories.size(); ++c)
     add_row(geometric.categories[c].first, geometric.categories[c].second, joined.categories[c].second);
   add_row("mean", geometric.mean, joined.mean);
   write_table(std::cout, rows);
+}
+
+// Of the terms of a pair, see `Pair_term`.
+IO::Json json_of(const Pair_weights& weights)
+{
+  IO::Json result;
+  result["same_label"] = weights[SAME_LABEL];
+  result["votes_agree"] = weights[VOTES_AGREE];
+  result["geometric_pair"] = weights[GEOMETRIC_PAIR];
+  result["excess"] = weights[EXCESS];
+  result["constant"] = weights[CONSTANT];
+  return result;
 }
 
 IO::Json json_of(const Mean_score& score)
@@ -306,8 +319,11 @@ IO::Json manifest(const Training_set& set, const Role_validation& validation, co
     IO::Json entry;
     entry["category"] = category;
     entry["roles"] = IO::Json(model.roles(category));
+    const Pair_weights& weights = model.data().categories[model.data().index(category)].weights;
+    entry["weights"] = json_of(weights);
     result["categories"].push_back(std::move(entry));
   }
+  result["weights"] = json_of(validation.weights());
   // Of shapes of either kind that the training did not see
   if (!set.pairs.empty()) result["left_out_shapes"] = json_of(set, validation, common);
   result["generated_shapes"] = set.models.size() - set.number_of_real;

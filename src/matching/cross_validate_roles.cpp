@@ -83,53 +83,114 @@ std::vector<Judged_pair> judged(const std::vector<Part_correspondence>& pairs, c
   return result;
 }
 
+// What is known of a pair of shapes that the training did not see.
+struct Pair_evidence
+{
+  Part_matching geometric; // by index in the structural graphs
+  Ground_truth truth;
+  Judged_terms told;    // with the category told; without terms if the training saw nothing of it
+  std::string category; // as the matcher finds it; empty: none
+  Pair_terms found;     // in that one
+  Front_count fronts;   // with the category told
+};
+
+class Pair_validator
+{
+public:
+  Pair_validator(const std::vector<Validation_shape>& shapes, const std::vector<Labelled_graph>& labelled,
+                 const Role_training_options& options)
+      : shapes_(shapes), trainer_(labelled, options), all_(trainer_.model()), turned_(shapes.size())
+  {}
+
+  const Role_model_data& model() const { return all_; }
+
+  std::vector<Pair_evidence> run(const std::vector<Validation_pair>& pairs, Left_out left_out)
+  {
+    for (const Validation_pair& pair : pairs)
+      for (std::size_t end : pair)
+        for (int turn = int(turned_[end].size()); turn < 4; ++turn)
+          turned_[end].push_back(role_evidence(*shapes_[end].labelled.graph, turn));
+    std::vector<Pair_evidence> result(pairs.size());
+    for_each_index(pairs.size(), true, [&](std::size_t i) { result[i] = evidence(pairs[i], left_out); });
+    return result;
+  }
+
+private:
+  Turned_roles turned_roles(std::size_t shape, const Role_model& model) const
+  {
+    Turned_roles result;
+    for (std::size_t turn = 0; turn < result.size(); ++turn)
+      result[turn] = std::make_shared<Shape_roles>(turned_[shape][turn], model);
+    return result;
+  }
+
+  Pair_evidence evidence(const Validation_pair& pair, Left_out left_out) const
+  {
+    const Labelled_graph &source = shapes_[pair[0]].labelled, &target = shapes_[pair[1]].labelled;
+    Role_model_data data = all_;
+    const std::size_t own = data.index(source.category);
+    data.categories[own] = trainer_.category(source.category, left_out_shapes(shapes_, pair, left_out));
+    if (data.categories[own].roles.empty()) data.categories.erase(data.categories.begin() + std::ptrdiff_t(own));
+    const Role_model model(std::move(data));
+    const Turned_roles a = turned_roles(pair[0], model), b = turned_roles(pair[1], model);
+    const std::size_t told = model.data().index(source.category), none = model.data().categories.size(),
+                      category = category_of_pair(*a[0], *b[0], model.data()).index;
+    Pair_evidence result;
+    result.geometric = geometric_match(*source.graph, *target.graph);
+    result.truth = ground_truth(source.labels, target.labels);
+    const auto terms = [&](std::size_t of_category) {
+      return pair_terms(a[0]->votes(of_category), b[0]->votes(of_category), result.geometric);
+    };
+    if (told < none) {
+      result.told = judged_terms(terms(told), result.truth, target.labels.size());
+      for (const Turned_roles* shape : {&a, &b})
+        count_front(front_turns(*shape, told, model.data().trees), result.fronts);
+    }
+    if (category == none) return result;
+    result.category = model.data().categories[category].name;
+    result.found = category == told ? result.told.terms : terms(category);
+    return result;
+  }
+
+  static void count_front(const std::vector<int>& turns, Front_count& fronts)
+  {
+    const bool is_possible = turns.front() == 0;
+    ++fronts.shapes;
+    fronts.possible += is_possible;
+    fronts.sure += is_possible && turns.size() == 1;
+  }
+
+  const std::vector<Validation_shape>& shapes_;
+  Role_trainer trainer_;
+  Role_model_data all_;
+  std::vector<std::vector<Role_evidence>> turned_; // by shape, by quarter turns; of those that are in a pair
+};
+
+std::vector<Labelled_graph> labelled_graphs(const std::vector<Validation_shape>& shapes)
+{
+  std::vector<Labelled_graph> result;
+  for (const Validation_shape& shape : shapes)
+    result.push_back(shape.labelled);
+  return result;
+}
+
 } // namespace
 
 Role_validation::Role_validation(const std::vector<Validation_shape>& shapes, const std::vector<Validation_pair>& pairs,
                                  Left_out left_out, const Role_training_options& options)
     : shapes_(shapes), pairs_(pairs.size())
 {
-  std::vector<Labelled_graph> labelled;
-  for (const Validation_shape& shape : shapes)
-    labelled.push_back(shape.labelled);
-  const Role_trainer trainer(labelled, options);
-  all_ = trainer.model();
-  examples_.resize(pairs.size());
-  std::vector<Part_matching> geometric(pairs.size());
-  std::vector<Pair_terms> found(pairs.size()); // in the category as the matcher finds it
-  std::vector<Ground_truth> truths(pairs.size());
-  for_each_index(pairs.size(), true, [&](std::size_t i) {
-    const Validation_pair& pair = pairs[i];
-    const Labelled_graph &source = shapes[pair[0]].labelled, &target = shapes[pair[1]].labelled;
-    Role_model_data data = all_;
-    const std::size_t own = data.index(source.category);
-    data.categories[own] = trainer.category(source.category, left_out_shapes(shapes, pair, left_out));
-    if (data.categories[own].roles.empty()) data.categories.erase(data.categories.begin() + std::ptrdiff_t(own));
-    const Role_model model(std::move(data));
-    const Shape_roles a(trainer.evidence(pair[0]), model), b(trainer.evidence(pair[1]), model);
-    const std::size_t told = model.data().index(source.category), none = model.data().categories.size(),
-                      category = category_of_pair(a, b, model.data()).index;
-    geometric[i] = geometric_match(*source.graph, *target.graph);
-    truths[i] = ground_truth(source.labels, target.labels);
-    pairs_[i].shapes = pair;
-    if (told < none)
-      examples_[i] =
-          judged_terms(pair_terms(a.votes(told), b.votes(told), geometric[i]), truths[i], target.labels.size());
-    if (told < none)
-      for (const std::size_t end : pair) {
-        Turned_roles turned;
-        for (int turn = 0; turn < 4; ++turn)
-          turned[std::size_t(turn)] = std::make_shared<Shape_roles>(*shapes[end].labelled.graph, model, turn);
-        const std::vector<int> fronts = front_turns(turned, told, options.trees);
-        pairs_[i].fronts_kept += fronts.front() == 0;
-        pairs_[i].fronts_found += fronts.front() == 0 && fronts.size() == 1;
-      }
-    if (category == none) return;
-    pairs_[i].category = model.data().categories[category].name;
-    found[i] = category == told ? examples_[i].terms : pair_terms(a.votes(category), b.votes(category), geometric[i]);
-  });
+  const std::vector<Labelled_graph> labelled = labelled_graphs(shapes);
+  Pair_validator validator(shapes, labelled, options);
+  all_ = validator.model();
+  std::vector<Pair_evidence> evidence = validator.run(pairs, left_out);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    pairs_[i].shapes = pairs[i];
   // What was learned with much left out tells nothing of how good what is learned of others is
-  if (left_out != Left_out::SHAPES) examples_ = Role_validation(shapes, pairs, Left_out::SHAPES, options).examples_;
+  std::vector<Pair_evidence> with_others;
+  if (left_out != Left_out::SHAPES) with_others = validator.run(pairs, Left_out::SHAPES);
+  for (const Pair_evidence& pair : with_others.empty() ? evidence : with_others)
+    examples_.push_back(pair.told);
 
   std::map<std::string, Pair_weights> of_others;
   for (const Validation_pair& pair : pairs) {
@@ -138,17 +199,22 @@ Role_validation::Role_validation(const std::vector<Validation_shape>& shapes, co
   }
   for_each_index(pairs.size(), true, [&](std::size_t i) {
     const std::string& category = shapes[pairs[i][0]].labelled.category;
-    std::vector<Part_correspondence> matched = geometric[i].pairs;
-    if (!pairs_[i].category.empty()) {
+    const Pair_evidence& pair = evidence[i];
+    std::vector<Part_correspondence> matched = pair.geometric.pairs;
+    if (!pair.category.empty()) {
       Pair_weights weights = of_others.at(category);
-      if (pairs_[i].category == category) weights = weights_of(category, weights, {pairs[i][0], pairs[i][1]});
-      matched = pairs_by_terms(found[i], weights, geometric[i]);
+      if (pair.category == category) weights = weights_of(category, weights, {pairs[i][0], pairs[i][1]});
+      matched = pairs_by_terms(pair.found, weights, pair.geometric);
     }
-    pairs_[i].geometric = evaluate_correspondence(part_pairs(geometric[i].pairs), truths[i]);
-    pairs_[i].joined = evaluate_correspondence(part_pairs(matched), truths[i]);
-    pairs_[i].judged = judged(matched, truths[i]);
+    pairs_[i].category = pair.category;
+    pairs_[i].geometric = evaluate_correspondence(part_pairs(pair.geometric.pairs), pair.truth);
+    pairs_[i].joined = evaluate_correspondence(part_pairs(matched), pair.truth);
+    pairs_[i].fronts = pair.fronts;
+    pairs_[i].judged = judged(matched, pair.truth);
   });
 }
+
+Pair_weights Role_validation::weights() const { return weights_without(""); }
 
 Role_model Role_validation::model() const
 {

@@ -39,14 +39,19 @@ struct Judged_pair
   bool is_right;
 };
 
+// How many shapes have their front among those that roles leave possible, and as the only one.
+struct Front_count
+{
+  int shapes = 0, possible = 0, sure = 0;
+};
+
 struct Validated_pair
 {
   Validation_pair shapes{};
   std::string category;                   // as the matcher finds it; empty: none
   Correspondence_score geometric, joined; // by geometry alone, and as the matcher does it
-  // How many fronts of the two shapes are thought possible, and thought the only ones possible, with the category told
-  int fronts_kept = 0, fronts_found = 0;
-  std::vector<Judged_pair> judged; // of the matcher's pairs
+  Front_count fronts;                     // of the two shapes, with the category told
+  std::vector<Judged_pair> judged;        // of the matcher's pairs
 };
 
 // Matches of pairs of shapes that the training did not see. The weights of the terms follow from pairs of other
@@ -59,6 +64,8 @@ public:
 
   const std::vector<Validated_pair>& pairs() const { return pairs_; }
 
+  // Fitted to all pairs; the usual ones where they are few.
+  Pair_weights weights() const;
   // What all shapes teach, with weights fitted to all pairs.
   Role_model model() const;
 

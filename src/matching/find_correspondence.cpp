@@ -4,6 +4,7 @@
 #include "base/quantized.h"
 #include "matching/Search_run.h"
 #include "matching/Shape_roles.h"
+#include "matching/aligned_matching.h"
 #include "matching/match_parts.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -38,35 +39,6 @@ void check(const Search_options& options)
   if (options.solutions < 1) throw Invalid_input("find_correspondence: at least one solution must be asked for");
 }
 
-// What the groups of the source become by a part matching. S_i is known where a group becomes all of another group.
-// Clones are whole parts, since `lower_bound()` is over those.
-std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching, const Aligned_shape& source,
-                                                   const Aligned_shape& target)
-{
-  std::vector<std::vector<std::size_t>> images(source.parts.size());
-  for (const Part_correspondence& pair : matching.pairs)
-    images[pair.source].push_back(pair.target);
-
-  std::vector<std::vector<Group_label>> labels;
-  for (const Part_group& group : groups(source)) {
-    Group_label label;
-    for (std::size_t part : group.parts) {
-      label.images.emplace_back();
-      for (std::size_t image : images[part])
-        label.images.back().push_back({{part}, {image}});
-    }
-    const std::vector<std::size_t> parts = image_parts(label);
-    if (!parts.empty()) {
-      label.target_group = target.group_of[parts[0]];
-      label.operation = topological_operation(group.parts.size(), parts.size());
-      if (target.group(label.target_group).parts == parts)
-        label.solidity_ratio = solidity_ratio(group, target.group(label.target_group));
-    }
-    labels.push_back({std::move(label)});
-  }
-  return labels;
-}
-
 // Pairs of connected parts, and parts that touch nothing.
 std::size_t number_of_counted_pairs(const Aligned_shape& shape)
 {
@@ -75,67 +47,6 @@ std::size_t number_of_counted_pairs(const Aligned_shape& shape)
     touches[contact.parts[0]] = touches[contact.parts[1]] = 1;
   const auto alone = std::size_t(std::count(touches.begin(), touches.end(), 0));
   return std::max<std::size_t>(1, shape.contacts.size() + alone);
-}
-
-// Weight of a difference in proportions where alignments are compared; set on one half of the development set, by
-// source family, and on the generated shapes.
-constexpr double proportion_weight = 1;
-
-// Log of the extent sideways over that to the front; 0 for what has neither.
-double log_proportion(const Aligned_shape& shape)
-{
-  Point low = shape.parts[0].surface.col(0), high = low;
-  for (const Sampled_part& part : shape.parts) {
-    low = low.cwiseMin(part.surface.rowwise().minCoeff());
-    high = high.cwiseMax(part.surface.rowwise().maxCoeff());
-  }
-  const Point extent = high - low;
-  return std::min(extent.x(), extent.z()) > comparison_grid ? std::log(extent.x() / extent.z()) : 0;
-}
-
-// How unlike two shapes are in an alignment. Parts are compared in unit boxes, so that proportions are added.
-long alignment_cost(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& target)
-{
-  return quantized(mean_least_cost(matching.costs) +
-                   proportion_weight * std::abs(log_proportion(source) - log_proportion(target)));
-}
-
-// The pairs of a matching by the parts' indices in the structural graphs.
-std::vector<Part_correspondence> original_pairs(const Part_matching& matching, const Aligned_shape& source,
-                                                const Aligned_shape& target)
-{
-  std::vector<Part_correspondence> result = matching.pairs;
-  for (Part_correspondence& pair : result) {
-    pair.source = source.original[pair.source];
-    pair.target = target.original[pair.target];
-  }
-  std::sort(result.begin(), result.end(), is_before);
-  return result;
-}
-
-// The indices in one alignment of a shape of the parts of another one.
-std::vector<std::size_t> places_of_parts(const Aligned_shape& from, const Aligned_shape& to)
-{
-  std::vector<std::size_t> result;
-  for (std::size_t part : from.original)
-    result.push_back(std::size_t(std::find(to.original.begin(), to.original.end(), part) - to.original.begin()));
-  return result;
-}
-
-// A matching of one alignment of two shapes, in the indices of another one.
-Part_matching renumbered(const Part_matching& matching, const std::vector<std::size_t>& source,
-                         const std::vector<std::size_t>& target)
-{
-  Part_matching result = matching;
-  for (Part_correspondence& pair : result.pairs) {
-    pair.source = source[pair.source];
-    pair.target = target[pair.target];
-  }
-  std::sort(result.pairs.begin(), result.pairs.end(), is_before);
-  for (std::size_t i = 0; i < source.size(); ++i)
-    for (std::size_t j = 0; j < target.size(); ++j)
-      result.costs(Eigen::Index(source[i]), Eigen::Index(target[j])) = matching.costs(Eigen::Index(i), Eigen::Index(j));
-  return result;
 }
 
 // Another alignment than the one nearest to the given orientation must cost less than this share of it: a shape that is
@@ -327,7 +238,7 @@ Part_matching Correspondence_finder::Impl::matched_in_frames(const Prepared_shap
 {
   const Shared_shape b = aligned(target, target_turn),
                      a = participating(prepared_source_.alignments_->aligned(source_turn), source_->original);
-  return renumbered(match_parts(*a, *b, options_.parts), places_of_parts(*a, *source_), places_of_parts(*b, shape));
+  return renumbered(match_parts(*a, *b, options_.parts), *a, *source_, *b, shape);
 }
 
 std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(const Prepared_shape& target,
@@ -352,6 +263,10 @@ std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(
                 {given_quarter_turns(target_frame) + to - given_quarter_turns(source_frame_) - from, from, to, true});
     }
   }
+  // Of ways that cost the same the first is taken: the same one, whichever shape is the source
+  if (!result.empty() && comes_first(*aligned(target, 0), *source_))
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Way& a, const Way& b) { return a.target_front < b.target_front; });
   if (result.empty())
     for (int turn : tried_turns(source_frame_, target_frame, options_.alignments))
       result.push_back({turn, 0, 0, false});

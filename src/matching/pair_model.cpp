@@ -21,7 +21,7 @@ constexpr int newton_steps = 15;
 Pair_weights usual_pair_weights()
 {
   Pair_weights result;
-  result << 1.389, 3.154, 1.029, -0.176, -3.560;
+  result << 1.428, 3.121, 1.078, -0.166, -3.620;
   return result;
 }
 

@@ -29,7 +29,8 @@ using Pair_terms = Eigen::Matrix<double, Eigen::Dynamic, PAIR_TERM_COUNT>;
 using Pair_weights = Eigen::Matrix<double, PAIR_TERM_COUNT, 1>;
 
 // Fitted to the labelled shapes that the role model of the package was learned from, each pair of shapes matched with
-// neither in the training; for models that are learned from too few shapes for weights of their own.
+// neither in the training (`weights` in data/roles/manifest.json); for models that are learned from too few shapes for
+// weights of their own.
 Pair_weights usual_pair_weights();
 
 // The excess of every pair.

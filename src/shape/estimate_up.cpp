@@ -4,6 +4,7 @@
 #include "base/Nearest_points.h"
 #include "base/planar_hull.h"
 #include "base/quantized.h"
+#include "shape/all_vertices.h"
 #include "shape/sample_triangles.h"
 
 #include <CGAL/Shape_correspondence/estimate_up.h>
@@ -50,19 +51,6 @@ struct Surface_summary
   Point centre = Point::Zero();     // of the surface
   Point horizontal = Point::Zero(); // by axis, the share of the surface that is perpendicular to it
 };
-
-Points all_vertices(const Segmented_shape& shape)
-{
-  Eigen::Index count = 0;
-  for (const Shape_part& part : shape.parts())
-    count += part.mesh.points.cols();
-  Points result(3, count);
-  for (const Shape_part& part : shape.parts()) {
-    result.middleCols(result.cols() - count, part.mesh.points.cols()) = part.mesh.points;
-    count -= part.mesh.points.cols();
-  }
-  return result;
-}
 
 Surface_summary summary_of_surface(const Segmented_shape& shape)
 {

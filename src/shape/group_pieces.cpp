@@ -21,7 +21,7 @@ namespace {
 using contacts::Triangle;
 using contacts::Triangle_tree;
 
-// Calibrated on raw files of which the parts are known (benchmark/Shape_correspondence/RESULTS.md). Lengths over the
+// Calibrated on raw files of which the parts are known (benchmark/Shape_correspondence/WILD.md). Lengths over the
 // size of the model.
 constexpr int surface_samples = 64;         // of a piece
 constexpr Eigen::Index vertex_samples = 64; // at most

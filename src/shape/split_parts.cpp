@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shape/Loose_piece.h"
+#include "shape/all_vertices.h"
 #include "shape/group_pieces.h"
 #include "shape/has_area.h"
 
@@ -24,14 +25,7 @@ double size_of_model(const Segmented_shape& model)
 {
   if (model.parts().empty())
     throw Invalid_input("shape '" + model.name() + "': there is no object to make parts of; give it a surface");
-  Eigen::Index count = 0;
-  for (const Shape_part& object : model.parts())
-    count += object.mesh.points.cols();
-  Points points(3, count);
-  for (const Shape_part& object : model.parts()) {
-    points.middleCols(points.cols() - count, object.mesh.points.cols()) = object.mesh.points;
-    count -= object.mesh.points.cols();
-  }
+  const Points points = all_vertices(model);
   const Point middle = (points.rowwise().minCoeff() + points.rowwise().maxCoeff()) / 2;
   return size_of(points, middle);
 }

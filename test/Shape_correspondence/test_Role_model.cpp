@@ -432,7 +432,7 @@ TEST_CASE("Weights of the terms are those that the examples are likeliest with")
   // A charge that outweighs the examples leaves what was expected
   const Pair_weights expected = usual_pair_weights();
   CHECK((fitted_pair_weights({{&example, 8}}, expected, 1e6) - expected).norm() < 1e-4);
-  CHECK(fitted_pair_weights({}, expected, 1) == expected);
+  CHECK((fitted_pair_weights({}, expected, 1) - expected).norm() < pair_weight_unit);
 }
 
 TEST_CASE("The command roles")

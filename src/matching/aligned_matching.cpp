@@ -1,0 +1,105 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "matching/aligned_matching.h"
+#include "base/quantized.h"
+#include "matching/Part_costs.h"
+#include "matching/Search_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Shape_correspondence::internal {
+
+namespace {
+
+// Weight of a difference in proportions where alignments are compared; set on one half of the development set, by
+// source family, and on the generated shapes.
+constexpr double proportion_weight = 1;
+
+// Log of the extent sideways over that to the front; 0 for what has neither.
+double log_proportion(const Aligned_shape& shape)
+{
+  Point low = shape.parts[0].surface.col(0), high = low;
+  for (const Sampled_part& part : shape.parts) {
+    low = low.cwiseMin(part.surface.rowwise().minCoeff());
+    high = high.cwiseMax(part.surface.rowwise().maxCoeff());
+  }
+  const Point extent = high - low;
+  return std::min(extent.x(), extent.z()) > comparison_grid ? std::log(extent.x() / extent.z()) : 0;
+}
+
+// The indices in one alignment of a shape of the parts of another one.
+std::vector<std::size_t> places_of_parts(const Aligned_shape& from, const Aligned_shape& to)
+{
+  std::vector<std::size_t> result;
+  for (std::size_t part : from.original)
+    result.push_back(std::size_t(std::find(to.original.begin(), to.original.end(), part) - to.original.begin()));
+  return result;
+}
+
+} // namespace
+
+std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching, const Aligned_shape& source,
+                                                   const Aligned_shape& target)
+{
+  std::vector<std::vector<std::size_t>> images(source.parts.size());
+  for (const Part_correspondence& pair : matching.pairs)
+    images[pair.source].push_back(pair.target);
+
+  std::vector<std::vector<Group_label>> labels;
+  for (const Part_group& group : groups(source)) {
+    Group_label label;
+    for (std::size_t part : group.parts) {
+      label.images.emplace_back();
+      for (std::size_t image : images[part])
+        label.images.back().push_back({{part}, {image}});
+    }
+    const std::vector<std::size_t> parts = image_parts(label);
+    if (!parts.empty()) {
+      label.target_group = target.group_of[parts[0]];
+      label.operation = topological_operation(group.parts.size(), parts.size());
+      if (target.group(label.target_group).parts == parts)
+        label.solidity_ratio = solidity_ratio(group, target.group(label.target_group));
+    }
+    labels.push_back({std::move(label)});
+  }
+  return labels;
+}
+
+long alignment_cost(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& target)
+{
+  return quantized(mean_least_cost(matching.costs) +
+                   proportion_weight * std::abs(log_proportion(source) - log_proportion(target)));
+}
+
+std::vector<Part_correspondence> original_pairs(const Part_matching& matching, const Aligned_shape& source,
+                                                const Aligned_shape& target)
+{
+  std::vector<Part_correspondence> result = matching.pairs;
+  for (Part_correspondence& pair : result) {
+    pair.source = source.original[pair.source];
+    pair.target = target.original[pair.target];
+  }
+  std::sort(result.begin(), result.end(), is_before);
+  return result;
+}
+
+Part_matching renumbered(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& new_source,
+                         const Aligned_shape& target, const Aligned_shape& new_target)
+{
+  const std::vector<std::size_t> rows = places_of_parts(source, new_source),
+                                 columns = places_of_parts(target, new_target);
+  Part_matching result = matching;
+  for (Part_correspondence& pair : result.pairs) {
+    pair.source = rows[pair.source];
+    pair.target = columns[pair.target];
+  }
+  std::sort(result.pairs.begin(), result.pairs.end(), is_before);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      result.costs(Eigen::Index(rows[i]), Eigen::Index(columns[j])) = matching.costs(Eigen::Index(i), Eigen::Index(j));
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "energy/match_groups.h"
+#include "matching/match_parts.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+// What is done with a part matching of two aligned shapes.
+
+// What the groups of the source become by it. S_i is known where a group becomes all of another group. Clones are whole
+// parts, since the lower bound of an energy is over those.
+std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching, const Aligned_shape& source,
+                                                   const Aligned_shape& target);
+
+// How unlike the shapes are in the alignment. Parts are compared in unit boxes, so that proportions are added.
+long alignment_cost(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& target);
+
+// Its pairs by the parts' indices in the structural graphs.
+std::vector<Part_correspondence> original_pairs(const Part_matching& matching, const Aligned_shape& source,
+                                                const Aligned_shape& target);
+
+// A matching of one alignment of two shapes in the indices of another one. \pre both have the same parts
+Part_matching renumbered(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& new_source,
+                         const Aligned_shape& target, const Aligned_shape& new_target);
+
+} // namespace CGAL::Shape_correspondence::internal
