@@ -133,7 +133,7 @@ Pair_category nearest_category(const Role_model_data& model, const Distance& dis
 
 std::pair<double, double> sum_and_larger(double a, double b) { return {a + b, std::max(a, b)}; }
 
-double least_distance(const Turned_roles& shape, std::size_t category)
+double distance_of_best_turn(const Turned_roles& shape, std::size_t category)
 {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& turned : shape)
@@ -160,7 +160,7 @@ Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& tar
 Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model)
 {
   return nearest_category(model, [&](std::size_t category) {
-    return sum_and_larger(least_distance(source, category), least_distance(target, category));
+    return sum_and_larger(distance_of_best_turn(source, category), distance_of_best_turn(target, category));
   });
 }
 
