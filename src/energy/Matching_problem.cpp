@@ -93,8 +93,7 @@ Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
       target_(std::move(target)),
       options_(options),
       labels_(std::move(labels)),
-      fitted_(*source_, *target_, labels_),
-      rods_(&source_->rods())
+      fitted_(*source_, *target_, labels_)
 {
   fill_contact_energies();
   fill_cut_energies();
