@@ -72,4 +72,11 @@ Deformable_shape Deformable_shape::ungrouped() const
   return result;
 }
 
+Deformable_shape Deformable_shape::regrouped(const std::vector<std::vector<std::size_t>>& sets) const
+{
+  Deformable_shape result(Shape_correspondence::regrouped(*this, sets));
+  result.measures_ = measures_;
+  return result;
+}
+
 } // namespace CGAL::Shape_correspondence

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace CGAL::Shape_correspondence {
 
@@ -29,6 +30,8 @@ public:
 
   /// The same with a group for every part.
   Deformable_shape ungrouped() const;
+  /// The same with sets of parts as groups of their own.
+  Deformable_shape regrouped(const std::vector<std::vector<std::size_t>>& sets) const;
 
 private:
   struct Measures;
