@@ -89,7 +89,7 @@ void check_is_no_other_file(const std::string& folder)
   for (const char* file : {".obj", ".ply", ".stl", ".off", ".gltf", ".dae", ".json", ".html", ".png", ".gif", ".mp4"})
     if (ending == file)
       throw Usage_error("'" + folder + "' is named like a " + ending +
-                        " file; blend writes an animation, FILE.glb, or a file a frame into a folder");
+                        " file; blend writes an animation, FILE.glb, or one file for each frame into a folder");
 }
 
 void check(const Blend_output& output)
