@@ -43,6 +43,7 @@ struct Common_options
   std::array<Of_input, 2> of_pair; ///< of the source and the target
   Abstraction_options abstraction;
   bool quiet = false;
+  bool verbose = false;
   int threads = 0; ///< 0: all
   long seed = 0;
 
