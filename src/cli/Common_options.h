@@ -46,6 +46,7 @@ struct Common_options
   /// Told of the progress in place of a bar: what is done, how much of it, of how much. It may throw, which ends the work.
   std::function<void(const std::string&, std::size_t, std::size_t)> on_progress;
   bool quiet = false;
+  bool verbose = false;
   int threads = 0; ///< 0: all
   long seed = 0;
 

@@ -6,9 +6,11 @@
 #include "cli/commands.h"
 #include "cli/load_shape.h"
 #include "cli/match_options.h"
+#include "cli/match_table.h"
 #include "cli/outputs.h"
 #include "cli/progress_bar.h"
 #include "cli/read_model.h"
+#include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/atomic_file.h"
@@ -32,19 +34,21 @@ namespace {
 const char* const help_text =
     R"(Usage: shape_correspondence blend SOURCE TARGET -o FOLDER|FILE.glb [options]
 
-Makes in-between shapes of two segmented shapes of one kind, which may differ in topology: parts that correspond
-morph into each other, split or merge, parts without counterpart shrink or grow, and what touches keeps touching.
-The first frame is the source, the last one the target.
+Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. Corresponding parts
+morph into each other, split or merge; parts without counterpart shrink or grow; parts in contact stay in contact. The
+first frame is the source, the last one the target.
 
-With -o FILE.glb, one file with an animation; else a new folder with a file a frame, frame_000 and so on, in which
-a part is named s~t where source part s becomes t, s~ where s vanishes and ~t where t grows.
+With -o FILE.glb, all frames are one animation. Otherwise FOLDER is made, with one file for each frame: frame_000 and so
+on. A part of a frame is named s~t where source part s becomes t, s~ where s vanishes, and ~t where t grows.
 
-SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D; an object or
-node is a part, unless it gathers loose pieces, see --parts), folders of part meshes (one file is one part, its stem the part's name), or structural graphs (.json) whose parts
-name their meshes (key "mesh", a file's path relative to the graph).
+SOURCE and TARGET are each one of
+  - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D. Its objects or nodes are the
+    parts; an object of unrelated loose pieces is split into them (--parts);
+  - a folder of part meshes: one file for each part, named after the part;
+  - a structural graph (.json) whose parts name their meshes (key "mesh", a path relative to the graph file).
 
-With --match R.json the parts correspond as in a result of `match` for the same two shapes; options of the search are
-then refused.
+With --match R.json, the correspondence is read from a result of `match` for the same two shapes, and options of the
+search are refused.
 
 Examples: shape_correspondence blend chair.obj swivel_chair.obj -o blend.glb
           shape_correspondence blend chair.obj swivel_chair.obj -o frames --match chair_swivel.json --frames 9
@@ -64,14 +68,15 @@ po::options_description output_options(Blend_output& output, Common_options& com
   po::options_description result = option_group("Output");
   auto add = result.add_options();
   add("output,o", po::value(&output.path)->value_name("PATH"),
-      "a file that ends in .glb, for an animation, or a folder that is not there yet, for a file a frame");
-  add("frames", number(output.frames)->value_name("N"), "frames at even times, the source and the target among them");
+      "an animation, FILE.glb, or a new folder for one file per frame");
+  add("frames", number(output.frames)->value_name("N"),
+      "number of frames at equal time steps, including source and target");
   add("format", po::value(&output.format)->value_name("FORMAT")->default_value(output.format),
-      "of the files in the folder: obj (an object a part) or ply (binary, the part a property of every face)");
+      "format of the frames in a folder: obj (one object per part) or ply (binary, with the part of each face)");
   add("match", po::value(&output.match)->value_name("R.json"),
-      "the correspondence: a result that `match --json` wrote for these shapes; else it is searched for");
+      "read the correspondence from a result that `match --json` wrote for these shapes");
   add("json", po::value(&common.json)->value_name("FILE"),
-      "write what happens when, and how well every frame holds together, as JSON; - is standard output");
+      "write the schedule of the parts and the quality of every frame as JSON; - is standard output");
   return result;
 }
 
@@ -89,7 +94,7 @@ void check_is_no_other_file(const std::string& folder)
 
 void check(const Blend_output& output)
 {
-  if (output.path.empty()) throw Usage_error("say with -o where the frames go: a folder, or a file that ends in .glb");
+  if (output.path.empty()) throw Usage_error("-o is missing: a folder for the frames, or an animation FILE.glb");
   check_at_least("frames", output.frames, 2);
   check_word("format", output.format, {"obj", "ply"});
   if (is_glb(output.path)) return;
@@ -155,32 +160,52 @@ void print_schedules(const Shape_blend& blend)
     rows.push_back({schedule.name, short_number(schedule.quality.gap), short_number(schedule.quality.apart),
                     short_number(schedule.quality.asymmetry), short_number(schedule.quality.ground)});
   write_table(std::cout, rows);
-  std::cout << "\nThe first schedule is taken. Lengths are over the height, the worst of the shapes in between: by how "
-               "much a contact\nis wider than at the ends, how far parts came apart before they were joined again, how "
-               "far the shape is from its\nmirror image, how far its feet are off the ground.\n";
+  std::cout
+      << "\nThe first schedule is used. All values are the maximum over the in-between shapes, divided by the height:\n"
+         "  gap             how much wider a contact is than in the source and the target\n"
+         "  apart           how far connected parts were apart before they were moved together again\n"
+         "  asymmetry       distance of the shape from its mirror image\n"
+         "  off the ground  distance of the feet from the ground\n";
 }
 
-} // namespace
-
-void run_blend(const std::vector<std::string>& arguments)
+struct Variables
 {
   Common_options common;
   Match_options match;
   Blend_output output;
-  po::options_description options;
-  const po::options_description searching = match_options(match);
-  options.add(output_options(output, common))
-      .add(searching)
-      .add(pair_options(common))
-      .add(model_options(common))
-      .add(common_options(common));
-  const Arguments parsed = parse(arguments, options, 2, 2);
-  if (parsed.help) {
-    std::cout << help_text << options;
-    return;
-  }
+};
+
+po::options_description all_options(Variables& v)
+{
+  po::options_description result;
+  result.add(output_options(v.output, v.common))
+      .add(match_options(v.match))
+      .add(pair_options(v.common))
+      .add(model_options(v.common))
+      .add(common_options(v.common));
+  return result;
+}
+
+} // namespace
+
+Command_help help_of_blend()
+{
+  static Variables unused;
+  return {help_text, all_options(unused)};
+}
+
+void run_blend(const std::vector<std::string>& arguments)
+{
+  Variables variables;
+  Common_options& common = variables.common;
+  Match_options& match = variables.match;
+  Blend_output& output = variables.output;
+  const Arguments parsed = parse(arguments, all_options(variables), 2, 2);
+  if (parsed.help) return write_help(std::cout, command_of("blend"));
+  const Run_report report(common);
+  refuse_abstraction_of_graphs(parsed);
   Search_options search = search_options(match, parsed.values);
-  if (!output.match.empty()) check_needs_no_search(searching, parsed.values);
+  if (!output.match.empty()) check_needs_no_search(match_options(match), parsed.values);
   check(common);
   check(output);
   std::vector<std::string> inputs = parsed.inputs;
@@ -211,6 +236,10 @@ void run_blend(const std::vector<std::string>& arguments)
                          warnings);
   });
   if (common.prints_table()) {
+    if (common.verbose) {
+      write_match_table(std::cout, correspondence, source.graph, target.graph);
+      std::cout << '\n';
+    }
     print_schedules(blend);
     for (const std::string& warning : warnings)
       std::cout << "warning: " << IO::quote_terminal(warning) << '\n';

@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/evaluate_results.h"
 #include "cli/outputs.h"
+#include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "io/Json.h"
 
@@ -30,17 +31,17 @@ namespace {
 const char* const help_text =
     R"(Usage: shape_correspondence evaluate RESULT... --ground-truth LABELS [options]
 
-Scores the correspondences that `match --json` wrote against parts that people have labelled: precision, recall, F1,
-and coarse precision, the share of pairs with equal coarse labels. Means by category, and over categories, with
-intervals in which they would lie for other shapes of the kind (a bootstrap over shapes).
+Scores the correspondences that `match --json` wrote against labelled parts: precision, recall, F1, and coarse precision
+(the share of pairs with equal coarse labels). It prints means by category and over categories, with confidence
+intervals from a bootstrap over shapes.
 
-RESULT is a result of match, or a folder of them, at any depth. LABELS is a labels.json, or a folder that holds
-SHAPE/labels.json or CATEGORY/SHAPE/labels.json; a result belongs to the shape that its source's path names:
-CATEGORY/SHAPE/parts, or SHAPE.obj, say.
+RESULT is a result of `match`, or a folder that is searched for results, with its subfolders. LABELS is a labels.json, or
+a folder with SHAPE/labels.json or CATEGORY/SHAPE/labels.json. A result is assigned to its labelled shapes by the paths
+of its source and target, such as CATEGORY/SHAPE/parts or SHAPE.obj.
 
-Two parts correspond when their coarse labels are equal and, where every part on both sides with that label has a fine
-label and both sides share at least half of the fine labels, the fine labels are equal, too. An incomplete result
-counts as one without pairs.
+Two parts correspond if their coarse labels are equal and, where every part of both shapes with that coarse label has a
+fine label and both shapes share at least half of the fine labels, their fine labels are equal, too. An incomplete
+result counts as having no pairs.
 
 Example: shape_correspondence match shapes/chair/a/parts shapes/chair/b/parts --json results/a--b.json
          shape_correspondence evaluate results --ground-truth shapes --worst 5
@@ -69,14 +70,15 @@ po::options_description evaluate_options(Evaluate_options& evaluate, Common_opti
   po::options_description result = option_group("Options of evaluate");
   auto add = result.add_options();
   add("ground-truth", po::value(&evaluate.labels)->value_name("LABELS")->required(),
-      "labels of the shapes' parts; may be given many times");
+      "labels of the parts; can be repeated");
   add("json", po::value(&common.json)->value_name("FILE"),
-      "write all scores as JSON, with every result's right, wrong and missed pairs; - is standard output");
-  add("worst", number(evaluate.worst)->value_name("N"), "list the N results of least F1, too");
+      "write all scores as JSON, with the right, wrong and missed pairs of every result; - is standard output");
+  add("worst", number(evaluate.worst)->value_name("N"), "also list the N results of lowest F1");
   add("resamples", number(evaluate.evaluation.resamples)->value_name("N"),
-      "draws of the bootstrap that the intervals come from");
+      "bootstrap samples for the confidence intervals");
   add("confidence", number(evaluate.evaluation.confidence)->value_name("P"),
-      "how probable it is that a mean lies in its interval");
+      "confidence level of the intervals, between 0 and 1");
+  add("seed", po::value(&common.seed)->value_name("N"), "seed of the bootstrap; default: 0");
   return result;
 }
 
@@ -313,17 +315,37 @@ void write_evaluation_json(std::ostream& out, const std::vector<Named_result>& r
   write_evaluation_json(out, mean_scores(judged, options), judged);
 }
 
-void run_evaluate(const std::vector<std::string>& arguments)
+namespace {
+
+struct Variables
 {
   Common_options common;
   Evaluate_options evaluate;
-  po::options_description options;
-  options.add(evaluate_options(evaluate, common)).add(common_options(common));
-  const Arguments parsed = parse(arguments, options, 1, any_number);
-  if (parsed.help) {
-    std::cout << help_text << options;
-    return;
-  }
+};
+
+po::options_description all_options(Variables& v)
+{
+  po::options_description result;
+  result.add(evaluate_options(v.evaluate, v.common)).add(common_options(v.common));
+  return result;
+}
+
+} // namespace
+
+Command_help help_of_evaluate()
+{
+  static Variables unused;
+  return {help_text, all_options(unused)};
+}
+
+void run_evaluate(const std::vector<std::string>& arguments)
+{
+  Variables variables;
+  Common_options& common = variables.common;
+  Evaluate_options& evaluate = variables.evaluate;
+  const Arguments parsed = parse(arguments, all_options(variables), 1, any_number);
+  if (parsed.help) return write_help(std::cout, command_of("evaluate"));
+  const Run_report report(common);
   check(common);
   check(evaluate);
   check_outputs({common.json}, parsed.inputs);
