@@ -79,20 +79,9 @@ def write_png(file, rows, width):
                   chunk(b"IDAT", zlib.compress(b"".join(b"\0" + bytes(row) for row in rows), 9)) + chunk(b"IEND", b""))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("source")
-    parser.add_argument("target")
-    parser.add_argument("out")
-    parser.add_argument("--frames", type=int, default=7)
-    parser.add_argument("--options", default="")
-    args = parser.parse_args()
-    with tempfile.TemporaryDirectory() as scratch:
-        frames = os.path.join(scratch, "frames")
-        subprocess.run([args.program, "blend", args.source, args.target, "-o", frames, "--frames", str(args.frames), "--quiet",
-                        *shlex.split(args.options)], check=True)
-        shapes = [read_parts(os.path.join(frames, name)) for name in sorted(os.listdir(frames))]
+def draw_frames(folder, out):
+    """Draws the frames in a folder of OBJ files, the first one the source and the last one the target."""
+    shapes = [read_parts(os.path.join(folder, name)) for name in sorted(os.listdir(folder))]
     known, names = {}, {}
     for name, _ in shapes[1]:  # the ends have the parts' own names
         source, _, target = name.partition("~")
@@ -112,7 +101,23 @@ def main():
             fades = name.startswith("~") or name.endswith("~")
             source = names.get((side, name), "~") if side else name if fades else name.partition("~")[0]
             draw(picture, depth, number * WIDTH, [(p[0] - middle, p[1], p[2]) for p in triangle], scale, low, colour(source, known))
-    write_png(args.out, picture, width)
+    write_png(out, picture, width)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("source")
+    parser.add_argument("target")
+    parser.add_argument("out")
+    parser.add_argument("--frames", type=int, default=7)
+    parser.add_argument("--options", default="")
+    args = parser.parse_args()
+    with tempfile.TemporaryDirectory() as scratch:
+        frames = os.path.join(scratch, "frames")
+        subprocess.run([args.program, "blend", args.source, args.target, "-o", frames, "--frames", str(args.frames), "--quiet",
+                        *shlex.split(args.options)], check=True)
+        draw_frames(frames, args.out)
 
 
 if __name__ == "__main__":

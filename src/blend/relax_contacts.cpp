@@ -27,7 +27,7 @@ Point foot(const In_between_shape& shape, std::size_t part)
 }
 
 /// Stretches a part that stands down to its place on the ground, and one that is in the ground up out of it; what is
-/// highest stays. What is beyond half of its height, the whole part moves.
+/// highest stays. What is beyond half of its height, or beyond its bounds, the whole part moves.
 void put_foot(In_between_shape& shape, std::size_t part)
 {
   const double rise = shape.needed_rise(part);
@@ -36,7 +36,8 @@ void put_foot(In_between_shape& shape, std::size_t part)
   const double stretch = std::clamp(rise, -height / 2, height / 2);
   Affine_motion motion{Point(0, high, 0), Point(0, rise - stretch, 0), Eigen::Matrix3d::Zero()};
   motion.gradient(1, 1) = -stretch / height;
-  shape.apply(motion, part);
+  shape.stretch(motion, part);
+  shape.apply({Point::Zero(), Point(0, shape.needed_rise(part), 0), Eigen::Matrix3d::Zero()}, part);
 }
 
 class Contact_relaxation
@@ -65,7 +66,7 @@ private:
       if (!shape_.is_there(part)) continue;
       const contacts::Box& box = trees_[part]->box();
       const double size = std::max(box.diagonal().norm(), In_between_shape::least_stretched * shape_.part(part).size);
-      result[part] = {box.center(), size, inertia * size};
+      result[part] = {box.center(), size, inertia * size, shape_.is_at_bound(part)};
     }
     return result;
   }
@@ -114,7 +115,7 @@ private:
   {
     for (std::size_t part = 0; part < motions.size(); ++part) {
       const Blend_part& moved = shape_.part(part);
-      shape_.apply(moved.has_image() ? motions[part].symmetrised(motions[moved.image]) : motions[part], part);
+      shape_.stretch(moved.has_image() ? motions[part].symmetrised(motions[moved.image]) : motions[part], part);
       if (!shape_.is_there(part)) continue;
       put_foot(shape_, part);
       shape_.refit(*trees_[part], part);
