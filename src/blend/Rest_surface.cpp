@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -32,6 +33,24 @@ double squared_longest_edge(const Points& points, const Eigen::Vector3i& corners
   return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
 }
 
+/// By point, the first one in the same place.
+std::vector<int> places_of(const Points& points)
+{
+  const auto less = [&](int a, int b) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (points(axis, a) != points(axis, b)) return points(axis, a) < points(axis, b);
+    return a < b;
+  };
+  std::vector<int> order(std::size_t(points.cols())), result(order.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), less);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_first = i == 0 || points.col(order[i]) != points.col(order[i - 1]);
+    result[std::size_t(order[i])] = is_first ? order[i] : result[std::size_t(order[i - 1])];
+  }
+  return result;
+}
+
 double diagonal(const Points& points) { return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm(); }
 
 } // namespace
@@ -40,7 +59,7 @@ Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangl
     : triangles_(triangles), size_(diagonal(points)), longest_(triangles.cols())
 {
   constexpr double smooth = 0.5; // cosine of the angle between normals
-  find_edges();
+  find_edges(points);
   extent_ = extent(points);
   const Points normals = doubled_normals(points, triangles_).colwise().normalized();
   const auto turns = [&](const Edge& edge) { return normals.col(edge.from).dot(normals.col(edge.to)) < smooth; };
@@ -55,9 +74,10 @@ Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangl
       chosen_.push_back(t);
 }
 
-/// Sets all edges between two triangles, and whether there are no others.
-void Rest_surface::find_edges()
+/// Sets all edges between two triangles, and whether there are no others. Points in one place are one.
+void Rest_surface::find_edges(const Points& points)
 {
+  const std::vector<int> places = places_of(points);
   struct Side
   {
     std::array<int, 2> ends;
@@ -71,7 +91,8 @@ void Rest_surface::find_edges()
   sides.reserve(std::size_t(3 * triangles_.cols()));
   for (int t = 0; t < int(triangles_.cols()); ++t)
     for (int i = 0; i < 3; ++i) {
-      const auto [a, b] = std::minmax(triangles_(i, t), triangles_((i + 1) % 3, t));
+      const auto [a, b] =
+          std::minmax(places[std::size_t(triangles_(i, t))], places[std::size_t(triangles_((i + 1) % 3, t))]);
       sides.push_back({{a, b}, t});
     }
   std::sort(sides.begin(), sides.end());

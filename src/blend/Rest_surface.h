@@ -46,7 +46,7 @@ private:
     int from, to; ///< triangles
   };
 
-  void find_edges();
+  void find_edges(const Points& points);
 
   Eigen::Matrix3Xi triangles_;
   bool is_closed_ = true;

@@ -51,6 +51,7 @@ void place_unmatched_parts(In_between_shape& shape)
     points.row(1).array() += std::max(0., shape.ground() - points.row(1).minCoeff());
     shape.set_unmatched(i, std::move(points));
   }
+  symmetrise_boxes(shape, false);
   for (std::size_t i = 0; i < shape.number_of_parts(); ++i)
     if (shape.part(i).unmatched) symmetrise_surfaces(shape, i);
 }

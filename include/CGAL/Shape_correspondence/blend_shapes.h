@@ -42,8 +42,8 @@ enum class Blend_size {
 struct Blend_options
 {
   double contact_tolerance = 0.02; ///< parts nearer than this at an end of the blend touch there; of the shape's height
-  int samples = 7;                 ///< in-between shapes that a schedule is judged by
-  double min_confidence = 0.2;     ///< parts of pairs that are less probable shrink and grow
+  int samples = 5;                 ///< in-between shapes that a schedule is judged by
+  double min_confidence = 0.3;     ///< parts of pairs that are less probable shrink and grow
   Blend_size size = Blend_size::BLEND; ///< of the shapes
   std::string schedule;                ///< the name of the one to take; empty: the best
   bool rank_all = false; ///< judge all schedules by all samples, also those that can no longer be the best
