@@ -13,6 +13,7 @@
 #include "cli/thread_limit.h"
 #include "io/atomic_file.h"
 #include "io/quoting.h"
+#include "viewer/match_page.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -22,6 +23,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 
 namespace CGAL::Shape_correspondence::cli {
 
@@ -30,13 +32,14 @@ namespace po = boost::program_options;
 namespace {
 
 const char* const help_text =
-    R"(Usage: shape_correspondence blend SOURCE TARGET -o FOLDER|FILE.glb [options]
+    R"(Usage: shape_correspondence blend SOURCE TARGET -o FOLDER|FILE.glb|FILE.html [options]
 
 Makes in-between shapes of two segmented shapes of one kind, which may differ in topology: parts that correspond
 morph into each other, split or merge, parts without counterpart shrink or grow, and what touches keeps touching.
 The first frame is the source, the last one the target.
 
-With -o FILE.glb, one file with an animation; else a new folder with a file a frame, frame_000 and so on, in which
+With -o FILE.glb, one file with an animation; with -o FILE.html, a web page that needs no network, with the match and the
+blend, to play and to step through; else a new folder with a file a frame, frame_000 and so on, in which
 a part is named s~t where source part s becomes t, s~ where s vanishes and ~t where t grows.
 
 SOURCE and TARGET are model files (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D; an object or
@@ -64,7 +67,9 @@ po::options_description output_options(Blend_output& output, Common_options& com
   po::options_description result = option_group("Output");
   auto add = result.add_options();
   add("output,o", po::value(&output.path)->value_name("PATH"),
-      "a file that ends in .glb, for an animation, or a folder that is not there yet, for a file a frame");
+      "a file that ends in .glb, for an animation, or in .html, for a web page with the match and the blend, or a "
+      "folder "
+      "that is not there yet, for a file a frame");
   add("frames", number(output.frames)->value_name("N"), "frames at even times, the source and the target among them");
   add("format", po::value(&output.format)->value_name("FORMAT")->default_value(output.format),
       "of the files in the folder: obj (an object a part) or ply (binary, the part a property of every face)");
@@ -75,24 +80,33 @@ po::options_description output_options(Blend_output& output, Common_options& com
   return result;
 }
 
-bool is_glb(const std::string& path) { return path.size() > 4 && path.compare(path.size() - 4, 4, ".glb") == 0; }
+bool ends_with(const std::string& path, const std::string& ending)
+{
+  return path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+bool is_glb(const std::string& path) { return ends_with(path, ".glb"); }
+bool is_page(const std::string& path) { return ends_with(path, ".html"); }
+bool is_one_file(const std::string& path) { return is_glb(path) || is_page(path); }
 
 /// \throw Usage_error if a folder is to have the name of a file that blend does not write
 void check_is_no_other_file(const std::string& folder)
 {
   const std::string ending = std::filesystem::path(folder).extension().string();
-  for (const char* file : {".obj", ".ply", ".stl", ".off", ".gltf", ".dae", ".json", ".html", ".png", ".gif", ".mp4"})
+  for (const char* file : {".obj", ".ply", ".stl", ".off", ".gltf", ".dae", ".json", ".png", ".gif", ".mp4"})
     if (ending == file)
-      throw Usage_error("'" + folder + "' is named like a " + ending +
-                        " file; blend writes an animation, FILE.glb, or a file a frame into a folder");
+      throw Usage_error(
+          "'" + folder + "' is named like a " + ending +
+          " file; blend writes an animation, FILE.glb, a page, FILE.html, or a file a frame into a folder");
 }
 
 void check(const Blend_output& output)
 {
-  if (output.path.empty()) throw Usage_error("say with -o where the frames go: a folder, or a file that ends in .glb");
+  if (output.path.empty())
+    throw Usage_error("say with -o where the frames go: a folder, or a file that ends in .glb or .html");
   check_at_least("frames", output.frames, 2);
   check_word("format", output.format, {"obj", "ply"});
-  if (is_glb(output.path)) return;
+  if (is_one_file(output.path)) return;
   check_is_no_other_file(output.path);
   IO::check_new_folder(output.path);
 }
@@ -142,7 +156,7 @@ void write_blend(const Blend_output& output, const Shape_blend& blend, const Cor
   if (is_glb(output.path))
     IO::write_atomically(output.path,
                          [&](std::ostream& out) { IO::write_blend_glb(out, blend, correspondence, output.frames); });
-  else
+  else if (!is_page(output.path))
     IO::write_folder_atomically(output.path, [&](const std::string& folder) { write_frames(folder, output, blend); });
 }
 
@@ -194,7 +208,7 @@ void run_blend(const std::vector<std::string>& arguments)
   check(output);
   std::vector<std::string> inputs = parsed.inputs;
   inputs.push_back(output.match);
-  check_outputs({common.json, is_glb(output.path) ? output.path : ""}, inputs);
+  check_outputs({common.json, is_one_file(output.path) ? output.path : ""}, inputs);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
   const std::vector<std::string> warnings_of_up = find_up_of_pair(paths, common);
@@ -215,10 +229,21 @@ void run_blend(const std::vector<std::string>& arguments)
   std::vector<std::string> warnings = warnings_of(paths, shapes);
   warnings.insert(warnings.begin(), warnings_of_up.begin(), warnings_of_up.end());
   warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
-  write_output(common.json, [&](std::ostream& out) {
+  const auto write_json = [&](std::ostream& out) {
     IO::write_blend_json(out, blend, source.graph, target.graph, paths[0], paths[1], output.path, output.frames,
                          warnings);
-  });
+  };
+  write_output(common.json, write_json);
+  if (is_page(output.path)) {
+    IO::Page page = IO::match_page({correspondence}, source.graph, target.graph, source.model_pointer(),
+                                   target.model_pointer(), paths[0], paths[1], {});
+    std::ostringstream json, glb;
+    write_json(json);
+    IO::write_blend_glb(glb, blend, correspondence, output.frames);
+    page.json.push_back({"blend", json.str()});
+    page.glb.push_back({"blend.glb", glb.str()});
+    write_output(output.path, [&](std::ostream& out) { IO::write_page(out, page); });
+  }
   if (common.prints_table()) {
     print_schedules(blend);
     for (const std::string& warning : warnings)
