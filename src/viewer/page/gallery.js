@@ -9,7 +9,7 @@ const pixels = 224;
 /** Small pictures of shapes, by one renderer; each is made when it comes into sight first. */
 export class Pictures {
   constructor() {
-    this.renderer = newRenderer(document.createElement('canvas'), true);
+    this.renderer = newRenderer(document.createElement('canvas'));
     this.renderer.setSize(pixels, pixels, false);
     this.renderer.setClearColor(0xffffff, 0);
     this.waiting = new Map();

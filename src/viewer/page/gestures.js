@@ -63,7 +63,9 @@ export function addGestures(stage, point, click) {
       click(stage.itemAt(event.clientX, event.clientY), event.clientX, event.clientY);
   });
   root.addEventListener('pointercancel', event => down.delete(event.pointerId));
-  root.addEventListener('pointerleave', () => { if (!down.size) point(null); });
+  root.addEventListener('pointerleave', event => { // a finger leaves when it is lifted; what it tapped stays
+    if (event.pointerType === 'mouse' && !down.size) point(null);
+  });
   root.addEventListener('contextmenu', event => event.preventDefault());
   root.addEventListener('dblclick', () => stage.goHome());
   root.addEventListener('wheel', event => {

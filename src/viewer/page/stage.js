@@ -36,8 +36,8 @@ export function litScene() {
   return scene;
 }
 
-export function newRenderer(canvas, keepsPicture) {
-  const renderer = new THREE.WebGLRenderer({canvas, antialias: true, alpha: true, preserveDrawingBuffer: keepsPicture});
+export function newRenderer(canvas) {
+  const renderer = new THREE.WebGLRenderer({canvas, antialias: true, alpha: true});
   renderer.gammaOutput = true;
   renderer.gammaFactor = 2.2;
   return renderer;
@@ -76,9 +76,10 @@ export class Stage {
   /** @param root of the views; the canvas covers it */
   constructor(root) {
     this.root = root;
+    root.stage = this; // for scripts in the console, and for tests
     this.canvas = document.createElement('canvas');
     root.prepend(this.canvas);
-    this.renderer = newRenderer(this.canvas, true);
+    this.renderer = newRenderer(this.canvas);
     this.renderer.autoClear = false;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.views = [];
