@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
+#include "cli/choose_parts.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/load_shape.h"
@@ -383,8 +384,7 @@ void run_blend(const std::vector<std::string>& arguments)
   for (std::size_t i : {0u, 1u})
     complete_surfaces(paths[i], shapes[i]);
   const Loaded_shape &source = shapes[0], &target = shapes[1];
-  search.source_parts = chosen_parts(match.source_parts, source.graph, paths[0]);
-  search.target_parts = chosen_parts(match.target_parts, target.graph, paths[1]);
+  choose_parts(match, {source.graph, paths[0]}, {target.graph, paths[1]}, search);
   Correspondence correspondence =
       output.match.empty()
           ? find_correspondence(source.graph, target.graph, search)
