@@ -119,6 +119,8 @@ po::options_description common_options(Common_options& options)
   auto add = result.add_options();
   add("threads", po::value(&options.threads)->value_name("N")->notifier([](int n) { check_at_least("threads", n, 1); }),
       "number of threads; default: all of the machine. The result does not depend on it");
+  add("seed", po::value(&options.seed)->value_name("N"),
+      "seed of random choices, which evaluate and roles make; default: 0. Results are reproducible");
   add("quiet,q", po::bool_switch(&options.quiet), "print errors only");
   add("verbose,v", po::bool_switch(&options.verbose),
       "print more: time and memory on standard error; match also prints the energy of every symmetry group, blend the "

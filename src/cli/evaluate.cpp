@@ -78,7 +78,6 @@ po::options_description evaluate_options(Evaluate_options& evaluate, Common_opti
       "bootstrap samples for the confidence intervals");
   add("confidence", number(evaluate.evaluation.confidence)->value_name("P"),
       "confidence level of the intervals, between 0 and 1");
-  add("seed", po::value(&common.seed)->value_name("N"), "seed of the bootstrap; default: 0");
   return result;
 }
 

@@ -36,7 +36,7 @@ void load_graph(const std::string& path, const Common_options& common, const Str
   const double begin = now();
   std::ifstream in = IO::open_input(path);
   if (has_extension(path, ".xml") && common.finds_up())
-    throw Invalid_input("a graph without surfaces does not tell which way is up; give --up x, y or z");
+    throw Invalid_input("the upright axis of a graph without surfaces cannot be estimated; give --up x, y or z");
   shape.graph = has_extension(path, ".xml") ? IO::read_structural_graph_xml(in, path, common.up_vector(), options)
                                             : IO::read_structural_graph_json(in, path, options);
   shape.read_seconds = now() - begin;

@@ -85,8 +85,6 @@ po::options_description roles_options(Roles_options& roles, Common_options& comm
       "train, evaluate: match at most N pairs of a category and folder, unless the folder has a pairs.json: "
       "[[CATEGORY, SOURCE, TARGET], ...]");
   add("trees", number(roles.training.trees)->value_name("N"), "train, evaluate: trees in the forest of a category");
-  add("seed", po::value(&common.seed)->value_name("N"),
-      "train, evaluate: seed of the forests and of the confidence intervals; default: 0");
   add("roles", po::value(&roles.model)->value_name("MODEL"),
       "predict: the role model; default: the one that comes with the program");
   add("category", po::value(&roles.category)->value_name("NAME"),
@@ -397,7 +395,6 @@ void refuse_options_of_other_actions(const std::string& action, const po::variab
                                                                          {"leave-out", {"evaluate"}},
                                                                          {"pairs", {"train", "evaluate"}},
                                                                          {"trees", {"train", "evaluate"}},
-                                                                         {"seed", {"train", "evaluate"}},
                                                                          {"roles", {"predict"}},
                                                                          {"category", {"predict"}},
                                                                          {"json", {"evaluate", "predict"}}};

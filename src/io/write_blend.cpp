@@ -9,6 +9,8 @@
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -36,12 +38,15 @@ void append_little_endian(std::string& bytes, Number number)
 }
 
 /// The shape at an end, seen from `begin` to `end`.
-int add_end(Glb_builder& glb, const Segmented_shape& shape, const int* materials, double begin, double end)
+int add_end(Glb_builder& glb, const Segmented_shape& shape, int side, const int* materials, double begin, double end)
 {
   std::vector<int> nodes;
   for (std::size_t part = 0; part < shape.parts().size(); ++part) {
     const Part_mesh& mesh = shape.parts()[part].mesh;
     nodes.push_back(glb.add_node(shape.parts()[part].name, {{shaded(mesh.points, mesh.triangles), materials[part]}}));
+    std::array<int, 2> parts{-1, -1};
+    parts[side] = int(part);
+    glb.set_node_extras(nodes.back(), {{"parts", Json::array({parts[0], parts[1]})}});
   }
   const int node = glb.add_node(shape.name(), nodes, Point::Zero());
   glb.animate_visibility(node, begin, end);
@@ -50,7 +55,20 @@ int add_end(Glb_builder& glb, const Segmented_shape& shape, const int* materials
 
 Json quality_json(const Blend_quality& quality)
 {
-  return {{"gap", quality.gap}, {"apart", quality.apart}, {"asymmetry", quality.asymmetry}, {"ground", quality.ground}};
+  return {{"gap", quality.gap},       {"apart", quality.apart},       {"asymmetry", quality.asymmetry},
+          {"ground", quality.ground}, {"thinning", quality.thinning}, {"area", quality.area},
+          {"volume", quality.volume}, {"torn", quality.torn},         {"overlap", quality.overlap},
+          {"wobble", quality.wobble}};
+}
+
+/// \param asymmetry of the ends
+Json tolerances_json(double asymmetry)
+{
+  return {{"gap", Shape_blend::contact_tolerance},   {"asymmetry", asymmetry + Shape_blend::symmetry_tolerance},
+          {"ground", Shape_blend::ground_tolerance}, {"thinning", Shape_blend::thinning_tolerance},
+          {"area", Shape_blend::area_tolerance},     {"volume", Shape_blend::volume_tolerance},
+          {"torn", Shape_blend::torn_tolerance},     {"overlap", Shape_blend::overlap_tolerance},
+          {"wobble", Shape_blend::wobble_tolerance}};
 }
 
 } // namespace
@@ -108,7 +126,7 @@ void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Correspo
   const std::vector<int> materials =
       add_match_materials(glb, correspondence, source.parts().size(), target.parts().size());
   const auto time = [&](double t) { return hold_seconds + t * motion_seconds; };
-  std::vector<int> roots = {add_end(glb, source, materials.data(), 0, hold_seconds)};
+  std::vector<int> roots = {add_end(glb, source, 0, materials.data(), 0, hold_seconds)};
 
   const std::vector<Blend_surface> surfaces = blend.surfaces();
   std::vector<std::vector<Points>> shapes(surfaces.size());
@@ -133,10 +151,15 @@ void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Correspo
     const int node = glb.add_morphing_node(surfaces[s].name, shapes[s], surfaces[s].triangles, materials[part]);
     glb.animate_shapes(node, times[s]);
     glb.animate_visibility(node, time(surfaces[s].begin), time(surfaces[s].end));
+    Json parts = Json::array();
+    for (std::size_t end : {task.source, task.target})
+      parts.push_back(end == Blend_task::no_part ? -1 : int(end));
+    glb.set_node_extras(node, {{"parts", parts}});
     roots.push_back(node);
   }
-  roots.push_back(add_end(glb, target, materials.data() + source.parts().size(), time(1), time(1) + hold_seconds));
-  glb.write(out, roots);
+  roots.push_back(add_end(glb, target, 1, materials.data() + source.parts().size(), time(1), time(1) + hold_seconds));
+  glb.set_animation_extras({{"begin", time(0)}, {"end", time(1)}});
+  glb.write(out, {{"blend", roots}});
 }
 
 void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structural_graph& source,
@@ -162,6 +185,7 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
   std::vector<Blend_check> checks(static_cast<std::size_t>(frames));
   internal::for_each_index<CGAL::Parallel_if_available_tag>(
       checks.size(), [&](std::size_t frame) { checks[frame] = blend.check(double(frame) / (frames - 1)); });
+  result["tolerances"] = tolerances_json(std::max(checks.front().quality.asymmetry, checks.back().quality.asymmetry));
   result["frames"] = Json::array();
   for (int frame = 0; frame < frames; ++frame) {
     const Blend_check& check = checks[static_cast<std::size_t>(frame)];
