@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
+#include "cli/blend_warnings.h"
 #include "cli/choose_parts.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -282,17 +283,6 @@ std::vector<std::string> remove_unlikely(Correspondence& correspondence, double 
   return result;
 }
 
-/// Tells of a difference in size that an animation cannot show.
-void warn_of_sizes(const Blend_output& output, const Loaded_shape& source, const Loaded_shape& target,
-                   std::vector<std::string>& warnings)
-{
-  constexpr double most = 5; // up to about this the one is seen beside the other
-  const double from = structure(source.graph).frame.height, to = structure(target.graph).frame.height;
-  if (output.size == "blend" && std::max(from, to) > most * std::min(from, to))
-    warnings.push_back("one shape is " + short_number(std::max(from, to) / std::min(from, to)) +
-                       " times as high as the other; --size same, source or target makes them alike");
-}
-
 Blend_options with_progress(Blend_options result, Progress_bar& bar)
 {
   result.progress = [&bar](double done) {
@@ -352,6 +342,16 @@ po::options_description all_options(Variables& v)
 
 } // namespace
 
+void warn_of_sizes(Blend_size size, const Loaded_shape& source, const Loaded_shape& target,
+                   std::vector<std::string>& warnings)
+{
+  constexpr double most = 5; // up to about this the one is seen beside the other
+  const double from = structure(source.graph).frame.height, to = structure(target.graph).frame.height;
+  if (size == Blend_size::BLEND && std::max(from, to) > most * std::min(from, to))
+    warnings.push_back("one shape is " + short_number(std::max(from, to) / std::min(from, to)) +
+                       " times as high as the other; --size same, source or target makes them alike");
+}
+
 Command_help help_of_blend()
 {
   static Variables unused;
@@ -401,7 +401,7 @@ void run_blend(const std::vector<std::string>& arguments)
   warnings.insert(warnings.begin(), warnings_of_up.begin(), warnings_of_up.end());
   warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
   warnings.insert(warnings.end(), unlikely.begin(), unlikely.end());
-  warn_of_sizes(output, source, target, warnings);
+  warn_of_sizes(blend_options(output).size, source, target, warnings);
   const auto write_json = [&](std::ostream& out) {
     IO::write_blend_json(out, blend, source.graph, target.graph, paths[0], paths[1], output.path, output.frames,
                          warnings);
