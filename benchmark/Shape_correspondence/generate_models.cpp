@@ -30,7 +30,7 @@ constexpr int bad_input = 1, bad_usage = 2;
 
 struct Options
 {
-  bool help = false, list = false, single_file = false, benchmark = false;
+  bool help = false, list = false, single_file = false, raw = false, benchmark = false;
   bool degrades = false, random_styles = false;
   gen::Degradation degradation;
   std::uint64_t seed = 1;
@@ -38,7 +38,7 @@ struct Options
 };
 
 const char* const help_text =
-    R"(Usage: generate_models [--single-file] OUTPUT_FOLDER
+    R"(Usage: generate_models [--single-file | --raw] OUTPUT_FOLDER
        generate_models --benchmark [--random-styles] [--degrade WAYS] [--seed N] OUTPUT_FOLDER
        generate_models [--benchmark] --list
 
@@ -48,6 +48,8 @@ Writes labelled models of man-made shapes; the same bytes every time.
   OUTPUT_FOLDER/NAME/structure.json  mid-lines and mid-surfaces, symmetry groups, contacts
 
   --single-file  write OUTPUT_FOLDER/NAME.obj instead, one `o` a part
+  --raw          write OUTPUT_FOLDER/NAME.obj instead, z up, one `o` for all parts of a coarse label, as models from
+                 catalogues often are
   --benchmark    make the shapes that methods are compared on instead, fifteen of each of six categories, in
                  OUTPUT_FOLDER/CATEGORY/NAME
   --random-styles  draw their styles, too: shapes that no method was set on
@@ -88,6 +90,8 @@ Options parsed(int argc, char** argv)
       options.list = true;
     else if (word == "--single-file")
       options.single_file = true;
+    else if (word == "--raw")
+      options.raw = true;
     else if (word == "--benchmark")
       options.benchmark = true;
     else if (word == "--degrade") {
@@ -103,6 +107,7 @@ Options parsed(int argc, char** argv)
       options.folder = word;
     }
   }
+  if (options.raw && options.single_file) throw std::invalid_argument("--raw and --single-file do not go together");
   if (options.degrades && !options.benchmark) throw std::invalid_argument("--degrade is of --benchmark");
   if (options.random_styles && !options.benchmark) throw std::invalid_argument("--random-styles is of --benchmark");
   if (!options.help && !options.list && options.folder.empty()) throw std::invalid_argument("no output folder");
@@ -128,6 +133,11 @@ std::vector<gen::Assembly> shapes(const Options& options)
   return result;
 }
 
+gen::Files files_of(const gen::Assembly& shape, const Options& options)
+{
+  return options.raw ? gen::raw_file(shape) : options.single_file ? gen::single_file(shape) : gen::folder_files(shape);
+}
+
 void write_models(const Options& options)
 {
   std::uint64_t seed = options.seed << 32; // far from those of other shapes and seeds
@@ -135,7 +145,7 @@ void write_models(const Options& options)
     if (options.degrades) shape = gen::degraded(std::move(shape), options.degradation, seed);
     seed += 100;
     const fs::path folder = options.benchmark ? fs::path(options.folder) / shape.category : fs::path(options.folder);
-    for (const auto& [path, content] : options.single_file ? gen::single_file(shape) : gen::folder_files(shape))
+    for (const auto& [path, content] : files_of(shape, options))
       write(folder / path, content);
   }
 }

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/load_shape.h"
 #include "cli/outputs.h"
+#include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/quoting.h"
@@ -34,23 +35,26 @@ const char* const help_text =
     R"(Usage: shape_correspondence collection FOLDER [options]
        shape_correspondence collection SHAPE SHAPE... [options]
 
-Matches all ordered pairs of a set of shapes, and tells which shape represents the set (its topological medoid), which
-shapes are near one another (a minimum spanning tree), where a chain of shapes matches two of them better than they match
-directly (bridges), and which parts correspond over the whole set (clusters, by Markov clustering).
+Matches all ordered pairs of a set of shapes and computes
+  - the distance of each pair: its deformation energy for each pair of connected parts, where a part without counterpart
+    counts --unmatched-energy;
+  - the topological medoid, the shape with the least sum of distances, and a minimum spanning tree;
+  - pairs of shapes that are matched better by way of a third one (bridges);
+  - clusters of parts that correspond over the whole set, by Markov clustering.
 
 The entries of FOLDER are the shapes: model files, folders of part meshes, and structural graphs (.json, .xml).
 
-With --store, finished work is kept in a folder: run the same command again after it was stopped or killed, and it goes
-on where it was; what depends on a changed shape or option is done anew. Several machines share the work:
+With --store, finished work is kept in a folder. A run that was stopped or killed continues where it was when the same
+command is run again; what depends on a changed shape or option is computed again. Several machines can share the work:
 
-  shape_correspondence collection FOLDER --store S --tile 1/3     ... 2/3, 3/3: a job each, in any order
+  shape_correspondence collection FOLDER --store S --tile 1/3     and 2/3, 3/3: one job each, in any order
   shape_correspondence collection FOLDER --store S --merge --json C.json
 
-or, where the program was built with MPI, all at once:
+or, if the program was built with MPI:
 
   mpirun -n 8 shape_correspondence collection FOLDER --store S --json C.json
 
-Examples: shape_correspondence collection chairs --json chairs.json --npy energies.npy
+Examples: shape_correspondence collection chairs --json chairs.json --npy distances.npy
           shape_correspondence collection chairs --store work --html chairs.html --search exact
           shape_correspondence collection chairs --store work --nearest stool.obj -k 3
 
@@ -80,8 +84,7 @@ void print_collection(const IO::Collection& collection)
   std::cout << "\nmedoid: " << IO::quote_terminal(collection.shapes[collection.medoid].name)
             << "\nclusters of parts: " << collection.co_analysis.number_of_labels << " over "
             << collection.co_analysis.part_pairs << " pairs of parts, " << collection.co_analysis.rejected_pairs
-            << " more rejected\nordered pairs of shapes that a chain matches at less energy: "
-            << collection.bridge_count << '\n';
+            << " rejected\nordered pairs of shapes with a bridge: " << collection.bridge_count << '\n';
   for (const std::string& warning : collection.warnings)
     std::cout << "warning: " << IO::quote_terminal(warning) << '\n';
 }
@@ -137,23 +140,40 @@ int number_of_threads(const Common_options& common, const Team& team)
   return int(std::max<std::size_t>(1, std::thread::hardware_concurrency() / processes));
 }
 
-} // namespace
-
-void run_collection(const std::vector<std::string>& arguments)
+struct Variables
 {
   Common_options common;
   Match_options match;
   Collection_options options;
-  po::options_description all;
-  all.add(collection_options(common, options))
-      .add(match_options(match))
-      .add(model_options(common))
-      .add(common_options(common));
-  const Arguments parsed = parse(arguments, all, 1, any_number);
-  if (parsed.help) {
-    std::cout << help_text << all;
-    return;
-  }
+};
+
+po::options_description all_options(Variables& v)
+{
+  po::options_description result;
+  result.add(collection_options(v.common, v.options))
+      .add(match_options(v.match))
+      .add(model_options(v.common))
+      .add(common_options(v.common));
+  return result;
+}
+
+} // namespace
+
+Command_help help_of_collection()
+{
+  static Variables unused;
+  return {help_text, all_options(unused)};
+}
+
+void run_collection(const std::vector<std::string>& arguments)
+{
+  Variables variables;
+  Common_options& common = variables.common;
+  Match_options& match = variables.match;
+  Collection_options& options = variables.options;
+  const Arguments parsed = parse(arguments, all_options(variables), 1, any_number);
+  if (parsed.help) return write_help(std::cout, command_of("collection"));
+  const Run_report report(common);
   Energy_matrix_options matching;
   matching.search = search_options(match, parsed.values);
   matching.unmatched_energy = options.unmatched_energy;

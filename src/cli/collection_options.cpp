@@ -19,12 +19,11 @@ namespace {
 /// To be raised with every change that makes other energies or pairs of the same graphs and options.
 constexpr int matching_version = 7;
 
-/// Options of match that say nothing on a collection.
+/// Options of match that have no effect on a collection.
 void refuse_options_of_pairs(const po::variables_map& values)
 {
   for (const char* option : {"solutions", "min-marginals", "source-parts", "target-parts", "search-time-limit"})
-    if (is_given(values, option))
-      throw Usage_error("--" + std::string(option) + " is for a pair of shapes, not for a collection");
+    if (is_given(values, option)) throw Usage_error("--" + std::string(option) + " has no effect on a set of shapes");
 }
 
 void parse_tile(Collection_options& options)
@@ -62,33 +61,37 @@ po::options_description collection_options(Common_options& common, Collection_op
   auto add = result.add_options();
   add("json", po::value(&common.json)->value_name("FILE"), "write the result as JSON; - is standard output");
   add("npy", po::value(&options.npy)->value_name("FILE"),
-      "write the energies, source by target, as a NumPy array of doubles");
-  add("csv", po::value(&options.csv)->value_name("FILE"), "write the energies as a table with the shapes' names");
+      "write the distances, source by target, as a NumPy array of doubles");
+  add("csv", po::value(&options.csv)->value_name("FILE"),
+      "write the distances as a table with the names of the shapes");
   add("html", po::value(&common.html)->value_name("FILE"),
-      "write a web page that needs no network: pictures of all shapes, the medoid, the spanning tree, and the match of "
-      "two shapes that are clicked (of more than 100 shapes, of near ones; of more than 1000 it shows 1000)");
+      "write a web page with the shapes, the medoid, the spanning tree, and the match of any two shapes that are "
+      "clicked "
+      "(of more than 100 shapes: of near ones; of more than 1000 shapes it shows 1000); it needs no network");
   add("store", po::value(&options.store)->value_name("FOLDER"),
-      "keep graphs and finished pairs in this folder, and take them from there; a must for very large collections, "
-      "which then need memory for the energies alone");
+      "keep graphs and finished pairs in this folder and reuse them; recommended for large sets, which then need "
+      "memory "
+      "for the distances only");
   add("nearest", po::value(&options.nearest)->value_name("QUERY"),
-      "find the shapes of the collection that are nearest to this one instead, without matching all; the result is "
-      "written by --json");
-  add("count,k", number(options.nearest_count)->value_name("K"), "how many of them");
+      "find the shapes of the set that are nearest to this one instead, without matching all pairs");
+  add("count,k", number(options.nearest_count)->value_name("K"), "how many shapes --nearest finds");
   add("tile", po::value(&options.tile)->value_name("I/N"),
-      "do the I-th of N shares of the pairs and write no result: a job of an array; needs --store");
-  add("merge", po::bool_switch(&options.merge), "match nothing, all pairs must be in the store");
+      "compute the I-th of N shares of the pairs and write no result, as one of N jobs; needs --store");
+  add("merge", po::bool_switch(&options.merge), "match nothing; all pairs must be in the store");
   add("tile-size", po::value(&options.block_size)->value_name("N"),
-      "shapes on a side of a tile, the least work that is kept; default: by the number of shapes, 64 at most");
+      "shapes on a side of a tile, the smallest unit of work in the store; default: by the number of shapes, at most "
+      "64");
   add("skip-bad", po::bool_switch(&options.skip_bad), "leave out inputs that cannot be used, with a warning");
   add("unmatched-energy", number(options.unmatched_energy)->value_name("E"),
-      "what a pair of connected parts counts of which one has no counterpart");
+      "energy of a pair of connected parts of which one has no counterpart");
   add("inflation", number(options.co_analysis.clustering.inflation)->value_name("R"),
-      "of Markov clustering: more of it makes smaller clusters of parts");
+      "inflation of Markov clustering, more than 1; larger values make smaller clusters of parts");
   add("cycle-support", number(options.co_analysis.least_cycle_support)->value_name("S"),
-      "a pair of parts is clustered if this share of the third shapes that could confirm it do; 0: every pair");
+      "use a pair of parts for clustering if at least this share of third shapes confirm it, between 0 and 1; 0: use "
+      "all");
   add("neighbours", po::value(&options.neighbours)->value_name("K"),
-      "cluster the part maps of every shape with its K nearest ones only; default: with all of up to 100 shapes, with "
-      "32 of more");
+      "cluster with the part maps of each shape to its K nearest ones only; default: all for up to 100 shapes, else "
+      "32");
   return result;
 }
 
@@ -101,6 +104,7 @@ void check(Collection_options& options, const Common_options& common, const po::
   if (in_parts && options.merge) throw Usage_error("--tile and --merge do not go together");
   if (in_parts && !(common.json + common.html + options.npy + options.csv).empty())
     throw Usage_error("--tile writes no result; --merge does when all shares are done");
+  if (is_given(values, "count") && options.nearest.empty()) throw Usage_error("-k has no effect without --nearest");
   if (!options.nearest.empty() && (in_parts || options.merge || !(common.html + options.npy + options.csv).empty()))
     throw Usage_error("--nearest goes with --json and --store, not with shares of the work or files of all pairs");
   if (options.nearest_count < 1) throw Usage_error("-k must be at least 1");

@@ -24,7 +24,10 @@ boost::program_options::typed_value<std::size_t>* number(std::size_t& variable);
 /// The options that all commands share.
 boost::program_options::options_description common_options(Common_options& options);
 
-/// Options on models: how parts are made and abstracted.
+/// Options on model files: the upright axis and the parts.
+boost::program_options::options_description reading_options(Common_options& options);
+
+/// All options on models: how they are read, their parts abstracted, and their structural graphs built.
 boost::program_options::options_description model_options(Common_options& options);
 
 /// Options on the source and the target of a pair.
@@ -45,6 +48,9 @@ constexpr std::size_t any_number = std::size_t(-1);
 /// \param least,most how many inputs the command takes \throw Usage_error
 Arguments parse(const std::vector<std::string>& arguments, const boost::program_options::options_description& options,
                 std::size_t least, std::size_t most);
+
+/// Refuses options of part abstraction if all inputs are structural graphs. \throw Usage_error
+void refuse_abstraction_of_graphs(const Arguments& arguments);
 
 /// Whether an option is given, rather than left at its default.
 bool is_given(const boost::program_options::variables_map& values, const std::string& option);

@@ -3,7 +3,9 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/evaluate_results.h"
 #include "cli/outputs.h"
+#include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "io/Json.h"
 
@@ -29,17 +31,17 @@ namespace {
 const char* const help_text =
     R"(Usage: shape_correspondence evaluate RESULT... --ground-truth LABELS [options]
 
-Scores the correspondences that `match --json` wrote against parts that people have labelled: precision, recall, F1,
-and coarse precision, the share of pairs with equal coarse labels. Means by category, and over categories, with
-intervals in which they would lie for other shapes of the kind (a bootstrap over shapes).
+Scores the correspondences that `match --json` wrote against labelled parts: precision, recall, F1, and coarse precision
+(the share of pairs with equal coarse labels). It prints means by category and over categories, with confidence
+intervals from a bootstrap over shapes.
 
-RESULT is a result of match, or a folder of them, at any depth. LABELS is a labels.json, or a folder that holds
-SHAPE/labels.json or CATEGORY/SHAPE/labels.json; a result belongs to the shape that its source's path names:
-CATEGORY/SHAPE/parts, or SHAPE.obj, say.
+RESULT is a result of `match`, or a folder that is searched for results, with its subfolders. LABELS is a labels.json, or
+a folder with SHAPE/labels.json or CATEGORY/SHAPE/labels.json. A result is assigned to its labelled shapes by the paths
+of its source and target, such as CATEGORY/SHAPE/parts or SHAPE.obj.
 
-Two parts correspond when their coarse labels are equal and, where every part on both sides with that label has a fine
-label and both sides share at least half of the fine labels, the fine labels are equal, too. An incomplete result
-counts as one without pairs.
+Two parts correspond if their coarse labels are equal and, where every part of both shapes with that coarse label has a
+fine label and both shapes share at least half of the fine labels, their fine labels are equal, too. An incomplete
+result counts as having no pairs.
 
 Example: shape_correspondence match shapes/chair/a/parts shapes/chair/b/parts --json results/a--b.json
          shape_correspondence evaluate results --ground-truth shapes --worst 5
@@ -68,14 +70,14 @@ po::options_description evaluate_options(Evaluate_options& evaluate, Common_opti
   po::options_description result = option_group("Options of evaluate");
   auto add = result.add_options();
   add("ground-truth", po::value(&evaluate.labels)->value_name("LABELS")->required(),
-      "labels of the shapes' parts; may be given many times");
+      "labels of the parts; can be repeated");
   add("json", po::value(&common.json)->value_name("FILE"),
-      "write all scores as JSON, with every result's right, wrong and missed pairs; - is standard output");
-  add("worst", number(evaluate.worst)->value_name("N"), "list the N results of least F1, too");
+      "write all scores as JSON, with the right, wrong and missed pairs of every result; - is standard output");
+  add("worst", number(evaluate.worst)->value_name("N"), "also list the N results of lowest F1");
   add("resamples", number(evaluate.evaluation.resamples)->value_name("N"),
-      "draws of the bootstrap that the intervals come from");
+      "bootstrap samples for the confidence intervals");
   add("confidence", number(evaluate.evaluation.confidence)->value_name("P"),
-      "how probable it is that a mean lies in its interval");
+      "confidence level of the intervals, between 0 and 1");
   return result;
 }
 
@@ -84,15 +86,6 @@ void check(const Evaluate_options& options)
   check_at_least("resamples", options.evaluation.resamples, 1);
   if (!(options.evaluation.confidence > 0 && options.evaluation.confidence < 1))
     throw Usage_error("--confidence must be between 0 and 1");
-}
-
-std::vector<IO::Labelled_shape> read_labels(const std::vector<std::string>& paths)
-{
-  std::vector<IO::Labelled_shape> shapes;
-  for (const std::string& path : paths)
-    for (IO::Labelled_shape& shape : IO::read_part_labels(path))
-      shapes.push_back(std::move(shape));
-  return shapes;
 }
 
 /// The files themselves, and the results in folders; other JSON in folders is none of this command's.
@@ -153,9 +146,9 @@ std::size_t part_index(const std::string& part, const IO::Labelled_shape& shape,
   return index;
 }
 
-Judged_result judge(const std::string& file, const std::vector<IO::Labelled_shape>& shapes)
+Judged_result judge(const Named_result& judged, const std::vector<IO::Labelled_shape>& shapes)
 {
-  const IO::Named_correspondence named = IO::read_correspondence_json(file);
+  const auto& [file, named] = judged;
   Judged_result result;
   result.file = file;
   result.source = &shape_of(named.source, shapes, file);
@@ -173,15 +166,15 @@ Judged_result judge(const std::string& file, const std::vector<IO::Labelled_shap
 }
 
 /// All results; each pair of shapes may have one.
-std::vector<Judged_result> judge(const std::vector<std::string>& files, const std::vector<IO::Labelled_shape>& shapes)
+std::vector<Judged_result> judge(const std::vector<Named_result>& named, const std::vector<IO::Labelled_shape>& shapes)
 {
   std::vector<Judged_result> results;
   std::map<std::pair<const IO::Labelled_shape*, const IO::Labelled_shape*>, std::string> first;
-  for (const std::string& file : files) {
-    results.push_back(judge(file, shapes));
-    const auto [entry, is_new] = first.emplace(std::pair(results.back().source, results.back().target), file);
+  for (const Named_result& result : named) {
+    results.push_back(judge(result, shapes));
+    const auto [entry, is_new] = first.emplace(std::pair(results.back().source, results.back().target), result.file);
     if (!is_new)
-      throw Invalid_input(file + ": it is of the same two shapes as " + entry->second +
+      throw Invalid_input(result.file + ": it is of the same two shapes as " + entry->second +
                           "; evaluate the results of one method at a time");
   }
   return results;
@@ -297,23 +290,67 @@ void write_evaluation_json(std::ostream& out, const Evaluation& evaluation, cons
 
 } // namespace
 
-void run_evaluate(const std::vector<std::string>& arguments)
+std::vector<IO::Labelled_shape> read_labels(const std::vector<std::string>& paths)
+{
+  std::vector<IO::Labelled_shape> shapes;
+  for (const std::string& path : paths)
+    for (IO::Labelled_shape& shape : IO::read_part_labels(path))
+      shapes.push_back(std::move(shape));
+  return shapes;
+}
+
+std::vector<Named_result> read_results(const std::vector<std::string>& inputs)
+{
+  std::vector<Named_result> results;
+  for (const std::string& file : result_files(inputs))
+    results.push_back({file, IO::read_correspondence_json(file)});
+  return results;
+}
+
+void write_evaluation_json(std::ostream& out, const std::vector<Named_result>& results,
+                           const std::vector<IO::Labelled_shape>& shapes, const Evaluation_options& options)
+{
+  const std::vector<Judged_result> judged = judge(results, shapes);
+  write_evaluation_json(out, mean_scores(judged, options), judged);
+}
+
+namespace {
+
+struct Variables
 {
   Common_options common;
   Evaluate_options evaluate;
-  po::options_description options;
-  options.add(evaluate_options(evaluate, common)).add(common_options(common));
-  const Arguments parsed = parse(arguments, options, 1, any_number);
-  if (parsed.help) {
-    std::cout << help_text << options;
-    return;
-  }
+};
+
+po::options_description all_options(Variables& v)
+{
+  po::options_description result;
+  result.add(evaluate_options(v.evaluate, v.common)).add(common_options(v.common));
+  return result;
+}
+
+} // namespace
+
+Command_help help_of_evaluate()
+{
+  static Variables unused;
+  return {help_text, all_options(unused)};
+}
+
+void run_evaluate(const std::vector<std::string>& arguments)
+{
+  Variables variables;
+  Common_options& common = variables.common;
+  Evaluate_options& evaluate = variables.evaluate;
+  const Arguments parsed = parse(arguments, all_options(variables), 1, any_number);
+  if (parsed.help) return write_help(std::cout, command_of("evaluate"));
+  const Run_report report(common);
   check(common);
   check(evaluate);
   check_outputs({common.json}, parsed.inputs);
   evaluate.evaluation.seed = std::uint64_t(common.seed);
   const std::vector<IO::Labelled_shape> shapes = read_labels(evaluate.labels);
-  const std::vector<Judged_result> results = judge(result_files(parsed.inputs), shapes);
+  const std::vector<Judged_result> results = judge(read_results(parsed.inputs), shapes);
   const Evaluation evaluation = mean_scores(results, evaluate.evaluation);
   write_output(common.json, [&](std::ostream& out) { write_evaluation_json(out, evaluation, results); });
   if (common.prints_table()) print(evaluation, results, evaluate.worst);

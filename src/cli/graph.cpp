@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/load_shape.h"
 #include "cli/outputs.h"
+#include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/quoting.h"
@@ -27,13 +28,16 @@ namespace {
 const char* const help_text =
     R"(Usage: shape_correspondence graph MODEL [options]
 
-Builds the structural graph of a segmented shape: a curve or a sheet for every part, groups of parts that
-are symmetric, and contacts between parts.
+Builds the structural graph of a segmented shape: a curve or a sheet for every part, groups of symmetric parts, and
+contacts between parts.
 
-MODEL is a file (OBJ with o/g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D; an object or
-node is a part, unless it gathers loose pieces, see --parts), a folder of part meshes (one file is one part, its stem the part's name), or a structural graph (.json, .xml).
+MODEL is one of
+  - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D. Its objects or nodes are the
+    parts; an object of unrelated loose pieces is split into them (--parts);
+  - a folder of part meshes: one file for each part, named after the part;
+  - a structural graph (.json, .xml).
 
-Example: shape_correspondence graph chair.obj -o chair.json --glb chair.glb
+Example: shape_correspondence graph chair.obj -o chair.json --html chair.html
 
 )";
 
@@ -48,19 +52,18 @@ po::options_description graph_options(Common_options& common, Graph_files& files
   po::options_description result = option_group("Options of graph");
   auto add = result.add_options();
   add("json,o", po::value(&common.json)->value_name("FILE"),
-      "write the graph as JSON, which match reads in place of the model; - is standard output");
+      "write the graph as JSON, which `match` reads in place of the model; - is standard output");
   add("glb", po::value(&common.glb)->value_name("FILE"),
-      "write a picture as binary glTF: surfaces faint, curves as tubes, sheets as patches, a colour a group, a dot a "
-      "contact");
+      "write a picture as binary glTF: transparent surfaces, curves as tubes, sheets as patches, one colour for each "
+      "group, contacts as dots");
   add("html", po::value(&common.html)->value_name("FILE"),
-      "write the same picture as a web page that needs no network, with a table of the parts");
+      "write the same as a web page with a table of the parts; it needs no network");
   add("graphml", po::value(&files.graphml)->value_name("FILE"),
-      "write groups and contacts as GraphML, for graph tools: names, symmetries and solidities, no geometry");
-  add("dot", po::value(&files.dot)->value_name("FILE"), "the same for Graphviz");
+      "write groups and contacts as GraphML: names, symmetries and solidities, no geometry");
+  add("dot", po::value(&files.dot)->value_name("FILE"), "write the same for Graphviz");
   add("parts-json", po::value(&files.parts)->value_name("FILE"),
-      "write which loose piece of the model is in which part, a list to edit and to give to --parts-from");
-  add("parts-from", po::value(&common.parts_from)->value_name("FILE"),
-      "take the parts of the model from such a list; match and blend have --source-parts-from and --target-parts-from");
+      "write which loose piece of the model is in which part, to be edited and read by --parts-from");
+  add("parts-from", po::value(&common.parts_from)->value_name("FILE"), "read the parts of the model from such a list");
   return result;
 }
 
@@ -94,19 +97,36 @@ void print_graph(const std::string& path, const Structural_graph& graph)
     std::cout << "\nwarning: " << IO::quote_terminal(warning) << '\n';
 }
 
-} // namespace
-
-void run_graph(const std::vector<std::string>& arguments)
+struct Variables
 {
   Common_options common;
   Graph_files files;
-  po::options_description options;
-  options.add(graph_options(common, files)).add(model_options(common)).add(common_options(common));
-  const Arguments parsed = parse(arguments, options, 1, 1);
-  if (parsed.help) {
-    std::cout << help_text << options;
-    return;
-  }
+};
+
+po::options_description all_options(Variables& v)
+{
+  po::options_description result;
+  result.add(graph_options(v.common, v.files)).add(model_options(v.common)).add(common_options(v.common));
+  return result;
+}
+
+} // namespace
+
+Command_help help_of_graph()
+{
+  static Variables unused;
+  return {help_text, all_options(unused)};
+}
+
+void run_graph(const std::vector<std::string>& arguments)
+{
+  Variables variables;
+  Common_options& common = variables.common;
+  Graph_files& files = variables.files;
+  const Arguments parsed = parse(arguments, all_options(variables), 1, 1);
+  if (parsed.help) return write_help(std::cout, command_of("graph"));
+  const Run_report report(common);
+  refuse_abstraction_of_graphs(parsed);
   check(common);
   check_outputs({common.json, common.glb, common.html, files.graphml, files.dot, files.parts},
                 {parsed.inputs[0], common.parts_from});

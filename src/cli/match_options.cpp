@@ -85,16 +85,43 @@ Search_method search_method(const Match_options& match, const po::variables_map&
   return Search_method::PARTS;
 }
 
-/// Roles are for matching by parts.
-std::shared_ptr<const Role_model> role_model(const Match_options& match, const po::variables_map& values,
-                                             const Search_options& search)
+/// Options that have an effect on some methods only.
+const std::pair<const char*, std::vector<Search_method>> methods_of_options[] = {
+    {"roles", {Search_method::PARTS}},
+    {"category", {Search_method::PARTS}},
+    {"min-confidence", {Search_method::PARTS}},
+    {"beam-width", {Search_method::BEAM}},
+    {"expansions", {Search_method::BEAM}},
+    {"direction", {Search_method::BEAM, Search_method::EXACT}},
+    {"no-cut", {Search_method::BEAM, Search_method::EXACT}},
+    {"allow-unmatched", {Search_method::BEAM, Search_method::EXACT}},
+    {"solutions", {Search_method::BEAM, Search_method::EXACT}},
+    {"min-marginals", {Search_method::BEAM, Search_method::EXACT}},
+    {"search-time-limit", {Search_method::EXACT}}};
+
+const char* name_of(Search_method method)
 {
-  if (match.roles == "none") return nullptr;
-  if (search.method != Search_method::PARTS) {
-    for (const char* option : {"roles", "category"})
-      if (is_given(values, option)) throw Usage_error("--" + std::string(option) + " needs --search parts");
-    return nullptr;
-  }
+  return method == Search_method::PARTS ? "parts" : method == Search_method::BEAM ? "beam" : "exact";
+}
+
+/// \throw Usage_error if an option is given that changes nothing
+void refuse_options_without_effect(const Match_options& match, const po::variables_map& values, Search_method method)
+{
+  const auto refuse = [](const std::string& option, const std::string& why) {
+    throw Usage_error("--" + option + " has no effect " + why);
+  };
+  for (const auto& [option, methods] : methods_of_options)
+    if (is_given(values, option) && std::find(methods.begin(), methods.end(), method) == methods.end())
+      refuse(option, std::string("on --search ") + name_of(method) + (match.paper ? ", which --paper selects" : ""));
+  if (is_given(values, "category") && match.roles == "none") refuse("category", "with --roles none");
+  if (is_given(values, "max-parts-of") && !is_given(values, "max-parts")) refuse("max-parts-of", "without --max-parts");
+  if (is_given(values, "front") && is_given(values, "alignments") && match.alignments != "auto")
+    refuse("front", "with --alignments " + match.alignments);
+}
+
+std::shared_ptr<const Role_model> role_model(const Match_options& match, Search_method method)
+{
+  if (match.roles == "none" || method != Search_method::PARTS) return nullptr;
   return match.roles == "auto" ? IO::shipped_role_model()
                                : std::make_shared<const Role_model>(IO::read_role_model(match.roles));
 }
@@ -106,59 +133,59 @@ po::options_description match_options(Match_options& match)
   po::options_description result = option_group("Options of match");
   auto add = result.add_options();
   add("search", po::value(&match.method)->value_name("METHOD")->default_value(match.method),
-      "parts (what parts cost standing for one another; agrees best with people), beam (least deformation energy by "
-      "the "
-      "paper's pruned beam search) or exact (the same, proven for each direction; of the directions, the one of less "
-      "energy per connected pair of parts is "
-      "taken); auto: parts, or what the other "
-      "options need");
+      "parts (least cost of substituting parts for each other; scores highest against human labels), beam (least "
+      "deformation energy by the beam search of the paper) or exact (least deformation energy with a proof for each "
+      "direction; the direction with less energy per pair of connected parts is taken). auto: parts, unless another "
+      "option asks for beam or exact");
   add("paper", po::bool_switch(&match.paper),
-      "match as the paper does: --search beam --front auto, and --max-parts of the source alone");
+      "the method of the paper: --search beam --front auto, and --max-parts of the source only");
   add("roles", po::value(&match.roles)->value_name("MODEL")->default_value(match.roles),
-      "what parts are for, joined with their costs by --search parts where the shapes are upright and look to +z: auto "
-      "(the model that comes with the program), none, or a file that `roles train` wrote");
+      "role model for --search parts: auto (the one that comes with the program), none, or a file that `roles train` "
+      "wrote. Shapes must be upright and face +z");
   add("category", po::value(&match.search.category)->value_name("NAME"),
-      "the category of both shapes, whose roles are taken, such as chair; default: the one that they are most like");
+      "category of both shapes for --roles, such as chair; default: the most similar one");
   add("min-confidence", number(match.search.min_confidence)->value_name("P"),
-      "leave out pairs of parts that are less probable, between 0 and 1; of --search parts");
+      "leave out pairs of parts of lower confidence, between 0 and 1; for --search parts");
   add("beam-width", number(match.search.beam.beam_width)->value_name("K"),
-      "partial solutions kept at every step, the paper's K");
+      "partial solutions kept at every level of the beam search, the paper's K");
   add("expansions", number(match.search.beam.expansions)->value_name("k"),
-      "continuations kept of every partial solution, the paper's k");
+      "expansions kept of every partial solution, the paper's k");
   add("direction", po::value(&match.direction)->value_name("WHICH")->default_value(match.direction),
-      "which shapes are deformed: both, or forward (the source only)");
+      "shapes that beam and exact search deform: both, or forward (the source only)");
   add("max-parts", po::value(&match.search.maximum_parts)->value_name("N"),
-      "coarse correspondence of the N most prominent parts; default: all parts");
+      "match the N largest parts only (coarse correspondence); default: all parts");
   add("max-parts-of", po::value(&match.coarse_shapes)->value_name("WHICH")->default_value(match.coarse_shapes),
-      "the shapes that --max-parts selects parts of: both, or source (the paper's way; the source is deformed into all "
-      "of "
-      "the target); auto: source with --paper, else both");
+      "shapes to which --max-parts applies: both, or source (as in the paper); auto: source with --paper, otherwise "
+      "both");
   add("front", po::value(&match.front)->value_name("HOW")->default_value(match.front),
-      "of the alignments that the shapes' own symmetry leaves: given takes the one nearest to their orientation in the "
-      "files; auto finds the fronts of shapes of a known category by the roles of their parts, and else takes the "
-      "best-scoring alignment (the default with --paper)");
+      "which alignments are tried: given (the one nearest to the orientation in the files) or auto (the fronts that "
+      "the "
+      "roles of parts tell; else the best of all alignments that the symmetry of the shapes allows). Default with "
+      "--paper: auto");
   add("alignments", po::value(&match.alignments)->value_name("N")->default_value(match.alignments),
-      "how many alignments are tried, nearest to the given orientation first; auto: one with --front given, all with "
-      "--front auto");
+      "number of alignments to try, nearest to the given orientation first; auto: as --front says");
   add("weights", po::value(&match.weights)->value_name("WC,WS")->default_value(match.weights),
-      "weights of connectedness and of splits in the energy, the paper's w_c and w_s");
+      "weights of connectedness and split in the energy, w_c and w_s of the paper");
   add("without", po::value(&match.without)->value_name("TERM"),
-      "switch one term of the energy off: distortion, connectedness or split");
+      "leave out a term of the energy: distortion, connectedness or split");
   add("norm", po::value(&match.norm)->value_name("NORM")->default_value(match.norm),
-      "sum adds the energies of connected pairs of parts (the paper's); pooled takes one norm over all of their rods");
-  add("no-cut", po::bool_switch(), "never cut curves into segments, only split, duplicate and merge");
+      "distortion of all pairs of connected parts: sum (of the norms of each pair, as in the paper) or pooled (one "
+      "norm "
+      "over the rods of all pairs)");
+  add("no-cut", po::bool_switch(), "do not cut curves into segments; for beam and exact search");
   add("allow-unmatched",
       po::value(&match.search.matching.unmatched_cost)->value_name("COST")->implicit_value(default_unmatched_cost),
-      "groups of parts may be left unmatched, at this cost for each of their contacts (0.5 if no number is given); for "
-      "shapes of which one is a part of the other");
+      "allow symmetry groups without counterpart, at this cost for each of their contacts (0.5 if no number is given); "
+      "for shapes of which one is a part of the other; for beam and exact search");
   add("solutions", number(match.search.solutions)->value_name("N"),
-      "write the N best correspondences into the result, ranked by their energy");
+      "write the N best correspondences by energy to --json; for beam and exact search");
   add("min-marginals", po::bool_switch(&match.search.min_marginals),
-      "say of every group by how much the energy rises if it may not have its match: how sure the match is");
+      "write to --json for every symmetry group by how much the energy rises without its match; for beam and exact "
+      "search");
   add("search-time-limit", po::value(&match.search.exact.time_limit)->value_name("SECONDS"),
-      "end an exact search that takes longer with the best result so far and the gap to its lower bound");
+      "time limit of the exact search; it then returns its best result and the gap to its lower bound");
   add("source-parts", po::value(&match.source_parts)->value_name("NAMES"),
-      "match only these parts of the source, their names separated by commas");
+      "match these parts of the source only; names are separated by commas");
   add("target-parts", po::value(&match.target_parts)->value_name("NAMES"), "the same for the target");
   return result;
 }
@@ -180,10 +207,11 @@ Search_options search_options(const Match_options& match, const po::variables_ma
   if (values.count("max-parts")) check_at_least("max-parts", match.search.maximum_parts, 1);
   Search_options search = match.search;
   search.method = search_method(match, values);
+  refuse_options_without_effect(match, values, search.method);
   search.both_directions = match.direction == "both";
   search.alignments = parse_alignments(match, is_given(values, "front"));
   search.coarse_target = match.coarse_shapes == "both" || (match.coarse_shapes == "auto" && !match.paper);
-  search.roles = role_model(match, values, search);
+  search.roles = role_model(match, search.method);
   search.matching.weights = parse_weights(match.weights);
   if (values.count("without")) switch_off(match.without, search.matching.weights);
   search.matching.norm = match.norm == "pooled" ? Energy_norm::POOLED : Energy_norm::SUM;

@@ -10,8 +10,13 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// Writes a correspondence for people: a line a pair of parts, gathered by group, then what is left and the energy.
+/// Writes a correspondence for people: one row for each set of source parts that correspond to the same target parts,
+/// with operation and confidence, then the unmatched parts, the energy and the distance.
 void write_match_table(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
+                       const Structural_graph& target);
+
+/// Writes what became of each symmetry group of the deformed shape, with its share of the energy.
+void write_group_table(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                        const Structural_graph& target);
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/outputs.h"
 #include "cli/read_model.h"
+#include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "io/model_parts.h"
 #include "io/quoting.h"
@@ -28,14 +29,15 @@ const char* const help_text =
     R"(Usage: shape_correspondence parts MODEL... [options]
        shape_correspondence parts FOLDER --all [options]
 
-Shows what is in model files, what would become their parts, and why: objects with their loose pieces, open or closed,
-their sizes, which part each is in. Nothing is abstracted, so it takes a moment. With --html, a page with a picture of
-every model, a colour a part.
+Lists the objects of model files with their loose pieces, and which part each piece becomes, and why. No part is
+abstracted, so this is fast. With --html, it also writes a page with a picture of every model, one colour for each part.
 
-MODEL is as in `graph`. With --all, the models are all model files in FOLDER and its sub-folders.
+MODEL is a model file or a folder of part meshes, as in `graph`. With --all, the models are all model files in FOLDER
+and its subfolders.
 
-If the parts are not what you want: --parts file, components or segments makes others, in all commands, and
-`graph MODEL --parts-json FILE` writes which piece is in which part, a list to edit and to give to --parts-from.
+If the parts are not the wanted ones: --parts file, components or segments makes others, in every command. For full
+control, `graph MODEL --parts-json FILE` writes which piece is in which part; edit the file and read it with
+--parts-from.
 
 Examples: shape_correspondence parts chair.obj
           shape_correspondence parts furniture --all --html furniture.html --quiet
@@ -48,8 +50,8 @@ po::options_description parts_options(Common_options& common)
   auto add = result.add_options();
   add("html", po::value(&common.html)->value_name("FILE"), "write a page with a picture of every model");
   add("parts-from", po::value(&common.parts_from)->value_name("FILE"),
-      "take the parts from a list of pieces and their parts");
-  add("all", po::bool_switch(), "the input is a folder of models, not one of part meshes");
+      "read the parts from a list of pieces and their parts, as `graph --parts-json` writes it");
+  add("all", po::bool_switch(), "the input is a folder of model files, not of part meshes");
   return result;
 }
 
@@ -109,24 +111,33 @@ void print_model(const std::string& path, const Read_model& model)
                           piece.closed ? "closed" : "open", piece.reason});
   std::cout << '\n';
   write_table(std::cout, std::move(pieces));
-  std::cout << "\nSizes are over that of the model.\n";
+  std::cout << "\nSizes are fractions of the size of the model.\n";
   for (const std::string& warning : model.warnings)
     std::cout << "warning: " << IO::quote_terminal(warning) << '\n';
   std::cout << '\n';
 }
 
+po::options_description all_options(Common_options& common)
+{
+  po::options_description result;
+  result.add(parts_options(common)).add(reading_options(common)).add(common_options(common));
+  return result;
+}
+
 } // namespace
+
+Command_help help_of_parts()
+{
+  static Common_options unused;
+  return {help_text, all_options(unused)};
+}
 
 void run_parts(const std::vector<std::string>& arguments)
 {
   Common_options common;
-  po::options_description options;
-  options.add(parts_options(common)).add(model_options(common)).add(common_options(common));
-  const Arguments parsed = parse(arguments, options, 1, any_number);
-  if (parsed.help) {
-    std::cout << help_text << options;
-    return;
-  }
+  const Arguments parsed = parse(arguments, all_options(common), 1, any_number);
+  if (parsed.help) return write_help(std::cout, command_of("parts"));
+  const Run_report report(common);
   check(common);
   check_outputs({common.html}, parsed.inputs);
   const bool all = parsed.values["all"].as<bool>();

@@ -3,9 +3,11 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/predicted_roles.h"
 #include "cli/labelled_models.h"
 #include "cli/load_shape.h"
 #include "cli/outputs.h"
+#include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/Json.h"
@@ -33,19 +35,19 @@ const char* const help_text =
        shape_correspondence roles evaluate FOLDER... [options]
        shape_correspondence roles predict SHAPE [options]
 
-Learns from labelled shapes what parts are for: their roles, such as the legs and the seat of a chair.
+Learns the roles of parts, such as the legs and the seat of a chair, from labelled shapes.
 
-  train     learns a model. How much the predicted labels and the geometric match count follows from matching labelled
-            shapes that were left out of the training, where there are 50 pairs of shapes or more
-  evaluate  tells how much roles improve the matching of shapes that were left out of the training
-  predict   tells the roles of a shape's parts, as JSON in the form of labels.json
+  train     learns a model. The weights of predicted labels and of the geometric match are fitted to pairs of shapes
+            that were left out of the training; this needs 50 pairs of shapes or more
+  evaluate  measures by how much roles improve the matching of shapes that were left out of the training
+  predict   prints the roles of the parts of a shape; --json writes them as a labels.json
 
-FOLDER holds CATEGORY/SHAPE/labels.json and CATEGORY/SHAPE/parts, one mesh file a part. labels.json names the coarse
-label, that is the role, of every part:
+FOLDER has CATEGORY/SHAPE/labels.json and CATEGORY/SHAPE/parts, one mesh file for each part. labels.json gives the coarse
+label of every part, which is its role:
 
   {"category": "chair", "parts": [{"name": "part_0", "coarse": "leg"}, {"name": "part_1", "coarse": "seat"}]}
 
-All shapes are upright and look to +z. Five shapes of a category are the least that can be of use; twenty are better.
+All shapes must be upright and face +z. A category needs at least five shapes; twenty or more are better.
 
 Examples: shape_correspondence roles train my_shapes --output my.roles --cache graphs
           shape_correspondence roles predict chair.obj --roles my.roles
@@ -68,25 +70,25 @@ po::options_description roles_options(Roles_options& roles, Common_options& comm
 {
   po::options_description result = option_group("Options of roles");
   auto add = result.add_options();
-  add("output,o", po::value(&roles.output)->value_name("MODEL"), "train: where the model goes");
+  add("output,o", po::value(&roles.output)->value_name("MODEL"), "train: write the model to this file");
   add("manifest", po::value(&roles.manifest)->value_name("FILE"),
-      "train: write as JSON what the model was learned from and how good it is; - is standard output");
-  add("date", po::value(&roles.date)->value_name("DATE"), "train: the date that the manifest bears");
+      "train: write the training shapes and the accuracy of the model as JSON; - is standard output");
+  add("date", po::value(&roles.date)->value_name("DATE"), "train: date to put into the manifest");
   add("generated", po::value(&roles.generated)->value_name("FOLDER"),
-      "train, evaluate: further labelled shapes, which are no real ones: they weigh a third, and none is left out; may "
-      "be "
-      "given many times");
+      "train, evaluate: further labelled shapes that are generated; they have a third of the weight of real ones and "
+      "are "
+      "never left out. Can be repeated");
   add("leave-out", po::value(&roles.leave_out)->value_name("WHAT")->default_value(roles.leave_out),
-      "evaluate: what the training does not see of a pair: its two shapes, all shapes of their sources (`source` in "
-      "labels.json), or all of their category: shapes, sources or category");
+      "evaluate: what is left out of the training for a pair of shapes: shapes (the two), sources (all shapes with "
+      "their `source` in labels.json) or category (all shapes of their category)");
   add("pairs", number(roles.pairs)->value_name("N"),
-      "train, evaluate: match at most N pairs of a category and folder, where the folder has no pairs.json: "
+      "train, evaluate: match at most N pairs of a category and folder, unless the folder has a pairs.json: "
       "[[CATEGORY, SOURCE, TARGET], ...]");
-  add("trees", number(roles.training.trees)->value_name("N"), "train, evaluate: trees of the forest of a category");
+  add("trees", number(roles.training.trees)->value_name("N"), "train, evaluate: trees in the forest of a category");
   add("roles", po::value(&roles.model)->value_name("MODEL"),
-      "predict: the model; default: the one that comes with the package");
+      "predict: the role model; default: the one that comes with the program");
   add("category", po::value(&roles.category)->value_name("NAME"),
-      "predict: the shape's category; default: the one whose labelled parts are most like its parts");
+      "predict: the category of the shape; default: the one whose labelled parts are most similar to its parts");
   add("json", po::value(&common.json)->value_name("FILE"),
       "evaluate, predict: write the result as JSON; - is standard output");
   return result;
@@ -352,6 +354,12 @@ void train(const std::vector<std::string>& folders, const Roles_options& roles, 
   if (common.prints_table() && roles.manifest != "-" && !set.pairs.empty()) print(set, validation, common);
 }
 
+// The probability of a part's likeliest role.
+double probability_of(std::size_t part, const Part_roles& found)
+{
+  return found.probabilities.row(Eigen::Index(part)).maxCoeff();
+}
+
 std::string percentage(double probability)
 {
   char text[32];
@@ -365,44 +373,95 @@ void predict(const std::string& path, const Roles_options& roles, const Common_o
   const Loaded_shape shape = load_shape(path, common);
   const auto model = roles.model.empty() ? IO::shipped_role_model()
                                          : std::make_shared<const Role_model>(IO::read_role_model(roles.model));
-  const Part_roles found = part_roles(shape.graph, *model, roles.category);
-  if (found.category.empty())
-    throw Invalid_input(path + ": the shape is of no category that the role model knows; name one with --category");
+  const Part_roles found = predicted_roles(path, shape.graph, *model, roles.category);
   const auto& parts = structure(shape.graph).parts;
   std::vector<std::vector<std::string>> rows{{"part", "role", "more precisely", "probability"}};
-  IO::Json document;
-  document["format"] = "shape_correspondence/labels";
-  document["category"] = found.category;
-  document["parts"] = IO::Json::array();
-  for (std::size_t part = 0; part < parts.size(); ++part) {
-    const double probability = found.probabilities.row(Eigen::Index(part)).maxCoeff();
-    rows.push_back({parts[part].name, found.labels[part].coarse, found.labels[part].fine, percentage(probability)});
-    IO::Json entry;
-    entry["name"] = parts[part].name;
-    entry["coarse"] = found.labels[part].coarse;
-    if (!found.labels[part].fine.empty()) entry["fine"] = found.labels[part].fine;
-    entry["probability"] = probability;
-    document["parts"].push_back(std::move(entry));
-  }
-  write_output(common.json, [&](std::ostream& out) { document.write(out); });
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    rows.push_back({parts[part].name, found.labels[part].coarse, found.labels[part].fine,
+                    percentage(probability_of(part, found))});
+  write_output(common.json, [&](std::ostream& out) { write_labels_json(out, shape.graph, found); });
   if (!common.prints_table()) return;
   std::cout << IO::quote_terminal(path + ": " + found.category) << "\n\n";
   write_table(std::cout, rows);
 }
 
+/// Options that only some of the actions have.
+void refuse_options_of_other_actions(const std::string& action, const po::variables_map& values)
+{
+  const std::pair<const char*, std::vector<std::string>> actions_of[] = {{"output", {"train"}},
+                                                                         {"manifest", {"train"}},
+                                                                         {"date", {"train"}},
+                                                                         {"generated", {"train", "evaluate"}},
+                                                                         {"leave-out", {"evaluate"}},
+                                                                         {"pairs", {"train", "evaluate"}},
+                                                                         {"trees", {"train", "evaluate"}},
+                                                                         {"roles", {"predict"}},
+                                                                         {"category", {"predict"}},
+                                                                         {"json", {"evaluate", "predict"}}};
+  for (const auto& [option, actions] : actions_of)
+    if (is_given(values, option) && std::find(actions.begin(), actions.end(), action) == actions.end())
+      throw Usage_error("--" + std::string(option) + " has no effect on 'roles " + action + "'");
+}
+
 } // namespace
 
-void run_roles(const std::vector<std::string>& arguments)
+Part_roles predicted_roles(const std::string& path, const Structural_graph& graph, const Role_model& model,
+                           const std::string& category)
+{
+  Part_roles found = part_roles(graph, model, category);
+  if (found.category.empty())
+    throw Invalid_input(path + ": the shape is of no category that the role model knows; name one with --category");
+  return found;
+}
+
+void write_labels_json(std::ostream& out, const Structural_graph& graph, const Part_roles& found)
+{
+  IO::Json document;
+  document["format"] = "shape_correspondence/labels";
+  document["category"] = found.category;
+  document["parts"] = IO::Json::array();
+  for (std::size_t part = 0; part < found.labels.size(); ++part) {
+    IO::Json entry;
+    entry["name"] = structure(graph).parts[part].name;
+    entry["coarse"] = found.labels[part].coarse;
+    if (!found.labels[part].fine.empty()) entry["fine"] = found.labels[part].fine;
+    entry["probability"] = probability_of(part, found);
+    document["parts"].push_back(std::move(entry));
+  }
+  document.write(out);
+}
+
+namespace {
+
+struct Variables
 {
   Common_options common;
   Roles_options roles;
-  po::options_description options;
-  options.add(roles_options(roles, common)).add(model_options(common)).add(common_options(common));
-  const Arguments parsed = parse(arguments, options, 2, any_number);
-  if (parsed.help) {
-    std::cout << help_text << options;
-    return;
-  }
+};
+
+po::options_description all_options(Variables& v)
+{
+  po::options_description result;
+  result.add(roles_options(v.roles, v.common)).add(model_options(v.common)).add(common_options(v.common));
+  return result;
+}
+
+} // namespace
+
+Command_help help_of_roles()
+{
+  static Variables unused;
+  return {help_text, all_options(unused)};
+}
+
+void run_roles(const std::vector<std::string>& arguments)
+{
+  Variables variables;
+  Common_options& common = variables.common;
+  Roles_options& roles = variables.roles;
+  const Arguments parsed = parse(arguments, all_options(variables), 2, any_number);
+  if (parsed.help) return write_help(std::cout, command_of("roles"));
+  const Run_report report(common);
   check(common);
   check_at_least("trees", roles.training.trees, 1);
   check_at_least("pairs", roles.pairs, 1);
@@ -410,16 +469,18 @@ void run_roles(const std::vector<std::string>& arguments)
   const Thread_limit limit(common.threads);
   const std::string action = parsed.inputs[0];
   const std::vector<std::string> inputs(parsed.inputs.begin() + 1, parsed.inputs.end());
+  const std::vector<std::string> known{"train", "evaluate", "predict"};
+  if (std::find(known.begin(), known.end(), action) == known.end())
+    throw Usage_error("there is no 'roles " + action + "'; known are: train, evaluate, predict");
+  refuse_options_of_other_actions(action, parsed.values);
   if (action == "train")
     train(inputs, roles, common);
   else if (action == "evaluate")
     evaluate(inputs, roles, common);
-  else if (action == "predict" && inputs.size() == 1)
+  else if (inputs.size() == 1)
     predict(inputs[0], roles, common);
-  else if (action == "predict")
-    throw Usage_error("'roles predict' takes one shape");
   else
-    throw Usage_error("there is no 'roles " + action + "'; known are: train, evaluate, predict");
+    throw Usage_error("'roles predict' takes one shape");
 }
 
 } // namespace CGAL::Shape_correspondence::cli

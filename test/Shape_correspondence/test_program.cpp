@@ -75,58 +75,178 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
 {
   const Temporary_folder folder;
   const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair()));
-  for (const std::string& arguments : {std::string(),
-                                       std::string("paint"),
-                                       std::string("--nonsense"),
-                                       std::string("match"),
-                                       "match " + a,
-                                       "match " + a + " " + a + " " + a,
-                                       "graph " + a + " " + a,
-                                       "match " + a + " " + a + " --nonsense",
-                                       "match " + a + " " + a + " --beam 3",
-                                       "match " + a + " " + a + " --kind round",
-                                       "graph " + a + " --part-kind leg",
-                                       "graph " + a + " --part-kind leg=round",
-                                       "graph " + a + " --abstraction magic",
-                                       "graph " + a + " --edge-length 0",
-                                       "graph " + a + " --triangles 3",
-                                       "graph " + a + " --time-limit -1",
-                                       "graph " + a + " --curve-points 1",
-                                       "graph " + a + " --html - --json -",
-                                       "graph " + a + " --graphml - --dot -",
-                                       "match " + a + " " + a + " --solutions 0",
-                                       "match " + a + " " + a + " --beam-width 0",
-                                       "match " + a + " " + a + " --beam-width many",
-                                       "match " + a + " " + a + " --expansions -1",
-                                       "match " + a + " " + a + " --direction backward",
-                                       "match " + a + " " + a + " --search luck",
-                                       "match " + a + " " + a + " --search parts --solutions 2",
-                                       "match " + a + " " + a + " --paper --search exact",
-                                       "match " + a + " " + a + " --solutions 0",
-                                       "match " + a + " " + a + " --min-confidence 2",
-                                       "match " + a + " " + a + " --allow-unmatched -1",
-                                       "match " + a + " " + a + " --without everything",
-                                       "match " + a + " " + a + " --norm other",
-                                       "match " + a + " " + a + " --weights 1",
-                                       "match " + a + " " + a + " --weights 1,x",
-                                       "match " + a + " " + a + " --weights -1,1",
-                                       "match " + a + " " + a + " --alignments 0",
-                                       "match " + a + " " + a + " --front left",
-                                       "match " + a + " " + a + " --max-parts 0",
-                                       "match " + a + " " + a + " --threads 0",
-                                       "match " + a + " " + a + " --json - --glb -",
-                                       "graph " + a + " --up up",
-                                       "graph " + a + " --symmetries spiral",
-                                       "graph " + a + " --symmetry-tolerance 2",
-                                       "graph " + a + " --contact-tolerance -1",
-                                       "graph " + a + " --progress sometimes",
-                                       "graph " + a + " --json"}) {
+  for (const std::string& arguments :
+       std::initializer_list<std::string>{std::string(),
+                                          std::string("paint"),
+                                          std::string("--nonsense"),
+                                          std::string("match"),
+                                          "match " + a,
+                                          "match " + a + " " + a + " " + a,
+                                          "graph " + a + " " + a,
+                                          "match " + a + " " + a + " --nonsense",
+                                          "match " + a + " " + a + " --beam 3",
+                                          "match " + a + " " + a + " --kind round",
+                                          "graph " + a + " --part-kind leg",
+                                          "graph " + a + " --part-kind leg=round",
+                                          "graph " + a + " --abstraction magic",
+                                          "graph " + a + " --edge-length 0",
+                                          "graph " + a + " --triangles 3",
+                                          "graph " + a + " --time-limit -1",
+                                          "graph " + a + " --curve-points 1",
+                                          "graph " + a + " --html - --json -",
+                                          "graph " + a + " --graphml - --dot -",
+                                          "match " + a + " " + a + " --solutions 0",
+                                          "match " + a + " " + a + " --beam-width 0",
+                                          "match " + a + " " + a + " --beam-width many",
+                                          "match " + a + " " + a + " --expansions -1",
+                                          "match " + a + " " + a + " --direction backward",
+                                          "match " + a + " " + a + " --search luck",
+                                          "match " + a + " " + a + " --search parts --solutions 2",
+                                          "match " + a + " " + a + " --paper --search exact",
+                                          "match " + a + " " + a + " --solutions 0",
+                                          "match " + a + " " + a + " --min-confidence 2",
+                                          "match " + a + " " + a + " --allow-unmatched -1",
+                                          "match " + a + " " + a + " --without everything",
+                                          "match " + a + " " + a + " --norm other",
+                                          "match " + a + " " + a + " --weights 1",
+                                          "match " + a + " " + a + " --weights 1,x",
+                                          "match " + a + " " + a + " --weights -1,1",
+                                          "match " + a + " " + a + " --alignments 0",
+                                          "match " + a + " " + a + " --front left",
+                                          "match " + a + " " + a + " --max-parts 0",
+                                          "match " + a + " " + a + " --threads 0",
+                                          "match " + a + " " + a + " --json - --glb -",
+                                          "graph " + a + " --up up",
+                                          "graph " + a + " --symmetries spiral",
+                                          "graph " + a + " --symmetry-tolerance 2",
+                                          "graph " + a + " --contact-tolerance -1",
+                                          "graph " + a + " --progress sometimes",
+                                          "match " + a + " " + a + " --paper --min-confidence .5",
+                                          "match " + a + " " + a + " --search exact --roles none",
+                                          "match " + a + " " + a + " --search exact --beam-width 5",
+                                          "match " + a + " " + a + " --search beam --search-time-limit 2",
+                                          "match " + a + " " + a + " --direction forward",
+                                          "match " + a + " " + a + " --max-parts-of source",
+                                          "match " + a + " " + a + " --roles none --category chair",
+                                          "match " + a + " " + a + " --front auto --alignments 2",
+                                          "match " + a + " " + a + " --edge-length .05",
+                                             "match " + a + " " + a + " -q -v",
+                                          "collection " + a + " " + a + " -k 3",
+                                          "parts " + a + " --kind curve",
+                                          "roles predict " + a + " --trees 3",
+                                          "help match graph",
+                                          "help --man match",
+                                          "help paint",
+                                          "completion fish",
+                                          "demo a b",
+                                          "graph " + a + " --json"}) {
     INFO(arguments);
     const Run result = run(arguments);
     CHECK(result.status == 2);
     CHECK(result.out.empty());
     CHECK_THAT(result.error, Contains("--help"));
   }
+}
+
+TEST_CASE("A word that is spelt nearly right is suggested")
+{
+  CHECK_THAT(run("macth a b").error, Contains("did you mean 'match'? Try"));
+  CHECK_THAT(run("help grph").error, Contains("did you mean 'graph'?"));
+  CHECK_THAT(run("match a b --min-confidnce 1").error, Contains("did you mean '--min-confidence'?"));
+  CHECK_THAT(run("match a b --jsn x").error, Contains("did you mean '--json'?"));
+  CHECK_THAT(run("paint a b").error, Contains("no command 'paint'") && !Contains("did you mean"));
+  CHECK_THAT(run("match a b --frobnicate").error, Contains("--frobnicate") && !Contains("did you mean"));
+}
+
+TEST_CASE("help, the manual page and the completions tell of every command and option")
+{
+  CHECK(run("help").out == run("--help").out);
+  const std::string page = run("help --man").out, bash = run("completion bash").out, zsh = run("completion zsh").out;
+  CHECK_THAT(page, Contains(".TH SHAPE_CORRESPONDENCE 1"));
+  for (const std::string command :
+       {"parts", "graph", "match", "blend", "collection", "evaluate", "roles", "demo", "completion", "help"}) {
+    INFO(command);
+    const std::string help = run(command + " --help").out;
+    CHECK(run("help " + command).out == help);
+    CHECK_THAT(help, Contains("Usage: shape_correspondence " + command));
+    CHECK_THAT(run("help").out, Contains("\n  " + command + " "));
+    CHECK_THAT(page, Contains("shape_correspondence " + command));
+    CHECK_THAT(bash, Contains("      " + command + ") words="));
+    CHECK_THAT(zsh, Contains("    '" + command + ":"));
+  }
+  CHECK_THAT(page, Contains("\\-\\-min\\-confidence"));
+  CHECK_THAT(zsh, Contains("'--min-confidence["));
+  for (const std::string line : {"\n.", "\n'"}) // at the start of a line they are requests of troff
+    for (std::size_t at = page.find(line); at != std::string::npos; at = page.find(line, at + 1)) {
+      const std::string request = page.substr(at + 1, 4);
+      CHECK((request == ".TH " || request == ".SH " || request == ".nf\n" || request == ".fi\n"));
+    }
+}
+
+TEST_CASE("The completion of bash completes commands, options and files")
+{
+  const Temporary_folder folder;
+  const std::string script = folder.write("completion", run("completion bash").out);
+  const auto completions = [&](const std::string& words, int position) {
+    const std::string out = folder.path("out");
+    const std::string commands = "source " + script + "; COMP_WORDS=(" + words +
+                                 "); COMP_CWORD=" + std::to_string(position) +
+                                 "; _shape_correspondence; echo ${COMPREPLY[*]}";
+    REQUIRE(std::system(("bash -c '" + commands + "' > " + quoted(out)).c_str()) == 0);
+    return text_of(out);
+  };
+  CHECK(completions("shape_correspondence mat", 1) == "match\n");
+  CHECK(completions("shape_correspondence match a --min-", 3) == "--min-confidence --min-marginals\n");
+  CHECK(completions("shape_correspondence help eva", 2) == "evaluate\n");
+  CHECK(completions("shape_correspondence match no_such_file", 2) == "\n"); // left to the completion of files
+  const std::string zsh = folder.write("zsh_completion", run("completion zsh").out);
+  if (std::system("command -v zsh > /dev/null") == 0)
+    CHECK(std::system(("zsh -n " + quoted(zsh)).c_str()) == 0);
+  else
+    WARN("zsh is not installed: its completion was not parsed");
+}
+
+TEST_CASE("The demo matches its chairs without an error and blends them")
+{
+  const Temporary_folder folder;
+  const std::string demo = folder.path("demo"), data = SHAPE_CORRESPONDENCE_DATA_DIR;
+  const Run shown = run("demo " + quoted(demo));
+  INFO(shown.error);
+  REQUIRE(shown.status == 0);
+  CHECK_THAT(shown.out, Contains("$ shape_correspondence match") && Contains("$ shape_correspondence blend"));
+  CHECK(text_of(demo + "/match.html").find("<!DOCTYPE html>") == 0);
+  CHECK(text_of(demo + "/blend.glb").substr(0, 4) == "glTF");
+  const Run scores = run("evaluate " + quoted(demo + "/match.json") + " --ground-truth " + quoted(data) + " --json -");
+  REQUIRE(scores.status == 0);
+  CHECK(json::parse(scores.out)["mean"]["f1"]["mean"] == 1);
+  CHECK(run("demo " + quoted(demo)).status == 1); // it is there already
+}
+
+TEST_CASE("The table of match: sets of parts, their operation and confidence, one distance in all commands")
+{
+  const Temporary_folder folder;
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR, cache = " --cache " + quoted(folder.path("cache"));
+  const std::string pair = quoted(data + "/chair_four_legged") + " " + quoted(data + "/chair_swivel") + cache;
+  const Run table = run("match " + pair + " -v");
+  INFO(table.out);
+  REQUIRE(table.status == 0);
+  CHECK_THAT(table.out, Contains("confidence") && Contains("merge 4:1") && Contains("duplicate 4:6") &&
+                            Contains(" % ") && Contains("role in a chair"));
+  CHECK_THAT(table.out, Contains("group in the source") && Contains("connectedness"));
+  CHECK_THAT(table.error, Contains(" s, at most ") && Contains(" MB"));
+  CHECK_THAT(run("match " + pair).out, !Contains("group in the source"));
+
+  const std::string csv = folder.path("distances.csv");
+  REQUIRE(run("collection " + pair + " -q --csv " + quoted(csv)).status == 0);
+  std::istringstream rows(text_of(csv));
+  std::string row;
+  std::getline(rows, row);
+  std::getline(rows, row); // of chair_four_legged
+  std::ostringstream distance;
+  distance.precision(4);
+  distance << std::stod(row.substr(row.rfind(',') + 1));
+  CHECK_THAT(table.out, Contains("distance: " + distance.str() + " "));
+  CHECK_THAT(run("match " + pair + " --search beam").out, !Contains("confidence"));
 }
 
 TEST_CASE("Inputs that cannot be used end with status 1, a message and nothing left behind")

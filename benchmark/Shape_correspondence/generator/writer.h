@@ -8,6 +8,7 @@
 
 #include "assembly.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
@@ -173,6 +174,27 @@ inline Files folder_files(const Assembly& shape)
 
 /// The shape as one multi-part file.
 inline Files single_file(const Assembly& shape) { return {{shape.name + ".obj", single_obj_text(shape)}}; }
+
+/// The shape as models are often found: one file, z up, one object for all parts of a coarse label.
+inline Files raw_file(const Assembly& shape)
+{
+  std::vector<Part> parts = shape.parts;
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Part& a, const Part& b) { return a.label.coarse < b.label.coarse; });
+  std::string text;
+  int shift = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Part& part = parts[i];
+    part.name = part.label.coarse;
+    for (Point& p : part.solid.mesh.points)
+      p = Point(p.x(), -p.z(), p.y());
+    std::string object = obj_text(part, shift);
+    if (i > 0 && parts[i - 1].name == part.name) object.erase(0, object.find('\n') + 1); // goes on with the object
+    text += object;
+    shift += int(part.solid.mesh.points.size());
+  }
+  return {{shape.name + ".obj", text}};
+}
 
 } // namespace generator
 } // namespace Shape_correspondence

@@ -23,7 +23,7 @@ public:
   /*!
   returns an abstraction whose `geometry` is a curve of two or more points, or a sheet of two or more rows and columns,
   all of them finite, in the coordinates of the mesh. `volume`, that of the enclosed solid, may be left 0, which means
-  unknown. `report` tells how the abstraction was made; `report.fallback` is a reason to warn the user, or empty.
+  unknown. `report` reports how the abstraction was made; `report.fallback` is a reason to warn the user, or empty.
 
   \param part the part. Its mesh is in the frame of the shape (unit height, y up), or of the part alone when called by
     `abstract_part()`. Equal vertices are merged, no triangle occurs twice, and at least one has a positive area. The
