@@ -117,7 +117,7 @@ void run_match(const std::vector<std::string>& arguments)
   });
   write_output(common.html, [&](std::ostream& out) {
     IO::write_page(out, IO::match_page(ranked, source.graph, target.graph, source.model_pointer(),
-                                       target.model_pointer(), paths[0], paths[1], seconds));
+                                       target.model_pointer(), paths[0], paths[1], matched.seconds));
   });
   if (!common.prints_table()) return;
   write_match_table(std::cout, ranked[0], source.graph, target.graph);
