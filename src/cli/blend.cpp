@@ -44,10 +44,10 @@ Makes the in-between shapes of two segmented shapes of one category, which may d
 morph into each other, split or merge; parts without counterpart shrink or grow; parts in contact stay in contact. The
 first frame is the source, the last one the target.
 
-With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page shows the match and the blend and needs
-no network; with --at T, one shape is written, FILE.obj or FILE.ply. Otherwise FOLDER is made, with one file for each
-frame: frame_000 and so on. A part of a frame is named s~t where source part s becomes t, s~ where s vanishes, and ~t
-where t grows.
+With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
+plays the blend; with --at T, one shape is written, FILE.obj or FILE.ply. Otherwise FOLDER is made, with one file for
+each frame: frame_000 and so on. A part of a frame is named s~t where source part s
+becomes t, s~ where s vanishes, and ~t where t grows.
 
 SOURCE and TARGET are each one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D. Its objects or nodes are the
@@ -153,7 +153,8 @@ void check_is_no_other_file(const std::string& folder)
     if (ending == file)
       throw Usage_error(
           "'" + folder + "' is named like a " + ending +
-          " file; blend writes an animation, FILE.glb, a page, FILE.html, or one file for each frame into a folder");
+          " file; blend writes an animation, FILE.glb, a web page, FILE.html, or one file for each frame into a "
+          "folder");
 }
 
 /// The format of the one shape that is written to a file, or empty if it is not.
@@ -166,7 +167,7 @@ std::string file_format(const Blend_output& output)
 void check_path(const Blend_output& output)
 {
   if (output.path.empty())
-    throw Usage_error("-o is missing: a folder for the frames, an animation FILE.glb, or a page FILE.html");
+    throw Usage_error("-o is missing: a folder for the frames, an animation FILE.glb, or a web page FILE.html");
   const std::string ending = std::filesystem::path(output.path).extension().string();
   if (!file_format(output).empty()) {
     if (ending != ".obj" && ending != ".ply")
