@@ -110,15 +110,6 @@ void check_needs_no_search(const po::options_description& search, const po::vari
       throw Usage_error("--match says what corresponds; leave --" + option->long_name() + " out");
 }
 
-/// Reads the meshes that a graph names.
-void complete_surfaces(const std::string& path, Loaded_shape& shape)
-{
-  if (!shape.model && is_json_file(path)) shape.model = IO::read_part_meshes(path, shape.graph);
-  if (!shape.model)
-    throw Invalid_input(path + ": it is a structural graph without surfaces, which a blend is made of; give the model "
-                               "that it was built from, or name the parts' meshes in it (key \"mesh\")");
-}
-
 std::string frame_name(const Blend_output& output, int frame)
 {
   const std::string number = std::to_string(frame);

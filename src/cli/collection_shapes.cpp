@@ -85,20 +85,23 @@ std::string store_graph(const std::string& folder, const Common_options& options
   return content;
 }
 
+/// What there is to know of a graph before it is stored.
+Collection_shape described(const std::string& path, const Structural_graph& graph)
+{
+  const Shape_structure& structure = Shape_correspondence::structure(graph);
+  return {path, structure.name, "", part_names(graph), structure.warnings};
+}
+
 Loaded_input load_input(const std::string& path, const std::string& folder, const Common_options& options)
 {
   Loaded_input result;
-  result.shape.path = path;
   try {
     result.graph = load_shape(path, options).graph;
   } catch (const Invalid_input& error) {
     result.failure = error.what();
     return result;
   }
-  const Shape_structure& structure = Shape_correspondence::structure(result.graph);
-  result.shape.name = structure.name;
-  result.shape.warnings = structure.warnings;
-  result.shape.parts = part_names(result.graph);
+  result.shape = described(path, result.graph);
   result.shape.content = store_graph(folder, options, result.graph);
   return result;
 }
@@ -231,6 +234,17 @@ Collection_shapes::Collection_shapes(const std::vector<std::string>& paths, cons
   if (!failures.empty() && !skip_bad)
     throw Invalid_input(failures + "\nthe collection needs all of its shapes; --skip-bad leaves such out");
   if (shapes_.size() < 2) throw Invalid_input(failures + "\nless than two shapes are left");
+  make_names_unique(shapes_);
+}
+
+Collection_shapes::Collection_shapes(const std::vector<std::pair<std::string, Structural_graph>>& graphs)
+{
+  for (const auto& [path, graph] : graphs) {
+    shapes_.push_back(described(path, graph));
+    shapes_.back().content = IO::digest(text_of(graph));
+    graphs_.push_back(graph);
+  }
+  if (shapes_.size() < 2) throw Invalid_input("a collection has at least two shapes");
   make_names_unique(shapes_);
 }
 

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -38,6 +39,9 @@ public:
   /// \throw Invalid_input if an input cannot be used; names all of these
   Collection_shapes(const std::vector<std::string>& paths, const std::string& folder, bool skip_bad,
                     const Common_options& options, Team& team);
+
+  /// Of graphs that are built already, by path.
+  explicit Collection_shapes(const std::vector<std::pair<std::string, Structural_graph>>& graphs);
 
   const std::vector<Collection_shape>& shapes() const { return shapes_; }
   /// What was left out and why.

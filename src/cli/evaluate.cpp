@@ -3,6 +3,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/evaluate_results.h"
 #include "cli/outputs.h"
 #include "cli/run_report.h"
 #include "cli/text_table.h"
@@ -87,15 +88,6 @@ void check(const Evaluate_options& options)
     throw Usage_error("--confidence must be between 0 and 1");
 }
 
-std::vector<IO::Labelled_shape> read_labels(const std::vector<std::string>& paths)
-{
-  std::vector<IO::Labelled_shape> shapes;
-  for (const std::string& path : paths)
-    for (IO::Labelled_shape& shape : IO::read_part_labels(path))
-      shapes.push_back(std::move(shape));
-  return shapes;
-}
-
 /// The files themselves, and the results in folders; other JSON in folders is none of this command's.
 std::vector<std::string> result_files(const std::vector<std::string>& inputs)
 {
@@ -154,9 +146,9 @@ std::size_t part_index(const std::string& part, const IO::Labelled_shape& shape,
   return index;
 }
 
-Judged_result judge(const std::string& file, const std::vector<IO::Labelled_shape>& shapes)
+Judged_result judge(const Named_result& judged, const std::vector<IO::Labelled_shape>& shapes)
 {
-  const IO::Named_correspondence named = IO::read_correspondence_json(file);
+  const auto& [file, named] = judged;
   Judged_result result;
   result.file = file;
   result.source = &shape_of(named.source, shapes, file);
@@ -174,15 +166,15 @@ Judged_result judge(const std::string& file, const std::vector<IO::Labelled_shap
 }
 
 /// All results; each pair of shapes may have one.
-std::vector<Judged_result> judge(const std::vector<std::string>& files, const std::vector<IO::Labelled_shape>& shapes)
+std::vector<Judged_result> judge(const std::vector<Named_result>& named, const std::vector<IO::Labelled_shape>& shapes)
 {
   std::vector<Judged_result> results;
   std::map<std::pair<const IO::Labelled_shape*, const IO::Labelled_shape*>, std::string> first;
-  for (const std::string& file : files) {
-    results.push_back(judge(file, shapes));
-    const auto [entry, is_new] = first.emplace(std::pair(results.back().source, results.back().target), file);
+  for (const Named_result& result : named) {
+    results.push_back(judge(result, shapes));
+    const auto [entry, is_new] = first.emplace(std::pair(results.back().source, results.back().target), result.file);
     if (!is_new)
-      throw Invalid_input(file + ": it is of the same two shapes as " + entry->second +
+      throw Invalid_input(result.file + ": it is of the same two shapes as " + entry->second +
                           "; evaluate the results of one method at a time");
   }
   return results;
@@ -296,6 +288,34 @@ void write_evaluation_json(std::ostream& out, const Evaluation& evaluation, cons
   document.write(out);
 }
 
+} // namespace
+
+std::vector<IO::Labelled_shape> read_labels(const std::vector<std::string>& paths)
+{
+  std::vector<IO::Labelled_shape> shapes;
+  for (const std::string& path : paths)
+    for (IO::Labelled_shape& shape : IO::read_part_labels(path))
+      shapes.push_back(std::move(shape));
+  return shapes;
+}
+
+std::vector<Named_result> read_results(const std::vector<std::string>& inputs)
+{
+  std::vector<Named_result> results;
+  for (const std::string& file : result_files(inputs))
+    results.push_back({file, IO::read_correspondence_json(file)});
+  return results;
+}
+
+void write_evaluation_json(std::ostream& out, const std::vector<Named_result>& results,
+                           const std::vector<IO::Labelled_shape>& shapes, const Evaluation_options& options)
+{
+  const std::vector<Judged_result> judged = judge(results, shapes);
+  write_evaluation_json(out, mean_scores(judged, options), judged);
+}
+
+namespace {
+
 struct Variables
 {
   Common_options common;
@@ -330,7 +350,7 @@ void run_evaluate(const std::vector<std::string>& arguments)
   check_outputs({common.json}, parsed.inputs);
   evaluate.evaluation.seed = std::uint64_t(common.seed);
   const std::vector<IO::Labelled_shape> shapes = read_labels(evaluate.labels);
-  const std::vector<Judged_result> results = judge(result_files(parsed.inputs), shapes);
+  const std::vector<Judged_result> results = judge(read_results(parsed.inputs), shapes);
   const Evaluation evaluation = mean_scores(results, evaluate.evaluation);
   write_output(common.json, [&](std::ostream& out) { write_evaluation_json(out, evaluation, results); });
   if (common.prints_table()) print(evaluation, results, evaluate.worst);

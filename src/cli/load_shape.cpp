@@ -92,17 +92,15 @@ void cache_graph(const Structural_graph& graph, const Common_options& common)
   }
 }
 
-void load_model(const std::string& path, const Common_options& common, const Structure_options& options,
-                Loaded_shape& shape)
+void load_model(Read_model model, const Common_options& common, const Structure_options& options, Loaded_shape& shape)
 {
   const double begin = now();
-  Read_model model = read_model(path, common);
   check_has_parts(model.split, common);
   shape.split = std::move(model.split);
   shape.model = shape.split.shape;
   const std::string content = IO::content_hash(*shape.model, options);
   std::optional<Structural_graph> known = cached_graph(content, common);
-  shape.read_seconds = now() - begin;
+  shape.read_seconds += now() - begin;
   if (known) {
     shape.graph = std::move(*known);
   } else {
@@ -122,7 +120,11 @@ bool is_json_file(const std::string& path) { return has_extension(path, ".json")
 
 bool is_graph_file(const std::string& path) { return is_json_file(path) || has_extension(path, ".xml"); }
 
-Loaded_shape load_shape(const std::string& path, const Common_options& common)
+namespace {
+
+/// Calls `load` with options and the shape to fill in; errors name `path`.
+template <typename Load>
+Loaded_shape loaded(const std::string& path, const Common_options& common, const Load& load)
 {
   Progress_bar bar(common, path);
   Structure_options options;
@@ -132,10 +134,7 @@ Loaded_shape load_shape(const std::string& path, const Common_options& common)
   options.abstraction.progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
   Loaded_shape shape;
   try {
-    if (is_graph_file(path))
-      load_graph(path, common, options, shape);
-    else
-      load_model(path, common, options, shape);
+    load(options, shape);
   } catch (const Invalid_input& error) {
     const std::string message = error.what();
     throw Invalid_input(message.rfind(path, 0) == 0 ? message : path + ": " + message);
@@ -143,6 +142,26 @@ Loaded_shape load_shape(const std::string& path, const Common_options& common)
     throw Invalid_input(path + ": it needs more memory than there is");
   }
   return shape;
+}
+
+} // namespace
+
+Loaded_shape load_shape(const std::string& path, const Common_options& common)
+{
+  return loaded(path, common, [&](const Structure_options& options, Loaded_shape& shape) {
+    if (is_graph_file(path)) return load_graph(path, common, options, shape);
+    const double begin = now();
+    Read_model model = read_model(path, common);
+    shape.read_seconds = now() - begin;
+    load_model(std::move(model), common, options, shape);
+  });
+}
+
+Loaded_shape load_shape(const std::string& path, Read_model model, const Common_options& common)
+{
+  return loaded(path, common, [&](const Structure_options& options, Loaded_shape& shape) {
+    load_model(std::move(model), common, options, shape);
+  });
 }
 
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
@@ -160,6 +179,14 @@ std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, con
     if (failure) std::rethrow_exception(failure);
   }
   return shapes;
+}
+
+void complete_surfaces(const std::string& path, Loaded_shape& shape)
+{
+  if (!shape.model && is_json_file(path)) shape.model = IO::read_part_meshes(path, shape.graph);
+  if (!shape.model)
+    throw Invalid_input(path + ": it is a structural graph without surfaces, which a blend is made of; give the model "
+                               "that it was built from, or name the parts' meshes in it (key \"mesh\")");
 }
 
 std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes)

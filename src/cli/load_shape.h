@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cli/Common_options.h"
+#include "cli/read_model.h"
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 #include <CGAL/Shape_correspondence/split_parts.h>
@@ -31,8 +32,14 @@ struct Loaded_shape
 /// graph. \throw Invalid_input; the message names `path`
 Loaded_shape load_shape(const std::string& path, const Common_options& options);
 
+/// The same of a model that was read. \param path names it in messages
+Loaded_shape load_shape(const std::string& path, Read_model model, const Common_options& options);
+
 /// The same for several inputs at once, on as many threads as there are, each with its own options.
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options);
+
+/// Reads the meshes that a graph names, where it has no model. \throw Invalid_input if it names none
+void complete_surfaces(const std::string& path, Loaded_shape& shape);
 
 /// What the graphs of inputs warn of; every line names its input.
 std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes);

@@ -1,21 +1,19 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/clock.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/load_shape.h"
 #include "cli/match_options.h"
+#include "cli/match_shapes.h"
 #include "cli/match_table.h"
 #include "cli/outputs.h"
 #include "cli/read_model.h"
 #include "cli/run_report.h"
 #include "cli/thread_limit.h"
 
-#include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
 #include <CGAL/Shape_correspondence/IO/write_html.h>
-#include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <iostream>
 
@@ -105,21 +103,13 @@ void run_match(const std::vector<std::string>& arguments)
   const Loaded_shape &source = shapes[0], &target = shapes[1];
   search_with.source_parts = chosen_parts(match.source_parts, source.graph, paths[0]);
   search_with.target_parts = chosen_parts(match.target_parts, target.graph, paths[1]);
-  const Prepared_shape prepared_source(source.graph), prepared_target(target.graph);
-  const double begin_roles = now();
-  for (const Prepared_shape* shape : {&prepared_source, &prepared_target})
-    shape->read_roles(search_with.roles);
-  const double begin = now();
-  std::vector<Correspondence> ranked =
-      Correspondence_finder(prepared_source, search_with).ranked(prepared_target); // the best first
-  const IO::Match_seconds seconds{
-      source.read_seconds + target.read_seconds, source.abstraction_seconds + target.abstraction_seconds,
-      source.structure_seconds + target.structure_seconds + begin - begin_roles, now() - begin};
+  Matched_shapes matched = match_shapes(source, target, search_with);
+  std::vector<Correspondence>& ranked = matched.ranked;
   std::vector<std::string> warnings = warnings_of(paths, shapes);
   warnings.insert(warnings.begin(), warnings_of_up.begin(), warnings_of_up.end());
   ranked[0].warnings.insert(ranked[0].warnings.begin(), warnings.begin(), warnings.end());
   write_output(common.json, [&](std::ostream& out) {
-    IO::write_correspondences_json(out, ranked, source.graph, target.graph, paths[0], paths[1], seconds);
+    IO::write_correspondences_json(out, ranked, source.graph, target.graph, paths[0], paths[1], matched.seconds);
   });
   write_output(common.glb, [&](std::ostream& out) {
     IO::write_correspondence_glb(out, ranked[0], source.graph, target.graph, source.model_pointer(),

@@ -34,7 +34,7 @@ bool is_enabled(const Common_options& options)
 } // namespace
 
 Progress_bar::Progress_bar(const Common_options& options, std::string label, std::string unit)
-    : enabled_(is_enabled(options)), label_(IO::quote_terminal(label)), unit_(std::move(unit)), begin_(now())
+    : enabled_(is_enabled(options)), on_progress_(options.on_progress), label_(IO::quote_terminal(label)), unit_(std::move(unit)), begin_(now())
 {}
 
 Progress_bar::~Progress_bar()
@@ -44,6 +44,7 @@ Progress_bar::~Progress_bar()
 
 void Progress_bar::show(std::size_t done, std::size_t total)
 {
+  if (on_progress_) return on_progress_(label_, done, total);
   const double time = now();
   if (!enabled_ || total == 0 || (shown_ && done < total && time - last_shown_ < interval)) return;
   const std::size_t filled = bar_width * done / total;

@@ -6,11 +6,13 @@
 #include "cli/Common_options.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// A progress bar on standard error, with the time left where that is more than a moment; it vanishes at the end.
+/// A progress bar on standard error, with the time left where that is more than a moment; it vanishes at the end. Or
+/// none, where the options name whom to tell instead.
 class Progress_bar
 {
 public:
@@ -25,6 +27,7 @@ public:
 private:
   bool enabled_;
   bool shown_ = false;
+  std::function<void(const std::string&, std::size_t, std::size_t)> on_progress_;
   std::string label_, unit_;
   double begin_, last_shown_ = 0; // seconds
 };

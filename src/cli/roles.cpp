@@ -3,6 +3,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/predicted_roles.h"
 #include "cli/labelled_models.h"
 #include "cli/load_shape.h"
 #include "cli/outputs.h"
@@ -353,6 +354,12 @@ void train(const std::vector<std::string>& folders, const Roles_options& roles, 
   if (common.prints_table() && roles.manifest != "-" && !set.pairs.empty()) print(set, validation, common);
 }
 
+// The probability of a part's likeliest role.
+double probability_of(std::size_t part, const Part_roles& found)
+{
+  return found.probabilities.row(Eigen::Index(part)).maxCoeff();
+}
+
 std::string percentage(double probability)
 {
   char text[32];
@@ -366,26 +373,13 @@ void predict(const std::string& path, const Roles_options& roles, const Common_o
   const Loaded_shape shape = load_shape(path, common);
   const auto model = roles.model.empty() ? IO::shipped_role_model()
                                          : std::make_shared<const Role_model>(IO::read_role_model(roles.model));
-  const Part_roles found = part_roles(shape.graph, *model, roles.category);
-  if (found.category.empty())
-    throw Invalid_input(path + ": the shape is of no category that the role model knows; name one with --category");
+  const Part_roles found = predicted_roles(path, shape.graph, *model, roles.category);
   const auto& parts = structure(shape.graph).parts;
   std::vector<std::vector<std::string>> rows{{"part", "role", "more precisely", "probability"}};
-  IO::Json document;
-  document["format"] = "shape_correspondence/labels";
-  document["category"] = found.category;
-  document["parts"] = IO::Json::array();
-  for (std::size_t part = 0; part < parts.size(); ++part) {
-    const double probability = found.probabilities.row(Eigen::Index(part)).maxCoeff();
-    rows.push_back({parts[part].name, found.labels[part].coarse, found.labels[part].fine, percentage(probability)});
-    IO::Json entry;
-    entry["name"] = parts[part].name;
-    entry["coarse"] = found.labels[part].coarse;
-    if (!found.labels[part].fine.empty()) entry["fine"] = found.labels[part].fine;
-    entry["probability"] = probability;
-    document["parts"].push_back(std::move(entry));
-  }
-  write_output(common.json, [&](std::ostream& out) { document.write(out); });
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    rows.push_back({parts[part].name, found.labels[part].coarse, found.labels[part].fine,
+                    percentage(probability_of(part, found))});
+  write_output(common.json, [&](std::ostream& out) { write_labels_json(out, shape.graph, found); });
   if (!common.prints_table()) return;
   std::cout << IO::quote_terminal(path + ": " + found.category) << "\n\n";
   write_table(std::cout, rows);
@@ -408,6 +402,36 @@ void refuse_options_of_other_actions(const std::string& action, const po::variab
     if (is_given(values, option) && std::find(actions.begin(), actions.end(), action) == actions.end())
       throw Usage_error("--" + std::string(option) + " has no effect on 'roles " + action + "'");
 }
+
+} // namespace
+
+Part_roles predicted_roles(const std::string& path, const Structural_graph& graph, const Role_model& model,
+                           const std::string& category)
+{
+  Part_roles found = part_roles(graph, model, category);
+  if (found.category.empty())
+    throw Invalid_input(path + ": the shape is of no category that the role model knows; name one with --category");
+  return found;
+}
+
+void write_labels_json(std::ostream& out, const Structural_graph& graph, const Part_roles& found)
+{
+  IO::Json document;
+  document["format"] = "shape_correspondence/labels";
+  document["category"] = found.category;
+  document["parts"] = IO::Json::array();
+  for (std::size_t part = 0; part < found.labels.size(); ++part) {
+    IO::Json entry;
+    entry["name"] = structure(graph).parts[part].name;
+    entry["coarse"] = found.labels[part].coarse;
+    if (!found.labels[part].fine.empty()) entry["fine"] = found.labels[part].fine;
+    entry["probability"] = probability_of(part, found);
+    document["parts"].push_back(std::move(entry));
+  }
+  document.write(out);
+}
+
+namespace {
 
 struct Variables
 {

@@ -53,7 +53,8 @@ void Matching_problem::Contact_table::compute(std::vector<Rod_energy>& result)
   comparisons_.clear();
   counts_.clear();
   compared_.clear();
-  piece_rods_in_use_ = 0;
+  piece_rods_.clear();
+  piece_memory_.clear();
 }
 
 void Matching_problem::Contact_table::list(const Range& first, const Range& second)
@@ -140,16 +141,17 @@ void Matching_problem::Contact_table::list_ends(int side)
 const Structural_rods& Matching_problem::Contact_table::rods(std::uint32_t a, std::uint32_t b)
 {
   const Fitted &first = fitted_[a], &second = fitted_[b];
-  if (first.source.is_whole() && second.source.is_whole()) return problem_.rods(contact_, first.lifted, second.lifted);
+  if (first.source.is_whole() && second.source.is_whole())
+    return problem_.source().rods(contact_, first.repeats, second.repeats);
   const std::size_t i = end_of_[0][a - begin_[0]], j = end_of_[1][b - begin_[1]];
   const Structural_rods*& known = rods_of_ends_[i * ends_[1].size() + j];
   if (known) return *known;
-  if (piece_rods_in_use_ == piece_rods_.size()) piece_rods_.emplace_back();
-  Structural_rods& rods = piece_rods_[piece_rods_in_use_++];
-  rods.assign(lifted_samples(fitted_.source_piece(first.source_index), ends_[0][i].count),
-              lifted_samples(fitted_.source_piece(second.source_index), ends_[1][j].count));
-  known = &rods;
-  return rods;
+  const std::size_t size = Structural_rods::size(int(first.order->size()), int(second.order->size()));
+  piece_rods_.emplace_back(fitted_.source_piece(first.source_index).samples,
+                           fitted_.source_piece(second.source_index).samples, first.repeats, second.repeats,
+                           piece_memory_.take(size));
+  known = &piece_rods_.back();
+  return piece_rods_.back();
 }
 
 } // namespace CGAL::Shape_correspondence

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "energy/Matching_problem.h"
+#include "energy/Rod_memory.h"
 
 #include <array>
 #include <cstddef>
@@ -24,7 +25,7 @@ public:
   void list(std::size_t contact);
 
   // Whether more is listed than stays in the cache.
-  bool is_full() const { return comparisons_.size() > most_comparisons || piece_rods_in_use_ > most_piece_rods; }
+  bool is_full() const { return comparisons_.size() > most_comparisons || piece_memory_.is_full(); }
 
   // Appends the energies of the contacts that were listed, in their order, first label by second label; the list is
   // empty then.
@@ -36,7 +37,6 @@ private:
 
   static constexpr std::uint32_t none = std::uint32_t(-1);
   static constexpr std::size_t most_comparisons = 8192; // what they compare stays in the cache
-  static constexpr std::size_t most_piece_rods = 128;   // of up to 20 kB each
 
   // Rods of a source pair with those of a target pair; `next` is the next one with the same target pair.
   struct Comparison
@@ -77,14 +77,13 @@ private:
 
   const Matching_problem& problem_;
   const internal::Fitted_pieces& fitted_;
-  std::vector<std::uint32_t> pair_of_;  // by `pair_index()`, in `pairs_`
-  std::vector<Target_pair> pairs_;      // those that anything is compared with
-  std::vector<Comparison> comparisons_; // of contact after contact
-  std::vector<std::uint32_t> counts_;   // by contact and labels: how many comparisons
-  std::vector<std::uint32_t> compared_; // which ones, those of all labels in a row
-  // Rods between pieces of which one is no whole part; of those in use, the memory of others is kept
-  std::deque<Structural_rods> piece_rods_;
-  std::size_t piece_rods_in_use_ = 0;
+  std::vector<std::uint32_t> pair_of_;       // by `pair_index()`, in `pairs_`
+  std::vector<Target_pair> pairs_;           // those that anything is compared with
+  std::vector<Comparison> comparisons_;      // of contact after contact
+  std::vector<std::uint32_t> counts_;        // by contact and labels: how many comparisons
+  std::vector<std::uint32_t> compared_;      // which ones, those of all labels in a row
+  std::deque<Structural_rods> piece_rods_;   // between pieces of which one is no whole part
+  internal::Rod_memory piece_memory_;        // where their directions are
   std::vector<const Structural_rods*> rods_; // that are compared with those of a target pair
   std::vector<double> distortions_;
 

@@ -2,65 +2,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/Deformable_shape.h"
-#include "energy/deform_to_fit.h"
 
 #include <mutex>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Shape_correspondence {
+using namespace internal;
 
 struct Deformable_shape::Measures
 {
-  std::once_flag has_rods, has_distances;
-  std::vector<Contact_rods> rods;
+  struct Lazy_rods
+  {
+    std::once_flag is_found;
+    Structural_rods rods;
+  };
+
+  explicit Measures(std::size_t contacts) : rods(new Lazy_rods[4 * contacts]) {}
+
+  std::unique_ptr<Lazy_rods[]> rods; // at 4 contact + 2 (first repeated) + (second repeated)
+  std::once_flag has_distances;
   Eigen::MatrixXd distances;
 };
 
 namespace {
 
-// The number of samples of a part, or that of a sheet.
-Eigen::Index sample_count(const Sampled_part& part, bool lift)
-{
-  return lift ? samples_per_side * samples_per_side : part.samples.cols();
-}
-
-Deformable_shape::Contact_rods contact_rods(const Sampled_part& first, const Sampled_part& second)
-{
-  using Kind = Sampled_part::Kind;
-  Deformable_shape::Contact_rods rods;
-  for (bool lift_first : {false, true})
-    for (bool lift_second : {false, true}) {
-      if ((lift_first && first.kind == Kind::SHEET) || (lift_second && second.kind == Kind::SHEET)) continue;
-      rods[2 * std::size_t(lift_first) + std::size_t(lift_second)] =
-          Structural_rods(lifted_samples(first, sample_count(first, lift_first)),
-                          lifted_samples(second, sample_count(second, lift_second)));
-    }
-  return rods;
-}
-
 Eigen::MatrixXd least_distances(const std::vector<Sampled_part>& parts)
 {
   const Eigen::Index n = Eigen::Index(parts.size());
+  std::vector<Sample_lanes> lanes;
+  for (const Sampled_part& part : parts)
+    lanes.emplace_back(part.samples);
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < i; ++j)
-      result(i, j) = result(j, i) = least_distance(parts[std::size_t(i)].samples, parts[std::size_t(j)].samples);
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const std::size_t a = std::size_t(i), b = std::size_t(j);
+      result(i, j) = result(j, i) =
+          least_distance(lanes[a], int(parts[a].samples.cols()), lanes[b], int(parts[b].samples.cols()));
+    }
   return result;
 }
 
 } // namespace
 
 Deformable_shape::Deformable_shape(Aligned_shape shape)
-    : Aligned_shape(std::move(shape)), measures_(std::make_shared<Measures>())
+    : Aligned_shape(std::move(shape)), measures_(std::make_shared<Measures>(contacts.size()))
 {}
 
-const std::vector<Deformable_shape::Contact_rods>& Deformable_shape::rods() const
+const Structural_rods& Deformable_shape::rods(std::size_t contact, int first_repeats, int second_repeats) const
 {
-  std::call_once(measures_->has_rods, [&] {
-    for (const Contact& contact : contacts)
-      measures_->rods.push_back(contact_rods(parts[contact.parts[0]], parts[contact.parts[1]]));
+  Measures::Lazy_rods& lazy = measures_->rods[4 * contact + 2 * (first_repeats > 1) + (second_repeats > 1)];
+  std::call_once(lazy.is_found, [&] {
+    const auto& ends = contacts[contact].parts;
+    lazy.rods = Structural_rods(parts[ends[0]].samples, parts[ends[1]].samples, first_repeats, second_repeats);
   });
-  return measures_->rods;
+  return lazy.rods;
 }
 
 const Eigen::MatrixXd& Deformable_shape::part_distances() const
@@ -72,6 +68,13 @@ const Eigen::MatrixXd& Deformable_shape::part_distances() const
 Deformable_shape Deformable_shape::ungrouped() const
 {
   Deformable_shape result(Shape_correspondence::ungrouped(*this));
+  result.measures_ = measures_;
+  return result;
+}
+
+Deformable_shape Deformable_shape::regrouped(const std::vector<std::vector<std::size_t>>& sets) const
+{
+  Deformable_shape result(Shape_correspondence::regrouped(*this, sets));
   result.measures_ = measures_;
   return result;
 }

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include <array>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -20,19 +20,18 @@ namespace CGAL::Shape_correspondence {
 class Deformable_shape : public Aligned_shape
 {
 public:
-  /// The structural rods of a contact, with the samples of its parts, or those of a curve lifted to a sheet's number,
-  /// at 2 (first is lifted) + (second is lifted); empty where a sheet would be lifted.
-  using Contact_rods = std::array<Structural_rods, 4>;
-
   explicit Deformable_shape(Aligned_shape shape);
 
-  /// By contact.
-  const std::vector<Contact_rods>& rods() const;
+  /// The structural rods of a contact. The samples of either part count once, or `samples_per_side` times each: those
+  /// of a curve that becomes a sheet.
+  const Structural_rods& rods(std::size_t contact, int first_repeats, int second_repeats) const;
   /// The least distance between the samples of two parts.
   const Eigen::MatrixXd& part_distances() const;
 
   /// The same with a group for every part.
   Deformable_shape ungrouped() const;
+  /// The same with sets of parts as groups of their own.
+  Deformable_shape regrouped(const std::vector<std::vector<std::size_t>>& sets) const;
 
 private:
   struct Measures;

@@ -44,8 +44,8 @@ std::uint32_t Fitted_pieces::fit(const Image& image)
   for (std::size_t known = fitted_begin_.back(); known < fitted_.size(); ++known)
     if (fitted_[known].source_index == from && fitted_[known].target_index == to) return std::uint32_t(known);
   const std::vector<int>& order = deform_to_fit(source_pieces_[from], target_pieces_[to]);
-  const bool lifted = Eigen::Index(order.size()) != source_pieces_[from].samples.cols();
-  fitted_.push_back({image.source, image.target, from, to, &order, lifted, lanes_of(to, order)});
+  const int repeats = int(order.size()) / int(source_pieces_[from].samples.cols());
+  fitted_.push_back({image.source, image.target, from, to, &order, repeats, lanes_of(to, order)});
   return std::uint32_t(fitted_.size() - 1);
 }
 

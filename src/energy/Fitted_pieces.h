@@ -20,7 +20,7 @@ struct Fitted_piece
   Piece source, target;
   std::size_t source_index, target_index; // of the pieces
   const std::vector<int>* order;          // of `deform_to_fit()`
-  bool lifted;                            // a source curve among sheets: it has a sheet's number of samples
+  int repeats;                            // of the source's samples: e where a curve becomes a sheet of equal columns
   std::size_t lanes;                      // `Fitted_pieces::samples()`
 };
 

@@ -6,7 +6,10 @@
 #include "energy/Contact_table.h"
 #include "energy/cut_curves.h"
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -46,31 +49,45 @@ std::vector<std::size_t> candidates(const Aligned_shape& source, std::size_t gro
 }
 
 std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_t group, const Aligned_shape& target,
-                                         const Matching_options& options)
+                                         const Matching_options& options, const Match_constraints& constraints)
 {
-  const std::vector<std::size_t> matched = candidates(source, group, target);
+  const std::size_t first_part = source.group(group).parts[0];
+  const bool is_pinned = !constraints.empty() && !constraints.pinned(first_part).empty();
   std::vector<Group_label> result;
-  result.reserve(2 * matched.size() + 1);
-  for (std::size_t candidate : matched)
-    result.push_back(match_groups(source, group, target, candidate));
-  for (std::size_t l = 0; options.cut_curves && l < matched.size(); ++l) {
+  if (is_pinned)
+    result.push_back(pinned_label(source, group, target, constraints));
+  else {
+    const std::vector<std::size_t> matched = candidates(source, group, target);
+    result.reserve(2 * matched.size() + 1);
+    for (std::size_t candidate : matched) {
+      Group_label label = match_groups(source, group, target, candidate, constraints);
+      if (is_allowed(label, constraints)) result.push_back(std::move(label));
+    }
+  }
+  const std::size_t uncut = result.size();
+  for (std::size_t l = 0; options.cut_curves && l < uncut; ++l) {
     if (result[l].operation == Operation::MATCH) continue; // one to one
     Group_label cut = cut_curves(source, group, target, result[l]);
     if (cut.operation == Operation::CUT || cut.operation == Operation::JOIN) result.push_back(std::move(cut));
   }
-  if (options.unmatched_cost < Matching_options::never) {
+  if (options.unmatched_cost < Matching_options::never && !is_pinned) {
     result.emplace_back();
     result.back().images.resize(source.group(group).parts.size());
   }
+  if (result.empty())
+    throw Invalid_input("find_correspondence: pinned and forbidden pairs leave nothing that part number " +
+                        std::to_string(source.original[first_part]) +
+                        " and the parts symmetric to it could become; take one back, or let parts stay unmatched");
   return result;
 }
 
 std::vector<std::vector<Group_label>> all_labels(const Aligned_shape& source, const Aligned_shape& target,
                                                  const Matching_options& options)
 {
+  const Match_constraints constraints(source, target, options);
   std::vector<std::vector<Group_label>> result;
   for (std::size_t g = 0; g < source.number_of_groups(); ++g)
-    result.push_back(labels_of_group(source, g, target, options));
+    result.push_back(labels_of_group(source, g, target, options, constraints));
   return result;
 }
 
@@ -93,8 +110,7 @@ Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
       target_(std::move(target)),
       options_(options),
       labels_(std::move(labels)),
-      fitted_(*source_, *target_, labels_),
-      rods_(&source_->rods())
+      fitted_(*source_, *target_, labels_)
 {
   fill_contact_energies();
   fill_cut_energies();

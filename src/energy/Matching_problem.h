@@ -74,11 +74,6 @@ public:
     const Aligned_shape::Contact& c = source_->contacts[contact];
     return fitted_.touching(c.parts[std::size_t(side)], c.samples[std::size_t(side)], label);
   }
-  /// The rods of a contact, of the whole parts; with a curve's samples lifted to a sheet's number or not.
-  const Structural_rods& rods(std::size_t contact, bool lift_first, bool lift_second) const
-  {
-    return (*rods_)[contact][2 * std::size_t(lift_first) + std::size_t(lift_second)];
-  }
 
 private:
   class Contact_table;
@@ -93,10 +88,9 @@ private:
   bool has_shortlists_ = false;
   std::vector<std::vector<Group_label>> labels_; // by source group
   internal::Fitted_pieces fitted_;
-  const std::vector<Deformable_shape::Contact_rods>* rods_; // the source's
-  std::vector<std::size_t> contact_begin_;                  // by contact, in `contact_energies_`
-  std::vector<Rod_energy> contact_energies_;                // by labels of either side
-  std::vector<std::vector<Rod_energy>> cut_energies_;       // by group and label
+  std::vector<std::size_t> contact_begin_;            // by contact, in `contact_energies_`
+  std::vector<Rod_energy> contact_energies_;          // by labels of either side
+  std::vector<std::vector<Rod_energy>> cut_energies_; // by group and label
   Pairwise_energy energy_;
 };
 

@@ -23,11 +23,12 @@ struct alignas(64) Sample_lanes
 {
   float coordinates[3][lane_count];
 
-  explicit Sample_lanes(const Points& samples)
+  explicit Sample_lanes(const Points& samples, int repeats = 1)
   {
-    for (Eigen::Index i = 0; i < samples.cols(); ++i)
-      set(int(i), samples.col(i));
-    pad(int(samples.cols()));
+    const int count = int(samples.cols()) * repeats;
+    for (int i = 0; i < count; ++i)
+      set(i, samples.col(i / repeats));
+    pad(count);
   }
   // In the order of `deform_to_fit()`.
   Sample_lanes(const Points& samples, const std::vector<int>& order)
@@ -57,6 +58,11 @@ struct alignas(64) Rod_block
 {
   float direction[3][block_lanes];
 };
+
+// The layout of rods: in rows from the first samples to as many of the second as fill whole blocks, then in rows from
+// the other second samples back to the first.
+constexpr int samples_in_blocks(int count) { return count / block_lanes * block_lanes; }
+constexpr int blocks_of(int count) { return (count + block_lanes - 1) / block_lanes; }
 
 // Squared length, in units of the shape's height, under which a rod has no direction. Added to squared lengths, it
 // keeps them from being 0.

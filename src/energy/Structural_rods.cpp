@@ -11,36 +11,44 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
 
-void Structural_rods::assign(const Points& first, const Points& second)
+std::size_t Structural_rods::size(int first_count, int second_count)
 {
-  CGAL_precondition(first.cols() <= maximum_samples && second.cols() <= maximum_samples);
-  first_count_ = int(first.cols());
-  second_count_ = int(second.cols());
-  const Sample_lanes from(first), to(second);
+  const int in_blocks = samples_in_blocks(second_count);
+  return std::size_t(first_count * blocks_of(in_blocks) + (second_count - in_blocks) * blocks_of(first_count));
+}
+
+// Without a first value, as all blocks are written.
+Structural_rods::Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats)
+    : Structural_rods(first, second, first_repeats, second_repeats,
+                      std::unique_ptr<Rod_block[]>(
+                          new Rod_block[size(int(first.cols()) * first_repeats, int(second.cols()) * second_repeats)]))
+{}
+
+Structural_rods::Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats,
+                                 std::unique_ptr<Rod_block[]> memory)
+    : Structural_rods(first, second, first_repeats, second_repeats, memory.get())
+{
+  memory_ = std::move(memory);
+}
+
+Structural_rods::Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats,
+                                 Rod_block* memory)
+    : rods_(memory), first_count_(int(first.cols()) * first_repeats), second_count_(int(second.cols()) * second_repeats)
+{
+  CGAL_precondition(first_count_ <= maximum_samples && second_count_ <= maximum_samples);
+  const Sample_lanes from(first, first_repeats), to(second, second_repeats);
   const int in_blocks = samples_in_blocks(second_count_);
-  const int blocks = blocks_of(in_blocks), back_blocks = blocks_of(first_count_);
-  rods_.resize(std::size_t(first_count_ * blocks + (second_count_ - in_blocks) * back_blocks));
-  Rod_block* next = rods_.data();
-  int directionless = 0;
-  float longest_squared = 0;
-  const auto add_row = [&](const Sample_lanes& one, int sample, const Sample_lanes& others, int count) {
-    const Rod_row row = write_rod_directions(one, sample, others, count, next);
-    next += blocks_of(count);
-    directionless += row.directionless;
-    longest_squared = std::max(longest_squared, row.longest_squared);
-  };
-  for (int i = 0; i < first_count_ && in_blocks > 0; ++i)
-    add_row(from, i, to, in_blocks);
-  for (int j = in_blocks; j < second_count_; ++j)
-    add_row(to, j, from, first_count_);
-  directionless_ = double(directionless) / (first_count_ * second_count_);
-  longest_ = std::sqrt(double(longest_squared));
-  const Rod_block* rods = rods_.data();
-  const Rod_answer<1> unmoved = rod_kernels().both(&rods, from, first_count_, to, second_count_);
+  const Rod_rows there = write_rod_directions(from, 0, first_count_, first_repeats, to, in_blocks, memory);
+  memory += first_count_ * blocks_of(in_blocks);
+  const Rod_rows back = write_rod_directions(to, in_blocks, second_count_, second_repeats, from, first_count_, memory);
+  directionless_ = double(there.directionless + back.directionless) / (first_count_ * second_count_);
+  longest_ = std::sqrt(double(std::max(there.longest_squared, back.longest_squared)));
+  const Rod_answer<1> unmoved = rod_kernels().both(&rods_, from, first_count_, to, second_count_);
   unmoved_ = double(unmoved.squared_cosines[0]);
   shortest_ = std::sqrt(double(unmoved.least_squared_length));
 }
@@ -60,7 +68,7 @@ void distortions(const std::vector<const Structural_rods*>& pairs, const Sample_
   const auto compare = [&](const auto& kernel, auto count) {
     const Rod_block* rods[decltype(count)::value];
     for (std::size_t i = 0; i < count; ++i)
-      rods[i] = pairs[done + i]->rods_.data();
+      rods[i] = pairs[done + i]->rods_;
     const auto moved = kernel(rods, first, pairs[0]->first_count_, second, pairs[0]->second_count_);
     for (std::size_t i = 0; i < count; ++i, ++done)
       result[done] = pairs[done]->distortion(moved.squared_cosines[i]);
@@ -78,8 +86,7 @@ double Structural_rods::connectedness(double distance) const
 
 Rod_energy Structural_rods::energy(const Sample_lanes& first, const Sample_lanes& second) const
 {
-  const Rod_block* rods = rods_.data();
-  const Rod_answer<1> moved = rod_kernels().both(&rods, first, first_count_, second, second_count_);
+  const Rod_answer<1> moved = rod_kernels().both(&rods_, first, first_count_, second, second_count_);
   return {distortion(moved.squared_cosines[0]), connectedness(std::sqrt(double(moved.least_squared_length)))};
 }
 

@@ -7,6 +7,8 @@
 
 #include <CGAL/Shape_correspondence/Points.h>
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
@@ -28,10 +30,14 @@ class Structural_rods
 {
 public:
   Structural_rods() = default;
-  /// \pre either has at most `samples_per_side`² points
-  Structural_rods(const Points& first, const Points& second) { assign(first, second); }
-  /// The same in the memory of other rods.
-  void assign(const Points& first, const Points& second);
+  /// Rods between samples of which each counts `first_repeats` or `second_repeats` times: a curve counts as a sheet of
+  /// equal columns. \pre either then has at most `samples_per_side`² samples
+  Structural_rods(const Points& first, const Points& second, int first_repeats = 1, int second_repeats = 1);
+  /// The same in memory that is not theirs and outlives them. \pre `memory` has `size()` blocks
+  Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats,
+                  internal::Rod_block* memory);
+  /// How many blocks of directions so many samples have.
+  static std::size_t size(int first_count, int second_count);
 
   /// E_c (Eq. 4), `connectedness_energy()`, when the least distance of two samples is now `distance`.
   double connectedness(double distance) const;
@@ -41,11 +47,15 @@ public:
   Rod_energy energy(const Points& first, const Points& second) const;
 
 private:
+  Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats,
+                  std::unique_ptr<internal::Rod_block[]> memory);
+
   friend void distortions(const std::vector<const Structural_rods*>& pairs, const internal::Sample_lanes& first,
                           const internal::Sample_lanes& second, std::vector<double>& result);
   double distortion(float squared_cosines) const;
 
-  std::vector<internal::Rod_block> rods_;
+  std::unique_ptr<internal::Rod_block[]> memory_; // where it is theirs
+  const internal::Rod_block* rods_ = nullptr;
   int first_count_ = 0, second_count_ = 0;
   double directionless_ = 0; // share of the rods that have length zero
   double unmoved_ = 0;       // the sum over the other rods, one each up to rounding

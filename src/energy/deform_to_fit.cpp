@@ -98,13 +98,4 @@ const std::vector<int>& deform_to_fit(const Sampled_part& source, const Sampled_
   return *best;
 }
 
-Points lifted_samples(const Sampled_part& part, Eigen::Index count)
-{
-  if (part.samples.cols() == count) return part.samples;
-  Points result(3, count);
-  for (Eigen::Index i = 0; i < count; ++i)
-    result.col(i) = part.samples.col(i / samples_per_side);
-  return result;
-}
-
 } // namespace CGAL::Shape_correspondence

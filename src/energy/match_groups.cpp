@@ -72,8 +72,11 @@ bool may_match(const Part_group& source, const Part_group& target)
 
 namespace {
 
+// Added to the distance of two parts that must not correspond: more than any distance in unit boxes.
+constexpr double forbidden_distance = 1e3;
+
 Group_label match_members(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
-                          std::size_t target_group)
+                          std::size_t target_group, const Match_constraints& constraints)
 {
   const auto& from = source.group(source_group).parts;
   const auto& to = target.group(target_group).parts;
@@ -92,9 +95,11 @@ Group_label match_members(const Aligned_shape& source, std::size_t source_group,
   const Unit_box from_box(source.boxes[source_group]), to_box(target.boxes[target_group]);
   Eigen::MatrixXd cost(from.size(), to.size());
   for (Eigen::Index i = 0; i < cost.rows(); ++i)
-    for (Eigen::Index j = 0; j < cost.cols(); ++j)
-      cost(i, j) = quantized_distance(from_box(source.parts[from[std::size_t(i)]].centroid),
-                                      to_box(target.parts[to[std::size_t(j)]].centroid));
+    for (Eigen::Index j = 0; j < cost.cols(); ++j) {
+      const std::size_t a = from[std::size_t(i)], b = to[std::size_t(j)];
+      cost(i, j) = quantized_distance(from_box(source.parts[a].centroid), to_box(target.parts[b].centroid)) +
+                   (constraints.allows(a, b) ? 0 : forbidden_distance);
+    }
   if (from.size() <= to.size()) {
     const auto images = assign_members(cost);
     for (std::size_t i = 0; i < from.size(); ++i)
@@ -112,9 +117,32 @@ Group_label match_members(const Aligned_shape& source, std::size_t source_group,
 } // namespace
 
 Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
-                         std::size_t target_group)
+                         std::size_t target_group, const Match_constraints& constraints)
 {
-  Group_label label = match_members(source, source_group, target, target_group);
+  Group_label label = match_members(source, source_group, target, target_group, constraints);
+  divide_sheets(source, target, label);
+  return label;
+}
+
+bool is_allowed(const Group_label& label, const Match_constraints& constraints)
+{
+  for (const std::vector<Image>& images : label.images)
+    for (const Image& image : images)
+      if (!constraints.allows(image.source.part, image.target.part)) return false;
+  return true;
+}
+
+Group_label pinned_label(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
+                         const Match_constraints& constraints)
+{
+  Group_label label;
+  for (std::size_t part : source.group(source_group).parts) {
+    label.images.emplace_back();
+    for (std::size_t image : constraints.pinned(part))
+      label.images.back().push_back({{part}, {image}});
+  }
+  label.target_group = target.group_of[label.images[0][0].target.part];
+  label.operation = topological_operation(label.images.size(), target.group(label.target_group).parts.size());
   divide_sheets(source, target, label);
   return label;
 }

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "structure/align_shapes.h"
+#include "energy/Match_constraints.h"
 
 #include <CGAL/Shape_correspondence/Geotopo_operation.h>
 
@@ -64,8 +64,16 @@ bool may_match(const Part_group& source, const Part_group& target);
 /// Group matching (paper, section 5): the parts of a source group and those of a target group, centroids in the groups'
 /// unit boxes, matched one to one by optimal assignment as far as numbers allow; every member left over goes to the
 /// nearest one of the other side. So no target part stays free while another is taken twice without need. Sheets that
-/// split or merge are divided (`divide_sheets()`).
+/// split or merge are divided (`divide_sheets()`). Pairs that the constraints do not allow are avoided where that is
+/// possible, see `is_allowed()`.
 Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
-                         std::size_t target_group);
+                         std::size_t target_group, const internal::Match_constraints& constraints = {});
+
+/// Whether all pairs of a label are allowed.
+bool is_allowed(const Group_label& label, const internal::Match_constraints& constraints);
+
+/// What becomes of a group of parts that are pinned. \pre the group is one of `internal::pinned_sets()`
+Group_label pinned_label(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
+                         const internal::Match_constraints& constraints);
 
 } // namespace CGAL::Shape_correspondence

@@ -190,11 +190,6 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE float sum_of_block(const float* lanes)
   return (quarters[0] + quarters[2]) + (quarters[1] + quarters[3]);
 }
 
-// The layout of rods: in rows from the first samples to as many of the second as fill whole blocks, then in rows from
-// the other second samples back to the first.
-constexpr int samples_in_blocks(int count) { return count / block_lanes * block_lanes; }
-constexpr int blocks_of(int count) { return (count + block_lanes - 1) / block_lanes; }
-
 // The answer for the rods between `n` samples and `m` others.
 template <int Width, int Sources, bool Least>
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_answer<Sources>

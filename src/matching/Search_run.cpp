@@ -23,7 +23,8 @@ Matching_options without_cost_of_unmatched(Matching_options options)
 Search_run::Search_run(const Shared_shape& source, const Shared_shape& target, Direction direction, int turns,
                        const Search_options& options)
     : problem(direction == Direction::SOURCE_TO_TARGET ? source : target,
-              direction == Direction::SOURCE_TO_TARGET ? target : source, options.matching),
+              direction == Direction::SOURCE_TO_TARGET ? target : source,
+              direction == Direction::SOURCE_TO_TARGET ? options.matching : reversed(options.matching)),
       direction(direction),
       turns(turns)
 {
@@ -169,6 +170,10 @@ bool merges_into_asymmetric_part(const Search_run& run, const Assignment& assign
   for (std::size_t g = 0; g < assignment.size(); ++g) {
     const std::size_t label = std::size_t(assignment[g]);
     if (problem.is_unmatched(g, label)) continue;
+    const std::size_t first_part = problem.source().original[problem.source().group(g).parts[0]];
+    const std::vector<Part_pair>& pinned = problem.options().pinned;
+    if (std::any_of(pinned.begin(), pinned.end(), [&](const Part_pair& pin) { return pin.source == first_part; }))
+      continue;
     if (!may_match(problem.source().group(g), problem.target().group(problem.label(g, label).target_group)))
       return true;
   }

@@ -200,13 +200,18 @@ Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& 
 }
 
 std::vector<Part_correspondence> pairs_by_terms(const Pair_terms& terms, const Pair_weights& weights,
-                                                const Part_matching& geometric)
+                                                const Part_matching& geometric, const Match_constraints& constraints)
 {
   const auto m = std::size_t(geometric.costs.cols());
   Eigen::ArrayXd probable = probabilities(terms, weights);
   for (const auto& [i, j] : same_parts(geometric))
     for (std::size_t k = 0; k < std::size_t(probable.size()); ++k)
       if ((k / m == i) != (k % m == j)) probable[Eigen::Index(k)] = 0;
+  for (std::size_t k = 0; !constraints.empty() && k < std::size_t(probable.size()); ++k) {
+    const std::vector<std::size_t>& pinned = constraints.pinned(k / m);
+    if (std::binary_search(pinned.begin(), pinned.end(), k % m)) probable[Eigen::Index(k)] = 1;
+    if (!constraints.allows(k / m, k % m)) probable[Eigen::Index(k)] = 0;
+  }
   const std::vector<char> taken = pairs_of_greatest_expected_f1(probable);
   std::vector<Part_correspondence> result;
   for (std::size_t k = 0; k < taken.size(); ++k)

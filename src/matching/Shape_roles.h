@@ -76,8 +76,10 @@ Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& 
 
 // The pairs of greatest expected F1, by source, then target; their confidence is how probable they are. Parts that the
 // geometric match takes for the same part, at next to no cost, correspond to each other only: however many parts have
-// the same label, a shape corresponds to itself part by part.
+// the same label, a shape corresponds to itself part by part. Pinned pairs are certain, others of their parts
+// impossible.
 std::vector<Part_correspondence> pairs_by_terms(const Pair_terms& terms, const Pair_weights& weights,
-                                                const Part_matching& geometric);
+                                                const Part_matching& geometric,
+                                                const Match_constraints& constraints = {});
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -85,6 +85,22 @@ Matching_problem::Shared_shape participating(Matching_problem::Shared_shape shap
   return std::make_shared<Deformable_shape>(restricted(*shape, is_kept));
 }
 
+// Parts that are pinned are groups of their own.
+Matching_problem::Shared_shape regrouped(const Matching_problem::Shared_shape& shape,
+                                         const std::vector<std::vector<std::size_t>>& sets)
+{
+  return sets.empty() ? shape : std::make_shared<Deformable_shape>(shape->regrouped(sets));
+}
+
+void check_indices(const Matching_options& matching, std::size_t Part_pair::*side, std::size_t parts, const char* shape)
+{
+  for (const auto* pairs : {&matching.pinned, &matching.forbidden})
+    for (const Part_pair& pair : *pairs)
+      if (pair.*side >= parts)
+        throw Invalid_input("find_correspondence: there is no part number " + std::to_string(pair.*side) +
+                            " to pin or forbid, the " + shape + " has " + std::to_string(parts) + " parts");
+}
+
 // Which of the parts take part, of equally prominent ones the same in every alignment. \param shape in its own frame
 std::vector<std::size_t> participants(const Matching_problem::Shared_shape& shape,
                                       const std::vector<std::size_t>& chosen, int maximum_parts)
@@ -160,18 +176,22 @@ class Correspondence_finder::Impl
 public:
   Impl(const Prepared_shape& source, const Search_options& options)
       : options_(options),
+        pinned_(pinned_sets(options.matching.pinned)),
         prepared_source_(source),
         source_frame_(structure(source.graph()).frame),
         number_of_parts_(structure(source.graph()).parts.size())
   {
     check(options);
+    check_indices(options.matching, &Part_pair::source, number_of_parts_, "source");
     source_ = source.alignments_->aligned(0);
     source_ = participating(source_, participants(source_, options.source_parts, options.maximum_parts));
+    source_ = regrouped(source_, pinned_.source);
     if (options.maximum_parts > 0 && !options.coarse_target) options_.both_directions = false;
   }
 
   std::vector<Correspondence> ranked(const Prepared_shape& target) const
   {
+    check_indices(options_.matching, &Part_pair::target, structure(target.graph()).parts.size(), "target");
     std::vector<Correspondence> result;
     if (options_.method == Search_method::PARTS)
       result.push_back(matched_parts(target));
@@ -208,15 +228,22 @@ private:
   {
     Alignments& shapes = *target.alignments_;
     const int maximum_parts = options_.coarse_target ? options_.maximum_parts : 0;
-    return participating(shapes.aligned(quarter_turns),
-                         participants(shapes.aligned(0), options_.target_parts, maximum_parts));
+    return regrouped(participating(shapes.aligned(quarter_turns),
+                                   participants(shapes.aligned(0), options_.target_parts, maximum_parts)),
+                     pinned_.target);
   }
   double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;
 
   void join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target, const Pair_category& category,
                   const Way& way, Part_matching& matching, Correspondence& result) const;
 
+  Match_constraints constraints(const Aligned_shape& source, const Aligned_shape& target) const
+  {
+    return Match_constraints(source, target, options_.matching);
+  }
+
   Search_options options_;
+  Pinned_sets pinned_;
   Prepared_shape prepared_source_;
   Shape_frame source_frame_;
   std::size_t number_of_parts_;
@@ -228,7 +255,8 @@ private:
 Part_matching Correspondence_finder::Impl::matched_in_common_frame(const Prepared_shape& target,
                                                                    const Aligned_shape& shape, int turn) const
 {
-  if (turn % 2 == 0 || !comes_first(shape, *source_)) return match_parts(*source_, shape, options_.parts);
+  if (turn % 2 == 0 || !comes_first(shape, *source_))
+    return match_parts(*source_, shape, options_.parts, constraints(*source_, shape));
   return matched_in_frames(target, shape, -turn, 0);
 }
 
@@ -237,8 +265,9 @@ Part_matching Correspondence_finder::Impl::matched_in_frames(const Prepared_shap
                                                              int source_turn, int target_turn) const
 {
   const Shared_shape b = aligned(target, target_turn),
-                     a = participating(prepared_source_.alignments_->aligned(source_turn), source_->original);
-  return renumbered(match_parts(*a, *b, options_.parts), *a, *source_, *b, shape);
+                     a = regrouped(participating(prepared_source_.alignments_->aligned(source_turn), source_->original),
+                                   pinned_.source);
+  return renumbered(match_parts(*a, *b, options_.parts, constraints(*a, *b)), *a, *source_, *b, shape);
 }
 
 std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(const Prepared_shape& target,
@@ -333,7 +362,9 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
                                            b = target.alignments_->roles(options_.roles, way.target_front);
   const Role_votes &source = a->votes(category.index), &of_target = b->votes(category.index);
   const Pair_terms terms = pair_terms(source, source_->original, of_target, aligned_target.original, matching);
-  matching.pairs = pairs_by_terms(terms, model.categories[category.index].weights, matching);
+  const Match_constraints constrained = constraints(*source_, aligned_target);
+  matching.pairs = pairs_by_terms(terms, model.categories[category.index].weights, matching, constrained);
+  constrain(constrained, matching);
   result.category = model.categories[category.index].name;
   for (const Part_label& label : source.labels)
     result.source_roles.push_back(label.coarse);
@@ -400,10 +431,15 @@ double Correspondence_finder::Impl::lower_bound(const Shared_shape& deformed, co
 {
   const double pairs = double(number_of_counted_pairs(*deformed));
   if (options_.method != Search_method::PARTS)
-    return Matching_problem(deformed, other, options_.matching).energy().lower_bound() / pairs;
+    return Matching_problem(deformed, other, deformed == source_ ? options_.matching : reversed(options_.matching))
+               .energy()
+               .lower_bound() /
+           pairs;
   if (options_.matching.norm == Energy_norm::POOLED) return 0;
   Matching_options matching = options_.matching;
   matching.cut_curves = false;
+  matching.pinned.clear(); // without them the energy is not greater
+  matching.forbidden.clear();
   matching.unmatched_cost = unmatched_energy;
   const Matching_problem problem(std::make_shared<Deformable_shape>(deformed->ungrouped()),
                                  std::make_shared<Deformable_shape>(other->ungrouped()), matching);

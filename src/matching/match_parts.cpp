@@ -179,13 +179,21 @@ double margin(const Eigen::MatrixXd& costs, const Match_matrix& pairs, Eigen::In
 
 double confidence(double margin) { return 1 / (1 + std::exp(-(confidence_offset + confidence_slope * margin))); }
 
-Eigen::MatrixXd costs_of(const Shape_features& a, const Shape_features& b, const Part_matching_options& options)
+// The cost of a pair that is not allowed: more than all others.
+constexpr double forbidden_cost = 1e4;
+
+Eigen::MatrixXd costs_of(const Shape_features& a, const Shape_features& b, const Part_matching_options& options,
+                         const Match_constraints& constraints)
 {
-  return part_costs(a.normalized, a.shape, b.normalized, b.shape, options.weights);
+  Eigen::MatrixXd costs = part_costs(a.normalized, a.shape, b.normalized, b.shape, options.weights);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j)
+      if (!constraints.allows(i, j)) costs(Eigen::Index(i), Eigen::Index(j)) = forbidden_cost;
+  return costs;
 }
 
 Part_matching matching_of(Eigen::MatrixXd costs, const Shape_features& source, const Shape_features& target,
-                          const Part_matching_options& options)
+                          const Part_matching_options& options, const Match_constraints& constraints)
 {
   const Match_matrix pairs = matched(costs, source, target, options);
   Part_matching result;
@@ -193,10 +201,27 @@ Part_matching matching_of(Eigen::MatrixXd costs, const Shape_features& source, c
     for (Eigen::Index j = 0; j < pairs.cols(); ++j)
       if (pairs(i, j)) result.pairs.push_back({std::size_t(i), std::size_t(j), confidence(margin(costs, pairs, i, j))});
   result.costs = std::move(costs);
+  constrain(constraints, result);
   return result;
 }
 
 } // namespace
+
+void constrain(const Match_constraints& constraints, Part_matching& matching)
+{
+  if (constraints.empty()) return;
+  std::vector<Part_correspondence>& pairs = matching.pairs;
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                             [&](const Part_correspondence& pair) {
+                               return !constraints.allows(pair.source, pair.target) ||
+                                      !constraints.pinned(pair.source).empty();
+                             }),
+              pairs.end());
+  for (std::size_t i = 0; i < std::size_t(matching.costs.rows()); ++i)
+    for (std::size_t j : constraints.pinned(i))
+      pairs.push_back({i, j, 1});
+  std::sort(pairs.begin(), pairs.end(), is_before);
+}
 
 bool comes_first(const Aligned_shape& a, const Aligned_shape& b)
 {
@@ -212,21 +237,23 @@ bool comes_first(const Aligned_shape& a, const Aligned_shape& b)
 }
 
 Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
-                          const Part_matching_options& options)
+                          const Part_matching_options& options, const Match_constraints& constraints)
 {
   check(options);
   const Shape_features a(source, options), b(target, options);
-  if (a.has_chain() == b.has_chain()) return matching_of(costs_of(a, b, options), a, b, options);
+  if (a.has_chain() == b.has_chain())
+    return matching_of(costs_of(a, b, options, constraints), a, b, options, constraints);
 
   // What has a chain hangs from it: one of the two is turned over, whichever costs less
   const Aligned_shape source_over = turned_over(source), target_over = turned_over(target);
   const Shape_features a_over(source_over, options), b_over(target_over, options);
-  Eigen::MatrixXd target_turned = costs_of(a, b_over, options), source_turned = costs_of(a_over, b, options);
+  Eigen::MatrixXd target_turned = costs_of(a, b_over, options, constraints),
+                  source_turned = costs_of(a_over, b, options, constraints);
   const long over_target = quantized(mean_least_cost(target_turned)),
              over_source = quantized(mean_least_cost(source_turned));
   const bool turn_source = over_source < over_target || (over_source == over_target && comes_first(source, target));
-  Part_matching result = turn_source ? matching_of(std::move(source_turned), a_over, b, options)
-                                     : matching_of(std::move(target_turned), a, b_over, options);
+  Part_matching result = turn_source ? matching_of(std::move(source_turned), a_over, b, options, constraints)
+                                     : matching_of(std::move(target_turned), a, b_over, options, constraints);
   result.upside_down = true;
   return result;
 }

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "energy/Match_constraints.h"
 #include "matching/Part_costs.h"
 
 #include <CGAL/Shape_correspondence/Part_correspondence.h>
@@ -41,11 +42,16 @@ bool comes_first(const Aligned_shape& a, const Aligned_shape& b);
 ///
 /// The supports of the shapes (`Part_assemblies::support`) are matched as sets, and with nothing else, unless their
 /// parts pair one to one, but for some that stand on the ground apart from the others (a ladder beside the legs of a
-/// bed). Where one of the two shapes has a chain, it hangs, and is turned over.
+/// bed). Where one of the two shapes has a chain, it hangs, and is turned over. Pinned pairs are in the result, with
+/// confidence 1; pairs that are not allowed are not.
 ///
 /// Deterministic; the source and the target have the same standing. O(n m k²) as `part_costs()`, and O(b³) for b
 /// blocks. \throw Invalid_input if a weight or an option is negative or not finite
 Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
-                          const Part_matching_options& options = {});
+                          const Part_matching_options& options = {},
+                          const internal::Match_constraints& constraints = {});
+
+/// Takes out the pairs that are not allowed and puts in those that are pinned.
+void constrain(const internal::Match_constraints& constraints, Part_matching& matching);
 
 } // namespace CGAL::Shape_correspondence

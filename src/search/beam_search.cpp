@@ -12,6 +12,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -77,8 +78,10 @@ public:
         contact_displacement_(shape_.contacts.size()),
         matched_(shape_.number_of_groups()),
         energies_(shape_.contacts.size()),
-        moved_by_(motions_)
+        moved_by_(motions_),
+        order_(shape_.contacts.size())
   {
+    std::iota(order_.begin(), order_.end(), std::size_t(0));
     for (const Sampled_part& part : shape_.parts)
       moved_.emplace_back(part.samples);
     for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
@@ -90,17 +93,31 @@ public:
       }
   }
 
+  // The energy without the contacts that a propagated part is at.
+  double lower_bound(const Assignment& assignment)
+  {
+    for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
+      energies_[contact] = is_assigned(contact, assignment) ? assigned_energy(contact, assignment) : Rod_energy();
+    return deformation_energy(problem_.terms(assignment, energies_), problem_.options().weights);
+  }
+
   // The solution whose expansions are rated next.
   void set_parent(const Assignment& assignment)
   {
-    (*this)(assignment); // the parent before has most of it
+    // The parent before has most of it
+    (*this)(assignment, lower_bound(assignment), std::numeric_limits<double>::infinity());
     has_parent_ = true;
     parent_ = assignment;
     parent_motions_ = motions_;
     parent_energies_ = energies_;
+    std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+      const double first = cost(energies_[a]), second = cost(energies_[b]);
+      return first > second || (first == second && a < b);
+    });
   }
 
-  double operator()(const Assignment& assignment)
+  // More than `greatest`, without all contacts being rated, where the energy is that; `least` is its lower bound.
+  double operator()(const Assignment& assignment, double least, double greatest)
   {
     for (std::size_t g = 0; g < matched_.size(); ++g)
       matched_[g] = assignment[g] != unassigned && !problem_.is_unmatched(g, std::size_t(assignment[g]));
@@ -111,9 +128,15 @@ public:
           contact_displacement_[contact][side] = contact_movement_[2 * contact + side][std::size_t(assignment[group])];
       }
     preserve_structure_(matched_, contact_displacement_, motions_);
-    for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
-      energies_[contact] =
-          same_as_parent(contact, assignment) ? parent_energies_[contact] : contact_energy(contact, assignment);
+    // Contacts add up, but for a pooled E_d
+    const bool adds_up = problem_.options().norm != Energy_norm::POOLED;
+    for (std::size_t contact : order_) {
+      const bool is_known = same_as_parent(contact, assignment);
+      energies_[contact] = is_known ? parent_energies_[contact] : contact_energy(contact, assignment);
+      if (!adds_up || is_assigned(contact, assignment)) continue;
+      least += cost(energies_[contact]);
+      if (least > greatest) return least;
+    }
     return deformation_energy(problem_.terms(assignment, energies_), problem_.options().weights);
   }
 
@@ -137,6 +160,18 @@ private:
     }
     if (count == 0) return Point::Zero();
     return sum / double(count) - samples.col(Eigen::Index(at));
+  }
+
+  double cost(const Rod_energy& energy) const
+  {
+    const Energy_weights& weights = problem_.options().weights;
+    return weights.distortion * energy.distortion + weights.connectedness * energy.connectedness;
+  }
+
+  bool is_assigned(std::size_t contact, const Assignment& assignment) const
+  {
+    const auto& parts = shape_.contacts[contact].parts;
+    return assignment[shape_.group_of[parts[0]]] != unassigned && assignment[shape_.group_of[parts[1]]] != unassigned;
   }
 
   bool same_as_parent(std::size_t contact, const Assignment& assignment) const
@@ -166,12 +201,18 @@ private:
     return moved_[part];
   }
 
+  Rod_energy assigned_energy(std::size_t contact, const Assignment& assignment) const
+  {
+    const auto& parts = shape_.contacts[contact].parts;
+    return problem_.contact_energy(contact, std::size_t(assignment[shape_.group_of[parts[0]]]),
+                                   std::size_t(assignment[shape_.group_of[parts[1]]]));
+  }
+
   Rod_energy contact_energy(std::size_t contact, const Assignment& assignment)
   {
     const auto& parts = shape_.contacts[contact].parts;
     const std::size_t g = shape_.group_of[parts[0]], h = shape_.group_of[parts[1]];
-    if (matched_[g] && matched_[h])
-      return problem_.contact_energy(contact, std::size_t(assignment[g]), std::size_t(assignment[h]));
+    if (matched_[g] && matched_[h]) return assigned_energy(contact, assignment);
     for (std::size_t group : {g, h})
       if (!matched_[group] && assignment[group] != unassigned) return {}; // left unmatched, has its own cost
 
@@ -181,7 +222,7 @@ private:
       if ((first.shift - second.shift).squaredNorm() + first.stretch.squaredNorm() + second.stretch.squaredNorm() <
           zero_rod)
         return {};
-      return problem_.rods(contact, false, false).energy(moved(parts[0]), moved(parts[1]));
+      return shape_.rods(contact, 1, 1).energy(moved(parts[0]), moved(parts[1]));
     }
 
     // One side is assigned: the propagated part keeps to the nearest of its clones
@@ -190,14 +231,12 @@ private:
     const Sample_lanes& other = moved(moved_part);
     Rod_energy best;
     double best_cost = std::numeric_limits<double>::infinity();
-    const Energy_weights& weights = problem_.options().weights;
     for (std::size_t clone : problem_.touching(contact, side, std::size_t(assignment[shape_.group_of[matched_part]]))) {
       const Fitted_piece& fitted = problem_.fitted()[clone];
       const Sample_lanes& taken = problem_.fitted().samples(fitted);
       const Structural_rods& before = rods(contact, side, fitted);
       const Rod_energy energy = side == 0 ? before.energy(taken, other) : before.energy(other, taken);
-      const double cost = weights.distortion * energy.distortion + weights.connectedness * energy.connectedness;
-      if (cost < best_cost) best = energy, best_cost = cost;
+      if (cost(energy) < best_cost) best = energy, best_cost = cost(energy);
     }
     return best;
   }
@@ -205,26 +244,29 @@ private:
   // The rods of a contact of which one side is a piece of a matched part, the other a whole part.
   const Structural_rods& rods(std::size_t contact, int side, const Fitted_piece& fitted)
   {
-    if (fitted.source.is_whole()) return problem_.rods(contact, side == 0 && fitted.lifted, side == 1 && fitted.lifted);
-    const std::size_t size = fitted.order->size();
+    const std::array<int, 2> repeats{side == 0 ? fitted.repeats : 1, side == 1 ? fitted.repeats : 1};
+    if (fitted.source.is_whole()) return shape_.rods(contact, repeats[0], repeats[1]);
     for (const Piece_rods& known : piece_rods_[contact])
-      if (known.side == side && known.piece == fitted.source_index && known.size == size) return known.rods;
-    const Points piece = lifted_samples(problem_.fitted().source_piece(fitted.source_index), Eigen::Index(size));
+      if (known.side == side && known.piece == fitted.source_index && known.repeats == fitted.repeats)
+        return known.rods;
+    const Points& piece = problem_.fitted().source_piece(fitted.source_index).samples;
     const Points& other = shape_.parts[shape_.contacts[contact].parts[std::size_t(1 - side)]].samples;
-    piece_rods_[contact].push_back(
-        {side, fitted.source_index, size, side == 0 ? Structural_rods(piece, other) : Structural_rods(other, piece)});
+    piece_rods_[contact].push_back({side, fitted.source_index, fitted.repeats,
+                                    side == 0 ? Structural_rods(piece, other, repeats[0], repeats[1])
+                                              : Structural_rods(other, piece, repeats[0], repeats[1])});
     return piece_rods_[contact].back().rods;
   }
 
   struct Piece_rods
   {
     int side;
-    std::size_t piece, size;
+    std::size_t piece;
+    int repeats;
     Structural_rods rods;
   };
 
   const Matching_problem& problem_;
-  const Aligned_shape& shape_;
+  const Deformable_shape& shape_;
   std::vector<std::deque<Piece_rods>> piece_rods_; // by contact
   Structure_preservation preserve_structure_;
   std::vector<std::vector<Point>> contact_movement_; // by side of contact and label
@@ -238,6 +280,7 @@ private:
   Assignment parent_;
   std::vector<Part_motion> parent_motions_;
   std::vector<Rod_energy> parent_energies_;
+  std::vector<std::size_t> order_; // of contacts, those that cost most in the parent first
 };
 
 struct Expansion
@@ -259,6 +302,54 @@ void keep_best(std::vector<Expansion>& expansions, std::size_t begin, std::size_
   expansions.resize(std::min(expansions.size(), begin + count));
 }
 
+// Rates the expansions of a parent by all labels of a group and appends the `count` best ones, but for some that `most`
+// others in the level are better than. Those of the least lower bounds come first, so that most need no full rating.
+class Expander
+{
+public:
+  Expander(Partial_energy& energy, std::size_t count, std::size_t most) : energy_(energy), count_(count), most_(most) {}
+
+  void operator()(std::size_t parent, Assignment& assignment, std::size_t group, int labels,
+                  std::vector<Expansion>& level)
+  {
+    bounds_.clear();
+    for (int label = 0; label < labels; ++label) {
+      assignment[group] = label;
+      bounds_.emplace_back(energy_.lower_bound(assignment), label);
+    }
+    std::sort(bounds_.begin(), bounds_.end());
+    const std::size_t begin = level.size();
+    const long kept_before = begin < most_ ? std::numeric_limits<long>::max() : nth_energy(level);
+    for (const auto& [bound, label] : bounds_) {
+      long worst = kept_before;
+      if (level.size() == begin + count_) worst = std::min(worst, level.back().energy);
+      // A step more than the worst, for roundings
+      const double greatest = worst == std::numeric_limits<long>::max() ? std::numeric_limits<double>::infinity()
+                                                                        : double(worst + 1) * comparison_grid;
+      if (bound > greatest) break;
+      assignment[group] = label;
+      level.push_back({quantized(energy_(assignment, bound, greatest)), parent, label});
+      keep_best(level, begin, count_);
+    }
+    assignment[group] = unassigned;
+  }
+
+private:
+  // Of the `most_` best expansions, the energy of the last one.
+  long nth_energy(const std::vector<Expansion>& level)
+  {
+    sorted_ = level;
+    const auto nth = sorted_.begin() + std::ptrdiff_t(most_ - 1);
+    std::nth_element(sorted_.begin(), nth, sorted_.end());
+    return nth->energy;
+  }
+
+  Partial_energy& energy_;
+  std::size_t count_, most_;
+  std::vector<std::pair<double, int>> bounds_; // and their labels
+  std::vector<Expansion> sorted_;
+};
+
 } // namespace
 
 Search_result beam_search(const Matching_problem& problem, const Beam_options& options)
@@ -268,20 +359,16 @@ Search_result beam_search(const Matching_problem& problem, const Beam_options& o
 
   Search_result result;
   Partial_energy partial_energy(problem);
+  Expander expand(partial_energy, std::size_t(options.expansions), std::size_t(options.beam_width));
   std::vector<Assignment> beam{Assignment(problem.source().number_of_groups(), unassigned)}, next;
   std::vector<Expansion> level;
   for (std::size_t group : assignment_order(problem.source().graph)) {
     level.clear();
     for (std::size_t parent = 0; parent < beam.size(); ++parent) {
       partial_energy.set_parent(beam[parent]);
-      const std::size_t begin = level.size();
-      for (int label = 0; label < int(problem.number_of_labels(group)); ++label) {
-        beam[parent][group] = label;
-        level.push_back({quantized(partial_energy(beam[parent])), parent, label});
-      }
-      beam[parent][group] = unassigned;
-      result.summary.evaluations += level.size() - begin;
-      keep_best(level, begin, std::size_t(options.expansions));
+      const int labels = int(problem.number_of_labels(group));
+      expand(parent, beam[parent], group, labels, level);
+      result.summary.evaluations += std::size_t(labels);
     }
     keep_best(level, 0, std::size_t(options.beam_width));
     result.summary.states += level.size();

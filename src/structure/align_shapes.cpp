@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <tuple>
 
@@ -141,6 +142,34 @@ Aligned_shape ungrouped(Aligned_shape shape)
   for (std::size_t part = 0; part < shape.parts.size(); ++part)
     single[part].parts = {part};
   build_graph(std::move(single), shape);
+  return shape;
+}
+
+Aligned_shape regrouped(Aligned_shape shape, const std::vector<std::vector<std::size_t>>& sets)
+{
+  std::vector<char> is_in_set(shape.parts.size(), 0);
+  std::vector<Part_group> result;
+  for (const std::vector<std::size_t>& set : sets) {
+    Part_group group;
+    for (std::size_t part = 0; part < shape.parts.size(); ++part) {
+      if (std::find(set.begin(), set.end(), shape.original[part]) == set.end()) continue;
+      group.parts.push_back(part);
+      group.volume += shape.prominence[part];
+      is_in_set[part] = 1;
+    }
+    group.hull_volume = group.volume;
+    if (!group.parts.empty()) result.push_back(std::move(group));
+  }
+  for (const Part_group& group : groups(shape)) {
+    Part_group rest = group;
+    rest.parts.clear();
+    std::copy_if(group.parts.begin(), group.parts.end(), std::back_inserter(rest.parts),
+                 [&](std::size_t part) { return !is_in_set[part]; });
+    if (!rest.parts.empty()) result.push_back(std::move(rest));
+  }
+  std::sort(result.begin(), result.end(),
+            [](const Part_group& a, const Part_group& b) { return a.parts[0] < b.parts[0]; });
+  build_graph(std::move(result), shape);
   return shape;
 }
 

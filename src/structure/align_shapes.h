@@ -81,6 +81,11 @@ Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns = 0);
 /// The shape with a group for every part.
 Aligned_shape ungrouped(Aligned_shape shape);
 
+/// The shape with sets of parts as groups of their own, without a symmetry and with solidity 1; what else was in their
+/// groups stays together.
+/// \param sets disjoint, of indices in the structural graph; those that the aligned shape does not have are left out
+Aligned_shape regrouped(Aligned_shape shape, const std::vector<std::vector<std::size_t>>& sets);
+
 /// The shape with fewer parts: those kept, their groups as far as kept, their contacts.
 Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is_kept);
 

@@ -30,10 +30,10 @@ inline Sampled_part sampled(const Part_abstraction& part)
 inline Points deformed(const Sampled_part& source, const Sampled_part& target)
 {
   const std::vector<int>& order = deform_to_fit(source, target);
-  const Points lifted = lifted_samples(target, Eigen::Index(order.size()));
-  Points result(3, lifted.cols());
+  const int repeats = int(order.size()) / int(target.samples.cols()); // of the samples of a curve among sheets
+  Points result(3, Eigen::Index(order.size()));
   for (Eigen::Index i = 0; i < result.cols(); ++i)
-    result.col(i) = lifted.col(order[std::size_t(i)]);
+    result.col(i) = target.samples.col(order[std::size_t(i)] / repeats);
   return result;
 }
 

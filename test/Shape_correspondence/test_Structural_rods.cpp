@@ -136,6 +136,31 @@ TEST_CASE("Pairs that turn into the same one have the energies that they have al
   }
 }
 
+TEST_CASE("Samples that count several times have the rods of as many samples")
+{
+  const auto repeated = [](const Points& samples, int repeats) {
+    Points result(3, samples.cols() * repeats);
+    for (Eigen::Index i = 0; i < result.cols(); ++i)
+      result.col(i) = samples.col(i / repeats);
+    return result;
+  };
+  std::srand(13);
+  for (const int n : {6, 36})
+    for (const int m : {6, 36}) {
+      const int first = 36 / n, second = 36 / m;
+      Points a = Points::Random(3, n), b = Points::Random(3, m);
+      b.col(m - 1) = a.col(n - 1); // rods of length zero
+      const Points c = Points::Random(3, 36), d = Points::Random(3, 36);
+      std::vector<internal::Rod_block> memory(Structural_rods::size(36, 36));
+      const Rod_energy expected = Structural_rods(repeated(a, first), repeated(b, second)).energy(c, d);
+      for (const Rod_energy& energy : {Structural_rods(a, b, first, second).energy(c, d),
+                                       Structural_rods(a, b, first, second, memory.data()).energy(c, d)}) {
+        CHECK(energy.distortion == expected.distortion);
+        CHECK(energy.connectedness == expected.connectedness);
+      }
+    }
+}
+
 TEST_CASE("Rods of every layout agree with Eq. 2 and 3 in double precision")
 {
   std::srand(5);

@@ -13,7 +13,9 @@
 
 #include <CGAL/Shape_correspondence/Deformation_energy.h>
 
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -23,6 +25,14 @@ namespace Shape_correspondence {
 enum class Energy_norm {
   SUM,   ///< sums over the connected pairs (the paper's Eq. 1)
   POOLED ///< E_d: one norm over the rods of all pairs, as many as their samples give, unlifted; E_c: the mean
+};
+
+/// \ingroup PkgShapeCorrespondenceOptions
+/// A part of the source and a part of the target, by their indices.
+struct Part_pair
+{
+  std::size_t source = 0; ///< index of a part of the source
+  std::size_t target = 0; ///< index of a part of the target
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
@@ -37,6 +47,10 @@ struct Matching_options
   bool cut_curves = true;              ///< offer `Operation::CUT` and `Operation::JOIN` beside splitting and merging
   /// A group may be left unmatched, at this cost for each of its contacts (at least once); `never`: it may not.
   double unmatched_cost = never;
+  /// Pairs that correspond, whatever they cost, and the only ones of their parts. Several of one part make it
+  /// correspond to several. A search takes these parts out of their symmetry groups and charges no E_s for them.
+  std::vector<Part_pair> pinned;
+  std::vector<Part_pair> forbidden; ///< pairs that do not correspond
 };
 
 } // namespace Shape_correspondence

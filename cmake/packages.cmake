@@ -1,0 +1,38 @@
+# Debian packages, by `cpack -G DEB`: the program, the library, and the Python module where it is built
+if(NOT SHAPE_CORRESPONDENCE_PROGRAM)
+  return()
+endif()
+set(CPACK_PACKAGE_NAME shape-correspondence)
+set(CPACK_PACKAGE_CONTACT "the Shape_correspondence developers")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Part correspondences of segmented 3D shapes")
+set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_CURRENT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_PACKAGE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/packages)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_GENERATOR DEB)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL Program Development)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_CURRENT_BINARY_DIR})
+
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "The program shape_correspondence, its manual page and models to try it on.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME shape-correspondence)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
+
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The CGAL package Shape_correspondence for C++: headers, libraries, examples.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libshape-correspondence-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+    "shape-correspondence (= ${PROJECT_VERSION}), libcgal-dev (>= 5.5), libeigen3-dev (>= 3.4), libboost-dev (>= 1.74), libtbb-dev, libassimp-dev")
+
+if(SHAPE_CORRESPONDENCE_PYTHON)
+  math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The Python module shape_correspondence.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-shape-correspondence)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+endif()
+include(CPack)

@@ -1,0 +1,58 @@
+# Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Part correspondences of segmented 3D shapes, by the CGAL package Shape_correspondence.
+
+>>> import shape_correspondence as sc
+>>> result = sc.match("chair_a.obj", "chair_b.glb")
+>>> result.pairs
+[('seat', 'rush_seat'), ...]
+
+Shapes are files, `Shape`, triples (name, vertices, faces) of NumPy arrays, or structural graphs (`build_graph()`).
+Options are keyword arguments with the names and defaults of the library. Results are dataclasses; their `to_dict()` is
+the JSON that the program ``shape_correspondence`` writes. Work runs without Python's global lock; Ctrl-C ends it where it
+can be ended. What cannot be used raises `InvalidInput`, a `ValueError`.
+"""
+
+from . import roles
+from ._blends import Blend, BlendTask, blend
+from ._collections import (
+    Bridge,
+    Cluster,
+    CoAnalysis,
+    Collection,
+    CollectionShape,
+    Estimate,
+    Evaluation,
+    MeanScore,
+    Medoid,
+    Nearest,
+    NearShape,
+    Score,
+    TreeEdge,
+    collection,
+    evaluate,
+    nearest,
+)
+from ._core import InvalidInput, __version__
+from ._matches import (
+    ContactEnergy,
+    EnergyTerms,
+    GroupMatch,
+    Match,
+    PairRoles,
+    SearchSummary,
+    Seconds,
+    Solution,
+    match,
+    paper_options,
+    transfer,
+)
+from ._shapes import Graph, Part, PartAbstraction, PartGroup, Shape, build_graph, read
+
+__all__ = [
+    "Blend", "BlendTask", "Bridge", "Cluster", "CoAnalysis", "Collection", "CollectionShape", "ContactEnergy",
+    "EnergyTerms", "Estimate", "Evaluation", "Graph", "GroupMatch", "InvalidInput", "Match", "MeanScore", "Medoid",
+    "NearShape", "Nearest", "PairRoles", "Part", "PartAbstraction", "PartGroup", "Score", "SearchSummary", "Seconds",
+    "Shape", "Solution", "TreeEdge", "blend", "build_graph", "collection", "evaluate", "match", "nearest",
+    "paper_options", "read", "roles", "transfer",
+]

@@ -1,0 +1,106 @@
+# Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shapes in between two shapes."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass
+from pathlib import Path as _Path
+from typing import Any, ClassVar, Dict, List, Optional, Union
+
+from . import _core
+from ._matches import Match, match
+from ._records import Record
+from ._shapes import Input, Path, Progress, Shape, _graphs, _reading_options
+
+
+@dataclass
+class BlendTask(Record):
+    """Something that happens to a part during a blend."""
+
+    task: str  #: morph, split, merge, shrink or grow
+    begin: float  #: time at which it begins, in [0, 1]
+    end: float  #: time at which it ends
+    source: Optional[str] = None  #: the source part, if there is one
+    target: Optional[str] = None  #: the target part, if there is one
+
+
+class Blend:
+    """The shapes in between two shapes. `blend()` makes it; call it with a time in [0, 1]."""
+
+    def __init__(self, handle: Any):
+        self._handle = handle
+
+    def __call__(self, t: float) -> Shape:
+        """The shape at a time: the source at 0, the target at 1.
+
+        :raises InvalidInput: if t is not in [0, 1]
+        """
+        return Shape._of(self._handle.shape(t))
+
+    @property
+    def tasks(self) -> List[BlendTask]:
+        """What happens to which part, and when."""
+        return [BlendTask.from_dict(task) for task in self.to_dict(frames=2)["tasks"]]
+
+    def to_dict(self, frames: int = 24, output: Path = "") -> Dict[str, Any]:
+        """What happens when, and how well every frame holds together, as ``shape_correspondence blend --json`` writes
+        it.
+
+        :param frames: how many, at even times
+        :param output: the name of the file or folder that the blend is written to
+        """
+        return json.loads(self._handle.json(os.fspath(output), frames))
+
+    def save(self, path: Path, frames: int = 24) -> None:
+        """Writes an animation, if the path ends in ``.glb``, or else a folder of an OBJ file a frame."""
+        path = _Path(path)
+        if path.suffix == ".glb":
+            self._handle.save_glb(str(path), frames)
+            return
+        if frames < 2:
+            raise _core.InvalidInput(f"frames must be at least 2, not {frames}")
+        path.mkdir()
+        for frame in range(frames):
+            self(frame / (frames - 1)).save(path / f"frame_{frame:03}.obj")
+
+
+def blend(
+    source: Input,
+    target: Input,
+    correspondence: Union[None, Match, Path] = None,
+    *,
+    contact_tolerance: float = 0.02,
+    samples: int = 7,
+    cache: Optional[Path] = None,
+    threads: int = 0,
+    progress: Progress = None,
+    **options: Any,
+) -> Blend:
+    """Prepares the blend of two shapes, also of different topology.
+
+    :param source: the source shape; ignored where `correspondence` is a `Match`
+    :param target: the target shape; the same
+    :param correspondence: a `Match`, a file of ``match --json``, or None: it is searched for
+    :param contact_tolerance: parts nearer than this at an end of the blend touch there; of the shape's height
+    :param samples: in-between shapes that a schedule is judged by
+    :param cache: see `build_graph()`
+    :param threads: see `build_graph()`
+    :param progress: see `build_graph()`
+    :param options: of `match()`, if the correspondence is searched for
+    :raises InvalidInput: if a shape cannot be used, or has no surface
+    """
+    common = {"cache": cache, "threads": threads, "progress": progress}
+    if correspondence is not None and options:
+        raise TypeError(f"the correspondence is given; leave {', '.join(options)} out")
+    if correspondence is None:
+        correspondence = match(source, target, **common, **options)
+    if isinstance(correspondence, Match):
+        handle = correspondence._handle
+    else:
+        pair = _graphs([source, target], True, {"threads": threads, **_reading_options(cache=cache)}, progress)
+        handle = _core.read_match(os.fspath(correspondence), pair[0]._handle, pair[1]._handle)
+    values = {"contact_tolerance": contact_tolerance, "samples": samples}
+    return Blend(_core.blend(handle, threads, values, progress))

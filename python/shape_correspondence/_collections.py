@@ -1,0 +1,279 @@
+# Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sets of shapes, and scores against labelled parts."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, Dict, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _core
+from ._matches import Match, _checked_search_options
+from ._records import Record
+from ._shapes import Graph, Input, Path, Progress, _graphs, _reading_options
+from .roles import _model_of
+
+
+@dataclass
+class CollectionShape(Record):
+    """A shape of a collection."""
+
+    name: str  #: its name, unique in the collection
+    file: str  #: the file that it was read from
+    parts: List[str]  #: names of its parts
+
+
+@dataclass
+class Medoid(Record):
+    """The shape that represents a collection."""
+
+    shape: str  #: its name
+    mean_distance: float  #: to the other shapes
+
+
+@dataclass
+class TreeEdge(Record):
+    """Two shapes that are joined in the spanning tree."""
+
+    shapes: Tuple[str, str]  #: their names
+    distance: float  #: mean of the energies of either direction
+
+
+@dataclass
+class Bridge(Record):
+    """Two shapes that match better by way of others."""
+
+    source: str  #: the source shape
+    target: str  #: the target shape
+    chain: List[str]  #: the source, the shapes in between, the target
+    energy: float  #: the sum of the energies of the steps
+    direct_energy: float  #: the energy without a shape in between
+    pairs: List[Tuple[str, str]]  #: parts that correspond by way of the chain
+    confidences: List[float]  #: by pair
+
+
+@dataclass
+class CoAnalysis(Record):
+    """How many pairs of parts were clustered."""
+
+    shape_pairs: int  #: pairs of shapes whose part maps are clustered
+    part_pairs: int  #: pairs of parts
+    rejected_part_pairs: int  #: more of them, which too few third shapes confirm
+
+
+@dataclass
+class Cluster(Record):
+    """Parts that correspond over the whole set."""
+
+    label: int  #: 0 is the largest
+    parts: List[Tuple[str, str]]  #: (shape, part)
+
+
+@dataclass(eq=False)
+class Collection(Record):
+    """What is found out about a set of shapes.
+
+    `to_dict()` is what ``shape_correspondence collection --json`` writes.
+    """
+
+    _header: ClassVar[Dict[str, Any]] = {"format": "shape_correspondence/collection", "version": 1}
+
+    shapes: List[CollectionShape]  #: the shapes
+    medoid: Medoid  #: the shape of least mean distance to the others
+    spanning_tree: List[TreeEdge]  #: a minimum spanning tree by distance
+    bridge_count: int  #: ordered pairs of shapes for which a chain costs less
+    bridges: List[Bridge]  #: of these, those of the largest gain
+    co_analysis: CoAnalysis  #: how many pairs of parts were clustered
+    clusters: List[Cluster]  #: parts that correspond over the whole set
+    energies: Optional[np.ndarray] = None  #: source × target; 0 on the diagonal
+    warnings: List[str] = field(default_factory=list)  #: what was approximated, in whole sentences
+
+
+@dataclass
+class NearShape(Record):
+    """A shape that is near to a query."""
+
+    name: str  #: its name
+    file: str  #: the file that it was read from
+    distance: float  #: mean of the energies of either direction
+    pairs: List[Tuple[str, str]]  #: parts that correspond, (query, shape)
+    confidences: List[float]  #: by pair
+
+
+@dataclass
+class Nearest(Record):
+    """The shapes that are nearest to a query."""
+
+    _header: ClassVar[Dict[str, Any]] = {"format": "shape_correspondence/nearest", "version": 1}
+
+    query: str  #: its file or name
+    shapes: int  #: of the collection
+    evaluations: int  #: shapes that were matched with the query
+    nearest: List[NearShape]  #: the nearest first
+    warnings: List[str]  #: what was approximated, in whole sentences
+
+
+def collection(
+    shapes: Union[Path, Sequence[Input]],
+    *,
+    unmatched_energy: float = 0.5,
+    inflation: float = 2,
+    least_cycle_support: float = 0.5,
+    neighbours: int = 0,
+    html: Optional[Path] = None,
+    roles: Any = "auto",
+    cache: Optional[Path] = None,
+    threads: int = 0,
+    progress: Progress = None,
+    **options: Any,
+) -> Collection:
+    """Matches all ordered pairs of a set of shapes.
+
+    :param shapes: the shapes, or a folder of them
+    :param unmatched_energy: what a pair of connected parts counts of which one has no counterpart
+    :param inflation: of Markov clustering: more of it makes smaller clusters of parts
+    :param least_cycle_support: a pair of parts is clustered if this share of the third shapes that could confirm it do
+    :param neighbours: cluster the part maps of every shape with so many nearest ones only; 0: with all of up to 100
+        shapes, with 32 of more
+    :param html: a web page to write
+    :param roles: see `match()`
+    :param cache: see `build_graph()`
+    :param threads: see `build_graph()`
+    :param progress: see `build_graph()`
+    :param options: further ones of `match()`
+    :raises InvalidInput: if a shape cannot be used, or there are less than two
+    """
+    search = _checked_search_options("collection", options)
+    graphs = _collection_graphs(shapes, cache, threads, progress)
+    analysis = {"inflation": inflation, "least_cycle_support": least_cycle_support}
+    page = "" if html is None else os.fspath(html)
+    model = _model_of(roles, options.get("search_method", "parts"))
+    text = _core.collection([graph._handle for graph in graphs], model, threads, search,
+                            {"unmatched_energy": unmatched_energy}, analysis, neighbours, page, progress)
+    return Collection.from_dict(json.loads(text))
+
+
+def nearest(
+    query: Input,
+    shapes: Union[Path, Sequence[Input]],
+    count: int = 5,
+    *,
+    unmatched_energy: float = 0.5,
+    roles: Any = "auto",
+    cache: Optional[Path] = None,
+    threads: int = 0,
+    progress: Progress = None,
+    **options: Any,
+) -> Nearest:
+    """Finds the shapes of a set that are nearest to a query, without matching it with all.
+
+    :param query: the query
+    :param shapes: the shapes, or a folder of them
+    :param count: how many to find
+    :param unmatched_energy: see `collection()`
+    :param roles: see `match()`
+    :param cache: see `build_graph()`
+    :param threads: see `build_graph()`
+    :param progress: see `build_graph()`
+    :param options: further ones of `match()`
+    :raises InvalidInput: if a shape cannot be used
+    """
+    search = _checked_search_options("nearest", options)
+    model = _model_of(roles, options.get("search_method", "parts"))
+    graphs = _collection_graphs(shapes, cache, threads, progress)
+    graph = _graphs([query], False, {"threads": threads, **_reading_options(cache=cache)}, progress)[0]
+    text = _core.nearest(graph._handle, [graph._handle for graph in graphs], count, model, threads, search,
+                         {"unmatched_energy": unmatched_energy}, progress)
+    return Nearest.from_dict(json.loads(text))
+
+
+def _collection_graphs(shapes: Union[Path, Sequence[Input]], cache: Optional[Path], threads: int,
+                       progress: Progress) -> List[Graph]:
+    if isinstance(shapes, (str, os.PathLike)):
+        shapes = _core.collection_paths([os.fspath(shapes)])
+    return _graphs(shapes, False, {"threads": threads, **_reading_options(cache=cache)}, progress)
+
+
+@dataclass
+class Estimate(Record):
+    """A mean and its confidence interval, by bootstrap."""
+
+    mean: float  #: the mean
+    low: float  #: lower end of the interval
+    high: float  #: upper end of the interval
+
+
+@dataclass
+class MeanScore(Record):
+    """The scores of several results."""
+
+    category: Optional[str] = None  #: of the shapes; None: the mean of all, in which every category weighs the same
+    results: int = 0  #: how many there are
+    empty: int = 0  #: results without a pair
+    precision: Optional[Estimate] = None  #: right pairs among those found
+    recall: Optional[Estimate] = None  #: pairs found among the right ones
+    f1: Optional[Estimate] = None  #: harmonic mean of precision and recall
+    coarse_precision: Optional[Estimate] = None  #: the same of coarse labels
+
+
+@dataclass
+class Score(Record):
+    """The score of one result."""
+
+    file: str  #: of the result, or what it is of
+    category: str  #: of the shapes
+    source: str  #: name of the source
+    target: str  #: name of the target
+    precision: float  #: right pairs among those found
+    recall: float  #: pairs found among the right ones
+    f1: float  #: harmonic mean of precision and recall
+    coarse_precision: float  #: pairs of equal coarse labels among those found
+    right: List[Tuple[str, str]]  #: pairs that are right
+    wrong: List[Tuple[str, str]]  #: pairs that are not
+    missed: List[Tuple[str, str]]  #: right pairs that were not found
+
+
+@dataclass
+class Evaluation(Record):
+    """Scores of results against labelled parts.
+
+    `to_dict()` is what ``shape_correspondence evaluate --json`` writes.
+    """
+
+    _header: ClassVar[Dict[str, Any]] = {"format": "shape_correspondence/evaluation", "version": 1}
+
+    categories: List[MeanScore]  #: by category
+    mean: MeanScore  #: every category weighs the same
+    results: List[Score]  #: by result
+
+
+def evaluate(
+    results: Union[Match, Path, Sequence[Union[Match, Path]]],
+    ground_truth: Union[Path, Sequence[Path]],
+    *,
+    resamples: int = 1000,
+    confidence: float = 0.95,
+    seed: int = 0,
+) -> Evaluation:
+    """Scores results against labelled parts: precision, recall, F1.
+
+    A shape is known by the name of the folder of its ``labels.json``, which must be in the path or name of the shape
+    that was matched.
+
+    :param results: matches, files of ``match --json``, folders of such
+    :param ground_truth: files ``labels.json``, or folders of them
+    :param resamples: draws of the bootstrap that the intervals come from
+    :param confidence: how probable it is that a mean lies in its interval
+    :param seed: of the random numbers
+    :raises InvalidInput: if a result is of shapes that have no labels
+    """
+    every = [results] if isinstance(results, (Match, str, os.PathLike)) else list(results)
+    labels = [ground_truth] if isinstance(ground_truth, (str, os.PathLike)) else list(ground_truth)
+    matches = [result._handle for result in every if isinstance(result, Match)]
+    files = [os.fspath(result) for result in every if not isinstance(result, Match)]
+    options = {"resamples": resamples, "confidence": confidence, "seed": seed}
+    return Evaluation.from_dict(json.loads(_core.evaluate(files, matches, [os.fspath(l) for l in labels], options)))

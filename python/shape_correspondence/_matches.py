@@ -1,0 +1,308 @@
+# Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Part correspondences of two shapes."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import os
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _core
+from ._records import Record
+from ._shapes import Graph, Input, Path, Progress, _graphs, _reading_options
+from .roles import RoleModel, _model_of
+
+Names = Sequence[Union[str, int]]
+
+
+@dataclass
+class EnergyTerms(Record):
+    """The terms of the deformation energy (Eq. 1 of the paper), before weighting."""
+
+    distortion: float  #: E_d, Eq. 2 and 3
+    connectedness: float  #: E_c, Eq. 4 with its sign turned
+    split: Optional[float] = None  #: E_s, Eq. 5; of groups None
+    unmatched: Optional[float] = None  #: cost of groups left unmatched, where there are such
+
+
+@dataclass
+class GroupMatch(Record):
+    """What a symmetry group of the deformed shape corresponds to."""
+
+    source: List[str]  #: parts of the source
+    target: List[str]  #: parts of the target
+    operation: str  #: match, split, duplicate, merge, cut, join, or none: unmatched
+    energy: float  #: its share of E_d + w_c E_c
+    terms: EnergyTerms  #: its share of E_d and E_c
+    solidity_ratio: float  #: S_i of Eq. 5
+    min_marginal: Optional[float] = None  #: rise of the least energy if the group may not have this match
+
+
+@dataclass
+class ContactEnergy(Record):
+    """What a contact of the deformed shape costs."""
+
+    parts: Tuple[str, str]  #: the two parts
+    distortion: float  #: its share of E_d
+    connectedness: float  #: its share of E_c, before weighting
+
+
+@dataclass
+class PairRoles(Record):
+    """What the parts of both shapes are for."""
+
+    source: List[str]  #: by source part, the likeliest role
+    target: List[str]  #: by target part
+
+
+@dataclass
+class Seconds(Record):
+    """How long everything took."""
+
+    read: float  #: reading both models
+    abstraction: float  #: abstracting their parts
+    structure: float  #: finding symmetry groups, contacts and roles
+    search: float  #: finding the correspondence
+
+
+@dataclass
+class SearchSummary(Record):
+    """How the search went."""
+
+    method: str  #: parts, beam or exact
+    states: int  #: search states kept
+    evaluations: int  #: energies of states computed
+    lower_bound: float  #: no correspondence in this direction costs less
+
+
+@dataclass
+class Solution(Record):
+    """One of the best correspondences."""
+
+    energy: float  #: its energy
+    terms: EnergyTerms  #: the terms of it
+    pairs: List[Tuple[str, str]]  #: its pairs of parts
+
+
+@dataclass
+class Match(Record):
+    """The part correspondence of two shapes.
+
+    `to_dict()` is what ``shape_correspondence match --json`` writes.
+    """
+
+    _header: ClassVar[Dict[str, Any]] = {"format": "shape_correspondence/match", "version": 1}
+
+    source: str  #: file or name of the source
+    target: str  #: file or name of the target
+    energy: float  #: E of Eq. 1
+    terms: EnergyTerms  #: the terms of the energy
+    direction: str  #: which shape was deformed: ``"source_to_target"`` or ``"target_to_source"``
+    target_quarter_turns: int  #: of the target about up, into the source's frame
+    complete: bool  #: every group is assigned, or left unmatched where that is allowed
+    optimal: bool  #: the energy is proven minimal
+    pairs: List[Tuple[str, str]]  #: parts that correspond, (source, target)
+    confidences: Optional[List[float]] = None  #: by pair, how probable it is; None where the method does not tell
+    category: Optional[str] = None  #: whose roles were joined with the costs of parts; None: none
+    roles: Optional[PairRoles] = None  #: what the parts are for, where there is a category
+    groups: List[GroupMatch] = field(default_factory=list)  #: by group of the deformed shape
+    contacts: List[ContactEnergy] = field(default_factory=list)  #: by contact of the deformed shape
+    unmatched_source: List[str] = field(default_factory=list)  #: source parts without counterpart
+    unmatched_target: List[str] = field(default_factory=list)  #: target parts without counterpart
+    seconds: Optional[Seconds] = None  #: how long everything took
+    search: Optional[SearchSummary] = None  #: how the search went
+    warnings: List[str] = field(default_factory=list)  #: what was approximated or ended early, in whole sentences
+    solutions: Optional[List[Solution]] = None  #: the best correspondences, where several were asked for
+    _handle: Any = field(default=None, repr=False, compare=False)
+
+    @property
+    def source_graph(self) -> Graph:
+        """The structural graph of the source."""
+        return Graph(self._handle.source)
+
+    @property
+    def target_graph(self) -> Graph:
+        """The structural graph of the target."""
+        return Graph(self._handle.target)
+
+    def counterparts(self, source_part: str) -> List[str]:
+        """The target parts that correspond to a source part."""
+        return [target for source, target in self.pairs if source == source_part]
+
+    def save(self, path: Path) -> None:
+        """Writes the match as ``.json``, or a picture of it as ``.glb`` or ``.html``."""
+        self._handle.save(os.fspath(path))
+
+
+def match(
+    source: Input,
+    target: Input,
+    *,
+    search_method: str = "parts",
+    roles: Union[None, str, "os.PathLike[str]", RoleModel] = "auto",
+    category: str = "",
+    min_confidence: float = 0,
+    beam_width: int = 20,
+    expansions: int = 4,
+    distortion_weight: float = 1,
+    connectedness_weight: float = 0.6,
+    split_weight: float = 0.4,
+    energy_norm: str = "sum",
+    cut_curves: bool = True,
+    unmatched_cost: float = float("inf"),
+    both_directions: bool = True,
+    maximum_parts: int = 0,
+    coarse_target: bool = True,
+    source_parts: Names = (),
+    target_parts: Names = (),
+    alignments: int = 1,
+    solutions: int = 1,
+    min_marginals: bool = False,
+    cache: Optional[Path] = None,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Match:
+    """Finds which parts of two shapes correspond. A part may correspond to several, or to none.
+
+    Shapes are `Graph`, `Shape`, triples (name, V, F) or files. Options of reading and of graphs have their defaults;
+    call `read()` and `build_graph()` to set them.
+
+    :param source: the source shape
+    :param target: the target shape
+    :param search_method: ``"parts"`` (least cost of corresponding parts), ``"beam"`` (least deformation energy by the
+        paper's beam search) or ``"exact"`` (least deformation energy, with a proof)
+    :param roles: what parts are for, joined with their costs by ``"parts"`` where shapes are upright and look to +z:
+        ``"auto"`` (the model that comes with the package), None, or a model
+    :param category: of both shapes, whose roles are taken; empty: the one that they are most like
+    :param min_confidence: pairs that are less probable are left out, by ``"parts"``
+    :param beam_width: K of the paper, the partial solutions kept at each level of the beam search
+    :param expansions: k of the paper, the expansions kept of each partial solution
+    :param distortion_weight: weight of E_d in Eq. 1
+    :param connectedness_weight: w_c, weight of E_c
+    :param split_weight: w_s, weight of E_s
+    :param energy_norm: ``"sum"`` adds the energies of connected pairs of parts, ``"pooled"`` takes one norm of all rods
+    :param cut_curves: whether curves may be cut into segments and joined
+    :param unmatched_cost: energy of leaving a group unmatched, for each of its contacts; infinite: it may not be
+    :param both_directions: deform either shape into the other and keep the lower energy
+    :param maximum_parts: only so many parts are matched, the most prominent ones; 0: all
+    :param coarse_target: whether `maximum_parts` is of both shapes, or of the source alone
+    :param source_parts: only these parts of the source, by name or index; empty: all
+    :param target_parts: only these parts of the target
+    :param alignments: how many turns of the target about the up axis are tried; 0: all
+    :param solutions: how many of the best correspondences `Match.solutions` has
+    :param min_marginals: whether `GroupMatch.min_marginal` is computed
+    :param cache: see `build_graph()`
+    :param threads: see `build_graph()`
+    :param progress: see `build_graph()`; if it returns False, the search ends with what it has found
+    :raises InvalidInput: if a shape cannot be used, or an option is out of its range
+    """
+    options = dict(locals())
+    graphs = _graphs([source, target], True, {"threads": threads, **_reading_options(cache=cache)}, progress)
+    model = _model_of(roles, search_method)
+    search = _search_options(options)
+    for name, graph in zip(("source_parts", "target_parts"), graphs):
+        search[name] = _part_indices(search[name], graph)
+    handle = _core.match(graphs[0]._handle, graphs[1]._handle, model, threads, search, progress)
+    return Match.from_dict(json.loads(handle.json()), _handle=handle)
+
+
+def paper_options() -> Dict[str, Any]:
+    """Options of `match()` for the paper's method: beam search of all alignments, in both directions."""
+    paper, usual = _core.default_options()["paper"], _core.default_options()["match"]
+    return {name: value for name, value in paper.items() if value != usual[name]}
+
+
+def transfer(
+    match: Match,
+    values: Union[Mapping[str, Any], Sequence[Any]],
+    none: Any = np.nan,
+    *,
+    progress: Progress = None,
+) -> Dict[str, np.ndarray]:
+    """Transfers values at the vertices of the source to the vertices of the target, along a match.
+
+    Values that are numbers are interpolated over triangles; integers, booleans and strings are labels, taken from the
+    nearest corner.
+
+    :param match: what `match()` found
+    :param values: by name of a source part, or in the order of the parts, an array of a row a vertex
+    :param none: the value of vertices of parts that have no counterpart
+    :return: an array of a row a vertex, by name of a target part
+    :raises InvalidInput: if a shape has no surface, or values do not fit the source
+    """
+    arrays = _arrays_by_part(match, values)
+    example = arrays[0]
+    are_labels = example.dtype.kind not in "fc"
+    dtype = np.result_type(*arrays, np.asarray(none)) if are_labels else np.result_type(*arrays, float)
+    result = {}
+    names = match.target_graph.part_names
+    for name, (parts, corners, weights) in zip(names, match._handle.surface_places(progress)):
+        out = np.full((len(parts), *example.shape[1:]), none, dtype)
+        for part in np.unique(parts[parts >= 0]):
+            rows = np.flatnonzero(parts == part)
+            out[rows] = _interpolated(arrays[part], corners[rows], weights[rows], are_labels)
+        result[name] = out
+    return result
+
+
+def _interpolated(values: np.ndarray, corners: np.ndarray, weights: np.ndarray, are_labels: bool) -> np.ndarray:
+    if are_labels:
+        return values[corners[np.arange(len(corners)), weights.argmax(axis=1)]]
+    weights = weights.reshape(*weights.shape, *[1] * (values.ndim - 1))
+    return sum(values[corners[:, k]] * weights[:, k] for k in range(3))
+
+
+def _arrays_by_part(match: Match, values: Union[Mapping[str, Any], Sequence[Any]]) -> List[np.ndarray]:
+    shape = match.source_graph.shape
+    if shape is None:
+        raise _core.InvalidInput(f"{match.source}: it is a structural graph without surfaces, which values are "
+                                 "transferred between; give the model that it was built from")
+    parts = shape.parts
+    if isinstance(values, Mapping):
+        missing = [part.name for part in parts if part.name not in values]
+        if missing:
+            raise _core.InvalidInput(f"{match.source}: there are no values of the part '{missing[0]}'")
+        values = [values[part.name] for part in parts]
+    arrays = [np.asarray(array) for array in values]
+    if len(arrays) != len(parts):
+        raise _core.InvalidInput(f"{match.source}: there are values of {len(arrays)} parts; it has {len(parts)}")
+    for part, array in zip(parts, arrays):
+        if array.shape[:1] != (len(part.vertices),) or array.shape[1:] != arrays[0].shape[1:]:
+            raise _core.InvalidInput(f"{match.source}: the values of part '{part.name}' are of shape {array.shape}; "
+                                     f"the part has {len(part.vertices)} vertices")
+    return arrays
+
+
+def _search_options(values: Mapping[str, Any]) -> Dict[str, Any]:
+    return {name: values[name] for name in _core.default_options()["match"] if name in values}
+
+
+def _part_indices(parts: Names, graph: Graph) -> List[int]:
+    names = graph.part_names
+    result = []
+    for part in parts:
+        if isinstance(part, str) and part not in names:
+            raise _core.InvalidInput(f"{graph.file}: there is no part '{part}' to choose; its parts are "
+                                     + ", ".join(names))
+        index = names.index(part) if isinstance(part, str) else part
+        if not 0 <= index < len(names):
+            raise _core.InvalidInput(f"{graph.file}: there is no part {index} to choose; it has {len(names)} parts")
+        result.append(index)
+    return result
+
+
+def _checked_search_options(function: str, options: Mapping[str, Any]) -> Dict[str, Any]:
+    """Options of `match()` that another function takes."""
+    known = inspect.signature(match).parameters
+    for name in options:
+        if name not in known or name in ("source", "target"):
+            raise TypeError(f"{function}() got an unexpected keyword argument '{name}'")
+    for name in ("solutions", "min_marginals", "source_parts", "target_parts"):
+        if name in options:
+            raise TypeError(f"{name} is for a pair of shapes, not for {function}()")
+    return _search_options(options)

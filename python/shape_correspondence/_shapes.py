@@ -1,0 +1,298 @@
+# Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shapes in named parts, and their structural graphs."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _core
+from ._records import Record
+
+Path = Union[str, "os.PathLike[str]"]
+Progress = Optional[Callable[[float, str], Any]]
+
+
+class Part(NamedTuple):
+    """A part of a shape and its triangle mesh."""
+
+    name: str  #: unique in the shape
+    vertices: np.ndarray  #: (n, 3) float64
+    faces: np.ndarray  #: (m, 3) integers, rows of `vertices`
+
+
+Parts = Iterable[Tuple[str, Any, Any]]
+
+
+class Shape:
+    """A shape in named parts, each a triangle mesh.
+
+    :param parts: triples (name, V, F): V is an (n, 3) array of points, F an (m, 3) array of rows of V
+    :param name: names the shape in messages and results
+    :param up: the upright direction: ``"x"``, ``"y"``, ``"z"``, a vector, or ``"auto"``, the axis along which the shape
+        stands best
+    :raises InvalidInput: if a name is empty or taken, a mesh has an invalid index or coordinate, or no area
+    """
+
+    def __init__(self, parts: Parts, name: str = "shape", up: Union[str, Sequence[float]] = "y"):
+        arrays = [(part, *_mesh_arrays(part, vertices, faces)) for part, vertices, faces in parts]
+        self._handle = _core.make_shape(arrays, name, _direction(up))
+
+    @classmethod
+    def _of(cls, handle: Any) -> "Shape":
+        result = cls.__new__(cls)
+        result._handle = handle
+        return result
+
+    @property
+    def name(self) -> str:
+        """The name of the shape."""
+        return self._handle.name
+
+    @property
+    def file(self) -> str:
+        """The file that the shape was read from; else its name."""
+        return self._handle.file
+
+    @property
+    def up(self) -> np.ndarray:
+        """The upright direction, a unit vector."""
+        return np.array(self._handle.up)
+
+    @property
+    def parts(self) -> List[Part]:
+        """The parts, in the order in which they were given or read. Arrays are copies."""
+        return [Part(*part) for part in self._handle.parts()]
+
+    @property
+    def warnings(self) -> List[str]:
+        """What was guessed when the shape was read, in whole sentences."""
+        return self._handle.warnings
+
+    def save(self, path: Path) -> None:
+        """Writes the shape as ``.obj`` (an object a part) or ``.ply`` (binary, the part a property of every face)."""
+        self._handle.save(os.fspath(path))
+
+    def __repr__(self) -> str:
+        return f"<Shape {self.name!r}: {len(self.parts)} parts>"
+
+
+@dataclass(eq=False)
+class PartAbstraction(Record):
+    """The curve or sheet that stands for a part."""
+
+    name: str  #: name of the part
+    type: str  #: ``"curve"`` or ``"sheet"``
+    volume: float  #: of the enclosed solid; 0 where unknown
+    hull_volume: float  #: of its convex hull; 0 where unknown or flat
+    area: float  #: of the surface; 0 where unknown
+    closed: Optional[bool] = None  #: of a curve: its last control point is joined to the first
+    points: Optional[np.ndarray] = None  #: of a curve: (n, 3) control points
+    grid: Optional[np.ndarray] = None  #: of a sheet: (rows, columns, 3) control points
+
+
+@dataclass(eq=False)
+class PartGroup(Record):
+    """Parts that are symmetric to each other, or a single part."""
+
+    parts: List[str]  #: names, in the order along the symmetry
+    symmetry: str  #: ``"self"``, ``"reflection"``, ``"rotation"`` or ``"translation"``
+    order: Optional[int] = None  #: of a rotation: n of n-fold
+
+
+class Graph:
+    """The structural graph of a shape: a curve or sheet for every part, groups of symmetric parts, and contacts.
+
+    `build_graph()` makes it. `to_dict()` has all of it.
+    """
+
+    def __init__(self, handle: Any):
+        self._handle = handle
+
+    @property
+    def name(self) -> str:
+        """The name of the shape."""
+        return self._handle.name
+
+    @property
+    def file(self) -> str:
+        """The file that the shape was read from; else its name."""
+        return self._handle.file
+
+    @property
+    def part_names(self) -> List[str]:
+        """The names of the parts, in the order of all indices."""
+        return self._handle.part_names()
+
+    @property
+    def parts(self) -> List[PartAbstraction]:
+        """The curve or sheet of every part."""
+        return [PartAbstraction.from_dict(part) for part in self.to_dict()["parts"]]
+
+    @property
+    def groups(self) -> List[PartGroup]:
+        """The symmetry groups, which have every part once."""
+        return [PartGroup.from_dict(group) for group in self.to_dict()["groups"]]
+
+    @property
+    def contacts(self) -> List[Tuple[str, str]]:
+        """The pairs of parts that touch; parts that touch in several places are there as often."""
+        return [tuple(contact["parts"]) for contact in self.to_dict()["contacts"]]
+
+    @property
+    def shape(self) -> Optional[Shape]:
+        """The shape that the graph was built from; None for a graph that was read without its surfaces."""
+        handle = self._handle.shape()
+        return None if handle is None else Shape._of(handle)
+
+    @property
+    def warnings(self) -> List[str]:
+        """What was approximated, in whole sentences."""
+        return self._handle.warnings
+
+    def to_dict(self) -> Dict[str, Any]:
+        """The graph as ``shape_correspondence graph --json`` writes it."""
+        return json.loads(self._handle.json())
+
+    def save(self, path: Path) -> None:
+        """Writes the graph as ``.json``, which `build_graph()` reads, ``.graphml`` or ``.dot``, or a picture of it as
+        ``.glb`` or ``.html``."""
+        self._handle.save(os.fspath(path))
+
+    def __repr__(self) -> str:
+        return f"<Graph of {self.name!r}: {len(self.part_names)} parts>"
+
+
+Input = Union[Graph, Shape, Path, Parts]
+
+
+def read(path: Path, *, up: Optional[str] = None, parts: str = "auto", parts_from: Optional[Path] = None) -> Shape:
+    """Reads a segmented shape.
+
+    :param path: an OBJ (``o`` and ``g`` are parts), PLY, STL, OFF, glTF, COLLADA, FBX, 3DS, DXF or AC3D file, a node a
+        part; or a folder of part meshes, a file a part
+    :param up: the upright axis: ``"x"``, ``"y"``, ``"z"`` or ``"auto"``, the one along which the shape stands best;
+        None: what the file says, y for a folder, and else y unless the shape clearly stands along another axis
+    :param parts: what the parts of a file are: ``"file"``, its objects; ``"components"``, its loose pieces;
+        ``"segments"``, these divided by thickness; ``"auto"``, the objects, but for those of loose pieces that do not
+        belong together, which are split
+    :param parts_from: a list of pieces and their parts, as ``shape_correspondence graph --parts-json`` writes it
+    :raises InvalidInput: if the file cannot be read
+    """
+    options = _reading_options(up=up, parts=parts, parts_from=parts_from)
+    return Shape._of(_core.read(os.fspath(path), options))
+
+
+def build_graph(
+    shape: Input,
+    *,
+    kind: str = "auto",
+    part_kinds: Mapping[str, str] = {},
+    edge_length: float = 0.02,
+    triangles: int = 1500,
+    stop_volume: float = 0.02,
+    maximum_iterations: int = 300,
+    time_limit: float = float("inf"),
+    curve_points: int = 16,
+    sheet_points: int = 8,
+    detect_symmetry: bool = True,
+    symmetry_tolerance: float = 0.05,
+    detect_reflections: bool = True,
+    detect_rotations: bool = True,
+    detect_translations: bool = True,
+    contact_tolerance: float = 0.02,
+    cache: Optional[Path] = None,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Graph:
+    """Builds the structural graph of a shape: a curve or sheet for every part, symmetry groups and contacts.
+
+    :param shape: a `Shape`, triples (name, V, F), a model file, or a saved graph (``.json``, ``.xml``)
+    :param kind: what parts become: ``"auto"`` (a sheet if a part is wide for its length and thin for its width, else a
+        curve), ``"curve"`` or ``"sheet"``
+    :param part_kinds: the same by name of a part
+    :param edge_length: target edge length of the remeshing, over the diagonal of the part
+    :param triangles: about how many triangles a remeshed part may have
+    :param stop_volume: fraction of the volume at which the mean curvature flow shows sheets
+    :param maximum_iterations: of the flow; the bounding box stands in for a part that needs more
+    :param time_limit: seconds a part; the same holds. Makes results depend on the machine's speed
+    :param curve_points: control points of a curve
+    :param sheet_points: control points of a sheet along each side
+    :param detect_symmetry: if False, every part is a group of its own
+    :param symmetry_tolerance: how far a part may be from its image, over the part's diagonal
+    :param detect_reflections: whether to look for reflections
+    :param detect_rotations: whether to look for rotations
+    :param detect_translations: whether to look for translations
+    :param contact_tolerance: the widest gap that still is a contact, over the diagonal of the shape
+    :param cache: a folder that keeps graphs, so that a shape is abstracted once; None: none
+    :param threads: how many to use; 0: as many as there are. The result is the same
+    :param progress: called with the share that is done, in [0, 1], and what is being done
+    :raises InvalidInput: if the shape has fewer than two parts, or an option is out of its range
+    """
+    options = {
+        "kind": kind,
+        "part_kinds": dict(part_kinds),
+        "edge_length": edge_length,
+        "triangles": triangles,
+        "stop_volume": stop_volume,
+        "maximum_iterations": maximum_iterations,
+        "time_limit": time_limit,
+        "curve_points": curve_points,
+        "sheet_points": sheet_points,
+        "detect_symmetry": detect_symmetry,
+        "symmetry_tolerance": symmetry_tolerance,
+        "detect_reflections": detect_reflections,
+        "detect_rotations": detect_rotations,
+        "detect_translations": detect_translations,
+        "contact_tolerance": contact_tolerance,
+        "threads": threads,
+        **_reading_options(cache=cache),
+    }
+    return _graphs([shape], False, options, progress)[0]
+
+
+def _graphs(shapes: Sequence[Input], is_pair: bool, options: Dict[str, Any], progress: Progress) -> List[Graph]:
+    """The graphs of inputs: files all at once, the rest one by one."""
+    paths = [os.fspath(shape) for shape in shapes if isinstance(shape, (str, os.PathLike))]
+    is_pair = is_pair and len(paths) == 2
+    loaded = iter(_core.load_graphs(paths, is_pair, options, progress) if paths else [])
+    result = []
+    for shape in shapes:
+        if isinstance(shape, Graph):
+            result.append(shape)
+        elif isinstance(shape, (str, os.PathLike)):
+            result.append(Graph(next(loaded)))
+        else:
+            shape = shape if isinstance(shape, Shape) else Shape(shape)
+            result.append(Graph(_core.build_graph(shape._handle, options, progress)))
+    return result
+
+
+def _reading_options(**values: Any) -> Dict[str, Any]:
+    return {name: os.fspath(value) for name, value in values.items() if value is not None}
+
+
+def _direction(up: Union[str, Sequence[float]]) -> Optional[Tuple[float, float, float]]:
+    axes = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "auto": None}
+    if isinstance(up, str):
+        if up not in axes:
+            raise _core.InvalidInput(f"up cannot be {up!r}; known are: {', '.join(axes)}, or a vector")
+        return axes[up]
+    x, y, z = up
+    return (x, y, z)
+
+
+def _mesh_arrays(name: str, vertices: Any, faces: Any) -> Tuple[np.ndarray, np.ndarray]:
+    points, indices = np.asarray(vertices), np.asarray(faces)
+    if points.ndim != 2 or points.shape[1] != 3 or points.dtype.kind not in "fiu":
+        raise _core.InvalidInput(f"part '{name}': its vertices are an array of {points.dtype} of shape {points.shape};"
+                                 " give an (n, 3) array of numbers")
+    if indices.ndim != 2 or indices.shape[1] != 3 or indices.dtype.kind not in "iu":
+        raise _core.InvalidInput(f"part '{name}': its faces are an array of {indices.dtype} of shape {indices.shape};"
+                                 " give an (m, 3) array of integers")
+    return np.ascontiguousarray(points, float), np.ascontiguousarray(indices, np.int64)

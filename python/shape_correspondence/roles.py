@@ -1,0 +1,128 @@
+# Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What parts are for: their roles, such as the legs and the seat of a chair, learned from labelled shapes."""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from dataclasses import dataclass
+from typing import Any, ClassVar, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+
+from . import _core
+from ._records import Record
+from ._shapes import Graph, Input, Path, Progress, _graphs, _reading_options
+
+RoleModel = _core.RoleModel
+Model = Union[str, "os.PathLike[str]", RoleModel]
+
+
+@dataclass
+class PartRole(Record):
+    """What a part is for."""
+
+    name: str  #: name of the part
+    coarse: str  #: its role
+    fine: Optional[str] = None  #: what it is more precisely, where the model knows it
+    probability: Optional[float] = None  #: of the role
+
+
+@dataclass
+class PartRoles(Record):
+    """What the parts of a shape are for. `to_dict()` is what ``shape_correspondence roles predict --json`` writes."""
+
+    _header: ClassVar[Dict[str, Any]] = {"format": "shape_correspondence/labels"}
+
+    category: str  #: of the shape
+    parts: List[PartRole]  #: by part
+
+
+class LabelledShape(NamedTuple):
+    """A shape that roles are learned from, upright and looking to +z."""
+
+    shape: Input  #: the shape
+    category: str  #: such as chair
+    labels: Mapping[str, Union[str, Tuple[str, str]]]  #: role, or role and finer label, by name of a part
+    weight: float = 1  #: less for generated shapes than for real ones
+
+
+def load(path: Optional[Path] = None) -> RoleModel:
+    """The role model of a file; without a path, the one that comes with the package.
+
+    :raises InvalidInput: if the file is no role model
+    """
+    return _core.shipped_roles() if path is None else _core.load_roles(os.fspath(path))
+
+
+def predict(shape: Input, model: Optional[Model] = None, *, category: str = "", cache: Optional[Path] = None,
+            threads: int = 0, progress: Progress = None) -> PartRoles:
+    """Tells the roles of the parts of a shape that is upright and looks to +z.
+
+    :param shape: the shape
+    :param model: a role model or its file; None: the one that comes with the package
+    :param category: of the shape; empty: the one whose labelled parts are most like its parts
+    :param cache: see `build_graph()`
+    :param threads: see `build_graph()`
+    :param progress: see `build_graph()`
+    :raises InvalidInput: if the shape is of no category that the model knows
+    """
+    graph = _graphs([shape], False, {"threads": threads, **_reading_options(cache=cache)}, progress)[0]
+    known = model if isinstance(model, RoleModel) else load(model)
+    return PartRoles.from_dict(json.loads(_core.predict_roles(graph._handle, known, category)))
+
+
+def train(shapes: Union[Path, Sequence[Union[Path, LabelledShape]]], *, trees: int = 100, seed: int = 0,
+          cache: Optional[Path] = None, threads: int = 0, progress: Progress = None) -> RoleModel:
+    """Learns a role model. Five shapes of a category are the least that can be of use; twenty are better.
+
+    :param shapes: folders of labelled shapes, as ``shape_correspondence roles train`` takes them, which then does the
+        work; or `LabelledShape`
+    :param trees: of the forest of a category
+    :param seed: of the random numbers
+    :param cache: see `build_graph()`
+    :param threads: see `build_graph()`
+    :param progress: see `build_graph()`
+    :raises InvalidInput: if a shape cannot be used, or a part has no label
+    """
+    every = [shapes] if isinstance(shapes, (str, os.PathLike)) else list(shapes)
+    if all(isinstance(shape, (str, os.PathLike)) for shape in every):
+        return _train_of_files([os.fspath(shape) for shape in every], trees, seed, cache, threads, progress)
+    examples = []
+    options = {"threads": threads, **_reading_options(cache=cache)}
+    for labelled in every:
+        graph = _graphs([labelled.shape], False, options, progress)[0]
+        labels = [_label(labelled.labels, part, graph) for part in graph.part_names]
+        examples.append((graph._handle, labelled.category, labels, labelled.weight))
+    return _core.train_roles(examples, trees, seed, progress)
+
+
+def _train_of_files(folders: List[str], trees: int, seed: int, cache: Optional[Path], threads: int,
+                    progress: Progress) -> RoleModel:
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "model.roles")
+        arguments = ["train", *folders, "--output", output, "--trees", str(trees), "--seed", str(seed), "--quiet"]
+        if cache is not None:
+            arguments += ["--cache", os.fspath(cache)]
+        if threads > 0:
+            arguments += ["--threads", str(threads)]
+        _core.train_roles_of_files(arguments, progress)
+        return load(output)
+
+
+def _label(labels: Mapping[str, Union[str, Tuple[str, str]]], part: str, graph: Graph) -> Tuple[str, str]:
+    if part not in labels:
+        raise _core.InvalidInput(f"{graph.file}: there is no label of the part '{part}'")
+    label = labels[part]
+    return (label, "") if isinstance(label, str) else (label[0], label[1] or "")
+
+
+def _model_of(roles: Optional[Model], search_method: str) -> Optional[RoleModel]:
+    """The model that a search takes: roles are for matching by parts."""
+    if search_method != "parts" and not (roles is None or roles == "auto"):
+        raise _core.InvalidInput('roles need search_method="parts"')
+    if roles is None or search_method != "parts":
+        return None
+    if isinstance(roles, RoleModel):
+        return roles
+    return load() if roles == "auto" else load(roles)

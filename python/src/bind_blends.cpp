@@ -1,0 +1,91 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bindings.h"
+#include "handles.h"
+#include "options.h"
+#include "work.h"
+
+#include "cli/thread_limit.h"
+#include "io/atomic_file.h"
+
+#include <CGAL/Shape_correspondence/IO/write_blend.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <pybind11/stl.h>
+
+#include <ostream>
+
+namespace shape_correspondence_python {
+
+namespace {
+
+/// The graph with the surfaces that its file names, if it has none. \throw Invalid_input
+Graph with_surfaces(Graph graph)
+{
+  SC::cli::complete_surfaces(graph.file, graph.shape);
+  return graph;
+}
+
+std::shared_ptr<Blend> blend(const std::shared_ptr<Match>& match, int threads, const py::dict& values,
+                             const py::object& progress)
+{
+  SC::Blend_options options = blend_options(values);
+  Work work;
+  return work.run(progress, [&](Work& work) {
+    options.progress = [&](double share) {
+      work.report("blend", std::size_t(share * 100), 100);
+      return true;
+    };
+    const SC::cli::Thread_limit limit(threads);
+    const Graph source = with_surfaces(*match->source), target = with_surfaces(*match->target);
+    return std::make_shared<Blend>(Blend{match, SC::Shape_blend(source.shape.graph, *source.shape.model,
+                                                                target.shape.graph, *target.shape.model, match->best(),
+                                                                options)});
+  });
+}
+
+Shape shape_at(const Blend& blend, double t)
+{
+  if (!(t >= 0 && t <= 1)) throw SC::Invalid_input("t is between 0 and 1");
+  Shape result;
+  result.model.split.shape = blend.blend(t);
+  result.model.objects = result.segmented();
+  result.file = result.segmented().name();
+  return result;
+}
+
+void check_frames(int frames)
+{
+  if (frames < 2) throw SC::Invalid_input("frames must be at least 2, not " + std::to_string(frames));
+}
+
+std::string json_of(const Blend& blend, const std::string& output, int frames)
+{
+  check_frames(frames);
+  const Graph &source = *blend.match->source, &target = *blend.match->target;
+  return text([&](std::ostream& out) {
+    SC::IO::write_blend_json(out, blend.blend, source.shape.graph, target.shape.graph, source.file, target.file, output,
+                             frames, blend.match->best().warnings);
+  });
+}
+
+void save_glb(const Blend& blend, const std::string& path, int frames)
+{
+  check_frames(frames);
+  SC::IO::write_atomically(
+      path, [&](std::ostream& out) { SC::IO::write_blend_glb(out, blend.blend, blend.match->best(), frames); });
+}
+
+} // namespace
+
+void bind_blends(py::module_& module)
+{
+  py::class_<Blend, std::shared_ptr<Blend>>(module, "Blend")
+      .def("shape", shape_at, py::call_guard<py::gil_scoped_release>())
+      .def("json", json_of, py::call_guard<py::gil_scoped_release>())
+      .def("save_glb", save_glb, py::call_guard<py::gil_scoped_release>());
+  module.def("blend", blend);
+}
+
+} // namespace shape_correspondence_python

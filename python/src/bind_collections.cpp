@@ -1,0 +1,137 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bindings.h"
+#include "handles.h"
+#include "options.h"
+#include "work.h"
+
+#include "cli/collection_analysis.h"
+#include "cli/evaluate_results.h"
+#include "cli/thread_limit.h"
+
+#include <CGAL/Shape_correspondence/IO/collection_json.h>
+#include <CGAL/Shape_correspondence/IO/write_collection_html.h>
+#include <CGAL/Shape_correspondence/nearest_shapes.h>
+
+#include "io/atomic_file.h"
+
+#include <pybind11/stl.h>
+
+#include <ostream>
+#include <utility>
+
+namespace shape_correspondence_python {
+
+namespace {
+
+using Graphs = std::vector<std::shared_ptr<Graph>>;
+
+SC::cli::Collection_shapes shapes_of(const Graphs& graphs)
+{
+  std::vector<std::pair<std::string, SC::Structural_graph>> by_path;
+  for (const auto& graph : graphs)
+    by_path.emplace_back(graph->file, graph->shape.graph);
+  return SC::cli::Collection_shapes(by_path);
+}
+
+SC::Energy_matrix_options matching_options(const std::optional<Role_model>& roles, const py::dict& search,
+                                           const py::dict& values)
+{
+  SC::Energy_matrix_options options = energy_matrix_options(values);
+  options.search = search_options(search);
+  if (roles) options.search.roles = roles->model;
+  return options;
+}
+
+/// The JSON of a collection. \param page where its page goes; empty: nowhere
+std::string collection(const Graphs& graphs, const std::optional<Role_model>& roles, int threads,
+                       const py::dict& search, const py::dict& matching_values, const py::dict& analysis_values,
+                       std::size_t neighbours, const std::string& page, const py::object& progress)
+{
+  const SC::Energy_matrix_options matching = matching_options(roles, search, matching_values);
+  SC::cli::Collection_options options;
+  options.co_analysis = co_analysis_options(analysis_values);
+  options.neighbours = neighbours;
+  Work work;
+  return work.run(progress, [&](Work& work) {
+    const SC::cli::Thread_limit limit(threads);
+    SC::cli::Common_options common;
+    common.quiet = true;
+    common.on_progress = [&](const std::string& what, std::size_t done, std::size_t total) {
+      work.report(what, done, total);
+    };
+    SC::cli::Team team;
+    SC::cli::Tile_store in_memory("");
+    const SC::cli::Collection_shapes shapes = shapes_of(graphs);
+    SC::cli::Collection_work pairs(shapes, in_memory, "", options, matching, common);
+    pairs.run(team);
+    const SC::cli::Analysis analysis = SC::cli::analysed(shapes, options, pairs);
+    if (!page.empty())
+      SC::IO::write_atomically(page, [&](std::ostream& out) {
+        SC::IO::write_collection_html(
+            out, analysis.collection, [&](std::size_t i) { return shapes.graph(i); }, analysis.maps);
+      });
+    return text([&](std::ostream& out) { SC::IO::write_collection_json(out, analysis.collection); });
+  });
+}
+
+std::string nearest(const std::shared_ptr<Graph>& query, const Graphs& graphs, std::size_t count,
+                    const std::optional<Role_model>& roles, int threads, const py::dict& search,
+                    const py::dict& matching_values, const py::object& progress)
+{
+  SC::Energy_matrix_options matching = matching_options(roles, search, matching_values);
+  Work work;
+  return work.run(progress, [&](Work& work) {
+    const SC::cli::Thread_limit limit(threads);
+    matching.progress = [&](std::size_t done, std::size_t total) {
+      work.report("matching", done, total);
+      return true;
+    };
+    const SC::cli::Collection_shapes shapes = shapes_of(graphs);
+    SC::IO::Nearest_in_collection found;
+    found.query = {structure(query->shape.graph).name, query->file, SC::cli::part_names(query->shape.graph)};
+    for (const SC::cli::Collection_shape& shape : shapes.shapes())
+      found.shapes.push_back({shape.name, shape.path, shape.parts});
+    found.nearest = SC::nearest_shapes<CGAL::Parallel_if_available_tag>(
+        query->shape.graph, shapes.size(), [&](std::size_t i) { return shapes.graph(i); }, count, matching);
+    return text([&](std::ostream& out) { SC::IO::write_nearest_json(out, found); });
+  });
+}
+
+SC::cli::Named_result named(const Match& match)
+{
+  SC::cli::Named_result result{match.source->file + " -> " + match.target->file, {}};
+  const SC::Correspondence& best = match.best();
+  SC::IO::Named_correspondence& named = result.correspondence;
+  named = {match.source->file, match.target->file, {}, best.complete, best.target_quarter_turns};
+  for (const SC::Part_correspondence& pair : best.pairs)
+    named.pairs.push_back({structure(match.source->shape.graph).parts[pair.source].name,
+                           structure(match.target->shape.graph).parts[pair.target].name, pair.confidence});
+  return result;
+}
+
+/// The JSON of the scores of results in files and of matches.
+std::string evaluate(const std::vector<std::string>& files, const std::vector<std::shared_ptr<Match>>& matches,
+                     const std::vector<std::string>& labels, const py::dict& values)
+{
+  const SC::Evaluation_options options = evaluation_options(values);
+  py::gil_scoped_release unlocked;
+  const std::vector<SC::IO::Labelled_shape> shapes = SC::cli::read_labels(labels);
+  std::vector<SC::cli::Named_result> results = SC::cli::read_results(files);
+  for (const auto& match : matches)
+    results.push_back(named(*match));
+  return text([&](std::ostream& out) { SC::cli::write_evaluation_json(out, results, shapes, options); });
+}
+
+} // namespace
+
+void bind_collections(py::module_& module)
+{
+  module.def("collection_paths", SC::cli::collection_paths);
+  module.def("collection", collection);
+  module.def("nearest", nearest);
+  module.def("evaluate", evaluate);
+}
+
+} // namespace shape_correspondence_python

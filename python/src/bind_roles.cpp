@@ -1,0 +1,78 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bindings.h"
+#include "handles.h"
+#include "work.h"
+
+#include "cli/commands.h"
+#include "cli/predicted_roles.h"
+
+#include <CGAL/Shape_correspondence/IO/role_model.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <pybind11/stl.h>
+
+#include <ostream>
+
+namespace shape_correspondence_python {
+
+namespace {
+
+std::string predict(const Graph& graph, const Role_model& model, const std::string& category)
+{
+  const SC::Part_roles found = SC::cli::predicted_roles(graph.file, graph.shape.graph, *model.model, category);
+  return text([&](std::ostream& out) { SC::cli::write_labels_json(out, graph.shape.graph, found); });
+}
+
+/// What the program does with these arguments of its command `roles`.
+bool run_command(const std::vector<std::string>& arguments)
+{
+  SC::cli::run_roles(arguments);
+  return true;
+}
+
+/// A shape that roles are learned from: graph, category, labels (coarse, fine) by part, weight.
+using Example =
+    std::tuple<std::shared_ptr<Graph>, std::string, std::vector<std::pair<std::string, std::string>>, double>;
+
+Role_model train(const std::vector<Example>& examples, int trees, std::uint64_t seed, const py::object& progress)
+{
+  if (trees < 1) throw SC::Invalid_input("trees must be at least 1, not " + std::to_string(trees));
+  std::vector<SC::Labelled_graph> shapes;
+  for (const auto& [graph, category, labels, weight] : examples) {
+    shapes.push_back({&graph->shape.graph, category, {}, weight});
+    for (const auto& [coarse, fine] : labels)
+      shapes.back().labels.push_back({coarse, fine});
+  }
+  SC::Role_training_options options;
+  options.trees = trees;
+  options.seed = seed;
+  Work work;
+  return work.run(progress, [&](Work&) {
+    return Role_model{std::make_shared<const SC::Role_model>(SC::train_role_model(shapes, options))};
+  });
+}
+
+} // namespace
+
+void bind_roles(py::module_& module)
+{
+  py::class_<Role_model>(module, "RoleModel")
+      .def_property_readonly("categories", [](const Role_model& model) { return model.model->categories(); })
+      .def("roles", [](const Role_model& model, const std::string& category) { return model.model->roles(category); })
+      .def("save",
+           [](const Role_model& model, const std::string& path) { SC::IO::write_role_model(path, *model.model); });
+  module.def("shipped_roles", [] { return Role_model{SC::IO::shipped_role_model()}; });
+  module.def("load_roles", [](const std::string& path) {
+    return Role_model{std::make_shared<const SC::Role_model>(SC::IO::read_role_model(path))};
+  });
+  module.def("predict_roles", predict, py::call_guard<py::gil_scoped_release>());
+  module.def("train_roles", train);
+  module.def("train_roles_of_files", [](const std::vector<std::string>& arguments, const py::object& progress) {
+    Work work;
+    work.run(progress, [&](Work&) { return run_command(arguments); });
+  });
+}
+
+} // namespace shape_correspondence_python

@@ -1,0 +1,199 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bindings.h"
+#include "handles.h"
+#include "options.h"
+#include "work.h"
+
+#include "cli/thread_limit.h"
+#include "io/atomic_file.h"
+#include "io/input_file.h"
+
+#include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
+#include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+#include <CGAL/Shape_correspondence/IO/write_blend.h>
+#include <CGAL/Shape_correspondence/IO/write_glb.h>
+#include <CGAL/Shape_correspondence/IO/write_html.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/estimate_up.h>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <ostream>
+
+namespace shape_correspondence_python {
+
+namespace {
+
+using Vertices = py::array_t<double, py::array::c_style>;
+using Faces = py::array_t<std::int64_t, py::array::c_style>;
+
+/// \pre both have three columns
+SC::Part_mesh mesh_of(const Vertices& vertices, const Faces& faces)
+{
+  SC::Part_mesh mesh;
+  mesh.points = Eigen::Map<const SC::Points>(vertices.data(), 3, vertices.shape(0));
+  constexpr std::int64_t least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
+  const Eigen::Map<const Eigen::Matrix<std::int64_t, 3, Eigen::Dynamic>> indices(faces.data(), 3, faces.shape(0));
+  mesh.triangles = indices.cwiseMax(least).cwiseMin(most).cast<int>(); // what is beyond has no vertex either
+  return mesh;
+}
+
+py::tuple arrays_of(const SC::Shape_part& part)
+{
+  Vertices vertices({part.mesh.points.cols(), Eigen::Index(3)});
+  Eigen::Map<SC::Points>(vertices.mutable_data(), 3, part.mesh.points.cols()) = part.mesh.points;
+  py::array_t<std::int32_t> faces({part.mesh.triangles.cols(), Eigen::Index(3)});
+  Eigen::Map<Eigen::Matrix3Xi>(faces.mutable_data(), 3, part.mesh.triangles.cols()) = part.mesh.triangles;
+  return py::make_tuple(part.name, vertices, faces);
+}
+
+py::list parts_of(const Shape& shape)
+{
+  py::list result;
+  for (const SC::Shape_part& part : shape.segmented().parts())
+    result.append(arrays_of(part));
+  return result;
+}
+
+/// A shape of arrays. \param up a vector, or none to find it
+Shape make_shape(const std::vector<std::tuple<std::string, Vertices, Faces>>& parts, const std::string& name,
+                 const std::optional<std::array<double, 3>>& up)
+{
+  SC::Segmented_shape shape(name);
+  for (const auto& [part, vertices, faces] : parts)
+    shape.add_part(part, mesh_of(vertices, faces));
+  shape.set_up(up ? SC::Point(up->data()) : SC::estimate_up(shape).up);
+  Shape result;
+  result.file = name;
+  result.model.objects = shape;
+  result.model.split.shape = shape;
+  return result;
+}
+
+Shape read(const std::string& path, const py::dict& options)
+{
+  const SC::cli::Common_options common = model_options(options);
+  py::gil_scoped_release unlocked;
+  return {path, SC::cli::read_model(path, common)};
+}
+
+std::function<void(const std::string&, std::size_t, std::size_t)> reports_to(Work& work)
+{
+  return [&work](const std::string& what, std::size_t done, std::size_t total) { work.report(what, done, total); };
+}
+
+std::shared_ptr<Graph> build_graph(const Shape& shape, const py::dict& options, const py::object& progress)
+{
+  SC::cli::Common_options common = model_options(options);
+  Work work;
+  return work.run(progress, [&](Work& work) {
+    common.on_progress = reports_to(work);
+    const SC::cli::Thread_limit limit(common.threads);
+    return std::make_shared<Graph>(Graph{shape.file, SC::cli::load_shape(shape.file, shape.model, common)});
+  });
+}
+
+/// Graphs of files, several at once. Of two whose upright axes nothing says, these are found together if `is_pair`.
+std::vector<std::shared_ptr<Graph>> load_graphs(const std::vector<std::string>& paths, bool is_pair,
+                                                const py::dict& options, const py::object& progress)
+{
+  SC::cli::Common_options common = model_options(options);
+  Work work;
+  return work.run(progress, [&](Work& work) {
+    common.on_progress = reports_to(work);
+    const SC::cli::Thread_limit limit(common.threads);
+    const std::vector<std::string> warnings =
+        is_pair ? SC::cli::find_up_of_pair(paths, common) : std::vector<std::string>();
+    std::vector<std::shared_ptr<Graph>> result;
+    for (SC::cli::Loaded_shape& shape : SC::cli::load_shapes(paths, common))
+      result.push_back(std::make_shared<Graph>(Graph{paths[result.size()], std::move(shape), warnings}));
+    return result;
+  });
+}
+
+std::vector<std::string> part_names(const Graph& graph)
+{
+  std::vector<std::string> names;
+  for (const SC::Part_abstraction& part : structure(graph.shape.graph).parts)
+    names.push_back(part.name);
+  return names;
+}
+
+std::string json_of(const Graph& graph)
+{
+  return text([&](std::ostream& out) { SC::IO::write_structural_graph_json(out, graph.shape.graph); });
+}
+
+void save_graph(const Graph& graph, const std::string& path)
+{
+  const SC::Structural_graph& g = graph.shape.graph;
+  const std::map<std::string, std::function<void(std::ostream&)>> formats{
+      {".json", [&](std::ostream& out) { SC::IO::write_structural_graph_json(out, g); }},
+      {".graphml", [&](std::ostream& out) { SC::IO::write_structural_graph_graphml(out, g); }},
+      {".dot", [&](std::ostream& out) { SC::IO::write_structural_graph_dot(out, g); }},
+      {".glb", [&](std::ostream& out) { SC::IO::write_structural_graph_glb(out, g, graph.shape.model_pointer()); }},
+      {".html", [&](std::ostream& out) { SC::IO::write_structural_graph_html(out, g, graph.shape.model_pointer()); }}};
+  const auto format = formats.find(SC::IO::lower_extension(path));
+  if (format == formats.end())
+    throw SC::Invalid_input(path + ": a graph is saved as .json, .graphml, .dot, .glb or .html");
+  SC::IO::write_atomically(path, format->second);
+}
+
+void save_shape(const Shape& shape, const std::string& path)
+{
+  const std::string extension = SC::IO::lower_extension(path);
+  if (extension != ".obj" && extension != ".ply") throw SC::Invalid_input(path + ": a shape is saved as .obj or .ply");
+  SC::IO::write_atomically(path, [&](std::ostream& out) {
+    if (extension == ".ply")
+      SC::IO::write_segmented_shape_ply(out, shape.segmented());
+    else
+      SC::IO::write_segmented_shape_obj(out, shape.segmented());
+  });
+}
+
+} // namespace
+
+void bind_shapes(py::module_& module)
+{
+  py::class_<Shape, std::shared_ptr<Shape>>(module, "Shape")
+      .def_readonly("file", &Shape::file)
+      .def_property_readonly("name", [](const Shape& shape) { return shape.segmented().name(); })
+      .def_property_readonly("up",
+                             [](const Shape& shape) {
+                               const SC::Point& up = shape.segmented().up();
+                               return std::array<double, 3>{up.x(), up.y(), up.z()};
+                             })
+      .def_property_readonly("warnings", [](const Shape& shape) { return shape.model.warnings; })
+      .def("parts", parts_of)
+      .def("save", save_shape);
+  py::class_<Graph, std::shared_ptr<Graph>>(module, "Graph")
+      .def_readonly("file", &Graph::file)
+      .def_property_readonly("name", [](const Graph& graph) { return structure(graph.shape.graph).name; })
+      .def_property_readonly("warnings", [](const Graph& graph) { return structure(graph.shape.graph).warnings; })
+      .def("part_names", part_names)
+      .def("shape",
+           [](const Graph& graph) {
+             std::optional<Shape> result;
+             if (!graph.shape.model) return result;
+             result.emplace();
+             result->file = graph.file;
+             result->model.split = graph.shape.split;
+             result->model.split.shape = *graph.shape.model;
+             return result;
+           })
+      .def("json", json_of)
+      .def("save", save_graph, py::call_guard<py::gil_scoped_release>());
+  module.def("make_shape", make_shape);
+  module.def("read", read);
+  module.def("build_graph", build_graph);
+  module.def("load_graphs", load_graphs);
+}
+
+} // namespace shape_correspondence_python

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "work.h"
+
+#include <chrono>
+
+namespace shape_correspondence_python {
+
+namespace {
+
+constexpr std::chrono::milliseconds signal_interval{50}; // a moment for who presses Ctrl-C
+
+} // namespace
+
+void Work::report(const std::string& what, std::size_t done, std::size_t total)
+{
+  report_share(what, total == 0 ? 1 : double(done) / double(total));
+  if (stopped_) throw Stopped();
+}
+
+bool Work::report_share(const std::string& what, double share)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  report_ = Report{share, what};
+  changed_.notify_one();
+  return !ended_ && !stopped_;
+}
+
+void Work::finish()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  finished_ = true;
+  changed_.notify_one();
+}
+
+std::pair<std::optional<Work::Report>, bool> Work::next_report()
+{
+  py::gil_scoped_release unlocked;
+  std::unique_lock<std::mutex> lock(mutex_);
+  changed_.wait_for(lock, signal_interval, [this] { return report_ || finished_; });
+  return {std::exchange(report_, std::nullopt), !finished_};
+}
+
+std::exception_ptr Work::wait(const py::object& progress)
+{
+  std::exception_ptr failure;
+  for (bool goes_on = true; goes_on;) {
+    std::optional<Report> report;
+    std::tie(report, goes_on) = next_report();
+    if (failure) continue;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (report && !progress.is_none() && progress(report->share, report->what).is(py::bool_(false))) ended_ = true;
+    } catch (py::error_already_set&) {
+      failure = std::current_exception();
+      stopped_ = true;
+    }
+  }
+  return failure;
+}
+
+} // namespace shape_correspondence_python

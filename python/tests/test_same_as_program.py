@@ -1,0 +1,128 @@
+# Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The module gives the same results as the program, to the bit."""
+
+import json
+
+import pytest
+
+import shape_correspondence as sc
+
+TABLE, OTHER = "data/table_four_legged", "data/table_trestle"
+
+
+@pytest.fixture(autouse=True)
+def in_the_sources(monkeypatch, data):
+    monkeypatch.chdir(data.parent)
+
+
+def without_times(result):
+    return {key: value for key, value in result.items() if key != "seconds"}
+
+
+def as_text(result):
+    return json.dumps(without_times(result))  # tells -0.0 from 0.0, and the order of keys
+
+
+@pytest.mark.parametrize("arguments, options", [
+    ((), {}),
+    (("--roles", "none", "--min-confidence", 0.5), {"roles": None, "min_confidence": 0.5}),
+    (("--paper",), sc.paper_options()),
+    (("--search", "exact", "--solutions", 3, "--min-marginals"),
+     {"search_method": "exact", "solutions": 3, "min_marginals": True}),
+    (("--search", "beam", "--weights", "0.3,0.2", "--norm", "pooled", "--no-cut", "--allow-unmatched", 0.7),
+     {"search_method": "beam", "connectedness_weight": 0.3, "split_weight": 0.2, "energy_norm": "pooled",
+      "cut_curves": False, "unmatched_cost": 0.7}),
+])
+def test_match(json_of_program, cache, arguments, options):
+    expected = json_of_program("match", TABLE, OTHER, "--cache", cache, *arguments)
+    found = sc.match(TABLE, OTHER, cache=cache, **options)
+    assert as_text(found.to_dict()) == as_text(expected)
+    assert as_text(sc.Match.from_dict(expected).to_dict()) == as_text(expected)
+
+
+def test_chosen_parts(json_of_program, cache):
+    expected = json_of_program("match", TABLE, OTHER, "--cache", cache, "--source-parts",
+                               ",".join(sc.build_graph(TABLE, cache=cache).part_names[:3]))
+    found = sc.match(TABLE, OTHER, cache=cache, source_parts=[0, 1, 2])
+    assert as_text(found.to_dict()) == as_text(expected)
+
+
+def test_graph_without_a_cache(json_of_program):
+    expected = json_of_program("graph", TABLE)
+    assert as_text(sc.build_graph(TABLE).to_dict()) == as_text(expected)
+    assert as_text(sc.build_graph(sc.read(TABLE)).to_dict()) == as_text(expected)
+    assert as_text(sc.build_graph(TABLE, threads=1).to_dict()) == as_text(expected)
+
+
+def test_graph_options(json_of_program):
+    expected = json_of_program("graph", TABLE, "--no-symmetry", "--kind", "curve", "--curve-points", 5,
+                               "--contact-tolerance", 0.1)
+    found = sc.build_graph(TABLE, detect_symmetry=False, kind="curve", curve_points=5, contact_tolerance=0.1)
+    assert as_text(found.to_dict()) == as_text(expected)
+
+
+def test_blend(json_of_program, cache, tmp_path):
+    expected = json_of_program("blend", TABLE, OTHER, "--cache", cache, "-o", tmp_path / "blend.glb", "--frames", 5)
+    blend = sc.blend(TABLE, OTHER, cache=cache)
+    output = str(tmp_path / "blend.glb")
+    assert as_text(blend.to_dict(5, output)) == as_text(expected)
+    again = tmp_path / "again.glb"
+    blend.save(again, 5)
+    assert again.read_bytes() == (tmp_path / "blend.glb").read_bytes()
+
+
+def test_collection(json_of_program, cache):
+    shapes = [TABLE, OTHER, "data/table_pedestal"]
+    expected = json_of_program("collection", *shapes, "--cache", cache)
+    found = sc.collection(shapes, cache=cache)
+    assert as_text(found.to_dict()) == as_text(expected)
+    assert found.energies.shape == (3, 3)
+
+
+def test_nearest(json_of_program, cache):
+    shapes = [OTHER, "data/table_pedestal"]
+    expected = json_of_program("collection", *shapes, "--cache", cache, "--nearest", TABLE, "-k", 1)
+    assert as_text(sc.nearest(TABLE, shapes, 1, cache=cache).to_dict()) == as_text(expected)
+
+
+def test_evaluate(json_of_program, cache, tmp_path):
+    file = tmp_path / "result.json"
+    found = sc.match(TABLE, OTHER, cache=cache)
+    found.save(file)
+    expected = json_of_program("evaluate", file, "--ground-truth", "data")
+    assert as_text(sc.evaluate(file, "data").to_dict()) == as_text(expected)
+    in_memory = sc.evaluate(found, "data")
+    assert in_memory.mean == sc.evaluate(file, "data").mean
+    assert 0 < in_memory.mean.f1.mean <= 1
+
+
+def test_roles(json_of_program, cache):
+    expected = json_of_program("roles", "predict", TABLE, "--cache", cache)
+    assert as_text(sc.roles.predict(TABLE, cache=cache).to_dict()) == as_text(expected)
+
+
+def test_pictures(program, cache, tmp_path):
+    program("match", TABLE, OTHER, "--cache", cache, "--glb", tmp_path / "program.glb", "--html",
+            tmp_path / "program.html")
+    found = sc.match(TABLE, OTHER, cache=cache)
+    for ending in ("glb", "html"):
+        found.save(tmp_path / f"module.{ending}")
+        assert (tmp_path / f"module.{ending}").read_bytes() == (tmp_path / f"program.{ending}").read_bytes()
+
+
+@pytest.mark.parametrize("arguments, call", [
+    (("graph", "data/no_such_model.obj"), lambda: sc.read("data/no_such_model.obj")),
+    (("match", "data/no_such_model.obj", TABLE), lambda: sc.match("data/no_such_model.obj", TABLE)),
+    (("graph", "data/README.md"), lambda: sc.build_graph("data/README.md")),
+    (("match", TABLE, OTHER, "--roles", "data/README.md"), lambda: sc.match(TABLE, OTHER, roles="data/README.md")),
+    (("evaluate", "data/table_trestle/labels.json", "--ground-truth", "data"),
+     lambda: sc.evaluate("data/table_trestle/labels.json", "data")),
+])
+def test_errors_have_the_same_messages(program, arguments, call):
+    result = program(*arguments)
+    assert result.returncode == 1
+    with pytest.raises(sc.InvalidInput) as error:
+        call()
+    assert result.stderr == f"shape_correspondence: {error.value}\n"
+    assert isinstance(error.value, ValueError)

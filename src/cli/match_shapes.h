@@ -1,0 +1,24 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "cli/load_shape.h"
+
+#include <CGAL/Shape_correspondence/IO/correspondence_json.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+
+#include <vector>
+
+namespace CGAL::Shape_correspondence::cli {
+
+/// Correspondences of two shapes, the best first, and the seconds that everything took.
+struct Matched_shapes
+{
+  std::vector<Correspondence> ranked;
+  IO::Match_seconds seconds;
+};
+
+Matched_shapes match_shapes(const Loaded_shape& source, const Loaded_shape& target, const Search_options& options);
+
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "energy/Match_constraints.h"
+#include "base/Disjoint_sets.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace CGAL::Shape_correspondence::internal {
+
+namespace {
+
+// The index of a part in the aligned shape; the number of its parts if it is not there.
+std::size_t place_of(const Aligned_shape& shape, std::size_t part)
+{
+  return std::size_t(std::find(shape.original.begin(), shape.original.end(), part) - shape.original.begin());
+}
+
+std::string name_of(const Part_pair& pair)
+{
+  return "part number " + std::to_string(pair.source) + " of the source and number " + std::to_string(pair.target) +
+         " of the target";
+}
+
+} // namespace
+
+Match_constraints::Match_constraints(const Aligned_shape& source, const Aligned_shape& target,
+                                     const Matching_options& options)
+{
+  if (options.pinned.empty() && options.forbidden.empty()) return;
+  const std::size_t n = source.parts.size(), m = target.parts.size();
+  pinned_.resize(n);
+  allowed_.assign(n, std::vector<char>(m, 1));
+  std::vector<char> is_pinned_target(m, 0);
+  for (const Part_pair& pair : options.pinned) {
+    const std::size_t i = place_of(source, pair.source), j = place_of(target, pair.target);
+    if (i == n || j == m)
+      throw Invalid_input("find_correspondence: " + name_of(pair) +
+                          " are pinned, but not both of them take part in the match");
+    pinned_[i].push_back(j);
+    is_pinned_target[j] = 1;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    std::sort(pinned_[i].begin(), pinned_[i].end());
+    pinned_[i].erase(std::unique(pinned_[i].begin(), pinned_[i].end()), pinned_[i].end());
+    for (std::size_t j = 0; j < m; ++j)
+      if (!pinned_[i].empty() || is_pinned_target[j]) allowed_[i][j] = 0;
+    for (std::size_t j : pinned_[i])
+      allowed_[i][j] = 1;
+  }
+  for (const Part_pair& pair : options.forbidden) {
+    const std::size_t i = place_of(source, pair.source), j = place_of(target, pair.target);
+    if (i == n || j == m) continue; // does not take part
+    if (std::binary_search(pinned_[i].begin(), pinned_[i].end(), j))
+      throw Invalid_input("find_correspondence: " + name_of(pair) + " are pinned and forbidden");
+    allowed_[i][j] = 0;
+  }
+}
+
+Pinned_sets pinned_sets(const std::vector<Part_pair>& pins)
+{
+  std::size_t sources = 0, targets = 0;
+  for (const Part_pair& pin : pins) {
+    sources = std::max(sources, pin.source + 1);
+    targets = std::max(targets, pin.target + 1);
+  }
+  Disjoint_sets joined(sources + targets);
+  for (const Part_pair& pin : pins)
+    joined.unite(pin.source, sources + pin.target);
+  std::vector<std::size_t> names;
+  for (const Part_pair& pin : pins)
+    names.push_back(joined[pin.source]);
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  Pinned_sets result;
+  for (std::size_t name : names) {
+    result.source.emplace_back();
+    result.target.emplace_back();
+    for (std::size_t i = 0; i < sources + targets; ++i)
+      if (joined[i] == name)
+        (i < sources ? result.source : result.target).back().push_back(i < sources ? i : i - sources);
+  }
+  return result;
+}
+
+Matching_options reversed(Matching_options options)
+{
+  for (auto* pairs : {&options.pinned, &options.forbidden})
+    for (Part_pair& pair : *pairs)
+      std::swap(pair.source, pair.target);
+  return options;
+}
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "structure/align_shapes.h"
+
+#include <CGAL/Shape_correspondence/Matching_options.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// Which parts of two aligned shapes may correspond, and which must, by `Matching_options::pinned` and `forbidden`.
+class Match_constraints
+{
+public:
+  /// All may and none must.
+  Match_constraints() = default;
+
+  /// \throw Invalid_input if a pinned part does not take part, or a pair is pinned and forbidden
+  Match_constraints(const Aligned_shape& source, const Aligned_shape& target, const Matching_options& options);
+
+  /// Whether there are none.
+  bool empty() const { return pinned_.empty(); }
+
+  bool allows(std::size_t source, std::size_t target) const { return empty() || allowed_[source][target]; }
+
+  /// What a part of the source is pinned to, ascending.
+  const std::vector<std::size_t>& pinned(std::size_t source) const { return pinned_[source]; }
+
+private:
+  std::vector<std::vector<std::size_t>> pinned_; // by source part
+  std::vector<std::vector<char>> allowed_;       // by source part and target part
+};
+
+/// The sets of parts of the source, and those of the target, that pins join. Indices are those of the pins.
+struct Pinned_sets
+{
+  std::vector<std::vector<std::size_t>> source, target;
+};
+
+Pinned_sets pinned_sets(const std::vector<Part_pair>& pins);
+
+/// The options for deforming the target into the source.
+Matching_options reversed(Matching_options options);
+
+} // namespace CGAL::Shape_correspondence::internal
