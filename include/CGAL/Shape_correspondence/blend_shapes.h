@@ -32,8 +32,9 @@ class Blend_structure;
 /// Options of `Shape_blend`.
 struct Blend_options
 {
-  double contact_tolerance = 0.02; ///< parts nearer than this at an end of the blend touch there; of the shape's height
-  int samples = 7;                 ///< in-between shapes that a schedule is judged by
+  double contact_tolerance =
+      0.02;        ///< largest gap of parts in contact at an end of the blend, as a fraction of the height
+  int samples = 7; ///< number of in-between shapes by which a schedule is rated
   /// Called before every schedule is judged, with the share that is done; `false` ends it: those not judged come last.
   std::function<bool(double)> progress;
 };
@@ -116,7 +117,7 @@ struct Blend_surface
 ///   moved together.
 ///
 /// Of several schedules the one is taken in which contacts, mirror symmetry and ground contact hold best; `check()`
-/// tells what does not hold. Deterministic.
+/// returns what does not hold. Deterministic.
 class Shape_blend
 {
 public:

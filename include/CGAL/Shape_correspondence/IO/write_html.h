@@ -22,16 +22,17 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a structural graph as a web page that needs no network: surfaces faint, curves and sheets, a colour a group,
-/// a dot a contact, and a table of the parts with how each was abstracted. The mouse turns, zooms and points at parts.
-/// A shape that has no meshes (read from a graph) is drawn by its curves and sheets: pass null. Needs nlohmann-json:
-/// link `CGAL::Shape_correspondence_IO`.
+/// Writes a structural graph as a web page that needs no network: surfaces faint, curves and sheets, one colour for
+/// each group, one dot for each contact, and a table of the parts with how each was abstracted. The mouse turns, zooms
+/// and points at parts. A shape that has no meshes (read from a graph) is drawn by its curves and sheets: pass null.
+/// Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
 void write_structural_graph_html(std::ostream& out, const Structural_graph& graph,
                                  const Segmented_shape* shape = nullptr);
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a correspondence as such a page: both shapes side by side in their common frame, source on the left, parts
-/// that correspond in one colour, unmatched parts grey, and a table of the pairs.
+/// that correspond in one colour, unmatched parts grey, and a table of the pairs. `source_shape` and `target_shape` are
+/// null for shapes without meshes.
 void write_correspondence_html(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                                const Structural_graph& target, const Segmented_shape* source_shape = nullptr,
                                const Segmented_shape* target_shape = nullptr);
