@@ -20,7 +20,12 @@ def write_figure(program, source, target, out, frames, options=()):
     with tempfile.TemporaryDirectory() as scratch:
         folder = os.path.join(scratch, "frames")
         subprocess.run([program, "blend", source, target, "-o", folder, "--frames", str(frames), "--quiet", *options], check=True)
-        shapes = [read_obj(os.path.join(folder, name)) for name in sorted(os.listdir(folder))]
+        draw_frames(folder, out)
+
+
+def draw_frames(folder, out):
+    """Draws the frames in a folder of OBJ files, the first one the source and the last one the target."""
+    shapes = [read_obj(os.path.join(folder, name)) for name in sorted(os.listdir(folder))]
     numbers = {}  # of source parts that stay
     of_source, of_target = {}, {}  # the ends have the names of the parts alone
     for name, _ in shapes[1]:

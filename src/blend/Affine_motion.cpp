@@ -3,9 +3,13 @@
 
 #include "blend/Affine_motion.h"
 
+#include "base/eigen_system.h"
+
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -21,6 +25,26 @@ Affine_motion Affine_motion::symmetrised(const Affine_motion& other) const
   const Point at_image = mirror * middle;
   return {middle, (translation + mirror * other.displacement(at_image)) / 2,
           (gradient + mirror * other.gradient * mirror) / 2};
+}
+
+Affine_motion Stretch::bounded(Affine_motion motion)
+{
+  const Eigen::Matrix3d asked = (Eigen::Matrix3d::Identity() + motion.gradient) * map_;
+  const Eigen_system system = eigen_system(asked.transpose() * asked);
+  const Eigen::Vector3d stretches = system.values.cwiseMax(0).cwiseSqrt();
+  const Eigen::Vector3d allowed = stretches.cwiseMax(least_stretch).cwiseMin(most_stretch);
+  if (allowed == stretches) {
+    map_ = asked;
+    return motion;
+  }
+  is_at_bound_ = true;
+  Eigen::Matrix3d map = map_;
+  constexpr double invertible = 1e-6;
+  if (stretches.minCoeff() > invertible && asked.determinant() > 0)
+    map = asked * system.vectors * allowed.cwiseQuotient(stretches).asDiagonal() * system.vectors.transpose();
+  motion.gradient = map * map_.inverse() - Eigen::Matrix3d::Identity();
+  map_ = map;
+  return motion;
 }
 
 Affine_motion fitted_motion(const std::vector<Handle>& handles, double size)
@@ -47,9 +71,10 @@ Affine_motion_solver::Affine_motion_solver(std::vector<Moving_body> bodies)
     : bodies_(std::move(bodies)), right_(Points::Zero(3, Eigen::Index(unknowns * bodies_.size())))
 {
   constexpr double stiffness = 0.1; // of a body, against a contact's 1
+  constexpr double rigid = 1e4;     // of one that is not to be stretched
   for (std::size_t body = 0; body < bodies_.size(); ++body)
     for (int i = 0; i < unknowns; ++i)
-      add(all_, body, i, body, i, i == 0 ? bodies_[body].inertia : stiffness);
+      add(all_, body, i, body, i, i == 0 ? bodies_[body].inertia : bodies_[body].is_rigid ? rigid : stiffness);
 }
 
 void Affine_motion_solver::add_contact(std::size_t a, const Point& p, std::size_t b, const Point& q, const Point& step)

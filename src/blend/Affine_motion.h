@@ -28,6 +28,25 @@ struct Affine_motion
   Affine_motion symmetrised(const Affine_motion& other) const;
 };
 
+/// What motions that close gaps may do to the shape of a part, all of them together: singular values of the linear map.
+/// What is stretched more looks like another part, what is compressed more looks crushed.
+constexpr double least_stretch = 0.7, most_stretch = 1.4;
+
+/// How a part has been stretched by motions so far.
+class Stretch
+{
+public:
+  /// The motion as far as the part may still be stretched; what is beyond, it is not, and goes with its middle.
+  Affine_motion bounded(Affine_motion motion);
+
+  /// Whether a motion has been beyond the bounds.
+  bool is_at_bound() const { return is_at_bound_; }
+
+private:
+  Eigen::Matrix3d map_ = Eigen::Matrix3d::Identity();
+  bool is_at_bound_ = false;
+};
+
 /// A point of what is deformed, and by how much it is to move.
 struct Handle
 {
@@ -43,8 +62,9 @@ Affine_motion fitted_motion(const std::vector<Handle>& handles, double size);
 struct Moving_body
 {
   Point middle = Point::Zero();
-  double size = 1;    ///< a change of shape counts as much as a motion this far from the middle; not 0
-  double inertia = 1; ///< how much it resists being moved
+  double size = 1;       ///< a change of shape counts as much as a motion this far from the middle; not 0
+  double inertia = 1;    ///< how much it resists being moved
+  bool is_rigid = false; ///< it is to be moved without a change of shape
 };
 
 /// Finds the affine motions of bodies that close the gaps of their contacts best, in the least squares sense, with

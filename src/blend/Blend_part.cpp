@@ -41,6 +41,7 @@ void Blend_part::add_trees()
     const int surface = end_surface(at_end);
     std::optional<Tree>& tree = trees[std::size_t(surface)];
     tree = tree_of(end_points(at_end), triangles(surface));
+    rests[std::size_t(surface)].emplace(end_points(at_end), triangles(surface));
     size = std::max(size, tree->box().diagonal().norm());
   }
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "blend/Part_morph.h"
+#include "blend/Rest_surface.h"
 #include "blend/Unmatched_part.h"
 #include "map/Charted_mesh.h"
 
@@ -39,16 +40,17 @@ struct Blend_part
 
   std::string name;
   Blend_task task;
-  std::shared_ptr<const Part_morph> morph;         ///< of a matched part
-  std::shared_ptr<const Unmatched_part> unmatched; ///< or else of one that shrinks or grows
-  std::vector<Attachment> attachments;             ///< of the latter
-  double height = 0;                               ///< of its middle, at the ends' mean
-  std::size_t image = Blend_task::no_part;         ///< its mirror image, where the blend is to be symmetric
-  bool is_reflected = false;                       ///< computed as the image's image, in its charts
-  bool stands = false;                             ///< on the ground, at both ends
-  std::array<double, 2> foot = {0, 0};             ///< of one that stands, how high it is above the ground, by end
-  std::array<std::optional<Tree>, 2> trees;        ///< by surface, at an end; to be moved
-  double size = 1e-6;                              ///< of the larger one of its surfaces; never less
+  std::shared_ptr<const Part_morph> morph;          ///< of a matched part
+  std::shared_ptr<const Unmatched_part> unmatched;  ///< or else of one that shrinks or grows
+  std::vector<Attachment> attachments;              ///< of the latter
+  double height = 0;                                ///< of its middle, at the ends' mean
+  std::size_t image = Blend_task::no_part;          ///< its mirror image, where the blend is to be symmetric
+  bool is_reflected = false;                        ///< computed as the image's image, in its charts
+  bool stands = false;                              ///< on the ground, at both ends
+  std::array<double, 2> foot = {0, 0};              ///< of one that stands, how high it is above the ground, by end
+  std::array<std::optional<Tree>, 2> trees;         ///< by surface, at an end; to be moved
+  std::array<std::optional<Rest_surface>, 2> rests; ///< by surface, at that end
+  double size = 1e-6;                               ///< of the larger one of its surfaces; never less
 
   bool has_image() const { return image != Blend_task::no_part; }
   /// Of an unmatched one, the end that has it.
@@ -66,7 +68,7 @@ struct Blend_part
   int end_surface(int end) const { return morph ? end : 0; }
   Points end_points(int end) const;
 
-  /// Sets trees and size. \pre it has all else
+  /// Sets trees, rests and size. \pre it has all else
   void add_trees();
 };
 

@@ -3,7 +3,7 @@
 
 #include "blend/In_between_shape.h"
 
-#include "blend/Affine_motion.h"
+#include "blend/ease.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,14 +12,15 @@ namespace CGAL::Shape_correspondence::internal {
 
 In_between_shape::In_between_shape(const Blend_structure& blend, const Task_times& times, double t)
     : blend_(blend),
-      t_(t),
+      t_(eased(t)),
       points_(blend.parts.size()),
       surface_(blend.parts.size(), -1),
-      remaining_(blend.parts.size(), 1)
+      remaining_(blend.parts.size(), 1),
+      stretches_(blend.parts.size())
 {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Blend_part& part = blend.parts[i];
-    const double own = std::clamp((t - times[i][0]) / (times[i][1] - times[i][0]), 0., 1.);
+    const double own = eased((t - times[i][0]) / (times[i][1] - times[i][0]));
     if (part.morph) {
       surface_[i] = part.morph->surface(own);
       for (int surface : {0, 1})
@@ -33,6 +34,7 @@ In_between_shape::In_between_shape(const Blend_structure& blend, const Task_time
 void In_between_shape::set_unmatched(std::size_t part, Points points)
 {
   points_[part][0] = std::move(points);
+  stretches_[part] = {};
   if (remaining_[part] > 0) surface_[part] = 0;
 }
 

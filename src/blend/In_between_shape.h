@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "blend/Affine_motion.h"
 #include "blend/Blend_structure.h"
 
 #include <array>
@@ -12,12 +13,11 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-struct Affine_motion;
-
 /// When each part's task begins and ends.
 using Task_times = std::vector<std::array<double, 2>>;
 
 /// The surfaces of the parts of a blend at a time strictly between its ends. Parts and surfaces are named by index.
+/// Every task starts and stops gently, and so does what both shapes have at large.
 class In_between_shape
 {
 public:
@@ -36,6 +36,7 @@ public:
   const Blend_structure& blend() const { return blend_; }
   const Blend_part& part(std::size_t part) const { return blend_.parts[part]; }
   std::size_t number_of_parts() const { return points_.size(); }
+  /// How far the whole shape is on its way: the time, eased.
   double time() const { return t_; }
 
   /// The one of a part's surfaces that there is, or -1.
@@ -56,6 +57,10 @@ public:
   void refit(Tree& tree, std::size_t part) const;
   /// Moves all surfaces of a part.
   void apply(const Affine_motion& motion, std::size_t part);
+  /// The same to close gaps, as far as the part may be stretched for that.
+  void stretch(const Affine_motion& motion, std::size_t part) { apply(stretches_[part].bounded(motion), part); }
+  /// Whether a part is stretched as much as it may be.
+  bool is_at_bound(std::size_t part) const { return stretches_[part].is_at_bound(); }
 
   /// The height of the ground.
   double ground() const { return (1 - t_) * blend_.ground[0] + t_ * blend_.ground[1]; }
@@ -74,6 +79,7 @@ private:
   std::vector<std::array<Points, 2>> points_; ///< by part and surface
   std::vector<int> surface_;
   std::vector<double> remaining_;
+  std::vector<Stretch> stretches_; ///< by part, since it has been placed
   double widest_disconnection_ = 0;
 };
 

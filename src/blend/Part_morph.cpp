@@ -17,8 +17,13 @@ Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const
     : source_(charts.source), target_(charts.target)
 {
   constexpr double longest_edge = 0.3; // in coordinates, of 2 from end to end
-  const Charted_mesh a = finely_charted(source, source_, longest_edge);
-  const Charted_mesh b = finely_charted(target, target_, longest_edge);
+  Charted_mesh a = finely_charted(source, source_, longest_edge);
+  Charted_mesh b = finely_charted(target, target_, longest_edge);
+  for (Charted_mesh* mesh : {&a, &b}) {
+    outlines_.emplace_back(source_.is_sheet(), mesh->coordinates);
+    for (Eigen::Index i = 0; i < mesh->coordinates.cols(); ++i)
+      mesh->coordinates.col(i) = outlines_.back().relative(mesh->coordinates.col(i));
+  }
   if (forward) {
     forward_ = *forward;
     surfaces_ = forward_ ? surface_pair(a, b) : surface_pair(b, a);
@@ -33,12 +38,13 @@ Points Part_morph::points(int surface, double t) const
 {
   constexpr double instant = 1e-12; // the least time for a motion
   const Part_chart chart = Part_chart::between(source_, target_, t);
+  const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], t);
   const Moving_surface& mesh = moving(surface);
   const double own_time = forward_ ? t : 1 - t;
   const double moved = std::clamp((own_time - mesh.begin) / std::max(mesh.end - mesh.begin, instant), 0., 1.);
   Points result(3, mesh.coordinates[0].cols());
   for (Eigen::Index i = 0; i < result.cols(); ++i) {
-    const Point k = (1 - moved) * mesh.coordinates[0].col(i) + moved * mesh.coordinates[1].col(i);
+    const Point k = outline.absolute((1 - moved) * mesh.coordinates[0].col(i) + moved * mesh.coordinates[1].col(i));
     const Point off = (1 - own_time) * mesh.offsets[0].col(i) + own_time * mesh.offsets[1].col(i);
     result.col(i) = chart(k) + chart.frame(k) * off;
   }

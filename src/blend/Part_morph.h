@@ -3,12 +3,14 @@
 
 #pragma once
 
+#include "map/Chart_outline.h"
 #include "map/Part_chart.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -17,9 +19,10 @@ struct Pair_charts;
 
 /// A surface that becomes another.
 ///
-/// First the one surface, in the coordinates of its chart, moves to the nearest places of the other; then the other
-/// takes over where the first has come to and what the first could not reach grows out of it. So both ends are exact,
-/// nothing jumps, and the surface is that of one input or the other at any time: closed if both are.
+/// First the one surface, in coordinates of its chart relative to the part's outline there, moves to the nearest places
+/// of the other; then the other takes over where the first has come to and what the first could not reach grows out of
+/// it. So both ends are exact, nothing jumps, and the surface is that of one input or the other at any time: closed if
+/// both are.
 class Part_morph
 {
 public:
@@ -43,7 +46,7 @@ private:
   struct Moving_surface
   {
     Eigen::Matrix3Xi triangles;
-    std::array<Points, 2> coordinates, offsets; ///< in charts; from, to
+    std::array<Points, 2> coordinates, offsets; ///< relative to outlines in charts; from, to
     double begin = 0, end = 1;                  ///< when it moves from the one to the other
 
     /// How far a point has to move, at most, in coordinates.
@@ -64,6 +67,7 @@ private:
   }
 
   Part_chart source_, target_;
+  std::vector<Chart_outline> outlines_; ///< by end
   bool forward_ = true;
   Surface_pair surfaces_;
 };

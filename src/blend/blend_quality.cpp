@@ -5,14 +5,14 @@
 
 #include "base/quantized.h"
 #include "blend/mirror_images.h"
+#include "blend/visible_quality.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
 #include <numeric>
-#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -74,23 +74,20 @@ std::vector<double> asymmetries(const In_between_shape& shape, const Trees& tree
   return result;
 }
 
-Blend_quality quality(const In_between_shape& shape, const Trees& trees)
+Blend_quality quality(const In_between_shape& shape, const Trees& trees, const Visible_quality& seen)
 {
   Blend_quality result;
+  result.thinning = seen.thinning.value;
+  result.area = seen.area.value;
+  result.volume = seen.volume.value;
+  result.torn = seen.torn.value;
+  result.overlap = seen.overlap.value;
+  result.wobble = seen.wobble.value;
   result.gap = widest_contact(shape, trees).gap;
   result.apart = shape.widest_disconnection();
   result.ground = std::abs(worst_foot(shape).height);
   if (shape.blend().is_symmetric) result.asymmetry = asymmetry(shape, trees);
   return result;
-}
-
-std::string quoted(const In_between_shape& shape, std::size_t part) { return '\'' + shape.part(part).name + '\''; }
-
-std::string two_digits(double value)
-{
-  std::ostringstream text;
-  text << std::setprecision(2) << value;
-  return text.str();
 }
 
 void add_contact_fault(const In_between_shape& shape, const Trees& trees, std::vector<std::string>& faults)
@@ -139,17 +136,24 @@ void add_symmetry_fault(const In_between_shape& shape, const Trees& trees, doubl
 
 } // namespace
 
-Blend_quality quality(const In_between_shape& shape) { return quality(shape, shape.trees()); }
+Blend_quality quality(const In_between_shape& shape)
+{
+  const Trees trees = shape.trees();
+  return quality(shape, trees, visible_quality(shape, trees));
+}
 
 double end_asymmetry(const Blend_structure& blend) { return std::max(blend.end_asymmetry[0], blend.end_asymmetry[1]); }
 
 Blend_check check(const In_between_shape& shape)
 {
   const Trees trees = shape.trees();
-  Blend_check result{quality(shape, trees), {}};
+  const Visible_quality seen = visible_quality(shape, trees);
+  Blend_check result{quality(shape, trees, seen), {}};
   add_contact_fault(shape, trees, result.faults);
   add_foot_fault(shape, result.faults);
   add_symmetry_fault(shape, trees, result.quality.asymmetry, result.faults);
+  for (std::string& fault : visible_faults(seen, shape))
+    result.faults.push_back(std::move(fault));
   return result;
 }
 

@@ -17,8 +17,13 @@ In_between_shape in_between_shape(const Blend_structure& blend, const Task_times
 /// the way to the other. At the ends, which need not be quite symmetric, nothing moves.
 void symmetrise(In_between_shape& shape);
 
+/// Makes the box of a part and that of its mirror image mirror images of each other, for all parts of a kind.
+/// \param of_matched whether those that are matched, or the others
+void symmetrise_boxes(In_between_shape& shape, bool of_matched);
+
 /// Moves every point of a part and of its mirror image half of the way to where the other is, seen in the mirror, some
-/// times over. Nothing for a part whose image comes before it.
+/// times over. Nothing for a part whose image comes before it, or one that is so far from the mirror image of its image
+/// that it would be crushed, or has so many points that it would be crumpled.
 void symmetrise_surfaces(In_between_shape& shape, std::size_t part);
 
 /// Unmatched parts are as much as remains of them, and follow what they are attached to; none goes into the ground.

@@ -25,6 +25,7 @@ public:
     add_mirrored(paired, ends.images[0], ends.images[1]);
     paired = matched_members(ends.charted[0], ends.charted[1], paired);
     add_mirrored(paired, ends.images[0], ends.images[1]);
+    leave_rings_out(paired);
     pairs_ = piece_pairs(ends.charted[0], ends.charted[1], paired);
     find_images(paired);
     find_uses();
@@ -49,6 +50,25 @@ private:
     int count = 0;
     bool all_have_images = true;
   };
+
+  /// Takes out pairs of a closed curve and what is none, if either becomes something of its own kind as well: the hole
+  /// would be torn open. The ring shrinks or grows instead.
+  void leave_rings_out(Part_pairs& paired) const
+  {
+    const auto is_torn = [&](const std::pair<std::size_t, std::size_t>& pair) {
+      return ends_.charted[0].parts[pair.first]->is_closed_curve() !=
+             ends_.charted[1].parts[pair.second]->is_closed_curve();
+    };
+    const auto has_other = [&](const std::pair<std::size_t, std::size_t>& pair) {
+      return std::any_of(paired.begin(), paired.end(), [&](const auto& other) {
+        return (other.first == pair.first || other.second == pair.second) && !is_torn(other);
+      });
+    };
+    Part_pairs kept;
+    for (const auto& pair : paired)
+      if (!is_torn(pair) || !has_other(pair)) kept.push_back(pair);
+    paired = std::move(kept);
+  }
 
   void find_images(const Part_pairs& paired)
   {

@@ -26,8 +26,9 @@ std::vector<Handle> handles_of(const In_between_shape& shape, std::size_t part)
 void follow(std::vector<Handle> handles, double size, Points& points)
 {
   constexpr int rounds = 4;
+  Stretch stretch;
   for (int round = 0; round < rounds; ++round) {
-    const Affine_motion motion = fitted_motion(handles, size);
+    const Affine_motion motion = stretch.bounded(fitted_motion(handles, size));
     motion.apply(points);
     for (Handle& handle : handles) {
       const Point step = motion.displacement(handle.at);
@@ -47,9 +48,10 @@ void place_unmatched_parts(In_between_shape& shape)
     Points points = part.remaining_points(shape.remaining(i));
     const double size = std::max(box_of(points).diagonal().norm(), In_between_shape::least_stretched * part.size);
     follow(handles_of(shape, i), size, points);
-    points.row(1) = points.row(1).cwiseMax(shape.ground());
+    points.row(1).array() += std::max(0., shape.ground() - points.row(1).minCoeff());
     shape.set_unmatched(i, std::move(points));
   }
+  symmetrise_boxes(shape, false);
   for (std::size_t i = 0; i < shape.number_of_parts(); ++i)
     if (shape.part(i).unmatched) symmetrise_surfaces(shape, i);
 }

@@ -99,7 +99,7 @@ private:
         is_whole = is_whole && std::abs(motion.translation.x()) <= In_between_shape::closed_gap;
         motion.translation.x() = 0;
       }
-      shape_.apply(motion, part);
+      shape_.stretch(motion, part);
       components_.update(i, shape_.tree(part));
     }
     return is_whole;

@@ -27,7 +27,7 @@ Point foot(const In_between_shape& shape, std::size_t part)
 }
 
 /// Stretches a part that stands down to its place on the ground, and one that is in the ground up out of it; what is
-/// highest stays. What is beyond half of its height, the whole part moves.
+/// highest stays. What is beyond half of its height, or beyond its bounds, the whole part moves.
 void put_foot(In_between_shape& shape, std::size_t part)
 {
   const double rise = shape.needed_rise(part);
@@ -36,7 +36,8 @@ void put_foot(In_between_shape& shape, std::size_t part)
   const double stretch = std::clamp(rise, -height / 2, height / 2);
   Affine_motion motion{Point(0, high, 0), Point(0, rise - stretch, 0), Eigen::Matrix3d::Zero()};
   motion.gradient(1, 1) = -stretch / height;
-  shape.apply(motion, part);
+  shape.stretch(motion, part);
+  shape.apply({Point::Zero(), Point(0, shape.needed_rise(part), 0), Eigen::Matrix3d::Zero()}, part);
 }
 
 class Contact_relaxation
@@ -46,14 +47,15 @@ public:
       : shape_(shape), trees_(shape.trees()), nearest_(shape.blend().contacts.size())
   {}
 
-  /// Moves all parts once, if any contact is open or any foot is off its place. Returns whether there was one.
-  bool improve()
+  /// Moves all parts once, if any contact is open or any foot is off its place. Returns by how much they are, all
+  /// together, before.
+  double improve()
   {
     Affine_motion_solver solver(bodies());
-    const bool are_closed = add_contacts(solver), is_grounded = add_feet(solver);
-    if (are_closed && is_grounded) return false;
-    move(solver.solve());
-    return true;
+    const double open = add_contacts(solver) + add_feet(solver);
+    if (open > 0) move(solver.solve());
+    ++round_;
+    return open;
   }
 
 private:
@@ -65,27 +67,39 @@ private:
       if (!shape_.is_there(part)) continue;
       const contacts::Box& box = trees_[part]->box();
       const double size = std::max(box.diagonal().norm(), In_between_shape::least_stretched * shape_.part(part).size);
-      result[part] = {box.center(), size, inertia * size};
+      result[part] = {box.center(), size, inertia * size, shape_.is_at_bound(part)};
     }
     return result;
   }
 
-  /// Returns whether none is open.
-  bool add_contacts(Affine_motion_solver& solver)
+  /// Where a contact is closest: searched for every few rounds, and in between at the triangles where it was.
+  contacts::Closest_pair closest_points(std::size_t contact, double enough)
+  {
+    constexpr int searched_every = 4;
+    const auto [a, b] = shape_.blend().contacts[contact].parts;
+    contacts::Triangle_pair& near = nearest_[contact];
+    if (round_ % searched_every == 0) return trees_[a]->nearly_closest(*trees_[b], enough, near);
+    contacts::Closest_pair result;
+    contacts::improve_by_triangles(trees_[a]->triangles()[near.first], trees_[b]->triangles()[near.second], result);
+    return result;
+  }
+
+  /// Returns by how much contacts are open.
+  double add_contacts(Affine_motion_solver& solver)
   {
     constexpr double closed = In_between_shape::closed_gap;
-    bool are_closed = true;
+    double open = 0;
     for (std::size_t i = 0; i < nearest_.size(); ++i) {
       const Contact_constraint& contact = shape_.blend().contacts[i];
       const auto [a, b] = contact.parts;
       const double allowed = contact.allowed_gap(shape_.time());
-      const contacts::Closest_pair closest = trees_[a]->nearly_closest(*trees_[b], allowed + closed, nearest_[i]);
+      const contacts::Closest_pair closest = closest_points(i, allowed + closed);
       const double gap = std::sqrt(closest.squared);
       if (gap + In_between_shape::widest_connected_gap < allowed) continue; // it holds nothing
       Point step = Point::Zero();
       if (gap > allowed + closed) {
         step = (gap - allowed) / gap * (closest.second - closest.first);
-        are_closed = false;
+        open += gap - allowed;
       }
       solver.add_contact(a, closest.first, b, closest.second, step);
       const Blend_part &first = shape_.part(a), &second = shape_.part(b);
@@ -93,28 +107,28 @@ private:
         solver.add_contact(first.image, mirrored(closest.first), second.image, mirrored(closest.second),
                            mirrored(step));
     }
-    return are_closed;
+    return open;
   }
 
-  /// Returns whether all are where they belong.
-  bool add_feet(Affine_motion_solver& solver) const
+  /// Returns by how much feet are off their places.
+  double add_feet(Affine_motion_solver& solver) const
   {
-    bool is_grounded = true;
+    double off = 0;
     for (std::size_t part = 0; part < shape_.number_of_parts(); ++part) {
       if (!shape_.is_there(part)) continue;
       const double rise = shape_.needed_rise(part);
       if (!shape_.part(part).stands && rise <= 0) continue;
       solver.add_rise(part, foot(shape_, part), rise);
-      is_grounded = is_grounded && std::abs(rise) <= In_between_shape::closed_gap;
+      if (std::abs(rise) > In_between_shape::closed_gap) off += std::abs(rise);
     }
-    return is_grounded;
+    return off;
   }
 
   void move(const std::vector<Affine_motion>& motions)
   {
     for (std::size_t part = 0; part < motions.size(); ++part) {
       const Blend_part& moved = shape_.part(part);
-      shape_.apply(moved.has_image() ? motions[part].symmetrised(motions[moved.image]) : motions[part], part);
+      shape_.stretch(moved.has_image() ? motions[part].symmetrised(motions[moved.image]) : motions[part], part);
       if (!shape_.is_there(part)) continue;
       put_foot(shape_, part);
       shape_.refit(*trees_[part], part);
@@ -124,16 +138,23 @@ private:
   In_between_shape& shape_;
   In_between_shape::Trees trees_;
   std::vector<contacts::Triangle_pair> nearest_; ///< by contact, where it was closest
+  int round_ = 0;
 };
 
 } // namespace
 
 Relaxation relax_contacts(In_between_shape& shape)
 {
-  constexpr int most_rounds = 20;
+  constexpr std::size_t most_rounds = 20;
+  constexpr std::size_t patience = 4; // rounds in which it is to get better by
+  constexpr double progress = 0.8;    // at least: else parts are at their bounds
   Contact_relaxation relaxation(shape);
-  for (int round = 0; round < most_rounds; ++round)
-    if (!relaxation.improve()) return round == 0 ? Relaxation::NOTHING_TO_DO : Relaxation::CLOSED;
+  std::vector<double> open;
+  while (open.size() < most_rounds) {
+    open.push_back(relaxation.improve());
+    if (open.back() == 0) return open.size() == 1 ? Relaxation::NOTHING_TO_DO : Relaxation::CLOSED;
+    if (open.size() > patience && open.back() > progress * open[open.size() - 1 - patience]) break;
+  }
   return Relaxation::OPEN;
 }
 

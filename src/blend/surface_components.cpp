@@ -91,7 +91,8 @@ Surface_components::Connection Surface_components::shortest_connection(std::size
       if (components_[a] != component || components_[b] == component ||
           surfaces_[a].box().squaredExteriorDistance(surfaces_[b].box()) >= shortest.closest.squared)
         continue;
-      const contacts::Closest_pair pair = surfaces_[a].nearly_closest(surfaces_[b]);
+      contacts::Closest_pair pair = shortest.closest;
+      surfaces_[a].improve_nearly_closest(surfaces_[b], pair);
       if (pair.squared < shortest.closest.squared) shortest = {a, b, pair};
     }
   return shortest;

@@ -21,20 +21,10 @@ bool has_image(const In_between_shape& shape, std::size_t part)
   return shape.part(part).has_image() && shape.is_there(part) && shape.is_there(shape.part(part).image);
 }
 
-void symmetrise_boxes(In_between_shape& shape)
+/// Root mean square, as that of what is left of a part.
+double thickness(const In_between_shape& shape, std::size_t part)
 {
-  const double share = mirror_share(shape.time());
-  std::vector<contacts::Box> boxes(shape.number_of_parts());
-  for (std::size_t part = 0; part < boxes.size(); ++part)
-    if (shape.is_there(part)) boxes[part] = box_of(shape.points(part));
-  for (std::size_t part = 0; part < boxes.size(); ++part) {
-    if (!has_image(shape, part)) continue;
-    const contacts::Box& image = boxes[shape.part(part).image];
-    const Point middle = boxes[part].center(), size = boxes[part].sizes();
-    const Point translation = share / 2 * (mirrored(Point(image.center())) - middle);
-    const Point growth = share / 2 * (image.sizes() - size).cwiseQuotient(size.cwiseMax(least_stretched_size));
-    shape.apply(Affine_motion{middle, translation, growth.asDiagonal()}, part);
-  }
+  return shape.remaining(part) * shape.part(part).rests[std::size_t(shape.surface(part))]->extent().spread;
 }
 
 /// Moves points half of the way to the mirror image of a surface.
@@ -53,26 +43,45 @@ void move_to_image(Points& points, const contacts::Triangle_tree& surface, doubl
 
 } // namespace
 
+void symmetrise_boxes(In_between_shape& shape, bool of_matched)
+{
+  const double share = mirror_share(shape.time());
+  std::vector<contacts::Box> boxes(shape.number_of_parts());
+  for (std::size_t part = 0; part < boxes.size(); ++part)
+    if (shape.is_there(part)) boxes[part] = box_of(shape.points(part));
+  for (std::size_t part = 0; part < boxes.size(); ++part) {
+    if (!has_image(shape, part) || bool(shape.part(part).morph) != of_matched) continue;
+    const contacts::Box& image = boxes[shape.part(part).image];
+    const Point middle = boxes[part].center(), size = boxes[part].sizes();
+    const Point translation = share / 2 * (mirrored(Point(image.center())) - middle);
+    const Point growth = share / 2 * (image.sizes() - size).cwiseQuotient(size.cwiseMax(least_stretched_size));
+    shape.apply(Affine_motion{middle, translation, growth.asDiagonal()}, part);
+  }
+}
+
 void symmetrise(In_between_shape& shape)
 {
-  symmetrise_boxes(shape);
+  symmetrise_boxes(shape, true);
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
     symmetrise_surfaces(shape, part);
 }
 
 void symmetrise_surfaces(In_between_shape& shape, std::size_t part)
 {
-  constexpr double alike = 5e-4; // of the height: so near that nothing needs to be done
-  constexpr int most_rounds = 4;
+  constexpr double alike = 5e-4;      // of the height: so near that nothing needs to be done
+  constexpr double most_moved = 0.25; // of the thickness
+  constexpr int most_rounds = 2;
+  constexpr Eigen::Index most_points = 2000; // ornaments have no nearest points that they could go to
   if (!has_image(shape, part)) return;
   const std::size_t image = shape.part(part).image;
-  if (image < part) return;
+  if (image < part || shape.points(part).cols() + shape.points(image).cols() > most_points) return;
   const double share = mirror_share(shape.time());
   std::array<std::vector<std::size_t>, 2> triangles;
   for (int round = 0; round < most_rounds; ++round) {
     const contacts::Triangle_tree own = shape.tree(part), others = shape.tree(image);
-    if (std::max(mirror_distance(shape.points(part), others), mirror_distance(shape.points(image), own)) <= alike)
-      return;
+    const double distance =
+        std::max(mirror_distance(shape.points(part), others), mirror_distance(shape.points(image), own));
+    if (distance <= alike || distance > most_moved * std::min(thickness(shape, part), thickness(shape, image))) return;
     move_to_image(shape.points(part), others, share, triangles[0]);
     if (image != part) move_to_image(shape.points(image), own, share, triangles[1]);
   }

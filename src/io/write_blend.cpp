@@ -9,6 +9,7 @@
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -50,7 +51,20 @@ int add_end(Glb_builder& glb, const Segmented_shape& shape, const int* materials
 
 Json quality_json(const Blend_quality& quality)
 {
-  return {{"gap", quality.gap}, {"apart", quality.apart}, {"asymmetry", quality.asymmetry}, {"ground", quality.ground}};
+  return {{"gap", quality.gap},       {"apart", quality.apart},       {"asymmetry", quality.asymmetry},
+          {"ground", quality.ground}, {"thinning", quality.thinning}, {"area", quality.area},
+          {"volume", quality.volume}, {"torn", quality.torn},         {"overlap", quality.overlap},
+          {"wobble", quality.wobble}};
+}
+
+/// \param asymmetry of the ends
+Json tolerances_json(double asymmetry)
+{
+  return {{"gap", Shape_blend::contact_tolerance},   {"asymmetry", asymmetry + Shape_blend::symmetry_tolerance},
+          {"ground", Shape_blend::ground_tolerance}, {"thinning", Shape_blend::thinning_tolerance},
+          {"area", Shape_blend::area_tolerance},     {"volume", Shape_blend::volume_tolerance},
+          {"torn", Shape_blend::torn_tolerance},     {"overlap", Shape_blend::overlap_tolerance},
+          {"wobble", Shape_blend::wobble_tolerance}};
 }
 
 } // namespace
@@ -162,6 +176,7 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
   std::vector<Blend_check> checks(static_cast<std::size_t>(frames));
   internal::for_each_index<CGAL::Parallel_if_available_tag>(
       checks.size(), [&](std::size_t frame) { checks[frame] = blend.check(double(frame) / (frames - 1)); });
+  result["tolerances"] = tolerances_json(std::max(checks.front().quality.asymmetry, checks.back().quality.asymmetry));
   result["frames"] = Json::array();
   for (int frame = 0; frame < frames; ++frame) {
     const Blend_check& check = checks[static_cast<std::size_t>(frame)];

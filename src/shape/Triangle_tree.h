@@ -100,6 +100,13 @@ public:
     improve_closest(0, other, 0, search);
   }
 
+  /// The same, where they are closer than nine tenths of it.
+  void improve_nearly_closest(const Triangle_tree& other, Closest_pair& best) const
+  {
+    Closest_search search(best, 0, nearly);
+    if (squared_distance(0, other, 0) < search.limit()) improve_closest(0, other, 0, search);
+  }
+
   /// Points of two surfaces that are closest but for a tenth of what their distance is over `enough`, or any within
   /// that: much faster between faces that lie flat on each other.
   Closest_pair nearly_closest(const Triangle_tree& other, double enough = 0) const

@@ -29,12 +29,25 @@ class Blend_structure;
 }
 
 /// \ingroup PkgShapeCorrespondenceOptions
+/// The size of in-between shapes, of models that may come in different units.
+enum class Blend_size {
+  BLEND,  ///< from the source's to the target's, by equal factors in equal times
+  SOURCE, ///< the source's; the target is scaled to the same height, about the origin
+  TARGET, ///< the target's; the source is scaled to the same height, about the origin
+  SAME    ///< of height 1; both are scaled, about the origin
+};
+
+/// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `Shape_blend`.
 struct Blend_options
 {
-  double contact_tolerance =
-      0.02;        ///< largest gap of parts in contact at an end of the blend, as a fraction of the height
-  int samples = 7; ///< number of in-between shapes by which a schedule is rated
+  /// Largest gap of parts in contact in the source or target, as a fraction of the height.
+  double contact_tolerance = 0.02;
+  int samples = 5;             ///< number of in-between shapes by which a schedule is rated, at least 1
+  double min_confidence = 0.3; ///< pairs of lower confidence, in [0, 1], are left out: their parts shrink and grow
+  Blend_size size = Blend_size::BLEND; ///< size of the in-between shapes
+  std::string schedule;                ///< name of the schedule to use; empty: the best one
+  bool rank_all = false; ///< rate all schedules by all samples, also those that cannot be the best any more
   /// Called before every schedule is judged, with the share that is done; `false` ends it: those not judged come last.
   std::function<bool(double)> progress;
 };
@@ -63,13 +76,20 @@ struct Blend_task
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// How well an in-between shape holds together; lengths over the shape's height.
+/// How well an in-between shape holds together and looks like what its ends are made of; 0 is best. Lengths are over
+/// the shape's height.
 struct Blend_quality
 {
   double gap = 0;       ///< by how much a contact of parts that stay is wider than at the ends, at most
   double apart = 0;     ///< how far connected components came apart, at most, before they were reconnected
   double asymmetry = 0; ///< root mean square distance from the mirror image, if both ends have a mirror plane in common
   double ground = 0;    ///< how far a part that stands on the ground at both ends is off its height there, at most
+  double thinning = 0;  ///< by what share a part is thinner than where it is thinnest at the ends, at most
+  double area = 0;      ///< by what share the surface is larger than at the end where it is larger
+  double volume = 0;    ///< the same of the volume of closed parts
+  double torn = 0;      ///< share of the surface that is folded over, or stretched far more than the part that it is of
+  double overlap = 0;   ///< share of the surface that is inside closed parts that it is not in at either end
+  double wobble = 0;    ///< how much farther a part that is the same at both ends moves than those it touches, at most
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
@@ -116,8 +136,10 @@ struct Blend_surface
 ///   affine motions at once, as little as that takes. *Connected components* that have come apart all the same are
 ///   moved together.
 ///
-/// Of several schedules the one is taken in which contacts, mirror symmetry and ground contact hold best; `check()`
-/// returns what does not hold. Deterministic.
+/// Closing gaps stretches parts by factors between 0.7 and 1.4 only; `check()` reports gaps that remain.
+///
+/// Schedules have no idle time. The one with the best `Blend_quality` is used, that is the least sum of its measures,
+/// each divided by its tolerance. `check()` returns what does not hold. Deterministic.
 class Shape_blend
 {
 public:
@@ -125,6 +147,13 @@ public:
   static constexpr double contact_tolerance = 0.005;  ///< of `Blend_quality::gap`
   static constexpr double symmetry_tolerance = 0.005; ///< of `Blend_quality::asymmetry`, over that of the ends
   static constexpr double ground_tolerance = 0.005;   ///< of `Blend_quality::ground`
+  static constexpr double wobble_tolerance = 0.02;    ///< of `Blend_quality::wobble`
+  // Shares
+  static constexpr double thinning_tolerance = 0.5; ///< of `Blend_quality::thinning`
+  static constexpr double area_tolerance = 0.3;     ///< of `Blend_quality::area`
+  static constexpr double volume_tolerance = 0.3;   ///< of `Blend_quality::volume`
+  static constexpr double torn_tolerance = 0.02;    ///< of `Blend_quality::torn`
+  static constexpr double overlap_tolerance = 0.03; ///< of `Blend_quality::overlap`
 
   /// Prepares a blend. O(v log v) for v vertices of the models and of their subdivision (a box of 8 vertices becomes
   /// one of some hundreds).
@@ -132,17 +161,26 @@ public:
   /// \param source_shape,target_shape the models that the graphs were built from
   /// \param correspondence of the graphs
   /// \param options the tolerance of contacts, and how schedules are judged
-  /// \throw Invalid_input if a model does not have the parts of its graph
+  /// \throw Invalid_input if a model does not have the parts of its graph, or there is no such schedule
   Shape_blend(const Structural_graph& source, const Segmented_shape& source_shape, const Structural_graph& target,
               const Segmented_shape& target_shape, const Correspondence& correspondence,
               const Blend_options& options = {});
 
-  /// The shape at `t` in [0, 1]: the source itself at 0, the target itself at 1; in between, the parts are those
-  /// surfaces that there are, and position, size and orientation go over from the one input to the other.
+  /// The shape at `t` in [0, 1]: the source itself at 0, the target itself at 1, but for the size that is asked for; in
+  /// between, the parts are those surfaces that there are, and position, size and orientation go over from the one
+  /// input to the other. All motions start and stop gently.
   Segmented_shape operator()(double t) const;
 
-  /// The schedules, the best first, which is the one of the blend.
+  /// The schedules, the best first, which is the one of the blend. One that is worse by the samples that it has been
+  /// judged by than the best one by all has not been judged further, unless `Blend_options::rank_all` says so.
   const std::vector<Blend_schedule>& schedules() const { return schedules_; }
+
+  /// The names of the schedules that there are.
+  static std::vector<std::string> schedule_names();
+
+  /// The same blend by each of the schedules that make different in-between shapes, the best first (Alhashim et al.
+  /// 2014, section 6): those whose shapes are nearly those of a better one are left out.
+  std::vector<Shape_blend> different_blends() const;
 
   /// How well the shape at `t` holds together; the ends are without fault.
   Blend_check check(double t) const;

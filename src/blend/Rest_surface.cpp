@@ -1,0 +1,157 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "blend/Rest_surface.h"
+
+#include "base/eigen_system.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+/// Normals with the doubled areas as lengths, by triangle.
+Points doubled_normals(const Points& points, const Eigen::Matrix3Xi& triangles)
+{
+  Points result(3, triangles.cols());
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    const Point a = points.col(triangles(0, t)), b = points.col(triangles(1, t)), c = points.col(triangles(2, t));
+    result.col(t) = (b - a).cross(c - a);
+  }
+  return result;
+}
+
+double squared_longest_edge(const Points& points, const Eigen::Vector3i& corners)
+{
+  const Point a = points.col(corners[0]), b = points.col(corners[1]), c = points.col(corners[2]);
+  return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+}
+
+/// By point, the first one in the same place.
+std::vector<int> places_of(const Points& points)
+{
+  const auto less = [&](int a, int b) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (points(axis, a) != points(axis, b)) return points(axis, a) < points(axis, b);
+    return a < b;
+  };
+  std::vector<int> order(std::size_t(points.cols())), result(order.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), less);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_first = i == 0 || points.col(order[i]) != points.col(order[i - 1]);
+    result[std::size_t(order[i])] = is_first ? order[i] : result[std::size_t(order[i - 1])];
+  }
+  return result;
+}
+
+double diagonal(const Points& points) { return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm(); }
+
+} // namespace
+
+Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangles)
+    : triangles_(triangles), size_(diagonal(points)), longest_(triangles.cols())
+{
+  constexpr double smooth = 0.5; // cosine of the angle between normals
+  find_edges(points);
+  extent_ = extent(points);
+  const Points normals = doubled_normals(points, triangles_).colwise().normalized();
+  const auto turns = [&](const Edge& edge) { return normals.col(edge.from).dot(normals.col(edge.to)) < smooth; };
+  smooth_.erase(std::remove_if(smooth_.begin(), smooth_.end(), turns), smooth_.end());
+  for (Eigen::Index t = 0; t < triangles_.cols(); ++t)
+    longest_[t] = squared_longest_edge(points, triangles_.col(t));
+  constexpr int samples = 24;
+  const Eigen::VectorXd areas = doubled_normals(points, triangles_).colwise().norm();
+  double passed = 0, next = 0;
+  for (Eigen::Index t = 0; t < areas.size(); ++t)
+    for (passed += areas[t]; next < passed; next += areas.sum() / samples)
+      chosen_.push_back(t);
+}
+
+/// Sets all edges between two triangles, and whether there are no others. Points in one place are one.
+void Rest_surface::find_edges(const Points& points)
+{
+  const std::vector<int> places = places_of(points);
+  struct Side
+  {
+    std::array<int, 2> ends;
+    int triangle;
+    bool operator<(const Side& other) const
+    {
+      return ends != other.ends ? ends < other.ends : triangle < other.triangle;
+    }
+  };
+  std::vector<Side> sides;
+  sides.reserve(std::size_t(3 * triangles_.cols()));
+  for (int t = 0; t < int(triangles_.cols()); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const auto [a, b] =
+          std::minmax(places[std::size_t(triangles_(i, t))], places[std::size_t(triangles_((i + 1) % 3, t))]);
+      sides.push_back({{a, b}, t});
+    }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+    while (last < sides.size() && sides[last].ends == sides[first].ends)
+      ++last;
+    if (last - first == 2) smooth_.push_back({sides[first].triangle, sides[first + 1].triangle});
+    is_closed_ = is_closed_ && (last - first) % 2 == 0;
+  }
+}
+
+Surface_extent Rest_surface::extent(const Points& points) const
+{
+  Surface_extent result;
+  const Points normals = doubled_normals(points, triangles_);
+  const Point middle = points.rowwise().mean();
+  Points centred(3, triangles_.cols());
+  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
+    const double area = normals.col(t).norm() / 2;
+    const Point centre =
+        (points.col(triangles_(0, t)) + points.col(triangles_(1, t)) + points.col(triangles_(2, t))) / 3 - middle;
+    result.area += area;
+    result.volume += normals.col(t).dot(centre) / 6;
+    centred.col(t) = std::sqrt(area) * centre;
+  }
+  if (!(result.area > 0)) return result;
+  result.thickness = 2 * std::abs(result.volume) / result.area;
+  result.spread = std::sqrt(std::max(0., eigen_system(scatter_matrix(centred)).values[0] / result.area));
+  return result;
+}
+
+double Rest_surface::torn_area(const Points& points) const
+{
+  constexpr double folded = -0.5;    // cosine of the angle between normals
+  constexpr double most_stretch = 3; // of an edge, over that of the whole surface
+  const Points normals = doubled_normals(points, triangles_);
+  const Eigen::VectorXd areas = normals.colwise().norm() / 2;
+  std::vector<char> is_torn(std::size_t(triangles_.cols()), 0);
+  for (const Edge& edge : smooth_) {
+    const double cosine = normals.col(edge.from).dot(normals.col(edge.to));
+    if (cosine < folded * 4 * areas[edge.from] * areas[edge.to])
+      is_torn[std::size_t(areas[edge.from] < areas[edge.to] ? edge.from : edge.to)] = 1;
+  }
+  const double growth = most_stretch * std::max(1., diagonal(points) / std::max(size_, 1e-12));
+  double result = 0;
+  for (Eigen::Index t = 0; t < areas.size(); ++t)
+    if (is_torn[std::size_t(t)] || squared_longest_edge(points, triangles_.col(t)) > growth * growth * longest_[t])
+      result += areas[t];
+  return result;
+}
+
+Points Rest_surface::samples(const Points& points) const
+{
+  Points result(3, Eigen::Index(chosen_.size()));
+  for (std::size_t i = 0; i < chosen_.size(); ++i) {
+    const auto corners = triangles_.col(chosen_[i]);
+    result.col(Eigen::Index(i)) = (points.col(corners[0]) + points.col(corners[1]) + points.col(corners[2])) / 3;
+  }
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::internal

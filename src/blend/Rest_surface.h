@@ -1,0 +1,60 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Points.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// How much there is of a surface.
+struct Surface_extent
+{
+  double area = 0;
+  double volume = 0;    ///< signed, positive if the triangles look outwards; of a closed surface
+  double thickness = 0; ///< that of a plate of this volume and area; of a closed surface
+  double spread = 0;    ///< the least root mean square distance from a plane
+
+  bool is_flat() const { return spread < least_thickness; }
+  static constexpr double least_thickness = 1e-4; ///< of the shape's height: what is thinner has none
+};
+
+/// A surface of a part of a blend as it is at its end of the blend, which it is compared with on the way.
+class Rest_surface
+{
+public:
+  Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangles);
+
+  bool is_closed() const { return is_closed_; }
+  const Surface_extent& extent() const { return extent_; }
+  /// The same surface elsewhere.
+  Surface_extent extent(const Points& points) const;
+
+  /// The area of the triangles that are folded back onto a neighbour that they continue at rest, or much longer than
+  /// at rest where the whole surface is not.
+  double torn_area(const Points& points) const;
+
+  /// Some points evenly over the area, at rest.
+  Points samples(const Points& points) const;
+
+private:
+  struct Edge
+  {
+    int from, to; ///< triangles
+  };
+
+  void find_edges(const Points& points);
+
+  Eigen::Matrix3Xi triangles_;
+  bool is_closed_ = true;
+  Surface_extent extent_;
+  double size_ = 0;                  ///< the diagonal of the box
+  std::vector<Edge> smooth_;         ///< edges between triangles that continue each other
+  Eigen::VectorXd longest_;          ///< by triangle, its longest edge, squared
+  std::vector<Eigen::Index> chosen_; ///< triangles
+};
+
+} // namespace CGAL::Shape_correspondence::internal
