@@ -15,6 +15,7 @@
 #include "cli/thread_limit.h"
 #include "io/atomic_file.h"
 #include "io/quoting.h"
+#include "viewer/match_page.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -26,6 +27,7 @@
 #include <cctype>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 
 namespace CGAL::Shape_correspondence::cli {
 
@@ -34,15 +36,16 @@ namespace po = boost::program_options;
 namespace {
 
 const char* const help_text =
-    R"(Usage: shape_correspondence blend SOURCE TARGET -o FOLDER|FILE.glb [options]
+    R"(Usage: shape_correspondence blend SOURCE TARGET -o FOLDER|FILE.glb|FILE.html [options]
 
 Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. Corresponding parts
 morph into each other, split or merge; parts without counterpart shrink or grow; parts in contact stay in contact. The
 first frame is the source, the last one the target.
 
-With -o FILE.glb, all frames are one animation; with --at T, one shape is written, FILE.obj or FILE.ply. Otherwise
-FOLDER is made, with one file for each frame: frame_000 and so on. A part of a frame is named s~t where source part s
-becomes t, s~ where s vanishes, and ~t where t grows.
+With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page shows the match and the blend and needs
+no network; with --at T, one shape is written, FILE.obj or FILE.ply. Otherwise FOLDER is made, with one file for each
+frame: frame_000 and so on. A part of a frame is named s~t where source part s becomes t, s~ where s vanishes, and ~t
+where t grows.
 
 SOURCE and TARGET are each one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D. Its objects or nodes are the
@@ -110,7 +113,7 @@ po::options_description output_options(Blend_output& output, Common_options& com
   po::options_description result = option_group("Output");
   auto add = result.add_options();
   add("output,o", po::value(&output.path)->value_name("PATH"),
-      "an animation, FILE.glb, or a new folder for one file per frame");
+      "an animation, FILE.glb, a web page, FILE.html, or a new folder for one file per frame");
   add("frames", number(output.frames)->value_name("N"),
       "number of frames at equal time steps, including source and target");
   add("format", po::value(&output.format)->value_name("FORMAT")->default_value(output.format),
@@ -131,16 +134,24 @@ po::options_description output_options(Blend_output& output, Common_options& com
   return result;
 }
 
-bool is_glb(const std::string& path) { return path.size() > 4 && path.compare(path.size() - 4, 4, ".glb") == 0; }
+bool ends_with(const std::string& path, const std::string& ending)
+{
+  return path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+bool is_glb(const std::string& path) { return ends_with(path, ".glb"); }
+bool is_page(const std::string& path) { return ends_with(path, ".html"); }
+bool is_one_file(const std::string& path) { return is_glb(path) || is_page(path); }
 
 /// \throw Usage_error if a folder is to have the name of a file that blend does not write
 void check_is_no_other_file(const std::string& folder)
 {
   const std::string ending = std::filesystem::path(folder).extension().string();
-  for (const char* file : {".obj", ".ply", ".stl", ".off", ".gltf", ".dae", ".json", ".html", ".png", ".gif", ".mp4"})
+  for (const char* file : {".obj", ".ply", ".stl", ".off", ".gltf", ".dae", ".json", ".png", ".gif", ".mp4"})
     if (ending == file)
-      throw Usage_error("'" + folder + "' is named like a " + ending +
-                        " file; blend writes an animation, FILE.glb, or one file for each frame into a folder");
+      throw Usage_error(
+          "'" + folder + "' is named like a " + ending +
+          " file; blend writes an animation, FILE.glb, a page, FILE.html, or one file for each frame into a folder");
 }
 
 /// The format of the one shape that is written to a file, or empty if it is not.
@@ -152,14 +163,15 @@ std::string file_format(const Blend_output& output)
 
 void check_path(const Blend_output& output)
 {
-  if (output.path.empty()) throw Usage_error("-o is missing: a folder for the frames, or an animation FILE.glb");
+  if (output.path.empty())
+    throw Usage_error("-o is missing: a folder for the frames, an animation FILE.glb, or a page FILE.html");
   const std::string ending = std::filesystem::path(output.path).extension().string();
   if (!file_format(output).empty()) {
     if (ending != ".obj" && ending != ".ply")
       throw Usage_error("with --at, one shape is written: -o must name a file that ends in .obj or .ply");
     return;
   }
-  if (is_glb(output.path)) {
+  if (is_one_file(output.path)) {
     if (output.schedule == "all") throw Usage_error("--schedule all makes several blends: -o must name a folder");
     return;
   }
@@ -243,7 +255,7 @@ void write_blend(const Blend_output& output, const Shape_blend& blend, const Cor
   else if (is_glb(output.path))
     IO::write_atomically(output.path,
                          [&](std::ostream& out) { IO::write_blend_glb(out, blend, correspondence, output.frames); });
-  else
+  else if (!is_page(output.path))
     IO::write_folder_atomically(output.path, [&](const std::string& folder) {
       if (output.schedule == "all")
         write_all(folder, output, blend.different_blends());
@@ -362,7 +374,7 @@ void run_blend(const std::vector<std::string>& arguments)
   check(output);
   std::vector<std::string> inputs = parsed.inputs;
   inputs.push_back(output.match);
-  const bool is_file = is_glb(output.path) || !file_format(output).empty();
+  const bool is_file = is_one_file(output.path) || !file_format(output).empty();
   check_outputs({common.json, is_file ? output.path : ""}, inputs);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
@@ -390,10 +402,21 @@ void run_blend(const std::vector<std::string>& arguments)
   warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
   warnings.insert(warnings.end(), unlikely.begin(), unlikely.end());
   warn_of_sizes(output, source, target, warnings);
-  write_output(common.json, [&](std::ostream& out) {
+  const auto write_json = [&](std::ostream& out) {
     IO::write_blend_json(out, blend, source.graph, target.graph, paths[0], paths[1], output.path, output.frames,
                          warnings);
-  });
+  };
+  write_output(common.json, write_json);
+  if (is_page(output.path)) {
+    IO::Page page = IO::match_page({correspondence}, source.graph, target.graph, source.model_pointer(),
+                                   target.model_pointer(), paths[0], paths[1], {});
+    std::ostringstream json, glb;
+    write_json(json);
+    IO::write_blend_glb(glb, blend, correspondence, output.frames);
+    page.json.push_back({"blend", json.str()});
+    page.glb.push_back({"blend.glb", glb.str()});
+    write_output(output.path, [&](std::ostream& out) { IO::write_page(out, page); });
+  }
   if (common.prints_table()) {
     if (common.verbose) {
       write_match_table(std::cout, correspondence, source.graph, target.graph);

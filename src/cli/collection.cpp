@@ -99,7 +99,8 @@ void write_outputs(const Analysis& analysis, const Collection_shapes& shapes, co
   write_output(common.json, [&](std::ostream& out) { IO::write_collection_json(out, collection); });
   write_output(common.html, [&](std::ostream& out) {
     IO::write_collection_html(
-        out, collection, [&](std::size_t i) { return shapes.graph(i); }, analysis.maps);
+        out, collection, [&](std::size_t i) { return shapes.graph(i); }, analysis.maps,
+        [&](std::size_t i) { return shapes.model(i, common); });
   });
   write_output(options.npy, [&](std::ostream& out) { IO::write_npy(out, collection.energies); });
   write_output(options.csv, [&](std::ostream& out) { IO::write_csv(out, collection.energies, names); });

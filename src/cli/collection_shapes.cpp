@@ -6,6 +6,7 @@
 #include "cli/load_shape.h"
 #include "cli/outputs.h"
 #include "cli/progress_bar.h"
+#include "cli/read_model.h"
 #include "io/Json.h"
 #include "io/Json_field.h"
 #include "io/atomic_file.h"
@@ -256,6 +257,21 @@ Structural_graph Collection_shapes::graph(std::size_t shape) const
   if (!text) throw Invalid_input(path + ": it was damaged or removed meanwhile; run the command again");
   std::istringstream in(*text);
   return IO::read_structural_graph_json(in, path);
+}
+
+std::optional<Segmented_shape> Collection_shapes::model(std::size_t shape, const Common_options& options) const
+{
+  const Collection_shape& wanted = shapes_[shape];
+  if (is_graph_file(wanted.path)) return std::nullopt;
+  try {
+    Read_model read = read_model(wanted.path, options);
+    std::vector<std::string> names;
+    for (const Shape_part& part : read.split.shape.parts())
+      names.push_back(part.name);
+    if (names == wanted.parts) return std::move(read.split.shape);
+  } catch (const Invalid_input&) { // removed meanwhile
+  }
+  return std::nullopt;
 }
 
 } // namespace CGAL::Shape_correspondence::cli

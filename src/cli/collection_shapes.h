@@ -6,9 +6,11 @@
 #include "cli/Common_options.h"
 #include "cli/team.h"
 
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +50,8 @@ public:
   const std::vector<std::string>& skipped() const { return skipped_; }
   std::size_t size() const { return shapes_.size(); }
   Structural_graph graph(std::size_t shape) const;
+  /// The surfaces of a shape, read anew; none if its input is a graph or has other parts by now.
+  std::optional<Segmented_shape> model(std::size_t shape, const Common_options& options) const;
 
 private:
   std::string folder_;

@@ -11,9 +11,10 @@
 #include "cli/read_model.h"
 #include "cli/run_report.h"
 #include "cli/thread_limit.h"
+#include "viewer/match_page.h"
 
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
-#include <CGAL/Shape_correspondence/IO/write_html.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <iostream>
 
@@ -116,8 +117,8 @@ void run_match(const std::vector<std::string>& arguments)
                                  target.model_pointer());
   });
   write_output(common.html, [&](std::ostream& out) {
-    IO::write_correspondence_html(out, ranked[0], source.graph, target.graph, source.model_pointer(),
-                                  target.model_pointer());
+    IO::write_page(out, IO::match_page(ranked, source.graph, target.graph, source.model_pointer(),
+                                       target.model_pointer(), paths[0], paths[1], matched.seconds));
   });
   if (!common.prints_table()) return;
   write_match_table(std::cout, ranked[0], source.graph, target.graph);

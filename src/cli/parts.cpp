@@ -143,13 +143,13 @@ void run_parts(const std::vector<std::string>& arguments)
   const bool all = parsed.values["all"].as<bool>();
   if (all && parsed.inputs.size() != 1) throw Usage_error("--all takes one folder");
   const std::vector<std::string> paths = all ? models_in(parsed.inputs[0]) : parsed.inputs;
-  IO::Parts_sheet sheet;
+  IO::Parts_sheet sheet(paths.size());
   std::string complaints;
   for (const std::string& path : paths) {
     try {
       const Read_model model = read_model(path, common);
       if (common.prints_table()) print_model(path, model);
-      if (!common.html.empty()) sheet.add(fs::path(path).stem().string(), model.objects, model.split, {summary(model)});
+      if (!common.html.empty()) sheet.add(fs::path(path).stem().string(), model.objects, model.split, summary(model));
     } catch (const Invalid_input& error) {
       complaints += (complaints.empty() ? "" : "\n") + std::string(error.what());
       sheet.add(fs::path(path).stem().string(), error.what());

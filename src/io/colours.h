@@ -12,7 +12,8 @@ namespace CGAL::Shape_correspondence::IO {
 /// Linear red, green, blue in [0, 1], as glTF wants them.
 using Colour = Eigen::Vector3d;
 
-/// `n` colours as different for the eye as possible, the first ones most; none of them grey.
+/// `n` colours as different as possible, the first ones most, also for people who do not see red or green; none of them
+/// grey.
 std::vector<Colour> distinct_colours(std::size_t n);
 
 /// The colour of what corresponds to nothing.

@@ -12,24 +12,23 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr double gap = 0.25;             // between the shapes, over the wider one's width
-constexpr double tube_radius = 0.009;    // over the shape's diagonal
-constexpr double contact_radius = 0.014; // over the shape's diagonal
+constexpr double gap = 0.25;          // between the shapes, over the wider one's width
+constexpr double tube_radius = 0.009; // over the shape's diagonal
+const Eigen::Vector2d middle(0.5, 0.5);
 
-/// Parts of both shapes that groups and pairs connect; target parts are numbered after the source's.
+/// Parts of both shapes that pairs connect; target parts are numbered after the source's.
 internal::Disjoint_sets connected_parts(const Correspondence& correspondence, std::size_t sources, std::size_t targets)
 {
   internal::Disjoint_sets components(sources + targets);
-  for (const Group_match& group : correspondence.groups) {
-    if (group.source.empty() || group.target.empty()) continue;
-    for (std::size_t s : group.source)
-      components.unite(group.source[0], s);
-    for (std::size_t t : group.target)
-      components.unite(group.source[0], sources + t);
-  }
   for (const Part_correspondence& pair : correspondence.pairs)
     components.unite(pair.source, sources + pair.target);
   return components;
+}
+
+Drawn_mesh on_layer(const char* layer, Drawn_mesh mesh)
+{
+  mesh.layer = layer;
+  return mesh;
 }
 
 } // namespace
@@ -48,28 +47,42 @@ Drawn_shape::Drawn_shape(const Structural_graph& graph, const Segmented_shape* s
 Drawn_mesh Drawn_shape::surface(std::size_t part) const
 {
   const Part_mesh& mesh = shape_->parts()[part].mesh;
-  return shaded(to_picture(mesh.points), mesh.triangles);
+  return on_layer(surface_layer, shaded(to_picture(mesh.points), mesh.triangles));
+}
+
+Drawn_mesh Drawn_shape::flat_surface(std::size_t part) const
+{
+  const Part_mesh& mesh = shape_->parts()[part].mesh;
+  return on_layer(surface_layer, {to_picture(mesh.points), {}, mesh.triangles});
 }
 
 Drawn_mesh Drawn_shape::abstraction(std::size_t part) const
 {
   const auto& geometry = structure_.parts[part].geometry;
   if (const Sheet* sheet = std::get_if<Sheet>(&geometry))
-    return patch(to_picture(sheet->points), sheet->rows, sheet->cols);
+    return on_layer(abstraction_layer, patch(to_picture(sheet->points), sheet->rows, sheet->cols));
   const Curve& curve = std::get<Curve>(geometry);
-  return tube(to_picture(curve.points), curve.closed, tube_radius * diagonal());
+  return on_layer(abstraction_layer, tube(to_picture(curve.points), curve.closed, tube_radius * diagonal()));
 }
 
 Drawn_mesh Drawn_shape::contacts() const
 {
-  std::vector<Drawn_mesh> spheres;
-  for (const Contact& contact : structure_.contacts) {
-    for (int side = 0; side < 2; ++side) {
-      const Points world = evaluate(structure_.parts[contact.parts[side]], contact.parameters[side]);
-      spheres.push_back(sphere(to_picture(world), contact_radius * diagonal()));
-    }
+  constexpr int steps = 3; // of a line
+  const auto n = static_cast<Eigen::Index>(structure_.contacts.size());
+  Points ends(3, (steps + 1) * n);
+  Drawn_mesh result;
+  result.lines.resize(2, steps * n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Contact& contact = structure_.contacts[static_cast<std::size_t>(i)];
+    const Part_abstraction &first = structure_.parts[contact.parts[0]], &second = structure_.parts[contact.parts[1]];
+    ends.middleCols<steps + 1>((steps + 1) * i) << evaluate(first, middle), evaluate(first, contact.parameters[0]),
+        evaluate(second, contact.parameters[1]), evaluate(second, middle);
+    for (int step = 0; step < steps; ++step)
+      result.lines.col(steps * i + step) =
+          Eigen::Vector2i::Constant(int((steps + 1) * i) + step) + Eigen::Vector2i(0, 1);
   }
-  return joined(spheres);
+  result.points = to_picture(ends);
+  return on_layer(contact_layer, result);
 }
 
 std::array<Point, 2> side_by_side(const Drawn_shape& left, const Drawn_shape& right)

@@ -15,6 +15,9 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
+/// The layers of pictures.
+constexpr const char *surface_layer = "surfaces", *abstraction_layer = "curves and sheets", *contact_layer = "contacts";
+
 /// A shape in the frame in which it is drawn.
 class Drawn_shape
 {
@@ -31,11 +34,13 @@ public:
   const Point& upper() const { return upper_; }
 
   Drawn_mesh surface(std::size_t part) const;
+  /// The same, shaded flat: less data.
+  Drawn_mesh flat_surface(std::size_t part) const;
   /// A tube or a patch.
   Drawn_mesh abstraction(std::size_t part) const;
   /// The surface, or the abstraction if there is none.
   Drawn_mesh best_mesh(std::size_t part) const { return has_mesh() ? surface(part) : abstraction(part); }
-  /// Small spheres.
+  /// A line for each contact, from the middle of one part's curve or sheet by way of the contact to that of the other.
   Drawn_mesh contacts() const;
 
 private:
@@ -52,8 +57,8 @@ private:
 /// Where two shapes go so that they stand side by side.
 std::array<Point, 2> side_by_side(const Drawn_shape& left, const Drawn_shape& right);
 
-/// Parts of both shapes that groups and pairs connect have one number, from 0 on; parts in no pair have -1. The
-/// target's parts come after the source's.
+/// Parts of both shapes that pairs connect have one number, from 0 on; parts in no pair have -1. The target's parts
+/// come after the source's.
 std::vector<int> match_numbers(const Correspondence& correspondence, std::size_t sources, std::size_t targets);
 
 /// Adds a material for every match, and a grey one for parts in no pair. \return the material of every part, the

@@ -16,6 +16,7 @@ namespace {
 // Numbers of the glTF 2.0 specification
 constexpr int component_uint32 = 5125, component_float = 5126;
 constexpr int target_vertices = 34962, target_indices = 34963, no_target = 0;
+constexpr int mode_lines = 1; // triangles need none
 constexpr std::uint32_t magic = 0x46546C67, chunk_json = 0x4E4F534A, chunk_binary = 0x004E4942;
 
 void append_uint32(std::string& bytes, std::uint32_t value)
@@ -69,7 +70,7 @@ int Glb_builder::add_node(const std::string& name, const std::vector<std::pair<D
 {
   Json primitives = Json::array();
   for (const auto& [mesh, material] : meshes) {
-    if (mesh.triangles.cols() > 0) primitives.push_back(primitive(mesh, material));
+    if (!mesh.empty()) primitives.push_back(primitive(mesh, material));
   }
   Json node = {{"name", name}};
   if (!primitives.empty()) {
@@ -93,7 +94,7 @@ int Glb_builder::add_morphing_node(const std::string& name, const std::vector<Po
                                    const Eigen::Matrix3Xi& triangles, int material)
 {
   Json moving = {{"attributes", {{"POSITION", add_vectors(shapes[0], true)}}},
-                 {"indices", add_indices(triangles)},
+                 {"indices", add_indices(triangles.data(), triangles.size())},
                  {"material", material}};
   std::vector<double> weights;
   for (std::size_t i = 1; i < shapes.size(); ++i) {
@@ -141,10 +142,16 @@ void Glb_builder::add_channel(int node, const char* path, const char* interpolat
 
 Json Glb_builder::primitive(const Drawn_mesh& mesh, int material)
 {
-  const int positions = add_vectors(mesh.points, true);
-  const int normals = add_vectors(mesh.normals, false);
-  const int indices = add_indices(mesh.triangles);
-  return {{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}}, {"indices", indices}, {"material", material}};
+  const bool has_triangles = mesh.triangles.cols() > 0;
+  Json result;
+  result["attributes"]["POSITION"] = add_vectors(mesh.points, true);
+  if (mesh.normals.cols() > 0) result["attributes"]["NORMAL"] = add_vectors(mesh.normals, false);
+  result["indices"] = has_triangles ? add_indices(mesh.triangles.data(), mesh.triangles.size())
+                                    : add_indices(mesh.lines.data(), mesh.lines.size());
+  result["material"] = material;
+  if (!has_triangles) result["mode"] = mode_lines;
+  if (!mesh.layer.empty()) result["extras"] = {{"layer", mesh.layer}};
+  return result;
 }
 
 int Glb_builder::add_vectors(const Points& vectors, bool with_bounds)
@@ -161,13 +168,13 @@ int Glb_builder::add_vectors(const Points& vectors, bool with_bounds)
   return add_accessor(bytes, target_vertices, accessor);
 }
 
-int Glb_builder::add_indices(const Eigen::Matrix3Xi& triangles)
+int Glb_builder::add_indices(const int* indices, Eigen::Index count)
 {
   std::string bytes;
-  for (Eigen::Index i = 0; i < triangles.size(); ++i)
-    append_uint32(bytes, static_cast<std::uint32_t>(triangles.data()[i]));
+  for (Eigen::Index i = 0; i < count; ++i)
+    append_uint32(bytes, static_cast<std::uint32_t>(indices[i]));
   return add_accessor(bytes, target_indices,
-                      {{"componentType", component_uint32}, {"count", triangles.size()}, {"type", "SCALAR"}});
+                      {{"componentType", component_uint32}, {"count", count}, {"type", "SCALAR"}});
 }
 
 int Glb_builder::add_numbers(const std::vector<double>& numbers, const char* type, int components, bool with_bounds)
@@ -196,10 +203,21 @@ int Glb_builder::add_accessor(const std::string& bytes, int target, Json accesso
   return static_cast<int>(document_["accessors"].size()) - 1;
 }
 
-void Glb_builder::write(std::ostream& out, const std::vector<int>& roots) const
+void Glb_builder::set_node_extras(int node, Json extras)
+{
+  document_["nodes"][static_cast<std::size_t>(node)]["extras"] = std::move(extras);
+}
+
+void Glb_builder::set_animation_extras(Json extras)
+{
+  if (document_.contains("animations")) document_["animations"][0]["extras"] = std::move(extras);
+}
+
+void Glb_builder::write(std::ostream& out, const std::vector<Glb_scene>& scenes) const
 {
   Json document = document_;
-  document["scenes"].push_back(Json{{"nodes", roots}});
+  for (const Glb_scene& scene : scenes)
+    document["scenes"].push_back(Json{{"name", scene.name}, {"nodes", scene.roots}});
   if (!buffer_.empty()) document["buffers"] = Json::array({Json{{"byteLength", buffer_.size()}}});
   for (const char* list : {"meshes", "materials", "accessors", "bufferViews"}) {
     if (document[list].empty()) document.erase(list); // empty lists are not allowed

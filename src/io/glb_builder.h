@@ -15,12 +15,23 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// Triangles ready to be drawn: a normal a vertex.
+/// Triangles, or lines, ready to be drawn.
 struct Drawn_mesh
 {
   Points points;
-  Points normals; ///< unit vectors
+  Points normals; ///< unit vectors, one for each point; or empty: shaded flat
   Eigen::Matrix3Xi triangles;
+  Eigen::Matrix2Xi lines = {}; ///< drawn where there are no triangles
+  std::string layer = {};      ///< what it shows: viewers may switch layers on and off; empty: no layer
+
+  bool empty() const { return triangles.cols() == 0 && lines.cols() == 0; }
+};
+
+/// Nodes that are shown together. Viewers without a choice show the first scene.
+struct Glb_scene
+{
+  std::string name;
+  std::vector<int> roots;
 };
 
 /// A binary glTF 2.0 file under construction. Everything is referred to by the index that its `add_` returned.
@@ -49,13 +60,16 @@ public:
   /// Lets a node be seen from `begin` to `end` only, in seconds.
   void animate_visibility(int node, double begin, double end);
 
-  /// Writes the file with `roots` as its scene.
-  void write(std::ostream& out, const std::vector<int>& roots) const;
+  /// Data for viewers that know this package: an object, of a node or of the animation.
+  void set_node_extras(int node, Json extras);
+  void set_animation_extras(Json extras);
+
+  void write(std::ostream& out, const std::vector<Glb_scene>& scenes) const;
 
 private:
   Json primitive(const Drawn_mesh& mesh, int material);
   int add_vectors(const Points& vectors, bool with_bounds);
-  int add_indices(const Eigen::Matrix3Xi& triangles);
+  int add_indices(const int* indices, Eigen::Index count);
   int add_numbers(const std::vector<double>& numbers, const char* type, int components, bool with_bounds);
   int add_accessor(const std::string& bytes, int target, Json accessor);
   void add_channel(int node, const char* path, const char* interpolation, int times, int values);

@@ -102,6 +102,25 @@ Points without_repetitions(const Points& polyline)
   return result.leftCols(n);
 }
 
+/// A small sphere.
+Drawn_mesh sphere(const Point& centre, double radius)
+{
+  const int rows = 7, cols = tube_sides;
+  Drawn_mesh mesh;
+  mesh.normals.resize(3, rows * cols);
+  for (int i = 0; i < rows; ++i) {
+    const double latitude = two_pi / 2 * i / (rows - 1);
+    for (int j = 0; j < cols; ++j) {
+      const double longitude = two_pi * j / cols;
+      mesh.normals.col(i * cols + j) << std::sin(latitude) * std::cos(longitude), std::cos(latitude),
+          std::sin(latitude) * std::sin(longitude);
+    }
+  }
+  mesh.points = (radius * mesh.normals).colwise() + centre;
+  mesh.triangles = grid_triangles(rows, cols, false, true);
+  return mesh;
+}
+
 } // namespace
 
 Drawn_mesh shaded(const Points& points, const Eigen::Matrix3Xi& triangles)
@@ -156,24 +175,6 @@ Drawn_mesh tube(const Points& polyline, bool closed, double radius)
 Drawn_mesh patch(const Points& grid, int rows, int cols)
 {
   return shaded(grid, grid_triangles(rows, cols, false, false));
-}
-
-Drawn_mesh sphere(const Point& centre, double radius)
-{
-  const int rows = 7, cols = tube_sides;
-  Drawn_mesh mesh;
-  mesh.normals.resize(3, rows * cols);
-  for (int i = 0; i < rows; ++i) {
-    const double latitude = two_pi / 2 * i / (rows - 1);
-    for (int j = 0; j < cols; ++j) {
-      const double longitude = two_pi * j / cols;
-      mesh.normals.col(i * cols + j) << std::sin(latitude) * std::cos(longitude), std::cos(latitude),
-          std::sin(latitude) * std::sin(longitude);
-    }
-  }
-  mesh.points = (radius * mesh.normals).colwise() + centre;
-  mesh.triangles = grid_triangles(rows, cols, false, true);
-  return mesh;
 }
 
 Drawn_mesh joined(const std::vector<Drawn_mesh>& meshes)

@@ -16,9 +16,6 @@ Drawn_mesh tube(const Points& polyline, bool closed, double radius);
 /// The surface of a grid of points, row by row.
 Drawn_mesh patch(const Points& grid, int rows, int cols);
 
-/// A small sphere.
-Drawn_mesh sphere(const Point& centre, double radius);
-
 /// All of them as one.
 Drawn_mesh joined(const std::vector<Drawn_mesh>& meshes);
 

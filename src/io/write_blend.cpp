@@ -10,6 +10,7 @@
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -37,12 +38,15 @@ void append_little_endian(std::string& bytes, Number number)
 }
 
 /// The shape at an end, seen from `begin` to `end`.
-int add_end(Glb_builder& glb, const Segmented_shape& shape, const int* materials, double begin, double end)
+int add_end(Glb_builder& glb, const Segmented_shape& shape, int side, const int* materials, double begin, double end)
 {
   std::vector<int> nodes;
   for (std::size_t part = 0; part < shape.parts().size(); ++part) {
     const Part_mesh& mesh = shape.parts()[part].mesh;
     nodes.push_back(glb.add_node(shape.parts()[part].name, {{shaded(mesh.points, mesh.triangles), materials[part]}}));
+    std::array<int, 2> parts{-1, -1};
+    parts[side] = int(part);
+    glb.set_node_extras(nodes.back(), {{"parts", Json::array({parts[0], parts[1]})}});
   }
   const int node = glb.add_node(shape.name(), nodes, Point::Zero());
   glb.animate_visibility(node, begin, end);
@@ -122,7 +126,7 @@ void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Correspo
   const std::vector<int> materials =
       add_match_materials(glb, correspondence, source.parts().size(), target.parts().size());
   const auto time = [&](double t) { return hold_seconds + t * motion_seconds; };
-  std::vector<int> roots = {add_end(glb, source, materials.data(), 0, hold_seconds)};
+  std::vector<int> roots = {add_end(glb, source, 0, materials.data(), 0, hold_seconds)};
 
   const std::vector<Blend_surface> surfaces = blend.surfaces();
   std::vector<std::vector<Points>> shapes(surfaces.size());
@@ -147,10 +151,15 @@ void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Correspo
     const int node = glb.add_morphing_node(surfaces[s].name, shapes[s], surfaces[s].triangles, materials[part]);
     glb.animate_shapes(node, times[s]);
     glb.animate_visibility(node, time(surfaces[s].begin), time(surfaces[s].end));
+    Json parts = Json::array();
+    for (std::size_t end : {task.source, task.target})
+      parts.push_back(end == Blend_task::no_part ? -1 : int(end));
+    glb.set_node_extras(node, {{"parts", parts}});
     roots.push_back(node);
   }
-  roots.push_back(add_end(glb, target, materials.data() + source.parts().size(), time(1), time(1) + hold_seconds));
-  glb.write(out, roots);
+  roots.push_back(add_end(glb, target, 1, materials.data() + source.parts().size(), time(1), time(1) + hold_seconds));
+  glb.set_animation_extras({{"begin", time(0)}, {"end", time(1)}});
+  glb.write(out, {{"blend", roots}});
 }
 
 void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structural_graph& source,

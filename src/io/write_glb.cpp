@@ -11,13 +11,22 @@ namespace {
 
 constexpr double glb_surface_alpha = 0.25;
 
-/// \param materials of the shape's parts, from here on
-int add_shape(Glb_builder& glb, const Drawn_shape& shape, const int* materials, const Point& translation)
+/// A node for each part. \param materials of the shape's parts, from here on
+int add_shape(Glb_builder& glb, const Drawn_shape& shape, const int* materials, const Point& translation,
+              Drawn_mesh (Drawn_shape::*mesh)(std::size_t) const)
 {
   std::vector<int> nodes;
-  for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
-    nodes.push_back(glb.add_node(shape.part(part).name, {{shape.best_mesh(part), materials[part]}}));
+  for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
+    nodes.push_back(glb.add_node(shape.part(part).name, {{(shape.*mesh)(part), materials[part]}}));
+    glb.set_node_extras(nodes.back(), {{"part", part}});
+  }
   return glb.add_node(shape.name(), nodes, translation);
+}
+
+/// A node for all contacts.
+int add_contacts(Glb_builder& glb, const Drawn_shape& shape)
+{
+  return glb.add_node("contacts", {{shape.contacts(), glb.add_material("contacts", Colour(0.02, 0.02, 0.02))}});
 }
 
 } // namespace
@@ -32,9 +41,17 @@ void write_correspondence_glb(std::ostream& out, const Correspondence& correspon
   const std::vector<int> materials =
       add_match_materials(glb, correspondence, left.number_of_parts(), right.number_of_parts());
   const std::array<Point, 2> places = side_by_side(left, right);
-  const int first = add_shape(glb, left, materials.data(), places[0]);
-  const int second = add_shape(glb, right, materials.data() + left.number_of_parts(), places[1]);
-  glb.write(out, {first, second});
+  const auto scene = [&](const char* name, Drawn_mesh (Drawn_shape::*mesh)(std::size_t) const) {
+    return Glb_scene{name,
+                     {add_shape(glb, left, materials.data(), places[0], mesh),
+                      add_shape(glb, right, materials.data() + left.number_of_parts(), places[1], mesh)}};
+  };
+  std::vector<Glb_scene> scenes{scene("correspondence", &Drawn_shape::best_mesh)};
+  if (left.has_mesh() || right.has_mesh()) scenes.push_back(scene(abstraction_layer, &Drawn_shape::abstraction));
+  scenes.push_back({contact_layer, {}});
+  for (const auto& [shape, place] : {std::pair(&left, places[0]), std::pair(&right, places[1])})
+    scenes.back().roots.push_back(glb.add_node(shape->name(), {add_contacts(glb, *shape)}, place));
+  glb.write(out, scenes);
 }
 
 void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph, const Segmented_shape* shape)
@@ -53,11 +70,10 @@ void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph
     std::vector<std::pair<Drawn_mesh, int>> meshes{{drawn.abstraction(part), solid[group[part]]}};
     if (drawn.has_mesh()) meshes.emplace_back(drawn.surface(part), faint[group[part]]);
     nodes.push_back(glb.add_node(drawn.part(part).name, meshes));
+    glb.set_node_extras(nodes.back(), {{"part", part}});
   }
-  const Drawn_mesh contacts = drawn.contacts();
-  if (contacts.triangles.cols() > 0)
-    nodes.push_back(glb.add_node("contacts", {{contacts, glb.add_material("contacts", Colour(0.02, 0.02, 0.02))}}));
-  glb.write(out, {glb.add_node(drawn.name(), nodes, Point::Zero())});
+  if (!structure(graph).contacts.empty()) nodes.push_back(add_contacts(glb, drawn));
+  glb.write(out, {{"structural graph", {glb.add_node(drawn.name(), nodes, Point::Zero())}}});
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -2,63 +2,71 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "viewer/parts_sheet.h"
-#include "viewer/html_text.h"
-#include "viewer/shape_picture.h"
+#include "io/colours.h"
+#include "io/simplified_shape.h"
+#include "viewer/page.h"
 
-#include <ostream>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <sstream>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr int picture_width = 240;         // pixels
-constexpr std::size_t most_in_legend = 12; // parts
+constexpr std::size_t sheet_triangles = 200000, fewest_of_model = 500;
+
+/// Turns the upright axis to y; the other two as it is usual.
+Eigen::Matrix3d upright(const Point& up)
+{
+  const Point front = up.z() > 0.5 ? Point(-Point::UnitY()) : Point::UnitZ();
+  Eigen::Matrix3d result; // rows: side, up, front
+  result << up.cross(front).transpose(), up.transpose(), front.transpose();
+  return result;
+}
 
 } // namespace
 
+Parts_sheet::Parts_sheet(std::size_t models)
+    : triangles_of_model_(std::max(fewest_of_model, sheet_triangles / std::max<std::size_t>(1, models)))
+{}
+
 void Parts_sheet::add(const std::string& title, const Segmented_shape& objects, const Part_split& split,
-                      const std::vector<std::string>& lines)
+                      const std::string& summary)
 {
-  const std::vector<Shape_part>& parts = split.shape.parts();
-  const std::vector<Colour> colours = distinct_colours(parts.size());
-  figures_ += "<figure><img alt=\"\" src=\"data:image/bmp;base64," +
-              base64(shape_picture(split.shape, colours, picture_width)) + "\"><figcaption><b>" + html_text(title) +
-              "</b>";
-  for (const std::string& line : lines)
-    figures_ += "<br>" + html_text(line);
-  figures_ += "<br>";
-  for (std::size_t i = 0; i < parts.size() && i < most_in_legend; ++i)
-    figures_ += "<i style=\"background:" + css_colour(colours[i]) + "\"></i> " + html_text(parts[i].name) + " ";
-  if (parts.size() > most_in_legend) figures_ += "…";
-  figures_ += "<details><summary>objects</summary>";
+  const Segmented_shape shape = simplified_shape(split.shape, triangles_of_model_);
+  const std::vector<Colour> colours = distinct_colours(shape.parts().size());
+  const Eigen::Matrix3d turn = upright(shape.up());
+  Json parts = Json::array(), decisions = Json::array();
+  std::vector<int> nodes;
+  for (std::size_t i = 0; i < shape.parts().size(); ++i) {
+    const Shape_part& part = shape.parts()[i];
+    parts.push_back(part.name);
+    nodes.push_back(glb_.add_node(
+        part.name, {{{turn * part.mesh.points, {}, part.mesh.triangles}, glb_.add_material(part.name, colours[i])}}));
+  }
   for (std::size_t i = 0; i < split.decisions.size(); ++i)
-    figures_ += html_text(objects.parts()[i].name + ": " + split.decisions[i]) + "<br>";
-  figures_ += "</details></figcaption></figure>\n";
+    decisions.push_back(Json::array({objects.parts()[i].name, split.decisions[i]}));
+  roots_.push_back(glb_.add_node(title, nodes, Point::Zero()));
+  models_.push_back({{"name", title}, {"summary", summary}, {"parts", parts}, {"objects", decisions}});
 }
 
 void Parts_sheet::add(const std::string& title, const std::string& complaint)
 {
-  figures_ +=
-      "<figure><figcaption><b>" + html_text(title) + "</b><br>" + html_text(complaint) + "</figcaption></figure>\n";
+  roots_.push_back(glb_.add_node(title, std::vector<int>(), Point::Zero()));
+  models_.push_back({{"name", title},
+                     {"summary", complaint},
+                     {"unusable", true},
+                     {"parts", Json::array()},
+                     {"objects", Json::array()}});
 }
 
 void Parts_sheet::write(std::ostream& out) const
 {
-  out << R"page(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>Parts</title>
-<style>
-body { margin: 8px; display: flex; flex-wrap: wrap; gap: 8px; font: 12px/1.3 system-ui, sans-serif; color: #222; background: #fff; }
-figure { margin: 0; width: 240px; overflow-wrap: anywhere; }
-img { display: block; width: 240px; height: 240px; }
-i { display: inline-block; width: .8em; height: .8em; border-radius: 2px; }
-</style>
-</head>
-<body>
-)page" << figures_
-      << "</body>\n</html>\n";
+  std::ostringstream json, glb;
+  Json({{"models", models_}}).write(json);
+  glb_.write(glb, {{"parts", roots_}});
+  write_page(out, {"Parts", {{"parts", json.str()}}, {{"parts.glb", glb.str()}}});
 }
 
 } // namespace CGAL::Shape_correspondence::IO

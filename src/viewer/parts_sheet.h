@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "io/glb_builder.h"
+
 #include <CGAL/Shape_correspondence/split_parts.h>
 
 #include <string>
@@ -10,21 +12,26 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// A web page with a picture of each of several models, a colour a part, and what became of its objects. It needs no
-/// network.
+/// A web page with several models, a colour a part, and what became of their objects.
 class Parts_sheet
 {
 public:
-  /// \param title of the model \param objects its objects, for their names \param lines what is said under its picture
+  /// \param models that are going to be added
+  explicit Parts_sheet(std::size_t models);
+
+  /// \param title of the model \param objects its objects, for their names \param summary is said above its parts
   void add(const std::string& title, const Segmented_shape& objects, const Part_split& split,
-           const std::vector<std::string>& lines);
-  /// A model without a picture.
+           const std::string& summary);
+  /// A model that cannot be used.
   void add(const std::string& title, const std::string& complaint);
 
   void write(std::ostream& out) const;
 
 private:
-  std::string figures_;
+  std::size_t triangles_of_model_;
+  Json models_ = Json::array();
+  Glb_builder glb_;
+  std::vector<int> roots_;
 };
 
 } // namespace CGAL::Shape_correspondence::IO

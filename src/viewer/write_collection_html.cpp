@@ -2,76 +2,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/colours.h"
-#include "viewer/collection_page.h"
-#include "viewer/html_text.h"
+#include "io/drawn_shape.h"
+#include "io/simplified_shape.h"
+#include "viewer/page.h"
 
 #include <CGAL/Shape_correspondence/IO/write_collection_html.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
+#include <optional>
+#include <sstream>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr int curve_points = 9, sheet_points = 4; // of a picture
-constexpr int picture_grid = 1000;                // steps of a coordinate
+using Models = std::function<std::optional<Segmented_shape>(std::size_t)>;
 
-/// Whole numbers about the middle of the shape, and their largest distance from it.
-Json shape_json(const Structural_graph& graph, const std::string& name, const std::vector<int>& labels)
-{
-  const Shape_structure& shape = structure(graph);
-  std::vector<Points> drawn;
-  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const Part_abstraction& part : shape.parts) {
-    drawn.push_back(shape.frame.to_frame(sample(part, part.is_sheet() ? sheet_points : curve_points)));
-    low = low.cwiseMin(drawn.back().rowwise().minCoeff());
-    high = high.cwiseMax(drawn.back().rowwise().maxCoeff());
-  }
-  const Point middle = (low + high) / 2;
-  const double size = std::max((high - low).norm(), 1e-9);
-  double radius = 0;
-  Json parts = Json::array();
-  for (std::size_t i = 0; i < drawn.size(); ++i) {
-    Json points = Json::array();
-    const auto add = [&](const Point& p) {
-      const Point q = (p - middle) / size * picture_grid;
-      radius = std::max(radius, q.norm());
-      points.push_back({std::lround(q.x()), std::lround(q.y()), std::lround(q.z())});
-    };
-    for (Eigen::Index k = 0; k < drawn[i].cols(); ++k)
-      add(drawn[i].col(k));
-    if (shape.parts[i].is_closed_curve()) add(drawn[i].col(0));
-    parts.push_back({{"name", shape.parts[i].name},
-                     {"label", labels[i]},
-                     {"columns", shape.parts[i].is_sheet() ? sheet_points : 0},
-                     {"points", std::move(points)}});
-  }
-  return {{"name", name}, {"radius", std::ceil(radius)}, {"parts", std::move(parts)}};
-}
+constexpr std::size_t collection_triangles = 400000, fewest_of_shape = 400;
 
-Json notes_of(const Collection& collection)
+/// The shapes with their surfaces simplified, parts in the colours of their clusters.
+class Collection_models
 {
-  Json result = Json::array();
-  result.push_back("Parts of one cluster have one colour; parts like no others are grey. Click two shapes to see their "
-                   "match.");
-  for (const std::string& warning : collection.warnings)
-    result.push_back("Warning: " + warning);
-  return result;
-}
+public:
+  Collection_models(std::size_t shapes, int labels)
+      : triangles_of_shape_(std::max(fewest_of_shape, collection_triangles / std::max<std::size_t>(1, shapes)))
+  {
+    int number = 0;
+    for (const Colour& colour : distinct_colours(std::size_t(labels)))
+      glb_.add_material("cluster_" + std::to_string(++number), colour);
+    unclustered_ = glb_.add_material("none", grey());
+  }
+
+  /// \param model may be null: curves and sheets are shown
+  void add(const Structural_graph& graph, const Segmented_shape* model, const std::vector<int>& labels)
+  {
+    std::optional<Segmented_shape> simplified;
+    if (model) simplified = simplified_shape(*model, triangles_of_shape_);
+    const Drawn_shape drawn(graph, simplified ? &*simplified : nullptr, 0);
+    std::vector<int> nodes;
+    for (std::size_t part = 0; part < drawn.number_of_parts(); ++part) {
+      const Drawn_mesh mesh = drawn.has_mesh() ? drawn.flat_surface(part) : drawn.abstraction(part);
+      nodes.push_back(glb_.add_node(drawn.part(part).name,
+                                    {{mesh, labels[part] == Co_analysis::none ? unclustered_ : labels[part]}}));
+    }
+    roots_.push_back(glb_.add_node(drawn.name(), nodes, Point::Zero()));
+  }
+
+  std::string text() const
+  {
+    std::ostringstream out;
+    glb_.write(out, {{"collection", roots_}});
+    return out.str();
+  }
+
+private:
+  std::size_t triangles_of_shape_;
+  Glb_builder glb_;
+  int unclustered_ = 0;
+  std::vector<int> roots_;
+};
 
 double rounded(double energy) { return std::round(energy * 1e4) / 1e4; }
-
-Json tree_json(const Collection& collection)
-{
-  Json result = Json::array();
-  for (const auto& [a, b] : collection.tree) {
-    const auto i = Eigen::Index(a), j = Eigen::Index(b);
-    result.push_back({a, b, rounded((collection.energies(i, j) + collection.energies(j, i)) / 2)});
-  }
-  return result;
-}
 
 /// By "source,target", the smaller index first: the energies of both directions, and pairs of parts with per cent.
 Json maps_json(const Collection& collection, const std::vector<Shape_pair_map>& maps)
@@ -152,46 +144,40 @@ std::vector<Shape_pair_map> maps_between(const std::vector<Shape_pair_map>& maps
   return result;
 }
 
-Json page_data(const Collection& collection, const std::function<Structural_graph(std::size_t)>& graph,
-               const std::vector<Shape_pair_map>& maps)
+/// The documents of the page, for a collection small enough for it. \param total shapes of the whole one
+Page collection_page(const Collection& collection, std::size_t total,
+                     const std::function<Structural_graph(std::size_t)>& graph, const Models& model,
+                     const std::vector<Shape_pair_map>& maps)
 {
-  Json data;
-  data["notes"] = notes_of(collection);
-  data["total"] = collection.shapes.size();
-  data["medoid"] = collection.medoid;
-  std::size_t most_parts = std::size_t(collection.co_analysis.number_of_labels);
-  data["shapes"] = Json::array();
+  Collection_models models(collection.shapes.size(), collection.co_analysis.number_of_labels);
   for (std::size_t i = 0; i < collection.shapes.size(); ++i) {
-    data["shapes"].push_back(shape_json(graph(i), collection.shapes[i].name, collection.co_analysis.labels[i]));
-    most_parts = std::max(most_parts, collection.shapes[i].parts.size());
+    const std::optional<Segmented_shape> shape = model ? model(i) : std::nullopt;
+    models.add(graph(i), shape ? &*shape : nullptr, collection.co_analysis.labels[i]);
   }
-  data["colours"] = Json::array();
-  for (const Colour& colour : distinct_colours(most_parts))
-    data["colours"].push_back(css_colour(colour));
-  data["tree"] = tree_json(collection);
-  data["maps"] = maps_json(collection, maps);
-  return data;
+  std::ostringstream json, stored;
+  write_collection_json(json, collection);
+  Json({{"total", total}, {"maps", maps_json(collection, maps)}}).write(stored);
+  return {"Collection of shapes",
+          {{"collection", json.str()}, {"maps", stored.str()}},
+          {{"collection.glb", models.text()}}};
 }
 
 } // namespace
 
 void write_collection_html(std::ostream& out, const Collection& collection,
                            const std::function<Structural_graph(std::size_t)>& graph,
-                           const std::vector<Shape_pair_map>& maps)
+                           const std::vector<Shape_pair_map>& maps, const Models& model)
 {
+  const std::size_t total = collection.shapes.size();
   const std::vector<std::size_t> shown = pictured(collection);
-  Json data;
-  if (shown.size() == collection.shapes.size()) {
-    data = page_data(collection, graph, maps);
-  } else {
-    data = page_data(
-        part_of(collection, shown), [&](std::size_t i) { return graph(shown[i]); }, maps_between(maps, shown));
-    data["total"] = collection.shapes.size();
-    data["notes"].push_back("Shown are " + std::to_string(shown.size()) +
-                            " of the shapes, the medoid and others evenly from all branches of the spanning tree of "
-                            "all; the tree below is that of the shapes shown.");
+  if (shown.size() == total) {
+    write_page(out, collection_page(collection, total, graph, model, maps));
+    return;
   }
-  write_collection_page(out, data);
+  const auto shown_graph = [&](std::size_t i) { return graph(shown[i]); };
+  const auto shown_model = [&](std::size_t i) { return model ? model(shown[i]) : std::nullopt; };
+  write_page(out,
+             collection_page(part_of(collection, shown), total, shown_graph, shown_model, maps_between(maps, shown)));
 }
 
 } // namespace CGAL::Shape_correspondence::IO

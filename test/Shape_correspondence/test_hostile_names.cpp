@@ -8,6 +8,7 @@
 #include "box_shapes.h"
 #include "hand_made_graphs.h"
 #include "io/quoting.h"
+#include "page_documents.h"
 #include "program.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
@@ -304,9 +305,8 @@ TEST_CASE("GLB and web pages hold the names in their JSON")
   structure(harmless).name = "shape";
   const std::string other = text_of_output([&](std::ostream& out) { IO::write_structural_graph_html(out, harmless); });
   CHECK(count(page, "<") == count(other, "<"));
-  const std::string begin = "id=\"data\">";
-  const std::size_t from = page.find(begin) + begin.size();
-  const std::string data = nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from)).dump();
+  const std::string data = nlohmann::json::parse(page_documents::document_of(page, "graph")).dump();
+  CHECK(page_documents::from_base64(page_documents::document_of(page, "graph.glb")) == glb);
   for (const std::string& name : in_utf8(hostile_names())) {
     INFO(name);
     CHECK(nodes.find(nlohmann::json(name).dump()) != std::string::npos);

@@ -3,7 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "box_shapes.h"
 #include "hand_made_graphs.h"
+#include "page_documents.h"
 
 #include <CGAL/Shape_correspondence/IO/write_collection_html.h>
 
@@ -14,7 +16,22 @@
 #include <sstream>
 
 using namespace CGAL::Shape_correspondence;
+using namespace page_documents;
 using nlohmann::json;
+
+namespace {
+
+/// The JSON of the GLB in a page.
+json glb_json(const std::string& page)
+{
+  const std::string glb = from_base64(document_of(page, "collection.glb"));
+  std::size_t size = 0;
+  for (int k = 3; k >= 0; --k)
+    size = size << 8 | static_cast<unsigned char>(glb.at(12 + std::size_t(k)));
+  return json::parse(glb.substr(20, size));
+}
+
+} // namespace
 
 TEST_CASE("The page holds all shapes, their clusters, the tree and the maps, and needs no network")
 {
@@ -33,27 +50,61 @@ TEST_CASE("The page holds all shapes, their clusters, the tree and the maps, and
       out, collection, [&](std::size_t i) { return graphs[i]; }, maps);
   const std::string page = out.str();
   CHECK(page.find("<!DOCTYPE html>") == 0);
-  CHECK(page.find("src=\"http") == std::string::npos);
-  const std::string begin = "id=\"data\">";
-  const std::size_t at = page.find(begin) + begin.size();
-  const json data = json::parse(page.substr(at, page.find("</script>", at) - at));
-  CHECK(data["medoid"] == 1);
-  CHECK(data["tree"].dump() == "[[0,1,0.375]]");
-  CHECK(data["maps"].dump() == R"({"0,1":{"energies":[0.25,0.5],"pairs":[[0,0,76]]}})");
-  REQUIRE(data["shapes"].size() == 2);
-  CHECK(data["shapes"][0]["name"] == "a </script>");
-  const json& parts = data["shapes"][1]["parts"];
-  REQUIRE(parts.size() == 5);
-  CHECK(parts[0]["name"] == "top");
-  CHECK(parts[0]["label"] == 0);
-  CHECK(parts[0]["columns"] == 4);
-  CHECK(parts[0]["points"].size() == 16);
-  CHECK(parts[1]["columns"] == 0);
-  CHECK(parts[1]["points"].size() == 9);
-  // The table is a cube: its corners are half a diagonal, 500 steps, from its middle
-  CHECK(data["shapes"][1]["radius"].get<double>() == Approx(500).margin(1));
-  CHECK(parts[1]["points"][0].dump() == "[-289,-289,-289]");
-  CHECK(data["colours"].size() >= 2);
+  CHECK(page.find("<script src=") == std::string::npos);
+  std::ostringstream same;
+  IO::write_collection_json(same, collection);
+  CHECK(json::parse(document_of(page, "collection")) == json::parse(same.str()));
+  const json stored = json::parse(document_of(page, "maps"));
+  CHECK(stored["total"] == 2);
+  CHECK(stored["maps"].dump() == R"({"0,1":{"energies":[0.25,0.5],"pairs":[[0,0,76]]}})");
+
+  const json glb = glb_json(page);
+  const json& roots = glb["scenes"][0]["nodes"];
+  REQUIRE(roots.size() == 2);
+  const auto material = [&](std::size_t shape, std::size_t part) {
+    const json& root = glb["nodes"][roots[shape].get<std::size_t>()];
+    const json& node = glb["nodes"][root["children"][part].get<std::size_t>()];
+    const json& primitive = glb["meshes"][node["mesh"].get<std::size_t>()]["primitives"][0];
+    return glb["materials"][primitive["material"].get<std::size_t>()]["name"].get<std::string>();
+  };
+  CHECK(material(0, 0) == "cluster_1");
+  CHECK(material(0, 1) == "none");
+  CHECK(material(0, 2) == "cluster_2");
+  CHECK(material(1, 0) == "cluster_1");
+}
+
+TEST_CASE("The page shows surfaces where there are models, of few triangles each")
+{
+  const std::vector<Structural_graph> graphs{hand_made::chair(), hand_made::chair()};
+  const std::vector<std::string> names(6, "part");
+  IO::Collection collection;
+  collection.shapes = {{"a", "a.obj", names}, {"b", "b.obj", names}};
+  collection.energies = Eigen::MatrixXd::Zero(2, 2);
+  collection.tree = {{0, 1}};
+  collection.co_analysis = {{{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}}, 1, 6, 0};
+  const auto model = [&](std::size_t i) {
+    std::optional<Segmented_shape> result;
+    if (i == 1) return result;
+    result.emplace("a");
+    for (int part = 0; part < 6; ++part)
+      result->add_part("part " + std::to_string(part), box_shapes::box(Point::Zero(), Point::Ones(), 0, 80));
+    return result;
+  };
+  std::ostringstream out;
+  IO::write_collection_html(
+      out, collection, [&](std::size_t i) { return graphs[i]; }, {}, model);
+  const json glb = glb_json(out.str());
+  std::size_t triangles[2] = {0, 0};
+  for (std::size_t shape : {0, 1})
+    for (const json& child : glb["nodes"][glb["scenes"][0]["nodes"][shape].get<std::size_t>()]["children"]) {
+      const json& mesh = glb["meshes"][glb["nodes"][child.get<std::size_t>()]["mesh"].get<std::size_t>()];
+      CHECK(mesh["primitives"][0]["extras"]["layer"] == (shape == 0 ? "surfaces" : "curves and sheets"));
+      triangles[shape] +=
+          glb["accessors"][mesh["primitives"][0]["indices"].get<std::size_t>()]["count"].get<std::size_t>() / 3;
+    }
+  CHECK(triangles[0] <= 200000); // of 460800
+  CHECK(triangles[0] > 1000);
+  CHECK(triangles[1] > 0);
 }
 
 TEST_CASE("Of very many shapes the page shows some from every branch of the tree, and says so")
@@ -83,19 +134,16 @@ TEST_CASE("Of very many shapes the page shows some from every branch of the tree
   };
   IO::write_collection_html(out, collection, graph, maps);
   CHECK(drawn == IO::largest_pictured);
-  const std::string page = out.str(), begin = "id=\"data\">";
-  const std::size_t at = page.find(begin) + begin.size();
-  const json data = json::parse(page.substr(at, page.find("</script>", at) - at));
-  CHECK(data["total"] == n);
+  const std::string page = out.str();
+  const json data = json::parse(document_of(page, "collection")), stored = json::parse(document_of(page, "maps"));
+  CHECK(stored["total"] == n);
+  CHECK(stored["maps"].size() == 1);
   CHECK(data["shapes"].size() == IO::largest_pictured);
-  CHECK(data["tree"].size() + 1 == IO::largest_pictured);
-  CHECK(data["maps"].size() == 1);
-  const std::size_t medoid = data["medoid"];
-  CHECK(data["shapes"][medoid]["name"] == "shape " + std::to_string(collection.medoid));
+  CHECK(data["spanning_tree"].size() + 1 == IO::largest_pictured);
+  CHECK(data["medoid"]["shape"] == "shape " + std::to_string(collection.medoid));
   std::size_t first_half = 0;
   for (const json& shape : data["shapes"])
     first_half += std::stoul(shape["name"].get<std::string>().substr(6)) < half;
   CHECK(first_half > IO::largest_pictured / 3);
   CHECK(first_half < 2 * IO::largest_pictured / 3);
-  CHECK(data["notes"].back().get<std::string>().find("Shown are 1000") == 0);
 }

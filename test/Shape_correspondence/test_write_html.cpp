@@ -3,8 +3,13 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "box_shapes.h"
 #include "hand_made_graphs.h"
+#include "page_documents.h"
 
+#include <CGAL/Shape_correspondence/IO/correspondence_json.h>
+#include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+#include <CGAL/Shape_correspondence/IO/write_glb.h>
 #include <CGAL/Shape_correspondence/IO/write_html.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
@@ -12,87 +17,97 @@
 
 #include <nlohmann/json.hpp>
 
-#include <set>
 #include <sstream>
 
 using namespace CGAL::Shape_correspondence;
+using namespace page_documents;
 using nlohmann::json;
 
 namespace {
 
-/// The scene that a page shows.
-json scene_of(const std::string& page)
+template <typename Write>
+std::string written(const Write& write)
 {
-  const std::string begin = "id=\"data\">", end = "</script>";
-  const std::size_t from = page.find(begin) + begin.size();
-  return json::parse(page.substr(from, page.find(end, from) - from));
+  std::ostringstream out;
+  write(out);
+  return out.str();
 }
 
 std::string graph_page(const Structural_graph& graph)
 {
-  std::ostringstream out;
-  IO::write_structural_graph_html(out, graph);
-  return out.str();
+  return written([&](std::ostream& out) { IO::write_structural_graph_html(out, graph); });
+}
+
+std::size_t count(const std::string& text, const std::string& what)
+{
+  std::size_t result = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+    ++result;
+  return result;
 }
 
 } // namespace
 
-TEST_CASE("The page of a graph needs no network")
+// That the pages work is tested in a browser, browser/test_pages.py
+
+TEST_CASE("A page needs no network, and lets nothing run but its own script")
 {
   const std::string page = graph_page(hand_made::chair());
   CHECK(page.find("<!DOCTYPE html>") == 0);
-  CHECK(page.find("http") == std::string::npos);
-  CHECK(page.find("src=") == std::string::npos);
-  CHECK(page.find("import ") == std::string::npos);
+  CHECK(page.find("<script src=") == std::string::npos);
+  CHECK(page.find("<link") == std::string::npos);
+  CHECK(count(page, "<script>") == 1);
+  CHECK(count(page, "default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-") == 1);
+  for (const char* place : {"@HASH@", "@TITLE@", "@STYLE@", "@DOCUMENTS@", "@SCRIPT@"})
+    CHECK(page.find(place) == std::string::npos);
+  CHECK(page.find("Copyright (c) 2010-2019 three.js authors") != std::string::npos);
 }
 
-TEST_CASE("The page of a graph shows every part, a colour a group, and the contacts")
+TEST_CASE("The page of a graph holds the same JSON and GLB as the files")
 {
   const Structural_graph graph = hand_made::chair();
-  const json scene = scene_of(graph_page(graph));
-  const std::size_t parts = structure(graph).parts.size();
-  CHECK(scene["things"].size() == parts);
-  CHECK(scene["rows"].size() == parts);
-  REQUIRE(scene["layers"].size() == parts + 1);
-  CHECK(scene["layers"].back()["role"] == "contacts");
-  std::set<std::string> colours;
-  for (const json& row : scene["rows"])
-    colours.insert(row["colour"].get<std::string>());
-  CHECK(colours.size() == num_vertices(graph));
+  const std::string page = graph_page(graph);
+  CHECK(document_of(page, "graph") == written([&](std::ostream& out) { IO::write_structural_graph_json(out, graph); }));
+  CHECK(from_base64(document_of(page, "graph.glb")) ==
+        written([&](std::ostream& out) { IO::write_structural_graph_glb(out, graph); }));
 }
 
 TEST_CASE("Names and warnings cannot break out of the page")
 {
   Structural_graph graph = hand_made::chair();
-  const std::string evil = "</script><script>alert('\"&\")</script>";
+  const std::string evil = "</script><script>alert('\"&\")</script>@SCRIPT@";
   structure(graph).name = structure(graph).parts[0].name = evil;
   structure(graph).warnings = {evil};
   const std::string page = graph_page(graph);
   CHECK(page.find("<script>alert") == std::string::npos);
-  const json scene = scene_of(page);
-  CHECK(scene["title"] == evil);
-  CHECK(scene["notes"][1] == "Warning: " + evil);
+  CHECK(count(page, "<script>") == 1);
+  const json document = json::parse(document_of(page, "graph"));
+  CHECK(document["name"] == evil);
+  CHECK(document["warnings"][0] == evil);
 }
 
-TEST_CASE("A fallback shows its reason")
-{
-  Structural_graph graph = hand_made::chair();
-  structure(graph).parts[0].report.fallback = "it is too hard";
-  CHECK(graph_page(graph).find("it is too hard") != std::string::npos);
-}
-
-TEST_CASE("The page of a correspondence has a row a match, in the colour of its parts")
+TEST_CASE("The page of a correspondence holds the same JSON and GLB as the files")
 {
   const Structural_graph graph = hand_made::chair();
   const Correspondence correspondence = find_correspondence(graph, graph);
-  std::ostringstream out;
-  IO::write_correspondence_html(out, correspondence, graph, graph);
-  const json scene = scene_of(out.str());
-  const std::size_t parts = structure(graph).parts.size();
-  CHECK(scene["layers"].size() == 2 * parts);
-  std::size_t shown = 0;
-  for (const json& row : scene["rows"])
-    shown += row["things"].size();
-  CHECK(shown == 2 * parts);
-  CHECK(scene["heading"].size() == 2);
+  const std::string page =
+      written([&](std::ostream& out) { IO::write_correspondence_html(out, correspondence, graph, graph); });
+  const std::string name = structure(graph).name;
+  CHECK(document_of(page, "match") == written([&](std::ostream& out) {
+          IO::write_correspondence_json(out, correspondence, graph, graph, name, name, {});
+        }));
+  CHECK(from_base64(document_of(page, "match.glb")) ==
+        written([&](std::ostream& out) { IO::write_correspondence_glb(out, correspondence, graph, graph); }));
+}
+
+TEST_CASE("Large surfaces are simplified, so that a page stays small")
+{
+  const Structural_graph graph = hand_made::chair();
+  Segmented_shape shape("chair");
+  for (const Part_abstraction& part : structure(graph).parts)
+    shape.add_part(part.name, box_shapes::box(Point::Zero(), Point::Ones(), 0, 60));
+  const std::string page = written([&](std::ostream& out) {
+    IO::write_correspondence_html(out, find_correspondence(graph, graph), graph, graph, &shape, &shape);
+  });
+  CHECK(page.size() < 8 << 20);
 }

@@ -23,16 +23,18 @@ namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a structural graph as a web page that needs no network: surfaces faint, curves and sheets, one colour for
-/// each group, one dot for each contact, and a table of the parts with how each was abstracted. The mouse turns, zooms
-/// and points at parts. A shape that has no meshes (read from a graph) is drawn by its curves and sheets: pass null.
-/// Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
+/// each group, a line for each contact, and a table of the parts. The page holds what `write_structural_graph_glb()`
+/// and `write_structural_graph_json()` write; surfaces of more than 100 000 triangles are simplified. A shape that has
+/// no meshes (read from a graph) is drawn by its curves and sheets: pass null. Needs nlohmann-json: link
+/// `CGAL::Shape_correspondence_IO`.
 void write_structural_graph_html(std::ostream& out, const Structural_graph& graph,
                                  const Segmented_shape* shape = nullptr);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a correspondence as such a page: both shapes side by side in their common frame, source on the left, parts
-/// that correspond in one colour, unmatched parts grey, and a table of the pairs. `source_shape` and `target_shape` are
-/// null for shapes without meshes.
+/// Writes a correspondence as such a page: both shapes side by side under one camera, source on the left, parts that
+/// correspond in one colour, unmatched parts grey, and a table of what corresponds. A part that is pointed at lights up
+/// with its counterparts. `source_shape` and `target_shape` are null for shapes without meshes. The page holds what
+/// `write_correspondence_glb()` and `write_correspondence_json()` write.
 void write_correspondence_html(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                                const Structural_graph& target, const Segmented_shape* source_shape = nullptr,
                                const Segmented_shape* target_shape = nullptr);

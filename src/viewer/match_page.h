@@ -1,0 +1,24 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "viewer/page.h"
+
+#include <CGAL/Shape_correspondence/IO/correspondence_json.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::IO {
+
+/// The page of a match: its JSON, and its GLB, in which large surfaces are simplified. To be a page of a blend, it
+/// needs the documents `blend` and `blend.glb`, too.
+/// \param ranked the best one first \param source_shape may be null \param target_shape may be null
+Page match_page(const std::vector<Correspondence>& ranked, const Structural_graph& source,
+                const Structural_graph& target, const Segmented_shape* source_shape,
+                const Segmented_shape* target_shape, const std::string& source_file, const std::string& target_file,
+                const Match_seconds& seconds);
+
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,0 +1,28 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::IO {
+
+/// What a web page holds: the viewer (`src/viewer/page/`) shows it by the ids of its documents.
+struct Page
+{
+  struct Document
+  {
+    std::string id, content;
+  };
+
+  std::string title;
+  std::vector<Document> json; ///< texts, as the package writes them into files
+  std::vector<Document> glb;  ///< binary glTF, the same
+};
+
+/// Writes one file that holds all it needs: no network, and no script but the viewer's, whatever names are in it.
+void write_page(std::ostream& out, const Page& page);
+
+} // namespace CGAL::Shape_correspondence::IO

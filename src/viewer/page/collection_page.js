@@ -1,0 +1,101 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import {$, addWarnings, cssColour, documentOf, element} from './dom.js';
+import {fillGallery, Pictures} from './gallery.js';
+import {addLayerSwitches, glbOf} from './match_page.js';
+import {blocksOf} from './matching.js';
+import {MatchView} from './match_view.js';
+import {Stage} from './stage.js';
+import {fillTree} from './tree.js';
+
+// The page of a collection: a gallery, the spanning tree, and the match of two shapes that one chooses. A part has the
+// colour of its cluster everywhere.
+
+const withoutCounterpart = 0.25; // opacity
+
+const shown = x => x.toPrecision(3);
+
+/** The stored match of two shapes: {energies, pairs: [[source, target, confidence]]}, or null. */
+export function storedMatch(maps, a, b) {
+  const isSwapped = a > b, map = maps[isSwapped ? `${b},${a}` : `${a},${b}`];
+  if (!map) return null;
+  const pairs = map.pairs.map(([s, t, percent]) => isSwapped ? [t, s, percent / 100] : [s, t, percent / 100]);
+  return {pairs, energies: isSwapped ? [...map.energies].reverse() : map.energies};
+}
+
+/** A path as one types it in a shell. */
+export function shellWord(path) {
+  return /^[\w@%+=:,./-]+$/.test(path) ? path : "'" + path.replace(/'/g, "'\\''") + "'";
+}
+
+export function showCollection() {
+  const collection = documentOf('collection'), {maps, total} = documentOf('maps');
+  const nodes = glbOf('collection.glb').scenes[0].nodes, shapes = collection.shapes;
+  const number = new Map(shapes.map((shape, i) => [shape.name, i])), medoid = number.get(collection.medoid.shape);
+  const cards = shapes.map((shape, i) => ({name: shape.name, mark: i === medoid ? '★ medoid' : '', shape: nodes[i]}));
+  document.body.classList.add('with-gallery');
+
+  $('h1').textContent = `Collection of ${total} shapes`;
+  element('p', (total > shapes.length ? `Shown are ${shapes.length} of them, from all branches of the spanning tree. ` : '') +
+      'Parts of one cluster have one colour; parts that are like no others are grey. Choose two shapes to see their match.',
+      $('#facts'));
+  addWarnings($('#facts'), collection.warnings);
+
+  const stage = new Stage($('#stage')), views = [stage.addView(''), stage.addView('')];
+  const view = new MatchView(stage, views);
+  const told = $('#told');
+  let chosen = [];
+
+  function show(indices) {
+    views.forEach((v, side) => {
+      stage.clear(v);
+      v.figure.hidden = side >= indices.length;
+      if (v.figure.hidden) return;
+      v.caption.textContent = shapes[indices[side]].name;
+      nodes[indices[side]].children.forEach((node, part) => stage.addNode(v, node, part));
+      stage.centre(v);
+    });
+    const stored = indices.length === 2 ? storedMatch(maps, ...indices) : null;
+    const names = [0, 1].map(side => side < indices.length ? shapes[indices[side]].parts : []);
+    const blocks = stored ? blocksOf(stored.pairs, names[0].length, names[1].length) : [];
+    view.show({titles: [0, 1].map(side => side < indices.length ? shapes[indices[side]].name : ''), names, blocks, roles: [[], []], groups: [[], []]});
+    if (stored)
+      for (const item of stage.items)
+        if (view.blockOf[views.indexOf(item.view)][item.part] < 0) item.opacity = withoutCounterpart;
+    $('table').hidden = $('#search').hidden = !stored;
+    told.replaceChildren();
+    if (indices.length === 1) element('p', `${shapes[indices[0]].name}: choose another shape.`, told);
+    else if (stored)
+      element('p', `Energy ${shown(stored.energies[0])} from left to right, ${shown(stored.energies[1])} from right to ` +
+              'left. Parts without counterpart are faint.', told);
+    else if (indices.length === 2) {
+      element('p', 'This page stores the matches of shapes that are near each other. To match these two, run', told);
+      element('code', `shape_correspondence match ${indices.map(i => shellWord(shapes[i].file)).join(' ')} --html match.html`, told);
+    }
+    stage.resize();
+  }
+
+  function choose(i) {
+    chosen = chosen.length === 1 && chosen[0] !== i ? [chosen[0], i] : [i];
+    buttons.forEach((button, k) => button.classList.toggle('chosen', chosen.includes(k)));
+    show(chosen);
+  }
+
+  const pictures = new Pictures();
+  const chooseAndLook = i => { choose(i); if (chosen.length === 2) $('#stage').scrollIntoView({block: 'nearest'}); };
+  const buttons = fillGallery($('#gallery'), cards, pictures, chooseAndLook);
+  element('h2', 'Spanning tree', $('#tree'));
+  element('p', 'The shortest way to join the shapes, from the medoid on; numbers are distances to the shape above.', $('#tree'));
+  const edges = collection.spanning_tree.map(({shapes: [a, b], distance}) => [number.get(a), number.get(b), distance]);
+  fillTree($('#tree'), cards, edges, medoid, pictures, chooseAndLook);
+  show([]);
+  const nearest = edges.filter(([a, b]) => storedMatch(maps, a, b) && (a === medoid || b === medoid));
+  if (nearest.length) {
+    const [a, b] = nearest.reduce((best, edge) => edge[2] < best[2] ? edge : best);
+    choose(medoid);
+    choose(a === medoid ? b : a);
+  }
+  addLayerSwitches(stage, $('#tools'), ['surfaces', 'curves and sheets']);
+  view.addSwitches($('#tools'));
+}

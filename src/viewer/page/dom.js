@@ -1,0 +1,60 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Elements of the page. Text from files is only ever set as text.
+
+export const $ = selector => document.querySelector(selector);
+
+/** Appends an element. */
+export function element(tag, text, parent) {
+  const result = document.createElement(tag);
+  if (text) result.textContent = text;
+  parent.append(result);
+  return result;
+}
+
+/** The document that the page has for an id: JSON parsed, or null. */
+export function documentOf(id) {
+  const script = document.getElementById(id);
+  return script ? JSON.parse(script.textContent) : null;
+}
+
+/** A check box with a label. @param change is called with whether it is set */
+export function addSwitch(parent, text, isSet, change) {
+  const label = element('label', '', parent), box = element('input', '', label);
+  box.type = 'checkbox';
+  box.checked = isSet;
+  label.append(' ' + text);
+  box.onchange = () => change(box.checked);
+  return box;
+}
+
+/** Warnings, folded: there may be many. */
+export function addWarnings(parent, warnings) {
+  if (!warnings || !warnings.length) return;
+  const details = element('details', '', parent);
+  element('summary', warnings.length === 1 ? '1 warning' : `${warnings.length} warnings`, details);
+  for (const warning of warnings) element('p', warning, details);
+}
+
+/** A colour in linear light, as style sheets have it. */
+export function cssColour(colour) {
+  return 'rgb(' + colour.slice(0, 3).map(c => {
+    const value = Math.max(0, Math.min(1, c));
+    return Math.round(255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * Math.pow(value, 1 / 2.4) - 0.055));
+  }).join(', ') + ')';
+}
+
+/** The note beside the pointer: a title, and lines. */
+export const tip = {
+  show(x, y, title, lines) {
+    const box = $('#tip');
+    box.replaceChildren();
+    element('b', title, box);
+    for (const line of lines) element('div', line, box);
+    box.style.display = 'block';
+    box.style.left = Math.max(4, Math.min(x + 14, innerWidth - box.offsetWidth - 4)) + 'px';
+    box.style.top = Math.max(4, Math.min(y + 14, innerHeight - box.offsetHeight - 4)) + 'px';
+  },
+  hide() { $('#tip').style.display = 'none'; },
+};

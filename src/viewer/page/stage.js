@@ -1,0 +1,232 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Shapes side by side under one camera, on one canvas. What is drawn are items: {view, part, layer, mesh, colour, ...};
+// `part` is the index of the part in its shape, or -1.
+
+const fieldOfView = 28; // degrees
+const home = {yaw: 0.5, pitch: 0.3, zoom: 1, x: 0, y: 0};
+const fadedOpacity = 0.1, overlaidOpacity = 0.3;
+
+function geometryOf(mesh) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.BufferAttribute(mesh.points, 3));
+  if (mesh.normals) geometry.setAttribute('normal', new THREE.BufferAttribute(mesh.normals, 3));
+  if (mesh.indices) geometry.setIndex(new THREE.BufferAttribute(mesh.indices, 1));
+  return geometry;
+}
+
+/** What is drawn of a mesh of a GLB. Without normals it is shaded flat. */
+export function objectOf(mesh) {
+  const colour = new THREE.Color(...mesh.colour.slice(0, 3)), geometry = geometryOf(mesh);
+  if (mesh.isLines) {
+    const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({color: colour, depthTest: false}));
+    lines.renderOrder = 1; // over all else
+    return lines;
+  }
+  return new THREE.Mesh(geometry, new THREE.MeshPhongMaterial(
+      {color: colour, side: THREE.DoubleSide, flatShading: !mesh.normals, shininess: 8, specular: 0x111111}));
+}
+
+/** A scene with its light, which comes from behind the eye. */
+export function litScene() {
+  const scene = new THREE.Scene(), sun = new THREE.DirectionalLight(0xffffff, 0.55);
+  sun.position.set(0.4, 0.7, 1);
+  scene.add(new THREE.HemisphereLight(0xffffff, 0x8890a0, 0.62), sun);
+  return scene;
+}
+
+export function newRenderer(canvas) {
+  const renderer = new THREE.WebGLRenderer({canvas, antialias: true, alpha: true});
+  renderer.gammaOutput = true;
+  renderer.gammaFactor = 2.2;
+  return renderer;
+}
+
+/** Puts a camera so that all boxes, turned to `pose`, are in view. */
+export function placeCamera(camera, boxes, aspect, pose = home) {
+  const turn = new THREE.Matrix4().makeRotationX(pose.pitch).multiply(new THREE.Matrix4().makeRotationY(-pose.yaw));
+  const atHome = new THREE.Matrix4().makeRotationX(home.pitch).multiply(
+      new THREE.Matrix4().makeRotationY(-home.yaw));
+  const f = 1 / Math.tan(fieldOfView * Math.PI / 360);
+  let fit = 1e-6, size = 1e-6;
+  for (const box of boxes) {
+    const half = box.getSize(new THREE.Vector3()).multiplyScalar(0.5);
+    size = Math.max(size, half.length());
+    for (let corner = 0; corner < 8; ++corner) {
+      const p = new THREE.Vector3(corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y,
+                                  corner & 4 ? half.z : -half.z).applyMatrix4(atHome);
+      fit = Math.max(fit, p.z + f * Math.max(Math.abs(p.x) / aspect, Math.abs(p.y)));
+    }
+  }
+  const distance = 1.06 * fit * pose.zoom;
+  camera.fov = fieldOfView;
+  camera.aspect = aspect;
+  camera.near = Math.max(distance - 2 * size, 0.01 * distance);
+  camera.far = distance + 2 * size;
+  const back = new THREE.Matrix4().getInverse(turn);
+  camera.quaternion.setFromRotationMatrix(back);
+  camera.position.set(-pose.x, -pose.y, distance).applyMatrix4(back);
+  camera.updateProjectionMatrix();
+  camera.updateMatrixWorld();
+  return 2 * distance / f; // the height that the camera sees
+}
+
+export class Stage {
+  /** @param root of the views; the canvas covers it */
+  constructor(root) {
+    this.root = root;
+    root.stage = this; // for scripts in the console, and for tests
+    this.canvas = document.createElement('canvas');
+    root.prepend(this.canvas);
+    this.renderer = newRenderer(this.canvas);
+    this.renderer.autoClear = false;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.views = [];
+    this.items = [];
+    this.layers = new Set();
+    this.pose = {...home};
+    this.seenHeight = 1;
+    this.isLit = null; // of an item; null: nothing is lit, so nothing fades
+    this.afterDrawing = () => {};
+    new ResizeObserver(() => this.resize()).observe(root);
+  }
+
+  /** Adds a view with a caption. */
+  addView(caption) {
+    const box = document.createElement('figure'), text = document.createElement('figcaption');
+    text.textContent = caption;
+    box.append(text);
+    this.root.append(box);
+    const shape = new THREE.Group(), scene = litScene();
+    scene.add(shape);
+    const view = {index: this.views.length, figure: box, caption: text, scene, shape, bounds: new THREE.Box3(),
+                  camera: new THREE.PerspectiveCamera()};
+    this.views.push(view);
+    return view;
+  }
+
+  /** Adds the meshes of a node of a GLB to a view. */
+  addNode(view, node, part, moved = [0, 0, 0]) {
+    return node.meshes.map(mesh => {
+      const object = objectOf(mesh), layer = mesh.extras.layer || 'surfaces';
+      object.position.set(...moved);
+      view.shape.add(object);
+      const item = {view, part, layer, object, mesh, node, colour: object.material.color.clone()};
+      object.userData.item = item;
+      this.items.push(item);
+      return item;
+    });
+  }
+
+  /** Removes all that a view shows. */
+  clear(view) {
+    for (const object of [...view.shape.children]) {
+      object.geometry.dispose();
+      object.material.dispose();
+      view.shape.remove(object);
+    }
+    this.items = this.items.filter(item => item.view !== view);
+    view.shape.position.set(0, 0, 0);
+    view.shape.scale.set(1, 1, 1);
+  }
+
+  /** Moves the middle of what a view shows to its centre, scaled. */
+  centre(view, scale = 1) {
+    view.shape.position.set(0, 0, 0);
+    view.shape.scale.setScalar(scale);
+    view.shape.updateMatrixWorld(true);
+    view.bounds.setFromObject(view.shape);
+    view.shape.position.copy(view.bounds.getCenter(new THREE.Vector3())).negate();
+    view.shape.updateMatrixWorld(true);
+    view.bounds.setFromObject(view.shape);
+    this.redraw();
+  }
+
+  setLayer(layer, isShown) {
+    isShown ? this.layers.add(layer) : this.layers.delete(layer);
+    this.redraw();
+  }
+
+  /** Lights the items that a function picks, and fades the rest; null: neither. */
+  light(isLit) {
+    this.isLit = isLit;
+    this.redraw();
+  }
+
+  goHome() {
+    Object.assign(this.pose, home);
+    this.redraw();
+  }
+
+  redraw() {
+    if (!this.frame) this.frame = requestAnimationFrame(() => { this.frame = 0; this.draw(); });
+  }
+
+  resize() {
+    this.renderer.setSize(this.root.clientWidth, this.root.clientHeight, false);
+    this.draw();
+  }
+
+  dress(item) {
+    const material = item.object.material;
+    item.object.visible = this.layers.has(item.layer) && !item.isHidden;
+    const isOverlaid = item.layer === 'surfaces' && this.layers.has('curves and sheets');
+    const isFaded = this.isLit !== null && !this.isLit(item);
+    const opacity = (isOverlaid ? overlaidOpacity : 1) * (isFaded ? fadedOpacity : 1) * (item.opacity || 1);
+    material.color.copy(item.colour);
+    material.transparent = opacity < 1;
+    material.depthWrite = opacity === 1;
+    material.opacity = opacity;
+    if (material.emissive) material.emissive.copy(item.colour).multiplyScalar(this.isLit && !isFaded ? 0.25 : 0);
+  }
+
+  draw() {
+    const whole = this.canvas.getBoundingClientRect();
+    if (!whole.width || !whole.height) return;
+    for (const item of this.items) this.dress(item);
+    this.renderer.setScissorTest(false);
+    this.renderer.setClearColor(0xffffff, 0);
+    this.renderer.clear();
+    this.renderer.setScissorTest(true);
+    const shown = this.views.filter(view => !view.figure.hidden), boxes = shown.map(view => view.bounds);
+    for (const view of shown) {
+      const box = view.figure.getBoundingClientRect();
+      if (!box.width || !box.height) continue;
+      const corner = [box.left - whole.left, whole.bottom - box.bottom, box.width, box.height];
+      this.seenHeight = placeCamera(view.camera, boxes, box.width / box.height, this.pose);
+      this.renderer.setViewport(...corner);
+      this.renderer.setScissor(...corner);
+      this.renderer.render(view.scene, view.camera);
+    }
+    this.afterDrawing();
+  }
+
+  viewAt(x, y) {
+    return this.views.find(view => {
+      const box = view.figure.getBoundingClientRect();
+      return !view.figure.hidden && x >= box.left && x < box.right && y >= box.top && y < box.bottom;
+    });
+  }
+
+  /** The item at a place of the window, the nearest one to the eye; or null. */
+  itemAt(x, y) {
+    const view = this.viewAt(x, y);
+    if (!view) return null;
+    const box = view.figure.getBoundingClientRect(), ray = new THREE.Raycaster();
+    ray.setFromCamera({x: 2 * (x - box.left) / box.width - 1, y: 1 - 2 * (y - box.top) / box.height}, view.camera);
+    const objects = view.shape.children.filter(o => o.visible && o.userData.item.part >= 0);
+    const [hit] = ray.intersectObjects(objects);
+    return hit ? hit.object.userData.item : null;
+  }
+
+  /** Where the middle of a part is in the window. */
+  placeOf(view, part) {
+    const bounds = new THREE.Box3();
+    for (const item of this.items)
+      if (item.view === view && item.part === part && item.object.visible) bounds.expandByObject(item.object);
+    if (bounds.isEmpty()) return null;
+    const p = bounds.getCenter(new THREE.Vector3()).project(view.camera), box = view.figure.getBoundingClientRect();
+    return [box.left + (p.x + 1) / 2 * box.width, box.top + (1 - p.y) / 2 * box.height];
+  }
+}

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "io/simplified_shape.h"
+
+#include <optional>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::IO {
+
+/// The most triangles of the surfaces of a page of one or two shapes: a page is about 60 bytes for each.
+constexpr std::size_t largest_page_triangles = 100000;
+
+/// Models as pages show them: simplified in the same measure, if they have too many triangles together.
+class Page_models
+{
+public:
+  /// \param models may be null
+  Page_models(const std::vector<const Segmented_shape*>& models, std::size_t most_triangles) : models_(models)
+  {
+    std::size_t all = 0;
+    for (const Segmented_shape* model : models_)
+      all += model ? number_of_triangles(*model) : 0;
+    simplified_.resize(models_.size());
+    for (std::size_t i = 0; all > most_triangles && i < models_.size(); ++i) {
+      if (!models_[i]) continue;
+      const double share = double(number_of_triangles(*models_[i])) / double(all);
+      simplified_[i] = simplified_shape(*models_[i], std::size_t(share * double(most_triangles)));
+      models_[i] = &*simplified_[i];
+    }
+  }
+  Page_models(const Page_models&) = delete;
+  Page_models& operator=(const Page_models&) = delete;
+
+  const Segmented_shape* operator[](std::size_t i) const { return models_[i]; }
+
+private:
+  std::vector<const Segmented_shape*> models_;
+  std::vector<std::optional<Segmented_shape>> simplified_;
+};
+
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Tests of the viewer's modules that need no picture; test_pages.py opens test_modules.html and reads window.failures.
+
+import {shellWord, storedMatch} from '../../../src/viewer/page/collection_page.js';
+import {cssColour} from '../../../src/viewer/page/dom.js';
+import {bytesOfBase64, morphed, readGlb, valuesAt} from '../../../src/viewer/page/glb.js';
+import {blocksOf, groupNumbers, indexedPairs, inWords, listed, operationOf, percent} from '../../../src/viewer/page/matching.js';
+import {Selection} from '../../../src/viewer/page/selection.js';
+import {walkTree} from '../../../src/viewer/page/tree.js';
+
+const failures = [];
+let checks = 0;
+
+function equal(got, wanted) {
+  ++checks;
+  const [a, b] = [got, wanted].map(value => JSON.stringify(value));
+  if (a !== b) failures.push(`${new Error().stack.split('\n')[2].trim()}: ${a} is not ${b}`);
+}
+
+/** A GLB of a document, with numbers of four bytes. */
+function glb(json, numbers) {
+  let text = JSON.stringify(json);
+  while (text.length % 4) text += ' ';
+  const bytes = new Uint8Array(12 + 8 + text.length + 8 + numbers.byteLength), view = new DataView(bytes.buffer);
+  const header = [0x46546C67, 2, bytes.length, text.length, 0x4E4F534A];
+  header.forEach((n, i) => view.setUint32(4 * i, n, true));
+  bytes.set(new TextEncoder().encode(text), 20);
+  view.setUint32(20 + text.length, numbers.byteLength, true);
+  view.setUint32(24 + text.length, 0x004E4942, true);
+  bytes.set(new Uint8Array(numbers.buffer), 28 + text.length);
+  return bytes;
+}
+
+// glb.js
+{
+  const numbers = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, /**/ 0, 0, 0, 0, 0, 2, 0, 0, 0, /**/ 0, 1, 3, /**/ 0, 1, 0.5]);
+  const accessor = (bufferView, count, type) => ({bufferView, count, type, componentType: 5126});
+  const document = {
+    scenes: [{name: 'a', nodes: [0]}],
+    nodes: [{name: 'shape', children: [1], translation: [1, 2, 3]}, {name: 'part', mesh: 0, extras: {part: 4}}],
+    meshes: [{primitives: [{attributes: {POSITION: 0}, material: 0, targets: [{POSITION: 1}], mode: 1}]}],
+    materials: [{pbrMetallicRoughness: {baseColorFactor: [1, 0.5, 0, 1]}}],
+    accessors: [accessor(0, 3, 'VEC3'), accessor(1, 3, 'VEC3'), accessor(2, 3, 'SCALAR'), accessor(3, 3, 'SCALAR')],
+    bufferViews: [{byteOffset: 0}, {byteOffset: 36}, {byteOffset: 72}, {byteOffset: 84}],
+    animations: [{extras: {begin: 1, end: 2}, channels: [{sampler: 0, target: {node: 1, path: 'weights'}}],
+                  samplers: [{input: 2, output: 3, interpolation: 'LINEAR'}]}],
+  };
+  const read = readGlb(glb(document, numbers)), [shape] = read.scenes[0].nodes, [part] = shape.children, [mesh] = part.meshes;
+  equal([shape.name, shape.translation, shape.animation, part.name, part.extras], ['shape', [1, 2, 3], null, 'part', {part: 4}]);
+  equal([mesh.colour, mesh.isLines, mesh.normals, mesh.indices], [[1, 0.5, 0, 1], true, null, null]);
+  equal([...mesh.points], [0, 0, 0, 1, 0, 0, 0, 1, 0]);
+  equal(read.animation, {extras: {begin: 1, end: 2}, seconds: 3});
+  const track = part.animation.weights;
+  equal([-1, 0, 0.5, 1, 2, 3, 9].map(time => valuesAt(track, time)[0]), [0, 0, 0.5, 1, 0.75, 0.5, 0.5]);
+  equal([0, 0.9, 1, 2.9].map(time => valuesAt({...track, isStep: true}, time)[0]), [0, 0, 1, 1]);
+  equal([...morphed(mesh, [0.5])], [0, 0, 0, 1, 0, 1, 0, 1, 0]);
+  equal([...mesh.points], [0, 0, 0, 1, 0, 0, 0, 1, 0]);
+  equal([...bytesOfBase64('AP+A')], [0, 255, 128]);
+  let refused = false;
+  try { readGlb(new Uint8Array(20)); } catch (error) { refused = true; }
+  equal(refused, true);
+}
+
+// matching.js
+{
+  equal([percent(0.934), percent(null), percent(undefined), percent(0)], ['93 %', '', '', '0 %']);
+  equal([listed([]), listed(['a']), listed(['a', 'b', 'c'])], ['', 'a', 'a, b and c']);
+  equal(listed(['a', 'b', 'c', 'd'], 3), 'a, b and 2 more');
+  equal([operationOf(1, 1), operationOf(1, 3), operationOf(3, 1), operationOf(2, 2), operationOf(0, 1)],
+        ['match', 'split', 'merge', 'many to many', 'no counterpart']);
+  const result = {pairs: [['back', 'slat 1'], ['back', 'slat 2'], ['leg', 'leg']], confidences: [0.5, 0.7, 1],
+                  groups: [{source: ['back'], target: ['slat 1', 'slat 2']}]};
+  const names = [['leg', 'seat', 'back'], ['slat 1', 'slat 2', 'leg']];
+  const pairs = indexedPairs(result, names);
+  equal(pairs, [[2, 0, 0.5], [2, 1, 0.7], [0, 2, 1]]);
+  const blocks = blocksOf(pairs, 3, 3);
+  equal(blocks, [{parts: [[0], [2]], operation: 'match', confidence: 1},
+                 {parts: [[2], [0, 1]], operation: 'split', confidence: 0.6}]);
+  equal([0, 1].map(side => inWords(blocks[1], side)), ['splits into 2 parts', 'one part splits into this and 1 other part']);
+  equal(inWords(blocks[0], 1), 'one part matches one part');
+  const merge = blocksOf([[0, 0, null], [1, 0, null], [2, 0, null]], 3, 1)[0];
+  equal([merge.operation, merge.confidence, inWords(merge, 0), inWords(merge, 1)],
+        ['merge', null, 'merges with 2 other parts into one', '3 parts merge into it']);
+  // A chain of pairs is one block
+  equal(blocksOf([[0, 0, 1], [1, 0, 1], [1, 1, 1]], 2, 2).map(block => block.parts), [[[0, 1], [0, 1]]]);
+  equal(groupNumbers(result, names), [[-1, -1, 0], [0, 0, -1]]);
+}
+
+// dom.js, selection.js, tree.js, collection_page.js
+{
+  equal([cssColour([0, 1, 0.2140411]), cssColour([2, -1, 0, 1])], ['rgb(0, 255, 127)', 'rgb(255, 0, 0)']);
+  const seen = [], selection = new Selection(key => seen.push(key));
+  selection.hover('a');
+  selection.hover('a');
+  selection.hover(null);
+  selection.pin('b');
+  selection.hover('c');
+  selection.hover(null);
+  selection.pin('b');
+  equal(seen, ['a', null, 'b', 'c', 'b', null]);
+  equal(walkTree(4, [[0, 1, 3], [1, 2, 1], [0, 3, 2]], 0),
+        [{shape: 0, depth: 0, distance: null}, {shape: 3, depth: 1, distance: 2}, {shape: 1, depth: 1, distance: 3},
+         {shape: 2, depth: 2, distance: 1}]);
+  const maps = {'0,2': {energies: [0.1, 0.2], pairs: [[3, 4, 50]]}};
+  equal(storedMatch(maps, 0, 2), {pairs: [[3, 4, 0.5]], energies: [0.1, 0.2]});
+  equal(storedMatch(maps, 2, 0), {pairs: [[4, 3, 0.5]], energies: [0.2, 0.1]});
+  equal(storedMatch(maps, 0, 1), null);
+  equal([shellWord('a/b-1.obj'), shellWord("it's a $HOME")], ['a/b-1.obj', "'it'\\''s a $HOME'"]);
+}
+
+window.failures = failures;
+window.checks = checks;

@@ -1,0 +1,325 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Opens the pages that the program writes in Chromium and uses them as people do.
+
+  test_pages.py PROGRAM DATA [--screenshots FOLDER]
+
+Ends with status 77, which ctest counts as skipped, where there is no Chromium.
+"""
+import argparse
+import json
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+import chromium
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+DESKTOP, PHONE = (1200, 760), (390, 844)
+LARGEST_PAGE = 8 << 20
+arguments = None
+browser = None
+pages = {}
+
+# Where in the window the pointer meets a part of a view
+PLACE_OF = """((view, name) => {
+  const stage = document.querySelector('#stage').stage, {camera, figure} = stage.views[view];
+  const {left, top, width, height} = figure.getBoundingClientRect();
+  for (const {object, node} of stage.items.filter(i => i.view === stage.views[view] && i.node.name === name)) {
+    const {index, attributes} = object.geometry;
+    for (let t = 0; t < index.count; t += 3 * Math.ceil(index.count / 150)) {
+      const middle = new THREE.Vector3();
+      for (let k = 0; k < 3; ++k)
+        middle.add(new THREE.Vector3().fromBufferAttribute(attributes.position, index.getX(t + k)).divideScalar(3));
+      middle.applyMatrix4(object.matrixWorld).project(camera);
+      const [x, y] = [left + (middle.x + 1) / 2 * width, top + (1 - middle.y) / 2 * height], item = stage.itemAt(x, y);
+      if (item && item.node === node) return [x, y];
+    }
+  }
+})"""
+# The parts of a view that are not faded
+LIT = """(view => {
+  const stage = document.querySelector('#stage').stage;
+  return stage.items.filter(item => item.view === stage.views[view] && item.layer === 'surfaces' && item.object.visible &&
+                            item.object.material.opacity > 0.5).map(item => item.node.name);
+})"""
+AFTER_DRAWING = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))"
+
+
+def rows_of(png):
+    """The pixels of a PNG of 8 bits a channel: rows of tuples."""
+    at, data = 8, b""
+    while at < len(png):
+        size, kind = struct.unpack(">I4s", png[at:at + 8])
+        if kind == b"IHDR":
+            width, _, _, colours = struct.unpack(">IIBB", png[at + 8:at + 18])
+        if kind == b"IDAT":
+            data += png[at + 8:at + 8 + size]
+        at += 12 + size
+    channels = {2: 3, 6: 4}[colours]
+    data, stride, result = zlib.decompress(data), width * channels, []
+    before = bytes(stride)
+    for begin in range(0, len(data), stride + 1):
+        kind, row = data[begin], bytearray(data[begin + 1:begin + 1 + stride])
+        for x in range(stride):
+            left, corner = (row[x - channels], before[x - channels]) if x >= channels else (0, 0)
+            up = before[x]
+            guess = left + up - corner  # of Paeth's predictor
+            row[x] = (row[x] + (0, left, up, (left + up) // 2,
+                                min((left, up, corner), key=lambda v: abs(guess - v)))[kind]) & 255
+        result.append([tuple(row[x:x + 3]) for x in range(0, stride, channels)])
+        before = row
+    return result
+
+
+def setUpModule():
+    global browser
+    browser = chromium.Browser(chromium.find()).__enter__()
+    folder = setUpModule.folder = tempfile.TemporaryDirectory()
+    shapes = {name: os.path.join(arguments.data, name) for name in os.listdir(arguments.data)}
+    chairs = [shapes[name] for name in ("chair_four_legged", "chair_spindle", "stool")]
+    cache = ["--cache", os.path.join(folder.name, "cache"), "--quiet"]
+    path = lambda name: os.path.join(folder.name, name + ".html")
+    commands = {"match": ["match", *chairs[:2], "--html", path("match"), *cache],
+                "graph": ["graph", chairs[1], "--html", path("graph"), *cache],
+                "blend": ["blend", *chairs[:2], "--frames", "5", "-o", path("blend"), *cache],
+                "collection": ["collection", *chairs, "--html", path("collection"), *cache],
+                "parts": ["parts", *chairs, "--html", path("parts"), "--quiet"]}
+    for name, command in commands.items():
+        subprocess.run([arguments.program, *command], check=True)
+        pages[name] = path(name)
+
+
+def tearDownModule():
+    browser.__exit__()
+    setUpModule.folder.cleanup()
+
+
+class Pages(unittest.TestCase):
+    def open(self, name, size=DESKTOP):
+        browser.resize(*size, is_phone=size == PHONE)
+        errors, requests = browser.open(pages[name])
+        browser.wait_for("document.body.dataset.ready")
+        browser.evaluate(AFTER_DRAWING)
+        self.assertEqual(errors, [])
+        self.assertEqual([request for request in requests if not request.startswith("data:")], [])
+
+    def check_picture(self, name):
+        """The stage is not blank, nor is all of the window."""
+        if arguments.screenshots:
+            os.makedirs(arguments.screenshots, exist_ok=True)
+            with open(os.path.join(arguments.screenshots, name + ".png"), "wb") as file:
+                file.write(browser.screenshot())
+        box = browser.evaluate("(({x, y, width, height}) => ({x: x + scrollX, y: y + scrollY, width, height}))"
+                               "(document.querySelector('#stage').getBoundingClientRect())")
+        colours = [c for row in rows_of(browser.screenshot(clip={**box, "scale": 0.15})) for c in row]
+        drawn = [c for c in colours if min(c) < 225]
+        self.assertGreater(len(drawn), 0.03 * len(colours))
+        self.assertGreater(len(set(drawn)), 20)
+        self.assertEqual(browser.evaluate("document.documentElement.scrollWidth"), browser.evaluate("innerWidth"))
+
+    def place_of(self, view, name):
+        place = browser.evaluate(f"{PLACE_OF}({view}, '{name}')")
+        self.assertIsNotNone(place, name)
+        return place
+
+    def lit(self, view):
+        browser.evaluate(AFTER_DRAWING)
+        return browser.evaluate(f"{LIT}({view})")
+
+    def test_every_page_opens_without_errors_or_requests_on_desktop_and_phone(self):
+        for name in pages:
+            for size in (DESKTOP, PHONE):
+                with self.subTest(page=name, size=size):
+                    self.open(name, size)
+                    self.check_picture(name + ("_phone" if size == PHONE else ""))
+
+    def test_a_part_that_is_pointed_at_or_clicked_lights_its_counterparts(self):
+        self.open("match")
+        self.assertEqual(len(self.lit(0)), 12)
+        x, y = self.place_of(0, "front_left_leg")
+        browser.mouse("mouseMoved", x, y)
+        browser.wait_for("document.querySelector('#tip').style.display === 'block'")
+        tip = browser.evaluate("document.querySelector('#tip').innerText")
+        for text in ("front_left_leg", "role: ", "one part matches one part", "in chair_spindle: turned_leg_a", "confidence: "):
+            self.assertIn(text, tip)
+        self.assertEqual((self.lit(0), self.lit(1)), (["front_left_leg"], ["turned_leg_a"]))
+        browser.mouse("mouseMoved", 5, 5)
+        browser.wait_for("document.querySelector('#tip').style.display === 'none'")
+        self.assertEqual(len(self.lit(0)), 12)
+
+        browser.click(*self.place_of(1, "turned_leg_c"))
+        browser.mouse("mouseMoved", 5, 5)
+        self.assertEqual((self.lit(0), self.lit(1)), (["rear_left_leg"], ["turned_leg_c"]))
+        self.assertEqual(browser.evaluate("document.querySelector('tr.lit td:nth-child(2)').textContent"), "rear_left_leg")
+        browser.call("Input.dispatchKeyEvent", type="keyDown", key="Escape")
+        self.assertEqual(len(self.lit(1)), 16)
+
+    def test_a_row_and_the_search_light_parts(self):
+        self.open("match")
+        row = "[...document.querySelectorAll('tbody tr')].find(tr => tr.cells[1].textContent === 'seat')"
+        browser.evaluate(row + ".onmouseenter()")
+        self.assertEqual((self.lit(0), self.lit(1)), (["seat"], ["saddle_seat"]))
+        browser.evaluate(row + ".onmouseleave()")
+        browser.evaluate("(s => { s.value = 'turned_leg_B'; s.oninput(); })(document.querySelector('#search'))")
+        self.assertEqual(browser.evaluate("document.querySelectorAll('tbody tr:not([hidden])').length"), 1)
+        self.assertEqual((self.lit(0), self.lit(1)), (["front_right_leg"], ["turned_leg_b"]))
+
+    def test_switches_of_layers_groups_and_links(self):
+        self.open("match")
+        switch = "(text => [...document.querySelectorAll('#tools label')].find(l => l.innerText.trim() === text).firstChild.click())"
+        visible = "(l => document.querySelector('#stage').stage.items.filter(i => i.layer === l && i.object.visible).length)"
+        self.assertEqual(browser.evaluate(visible + "('curves and sheets')"), 0)
+        for layer, items in (("curves and sheets", 28), ("contacts", 2)):
+            browser.evaluate(f"{switch}('{layer}')")
+            browser.evaluate(AFTER_DRAWING)
+            self.assertEqual(browser.evaluate(f"{visible}('{layer}')"), items)
+        browser.evaluate(switch + "('surfaces')")
+        browser.evaluate(AFTER_DRAWING)
+        self.assertEqual(browser.evaluate(visible + "('surfaces')"), 0)
+        browser.evaluate(switch + "('surfaces')")
+        browser.evaluate(switch + "('curves and sheets')")
+        browser.evaluate(switch + "('groups')")
+        browser.click(*self.place_of(0, "front_left_leg"))
+        self.assertEqual(sorted(self.lit(0)), ["front_left_leg", "front_right_leg"])
+        drawn = """(c => c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some(v => v > 0))(
+                   document.querySelector('.links'))"""
+        self.assertFalse(browser.evaluate(drawn))
+        browser.evaluate(switch + "('links')")
+        browser.evaluate(AFTER_DRAWING)
+        self.assertTrue(browser.evaluate(drawn))
+
+    def test_drag_turns_both_shapes_and_the_wheel_zooms(self):
+        self.open("match")
+        pose = "({...document.querySelector('#stage').stage.pose})"
+        before = browser.evaluate(pose)
+        browser.mouse("mousePressed", 200, 300, "left", buttons=1)
+        browser.mouse("mouseMoved", 260, 300, "left", buttons=1)
+        browser.mouse("mouseReleased", 260, 300, "left")
+        browser.mouse("mouseWheel", 200, 300, deltaX=0, deltaY=200)
+        after = browser.evaluate(pose)
+        self.assertLess(after["yaw"], before["yaw"])
+        self.assertGreater(after["zoom"], before["zoom"])
+        self.assertEqual(len(self.lit(0)), 12)  # a drag is no click
+
+    def test_fingers_on_a_phone(self):
+        self.open("match", PHONE)
+        browser.tap(*self.place_of(0, "seat"))
+        browser.wait_for("document.querySelector('#tip').style.display === 'block'")
+        self.assertEqual((self.lit(0), self.lit(1)), (["seat"], ["saddle_seat"]))
+        touch = lambda kind, *points: browser.call("Input.dispatchTouchEvent", type=kind, touchPoints=[
+            {"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)])
+        zoom = "document.querySelector('#stage').stage.pose.zoom"
+        touch("touchStart", (150, 300), (200, 300))
+        touch("touchMove", (120, 300), (230, 300))
+        touch("touchMove", (100, 300), (250, 300))
+        touch("touchEnd")
+        self.assertLess(browser.evaluate(zoom), 0.8)
+
+    def test_the_slider_moves_vertices_and_play_plays(self):
+        self.open("blend")
+        points = """JSON.stringify(document.querySelector('#stage').stage.items.filter(i => i.sides && i.object.visible).map(
+                    i => [i.node.name, i.object.geometry.attributes.position.array.slice(0, 9)]))"""
+        slide = "(t => { const s = document.querySelector('#player input'); s.value = t; s.oninput(); })"
+        seen = []
+        for t in (0, 0.3, 0.31, 1):
+            browser.evaluate(f"{slide}({t})")
+            browser.evaluate(AFTER_DRAWING)
+            seen.append(browser.evaluate(points))
+        self.assertEqual(len(set(seen)), 4)
+        self.assertIn("front_left_leg", seen[0])
+        self.assertIn("turned_leg_a", seen[3])
+        self.assertEqual(browser.evaluate("document.querySelectorAll('.bars b').length"),
+                         browser.evaluate("JSON.parse(document.querySelector('#blend').textContent).tasks.length"))
+        browser.evaluate(slide + "(0.2)")
+        browser.evaluate("document.querySelector('#player button').click()")
+        browser.wait_for("Number(document.querySelector('#player input').value) > 0.25")
+        browser.evaluate("document.querySelector('#player button').click()")
+        self.check_picture("blend_playing")
+
+    def test_a_collection_shows_the_match_of_two_shapes_in_the_colours_of_clusters(self):
+        self.open("collection")
+        self.assertEqual(browser.evaluate("document.querySelectorAll('#gallery button').length"), 3)
+        self.assertEqual(browser.evaluate("document.querySelectorAll('#tree button').length"), 3)
+        for name in ("chair_four_legged", "chair_spindle"):
+            browser.evaluate(f"document.querySelector('#gallery button[title={name}]').click()")
+        browser.evaluate(AFTER_DRAWING)
+        self.assertEqual(browser.evaluate("[...document.querySelectorAll('figcaption')].map(c => c.textContent)"),
+                         ["chair_four_legged", "chair_spindle"])
+        self.assertTrue(browser.evaluate("""document.querySelector('#stage').stage.items.every(
+            i => i.colour.getHexString() === new THREE.Color(...i.mesh.colour.slice(0, 3)).getHexString())"""))
+        self.assertEqual(len(set(browser.evaluate("""document.querySelector('#stage').stage.items.filter(
+            i => /seat/.test(i.node.name)).map(i => i.colour.getHexString())"""))), 1)
+        browser.click(*self.place_of(0, "front_left_leg"))
+        self.assertEqual((self.lit(0), self.lit(1)), (["front_left_leg"], ["turned_leg_a"]))
+
+    def test_a_pair_that_is_not_stored_is_explained(self):
+        with open(pages["collection"], encoding="utf-8") as file:
+            text = file.read()
+        begin = text.index('id="maps">') + len('id="maps">')
+        pages["without_maps"] = pages["collection"].replace(".html", "_bare.html")
+        with open(pages["without_maps"], "w", encoding="utf-8") as file:
+            file.write(text[:begin] + '{"total": 3, "maps": {}}' + text[text.index("</script>", begin):])
+        self.open("without_maps")
+        for i in (0, 1):
+            browser.evaluate(f"document.querySelectorAll('#gallery button')[{i}].click()")
+        self.assertRegex(browser.evaluate("document.querySelector('#told code').textContent"),
+                         r"^shape_correspondence match \S*chair_four_legged \S*chair_spindle --html match.html$")
+        del pages["without_maps"]
+
+    def test_parts_and_graph_light_what_is_pointed_at(self):
+        self.open("graph")
+        browser.click(*self.place_of(0, "saddle_seat"))
+        self.assertEqual(self.lit(0), [])  # surfaces are faint over curves and sheets
+        self.assertIn("touches ", browser.evaluate("document.querySelector('#tip').innerText"))
+        self.assertEqual(browser.evaluate("document.querySelectorAll('tr.lit').length"), 1)
+        self.open("parts")
+        browser.evaluate("document.querySelector('#gallery button[title=stool]').click()")
+        browser.evaluate(AFTER_DRAWING)
+        browser.click(*self.place_of(0, "pad"))
+        self.assertEqual(self.lit(0), ["pad"])
+
+    def test_names_are_text(self):
+        evil = "</script><script>document.title='broken'</script><img src=x onerror=\"document.title='broken'\">"
+        folder = os.path.join(setUpModule.folder.name, "evil")
+        os.makedirs(folder)
+        graph = os.path.join(folder, "evil.json")
+        subprocess.run([arguments.program, "graph", os.path.join(arguments.data, "stool"), "-o", graph, "--quiet"], check=True)
+        with open(graph, encoding="utf-8") as file:
+            text = file.read()
+        with open(graph, "w", encoding="utf-8") as file:
+            file.write(text.replace('"pad"', json.dumps(evil)).replace('"name": "stool"', '"name": ' + json.dumps(evil)))
+        pages["evil"] = os.path.join(folder, "evil.html")
+        subprocess.run([arguments.program, "match", graph, graph, "--html", pages["evil"], "--quiet"], check=True)
+        self.open("evil")
+        self.assertEqual(browser.evaluate("document.title"), f"{evil} and {evil}")
+        self.assertEqual(browser.evaluate("document.querySelectorAll('img').length"), 0)
+        self.assertTrue(browser.evaluate(f"document.querySelector('table').textContent.includes({json.dumps(evil)})"))
+        del pages["evil"]
+
+    def test_a_page_is_small(self):
+        self.assertLess(os.path.getsize(pages["match"]), LARGEST_PAGE)
+
+    def test_modules(self):
+        errors, _ = browser.open(os.path.join(HERE, "test_modules.html"))
+        self.assertEqual(errors, [])
+        browser.wait_for("window.checks")
+        self.assertEqual(browser.evaluate("window.failures"), [])
+        self.assertGreater(browser.evaluate("window.checks"), 30)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("data")
+    parser.add_argument("--screenshots", metavar="FOLDER", help="keep pictures of the pages here")
+    arguments, rest = parser.parse_known_args()
+    if not chromium.find():
+        print("skipped: there is no Chromium")
+        sys.exit(77)
+    unittest.main(argv=[sys.argv[0], *rest])

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "box_shapes.h"
+#include "io/simplified_shape.h"
+
+#include <catch2/catch.hpp>
+
+using namespace CGAL::Shape_correspondence;
+using box_shapes::box;
+
+namespace {
+
+Eigen::AlignedBox3d bounds(const Part_mesh& mesh)
+{
+  return {mesh.points.rowwise().minCoeff(), mesh.points.rowwise().maxCoeff()};
+}
+
+} // namespace
+
+TEST_CASE("A shape of few triangles stays as it is")
+{
+  const Segmented_shape table = box_shapes::table();
+  const std::size_t all = IO::number_of_triangles(table);
+  CHECK(all == 5 * 48);
+  const Segmented_shape same = IO::simplified_shape(table, all);
+  for (std::size_t i = 0; i < 5; ++i)
+    CHECK(same.parts()[i].mesh.points == table.parts()[i].mesh.points);
+}
+
+TEST_CASE("A shape of many triangles keeps its parts, their names and their extents with as few as are wanted")
+{
+  Segmented_shape shape("boxes", Point::UnitZ());
+  shape.add_part("large", box({0, 0, 0}, {1, 2, 3}, 0.3, 30)); // 10800 triangles
+  shape.add_part("thin", box({5, 0, 0}, {0.01, 0.01, 2}, 0, 30));
+  shape.add_part("plain", box({9, 0, 0}, {1, 1, 1}, 0, 1)); // 12
+  const Segmented_shape simple = IO::simplified_shape(shape, 1000);
+  CHECK(IO::number_of_triangles(simple) <= 1050);
+  CHECK(IO::number_of_triangles(simple) > 500);
+  CHECK(simple.name() == "boxes");
+  CHECK(simple.up() == Point::UnitZ());
+  REQUIRE(simple.parts().size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    INFO(i);
+    CHECK(simple.parts()[i].name == shape.parts()[i].name);
+    const Eigen::AlignedBox3d before = bounds(shape.parts()[i].mesh), after = bounds(simple.parts()[i].mesh);
+    CHECK((before.min() - after.min()).norm() < 0.01 * before.diagonal().norm());
+    CHECK((before.max() - after.max()).norm() < 0.01 * before.diagonal().norm());
+  }
+  CHECK(simple.parts()[2].mesh.triangles.cols() == 12);
+}
+
+TEST_CASE("Triangles that are no surface are simplified, too")
+{
+  Segmented_shape shape("fan");
+  Part_mesh fan; // all share an edge
+  const int n = 200;
+  fan.points.resize(3, n + 2);
+  fan.triangles.resize(3, n);
+  fan.points.col(0) = Point::Zero(), fan.points.col(1) = Point::UnitY();
+  for (int i = 0; i < n; ++i) {
+    fan.points.col(i + 2) = Point(std::cos(0.03 * i), 0.5, std::sin(0.03 * i));
+    fan.triangles.col(i) << 0, 1, i + 2;
+  }
+  shape.add_part("fan", fan);
+  const Segmented_shape simple = IO::simplified_shape(shape, 50);
+  CHECK(simple.parts()[0].mesh.triangles.cols() > 0);
+  CHECK(simple.parts()[0].mesh.points.allFinite());
+}
