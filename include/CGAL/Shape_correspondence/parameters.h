@@ -123,7 +123,7 @@ Options options_from(const NamedParameters& np)
 
 /// \ingroup PkgShapeCorrespondenceFunctions
 /// Builds the structural graph of a segmented shape; named parameters take the place of `Structure_options`.
-/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same to the bit
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is bitwise identical
 /// \param shape the shape
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
