@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
+#include "cli/blend_warnings.h"
+#include "cli/choose_parts.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/load_shape.h"
@@ -282,17 +284,6 @@ std::vector<std::string> remove_unlikely(Correspondence& correspondence, double 
   return result;
 }
 
-/// Tells of a difference in size that an animation cannot show.
-void warn_of_sizes(const Blend_output& output, const Loaded_shape& source, const Loaded_shape& target,
-                   std::vector<std::string>& warnings)
-{
-  constexpr double most = 5; // up to about this the one is seen beside the other
-  const double from = structure(source.graph).frame.height, to = structure(target.graph).frame.height;
-  if (output.size == "blend" && std::max(from, to) > most * std::min(from, to))
-    warnings.push_back("one shape is " + short_number(std::max(from, to) / std::min(from, to)) +
-                       " times as high as the other; --size same, source or target makes them alike");
-}
-
 Blend_options with_progress(Blend_options result, Progress_bar& bar)
 {
   result.progress = [&bar](double done) {
@@ -352,6 +343,16 @@ po::options_description all_options(Variables& v)
 
 } // namespace
 
+void warn_of_sizes(Blend_size size, const Loaded_shape& source, const Loaded_shape& target,
+                   std::vector<std::string>& warnings)
+{
+  constexpr double most = 5; // up to about this the one is seen beside the other
+  const double from = structure(source.graph).frame.height, to = structure(target.graph).frame.height;
+  if (size == Blend_size::BLEND && std::max(from, to) > most * std::min(from, to))
+    warnings.push_back("one shape is " + short_number(std::max(from, to) / std::min(from, to)) +
+                       " times as high as the other; --size same, source or target makes them alike");
+}
+
 Command_help help_of_blend()
 {
   static Variables unused;
@@ -384,8 +385,7 @@ void run_blend(const std::vector<std::string>& arguments)
   for (std::size_t i : {0u, 1u})
     complete_surfaces(paths[i], shapes[i]);
   const Loaded_shape &source = shapes[0], &target = shapes[1];
-  search.source_parts = chosen_parts(match.source_parts, source.graph, paths[0]);
-  search.target_parts = chosen_parts(match.target_parts, target.graph, paths[1]);
+  choose_parts(match, {source.graph, paths[0]}, {target.graph, paths[1]}, search);
   Correspondence correspondence =
       output.match.empty()
           ? find_correspondence(source.graph, target.graph, search)
@@ -402,7 +402,7 @@ void run_blend(const std::vector<std::string>& arguments)
   warnings.insert(warnings.begin(), warnings_of_up.begin(), warnings_of_up.end());
   warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
   warnings.insert(warnings.end(), unlikely.begin(), unlikely.end());
-  warn_of_sizes(output, source, target, warnings);
+  warn_of_sizes(blend_options(output).size, source, target, warnings);
   const auto write_json = [&](std::ostream& out) {
     IO::write_blend_json(out, blend, source.graph, target.graph, paths[0], paths[1], output.path, output.frames,
                          warnings);

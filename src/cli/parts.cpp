@@ -95,7 +95,7 @@ std::string summary(const Read_model& model)
 void print_model(const std::string& path, const Read_model& model)
 {
   std::cout << IO::quote_terminal(path) << ": " << summary(model) << "\n\n";
-  std::vector<std::vector<std::string>> objects{{"object", "triangles", "open pieces", "largest piece", "what it is"}};
+  std::vector<std::vector<std::string>> objects{{"object", "triangles", "open pieces", "largest piece", "result"}};
   for (std::size_t i = 0; i < model.objects.parts().size(); ++i) {
     const Shape_part& object = model.objects.parts()[i];
     objects.push_back({object.name, std::to_string(object.mesh.triangles.cols()),
@@ -103,7 +103,7 @@ void print_model(const std::string& path, const Read_model& model)
                        model.split.decisions[i]});
   }
   write_table(std::cout, std::move(objects));
-  std::vector<std::vector<std::string>> pieces{{"part", "piece", "size", "surface", "why it is not alone"}};
+  std::vector<std::vector<std::string>> pieces{{"part", "piece", "size", "surface", "reason"}};
   for (std::size_t part = 0; part < model.split.shape.parts().size(); ++part)
     for (const Model_piece& piece : model.split.pieces)
       if (piece.part == part)

@@ -375,7 +375,7 @@ void predict(const std::string& path, const Roles_options& roles, const Common_o
                                          : std::make_shared<const Role_model>(IO::read_role_model(roles.model));
   const Part_roles found = predicted_roles(path, shape.graph, *model, roles.category);
   const auto& parts = structure(shape.graph).parts;
-  std::vector<std::vector<std::string>> rows{{"part", "role", "more precisely", "probability"}};
+  std::vector<std::vector<std::string>> rows{{"part", "role", "fine label", "probability"}};
   for (std::size_t part = 0; part < parts.size(); ++part)
     rows.push_back({parts[part].name, found.labels[part].coarse, found.labels[part].fine,
                     percentage(probability_of(part, found))});

@@ -307,6 +307,35 @@ TEST_CASE("the benchmark has fifteen whole shapes of each category, the same bit
   CHECK(hash_of(shapes) == 0xf6e58f439869a403);
 }
 
+TEST_CASE("raw models have one object for each coarse label, z up, and all faces")
+{
+  const auto lines_of = [](const gen::Files& files, const std::string& keyword) {
+    std::vector<std::string> lines;
+    std::istringstream in(files.begin()->second);
+    for (std::string line; std::getline(in, line);)
+      if (line.rfind(keyword, 0) == 0) lines.push_back(line);
+    return lines;
+  };
+  for (const gen::Model& model : gen::models()) {
+    const gen::Assembly shape = model.make();
+    INFO(shape.name);
+    const gen::Files raw = gen::raw_file(shape), single = gen::single_file(shape);
+    std::set<std::string> objects;
+    double lowest = 1;
+    for (const gen::Part& part : shape.parts) {
+      objects.insert("o " + part.label.coarse);
+      for (const auto& p : part.solid.mesh.points)
+        lowest = std::min(lowest, p.y());
+    }
+    CHECK(lines_of(raw, "o ") == std::vector<std::string>(objects.begin(), objects.end()));
+    CHECK(lines_of(raw, "f ").size() == lines_of(single, "f ").size());
+    double lowest_z = 1;
+    for (const std::string& line : lines_of(raw, "v "))
+      lowest_z = std::min(lowest_z, std::stod(line.substr(line.rfind(' '))));
+    CHECK(lowest_z == Approx(lowest).margin(1e-5));
+  }
+}
+
 TEST_CASE("drawn shapes are whole, of other styles with every seed, and the same bits for the same one",
           "[benchmark_shapes]")
 {

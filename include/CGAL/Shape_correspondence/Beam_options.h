@@ -18,8 +18,8 @@ namespace Shape_correspondence {
 /// Options of `Search_method::BEAM`, with the paper's values.
 struct Beam_options
 {
-  int beam_width = 20; ///< K, the partial solutions kept at each level
-  int expansions = 4;  ///< k, the expansions kept of each partial solution
+  int beam_width = 20; ///< K, number of partial solutions kept at each level, at least 1
+  int expansions = 4;  ///< k, number of expansions kept of each partial solution, at least 1
 };
 
 } // namespace Shape_correspondence

@@ -33,18 +33,19 @@ enum class Direction {
 };
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
-/// A group of the shape that was deformed and what it became.
+/// A symmetry group of the deformed shape and its counterpart.
 struct Group_match
 {
   std::vector<std::size_t> source;        ///< part indices in the source shape
   std::vector<std::size_t> target;        ///< part indices in the target shape
   Operation operation = Operation::MATCH; ///< what the GeoTopo transform did to the group
-  double energy = 0;         ///< its share of E_d + w_c E_c: half of each of its contacts, all of those inside it
+  double energy =
+      0; ///< its share of E_d + w_c E_c: half of that of contacts with other groups, all of that of contacts inside it
   double distortion = 0;     ///< its share of E_d
   double connectedness = 0;  ///< its share of E_c, before weighting
   double solidity_ratio = 1; ///< S_i of Eq. 5, its entry in E_s
-  /// By how much the least energy of all rises if the group may not have this match (its min-marginal): 0 is a toss-up,
-  /// infinity is no other choice. Not a number where it was not asked for.
+  /// Min-marginal: increase of the least energy if the group may not have this match. 0: another match is as good;
+  /// infinity: there is no other match; not a number: not computed (`Search_options::min_marginals`).
   double min_marginal = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -61,26 +62,27 @@ struct Contact_energy
 /// A part-to-part correspondence between a source and a target shape.
 struct Correspondence
 {
-  /// Sorted by source, then target, each once. A search of least energy tells the images of every part of the shape
-  /// that was deformed, and the segments that it cut curves into; matching by parts pairs sets of parts as wholes,
-  /// every part of one with every part of the other, and has confidences.
+  /// Corresponding parts, sorted by source, then target, each once. A search for the least energy gives the images of
+  /// every part of the deformed shape, with the segments of cut curves. Matching by parts pairs sets of parts, every
+  /// part of the one with every part of the other, and gives confidences.
   std::vector<Part_correspondence> pairs;
-  std::vector<Group_match> groups;           ///< by group of the shape that was deformed
-  std::vector<Contact_energy> contacts;      ///< by contact of the shape that was deformed
+  std::vector<Group_match> groups;           ///< by group of the deformed shape
+  std::vector<Contact_energy> contacts;      ///< by contact of the deformed shape
   std::vector<std::size_t> unmatched_source; ///< source parts without a counterpart, ascending
   std::vector<std::size_t> unmatched_target; ///< target parts without a counterpart, ascending
-  /// E of Eq. 1. Matching by parts is rated with whole parts, a search with the pieces of sheets that split or merge.
+  /// Deformation energy, E of Eq. 1: of whole parts after matching by parts, of the pieces of split sheets after a
+  /// search.
   double energy = 0;
-  Energy_terms terms;                                ///< its terms
+  Energy_terms terms;                                ///< the terms of the energy
   Direction direction = Direction::SOURCE_TO_TARGET; ///< which shape was deformed into which
   bool complete = false; ///< every group of the deformed shape is assigned, or left unmatched where that is allowed
   bool optimal = false;  ///< the energy is proven minimal over the labels, of this direction and turn of the target
-  int target_quarter_turns = 0;          ///< of the target about up, into the source's frame
-  Search_summary search;                 ///< how the search went
-  std::string category;                  ///< whose roles were joined with the costs of parts; empty: none
-  std::vector<std::string> source_roles; ///< of every source part, the likeliest role; empty without a category
-  std::vector<std::string> target_roles; ///< the same, of the target parts
-  std::vector<std::string> warnings;     ///< what was approximated or ended early, in whole sentences
+  int target_quarter_turns = 0;          ///< turns of the target by 90° about up that align it with the source
+  Search_summary search;                 ///< effort of the search, and its lower bound
+  std::string category;                  ///< category whose roles were used; empty: none
+  std::vector<std::string> source_roles; ///< most probable role of each source part; empty without a category
+  std::vector<std::string> target_roles; ///< the same of the target parts
+  std::vector<std::string> warnings;     ///< approximations made and limits reached, in sentences
 };
 
 } // namespace Shape_correspondence

@@ -38,7 +38,7 @@ struct Part_parameter
 /// The piecewise continuous map between the curves and sheets of two shapes that extends their part correspondence
 /// (paper, section 1).
 ///
-/// Parts that correspond one to one are mapped as wholes, in the direction in which they are fitted to each other. A
+/// Parts that correspond one to one are mapped as a whole, in the direction in which they are fitted to each other. A
 /// part that corresponds to many is divided among them as they lie: a curve into intervals of its parameter, a sheet
 /// into rectangles, which are mapped each; where they lie side by side across it, it is mapped to all of them. A curve
 /// that corresponds to a sheet runs along the middle of it, the long way. Continuous inside every piece.
@@ -49,8 +49,8 @@ public:
   Correspondence_map(const Structural_graph& source, const Structural_graph& target,
                      const Correspondence& correspondence);
 
-  /// What a place on the source corresponds to: nothing on a part without counterpart, one place, or several. Between
-  /// two pieces of the part, what it corresponds to in either. O(pieces of the part)
+  /// The images of a place on the source: none on a part without counterpart, one, or several. On the border of two
+  /// pieces of the part, the images of both. O(pieces of the part)
   std::vector<Part_parameter> operator()(const Part_parameter& place) const;
 
   /// The map from the target to the source.
@@ -105,7 +105,7 @@ public:
 
   /// The place on the source's surface of a vertex of the target; none if its part has no counterpart.
   std::optional<Surface_place> source_of(std::size_t target_part, Eigen::Index vertex) const;
-  /// The place on the target's surface of a vertex of the source.
+  /// The place on the surface of the target of a vertex of the part `source_part` of the source.
   std::optional<Surface_place> target_of(std::size_t source_part, Eigen::Index vertex) const;
 
   /// Values for the vertices of the target: those of the source, interpolated over triangles; labels (integral and

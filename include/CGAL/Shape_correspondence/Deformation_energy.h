@@ -21,33 +21,33 @@ namespace Shape_correspondence {
 struct Energy_terms
 {
   double distortion = 0;    ///< E_d, Eq. 2 and 3
-  double connectedness = 0; ///< E_c, Eq. 4 with its sign turned
+  double connectedness = 0; ///< E_c, Eq. 4 with its sign corrected
   double split = 0;         ///< E_s, Eq. 5
-  double unmatched = 0;     ///< cost of groups left unmatched, where the caller allowed it
+  double unmatched = 0;     ///< cost of unmatched groups (`Matching_options::unmatched_cost`)
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Weights of Eq. 1 with the paper's values. A term with weight 0 is switched off (the paper's Figure 4).
 struct Energy_weights
 {
-  double distortion = 1;      ///< of E_d
-  double connectedness = 0.6; ///< w_c
-  double split = 0.4;         ///< w_s
+  double distortion = 1;      ///< weight of E_d, not negative
+  double connectedness = 0.6; ///< w_c, weight of E_c, not negative
+  double split = 0.4;         ///< w_s, weight of E_s, not negative
 };
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// E = E_d + w_c E_c + w_s E_s (Eq. 1), and the cost of what is left unmatched.
+/// E = E_d + w_c E_c + w_s E_s (Eq. 1), and the cost of unmatched groups.
 double deformation_energy(const Energy_terms& terms, const Energy_weights& weights = {});
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// E_d of two connected parts (Eq. 3): 1 - ||D|| / ||J||, of the mean of the squares of the entries of D. An entry of D
-/// (Eq. 2) is the cosine of the angle by which a structural rod, from a sample of the one part to a sample of the
-/// other, turns; 0 beyond a right angle.
+/// E_d of two connected parts (Eq. 3): 1 - ||D|| / ||J||; `mean_squared_cosine` is the mean of the squared entries of
+/// D. An entry of D (Eq. 2) is the cosine of the angle by which a structural rod, from a sample of the one part to a
+/// sample of the other, turns; 0 beyond a right angle.
 double distortion_energy(double mean_squared_cosine);
 
 /// \ingroup PkgShapeCorrespondenceSearch
 /// E_c of two connected parts (Eq. 4): min(1, d'/f) if they have come apart (d' > d), else 0. The sign of the printed
-/// equation is turned: it would fall as parts separate.
+/// equation is corrected: as printed, E_c decreases as parts separate.
 /// \param shortest_before d, the length of the shortest structural rod before the deformation
 /// \param shortest_after d', the same after it
 /// \param longest_before f, the length of the longest rod before it

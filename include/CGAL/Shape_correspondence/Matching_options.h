@@ -21,10 +21,10 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// How the energies of connected pairs of parts make up E_d and E_c.
+/// How E_d and E_c are computed from the pairs of connected parts.
 enum class Energy_norm {
   SUM,   ///< sums over the connected pairs (the paper's Eq. 1)
-  POOLED ///< E_d: one norm over the rods of all pairs, as many as their samples give, unlifted; E_c: the mean
+  POOLED ///< E_d: one norm over the rods of all pairs, without resampling curves as sheets; E_c: the mean
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
@@ -36,21 +36,22 @@ struct Part_pair
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// What may be matched and what it costs.
+/// Options of the deformation energy and its labels.
 struct Matching_options
 {
-  /// A cost that nothing outweighs.
+  /// An infinite cost.
   static constexpr double never = std::numeric_limits<double>::infinity();
 
   Energy_weights weights;              ///< weights of the terms of the energy
-  Energy_norm norm = Energy_norm::SUM; ///< how the energies of pairs of parts are summed
-  bool cut_curves = true;              ///< offer `Operation::CUT` and `Operation::JOIN` beside splitting and merging
-  /// A group may be left unmatched, at this cost for each of its contacts (at least once); `never`: it may not.
+  Energy_norm norm = Energy_norm::SUM; ///< how E_d and E_c are computed
+  bool cut_curves = true;              ///< allow `Operation::CUT` and `Operation::JOIN`
+  /// Energy of an unmatched group, for each of its contacts (at least once), not negative; `never`: groups must be
+  /// matched.
   double unmatched_cost = never;
-  /// Pairs that correspond, whatever they cost, and the only ones of their parts. Several of one part make it
-  /// correspond to several. A search takes these parts out of their symmetry groups and charges no E_s for them.
+  /// Pairs that must correspond; their parts correspond to no other parts. A part in several pairs corresponds to all
+  /// of them. A search takes these parts out of their symmetry groups and charges no E_s for them.
   std::vector<Part_pair> pinned;
-  std::vector<Part_pair> forbidden; ///< pairs that do not correspond
+  std::vector<Part_pair> forbidden; ///< pairs that must not correspond
 };
 
 } // namespace Shape_correspondence

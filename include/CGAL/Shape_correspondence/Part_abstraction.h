@@ -45,7 +45,7 @@ struct Sheet
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Where the time of an abstraction went, in milliseconds.
+/// Milliseconds of each phase of an abstraction.
 struct Phase_milliseconds
 {
   double measure = 0; ///< area, hull, surface samples
@@ -56,20 +56,20 @@ struct Phase_milliseconds
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// How an abstraction was made and how far to trust it.
+/// How an abstraction was made, and how well it fits.
 struct Abstraction_report
 {
   /// What a curve or sheet was fitted to.
   enum class Method {
-    SKELETON,      ///< the curve skeleton that mean curvature flow leaves
-    MESO_SKELETON, ///< what mean curvature flow has made of the surface when the enclosed volume is all but gone
+    SKELETON,      ///< the curve skeleton, by mean curvature flow until convergence
+    MESO_SKELETON, ///< the meso-skeleton, by mean curvature flow until little of the enclosed volume is left
     MEDIAL_AXIS,   ///< the medial axis
-    AXIS,          ///< nothing: it is the axis of a body of revolution or of a block
+    AXIS,          ///< none: the axis of a body of revolution or of a block
     BOUNDING_BOX,  ///< the bounding box
-    COPY,          ///< nothing: it is the abstraction of a congruent part, moved
-    GIVEN          ///< unknown: it comes from a file or from another abstractor
+    COPY,          ///< none: the abstraction of a congruent part, moved
+    GIVEN          ///< unknown: from a file or another abstractor
   };
-  /// What was done to the surface of a part so that it encloses a solid.
+  /// How the surface of a part was closed.
   enum class Repair {
     NONE,  ///< nothing was changed
     SOUP,  ///< double and degenerate triangles were removed, others oriented
@@ -84,20 +84,20 @@ struct Abstraction_report
   bool branching = false;          ///< a curve that leaves more than a fifth of the skeleton out
   bool several_components = false; ///< the part's surface is not connected
   bool time_limit = false;         ///< the time limit was reached
-  std::string fallback;            ///< why the bounding box stands in, of a copy: for its original; empty: it does not
+  std::string fallback;            ///< why the bounding box was used (of a copy: for its original); empty: it was not
   std::string copy_of;             ///< of a copy: the name of its original
-  double residual = 0;       ///< root mean square distance of what it was fitted to from it, over the part's diagonal
-  double coverage = 1;       ///< length of the curve over the length of the skeleton it was taken from
-  int iterations = 0;        ///< steps of the flow
-  double milliseconds = 0;   ///< never part of a saved file, like those of the phases
+  double residual = 0; ///< root mean square distance of the fitted points, as a fraction of the diagonal of the part
+  double coverage = 1; ///< length of the curve divided by the length of the skeleton
+  int iterations = 0;  ///< steps of the flow
+  double milliseconds = 0;   ///< time of the abstraction; not saved in files
   Phase_milliseconds phases; ///< the same by phase
 
-  /// Whether the bounding box stands in for a part that was to be skeletonized.
+  /// Whether the bounding box was used since no skeleton could be computed.
   bool is_fallback() const { return !fallback.empty(); }
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// A part, as everything past the meshes sees it: a curve or a sheet, and its solidity.
+/// The abstraction of a part: a curve or a sheet, and measures of its mesh.
 struct Part_abstraction
 {
   std::string name;                    ///< name of the part

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
-/// Which of several equally long segments of a curve (paper, section 5, cutting); of one: the whole part. As small as
-/// it is since sets of shapes keep millions of pairs.
+/// Which of several equally long segments of a curve (paper, section 5, cutting); of one: the whole part. Small types,
+/// since sets of shapes keep millions of pairs.
 struct Curve_segment
 {
   short index = 0; ///< along the curve, from 0 on
@@ -44,15 +44,15 @@ struct Part_correspondence
 {
   std::size_t source = 0; ///< the source part
   std::size_t target = 0; ///< the target part
-  /// How probable it is, between 0 and 1. Not a number where the method does not tell.
+  /// Probability that the pair is right, in [0, 1]; not a number if the method does not compute it.
   double confidence = std::numeric_limits<double>::quiet_NaN();
-  Curve_segment source_segment = {}; ///< what of the source part corresponds, where the search cuts curves
-  Curve_segment target_segment = {}; ///< what of the target part does
+  Curve_segment source_segment = {}; ///< segment of the source part, if the search cut it
+  Curve_segment target_segment = {}; ///< segment of the target part, if the search cut it
 
-  /// Whether the method tells how probable it is.
+  /// Whether the method computes a confidence.
   bool has_confidence() const { return !std::isnan(confidence); }
 
-  /// Whether all is equal; two that have no confidence are equal in it.
+  /// Whether all members are equal; two pairs without confidence have equal confidence.
   friend bool operator==(const Part_correspondence& a, const Part_correspondence& b)
   {
     const bool same_confidence = a.has_confidence() ? a.confidence == b.confidence : !b.has_confidence();
@@ -80,7 +80,7 @@ inline Part_correspondence inverse(const Part_correspondence& pair)
 using Part_pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
-/// The pairs of a correspondence or a part map without what else is known of them.
+/// The pairs of a correspondence or a part map as pairs of indices.
 inline Part_pairs part_pairs(const std::vector<Part_correspondence>& pairs)
 {
   Part_pairs result;

@@ -22,8 +22,8 @@ namespace Shape_correspondence {
 struct Correspondence;
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// Which parts of two shapes correspond and how probable each pair is: what is left of a `Correspondence` where many
-/// are kept.
+/// Corresponding parts of two shapes with their confidences: the part of a `Correspondence` that is kept for sets of
+/// shapes.
 struct Part_map
 {
   /// Of whole parts, sorted by source, then target, each once; with a confidence, 1 where the method has none.

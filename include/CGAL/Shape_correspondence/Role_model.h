@@ -32,12 +32,12 @@ class Role_distances;
 }
 
 /// \ingroup PkgShapeCorrespondenceRoles
-/// What parts are for, such as the legs and the seat of a chair, learned from labelled shapes. By category: a forest
+/// The roles of parts, such as legs and seat of a chair, learned from labelled shapes. By category: a forest
 /// of extremely randomised trees (P. Geurts, D. Ernst, L. Wehenkel, *Extremely randomized trees*, 2006) that predicts
 /// the label of a part, its role and what it is more precisely (a front leg), from its place, size and shape in the
-/// upright shape that looks to +z; and the labelled parts themselves, by which shapes of unknown categories are
-/// noticed. For all categories: how probable a pair of parts is by their predicted labels and by their geometric match.
-/// Names and the order of parts play no part. Copies share what they hold; threads may share a model.
+/// upright shape that faces +z; and the labelled parts themselves, by which shapes of unknown categories are
+/// detected. For all categories: how probable a pair of parts is by their predicted labels and by their geometric
+/// match. Names and the order of parts are not used. Copies share their data; threads may share a model.
 class Role_model
 {
 public:
@@ -80,9 +80,9 @@ struct Part_roles
 };
 
 /// \ingroup PkgShapeCorrespondenceRoles
-/// The roles of the parts of a shape that is upright and looks to +z.
+/// The roles of the parts of a shape that is upright and faces +z.
 /// \param graph the shape
-/// \param model what is known of roles
+/// \param model the role model
 /// \param category of the shape; empty: the category whose labelled parts are nearest, or none where they are too far
 /// \throw Invalid_input if the model does not have the category
 Part_roles part_roles(const Structural_graph& graph, const Role_model& model, const std::string& category = "");
@@ -91,25 +91,26 @@ Part_roles part_roles(const Structural_graph& graph, const Role_model& model, co
 /// A shape that roles are learned from.
 struct Labelled_graph
 {
-  const Structural_graph* graph = nullptr; ///< the shape, upright, looking to +z
+  const Structural_graph* graph = nullptr; ///< the shape, upright, facing +z
   std::string category;                    ///< of the shape
   /// Of every part; `Part_label::coarse` is its role. Fine labels such as `leg_front_left` are learned where all parts
-  /// of a role have one; the side that `left` and `right` in them mean is told from the place of a part.
+  /// of a role have one; `left` and `right` in them are replaced by the side on which a part lies.
   std::vector<Part_label> labels;
-  double weight = 1; ///< of the shape; less for generated shapes than for real ones
+  double weight =
+      1; ///< weight of the shape in the training, not negative; less for generated shapes than for real ones
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `train_role_model()`.
 struct Role_training_options
 {
-  int trees = 100;        ///< of the forest of a category
-  std::uint64_t seed = 0; ///< of the random numbers
+  int trees = 100;        ///< number of trees in the forest of a category, at least 1
+  std::uint64_t seed = 0; ///< seed of the random numbers
 };
 
 /// \ingroup PkgShapeCorrespondenceRoles
-/// Learns roles from labelled shapes. The same shapes, in any order, and the same seed give the same bytes, on any
-/// number of threads.
+/// Learns roles from labelled shapes. The same shapes, in any order, and the same seed give the same model, byte for
+/// byte, on any number of threads.
 /// \throw Invalid_input if a shape has no category, a part no role, or a number is out of its range
 Role_model train_role_model(const std::vector<Labelled_graph>& shapes, const Role_training_options& options = {});
 

@@ -17,10 +17,10 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// A shape's own frame (paper, section 5, "Initial alignment"): in it the shape stands on the ground, is centred above
-/// the origin, has height 1, and its dominant vertical mirror plane, where it has one, is x = 0. It moves with the
-/// shape under translation, uniform scaling and rotation about the up axis, up to quarter turns, which are settled when
-/// two shapes are aligned.
+/// The frame of a shape (paper, section 5, "Initial alignment"): in it the shape stands on the ground, is centred above
+/// the origin, has height 1, and its dominant vertical mirror plane, where it has one, is x = 0. It is equivariant
+/// under translation, uniform scaling and rotation about the upright axis, up to quarter turns, which are determined
+/// when two shapes are aligned.
 struct Shape_frame
 {
   Point origin = Point::Zero();                       ///< on the ground, in world coordinates
@@ -29,9 +29,9 @@ struct Shape_frame
   bool mirror_x = false;                              ///< x = 0 is a mirror plane of the shape
   bool mirror_z = false;                              ///< z = 0 is a mirror plane of the shape
 
-  /// Points in coordinates of the frame.
+  /// The points `world`, in world coordinates, in coordinates of the frame.
   Points to_frame(const Points& world) const;
-  /// Points of the frame in world coordinates.
+  /// The points `local`, in coordinates of the frame, in world coordinates.
   Points to_world(const Points& local) const;
 };
 

@@ -42,7 +42,7 @@ struct Symmetry
   Point point = Point::Zero();              ///< on the mirror plane or the rotation axis
   Point direction = Point::Zero(); ///< unit normal of the plane; unit axis; the translation from member to member
   int order = 1;                   ///< of a rotation: n of n-fold
-  double residual = 0;             ///< how far members are from their images, over the shape's height
+  double residual = 0;             ///< distance of members from their images, as a fraction of the height of the shape
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph
@@ -75,14 +75,14 @@ struct Group_contact
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph
-/// What belongs to the shape as a whole.
+/// Data of the whole shape.
 struct Shape_structure
 {
   std::string name;                    ///< name of the shape, as messages and files have it
   Shape_frame frame;                   ///< the frame that shapes are compared in
   std::vector<Part_abstraction> parts; ///< the parts, in the order of the input
   std::vector<Contact> contacts;       ///< between parts of one group, too; those have no edge
-  std::vector<std::string> warnings;   ///< what was approximated on the way, in whole sentences
+  std::vector<std::string> warnings;   ///< approximations made and limits reached, in sentences
   bool automatic_parts = false;        ///< the parts come from an automatic segmentation
   std::string content;                 ///< hash of the meshes and options that the graph was made from; empty: unknown
 };
@@ -105,13 +105,13 @@ inline Shape_structure& structure(Structural_graph& graph) { return graph[boost:
 std::vector<std::size_t> group_of_parts(const Structural_graph& graph);
 
 /// \ingroup PkgShapeCorrespondenceGraph
-/// Builds the graph: a vertex a group, an edge for every two groups with contacts between them.
+/// Builds the graph: one vertex for each group, one edge for every two groups with contacts between them.
 /// \pre the groups partition the parts
 Structural_graph make_structural_graph(Shape_structure shape, std::vector<Part_group> groups);
 
 /// \ingroup PkgShapeCorrespondenceGraph
 /// Checks that the groups partition the parts, that edges and contacts agree, that all numbers are finite and that
-/// every group but a lone one has an edge. With `verbose`, says on `std::cerr` what is wrong.
+/// every group but a lone one has an edge. With `verbose`, it prints errors to `std::cerr`.
 bool is_valid_structural_graph(const Structural_graph& graph, bool verbose = false);
 
 /// \ingroup PkgShapeCorrespondenceGraph
@@ -119,7 +119,7 @@ bool is_valid_structural_graph(const Structural_graph& graph, bool verbose = fal
 /// maps the abstractions of parts of the same name onto each other, and with them the symmetries of the groups, the
 /// order of their members, and the contacts.
 /// \param a,b the graphs
-/// \param tolerance on positions, over the shape's height
+/// \param tolerance on positions, as a fraction of the height of the shape
 bool are_same_structural_graphs(const Structural_graph& a, const Structural_graph& b, double tolerance = 1e-6);
 
 } // namespace Shape_correspondence

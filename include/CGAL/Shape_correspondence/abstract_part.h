@@ -30,7 +30,7 @@ namespace Shape_correspondence {
 struct Abstraction_options;
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// What a part is to become: a curve, a sheet, or what suits it.
+/// Kind of abstraction of a part.
 enum class Abstraction_kind {
   AUTOMATIC, ///< a sheet if the part is wide for its length and thin for its width, else a curve
   CURVE,     ///< a `Curve`
@@ -39,8 +39,8 @@ enum class Abstraction_kind {
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
 /// Fits sheets to the medial axis, and curves to the skeleton that mean curvature flow leaves (paper, section 3;
-/// Tagliasacchi et al. 2012), extended to the surface; bodies of revolution and blocks get their axis. What cannot be
-/// treated gets `Bounding_box_abstraction`; the report says why.
+/// Tagliasacchi et al. 2012), extended to the surface; bodies of revolution and blocks get their axis. Parts that
+/// cannot be skeletonized get `Bounding_box_abstraction`; the report has the reason.
 /// \cgalModels `PartAbstractor`
 struct Fitted_abstraction
 {
@@ -52,8 +52,8 @@ struct Fitted_abstraction
 /// Finds curves and sheets by `CGAL::Mean_curvature_flow_skeletonization` as it is: a curve is the longest path, or the
 /// cycle, of the converged skeleton; a sheet is fitted to the meso-skeleton, which is the flow stopped when
 /// `Abstraction_options::stop_volume` of the volume is left. Extents of the meso-skeleton along itself, by geodesic
-/// distances, tell which of the two a part becomes. What cannot be treated gets `Bounding_box_abstraction`; the report
-/// says why.
+/// distances, determine which of the two a part becomes. Parts that cannot be skeletonized get
+/// `Bounding_box_abstraction`; the report has the reason.
 /// \cgalModels `PartAbstractor`
 struct Mean_curvature_abstraction
 {
@@ -63,7 +63,7 @@ struct Mean_curvature_abstraction
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
 /// Takes the medial line or rectangle of the part's bounding box, along its axes or those of the coordinates: rough,
-/// but in microseconds.
+/// in microseconds.
 /// \cgalModels `PartAbstractor`
 struct Bounding_box_abstraction
 {
@@ -76,23 +76,24 @@ struct Bounding_box_abstraction
 /// box.
 struct Abstraction_options
 {
-  /// What makes a curve or sheet of a part: a model of `PartAbstractor`.
+  /// Function object that makes the curve or sheet of a part: a model of `PartAbstractor`.
   std::function<Part_abstraction(const Shape_part&, const Abstraction_options&)> abstractor = Fitted_abstraction();
-  Abstraction_kind kind = Abstraction_kind::AUTOMATIC; ///< what parts are to become
-  std::map<std::string, Abstraction_kind> part_kinds;  ///< by part name, in place of `kind`
-  double edge_length = 0.02;    ///< target edge length of the remeshing before the flow, where `triangles` suffice
-  int triangles = 1500;         ///< about how many triangles the remeshed part may have; edges are longer if need be
-  double stop_volume = 0.02;    ///< fraction of the volume at which the flow shows sheets, and whether a part is hollow
-  int maximum_iterations = 300; ///< of the flow; the bounding box stands in for a part that needs more
-  /// Seconds a part; the bounding box stands in for a part that needs more, and the report says so. Without a limit,
-  /// the default, no result depends on the speed of the machine.
+  Abstraction_kind kind = Abstraction_kind::AUTOMATIC; ///< kind of abstraction of all parts
+  std::map<std::string, Abstraction_kind> part_kinds;  ///< kind of single parts, by name, instead of `kind`
+  double edge_length = 0.02;                           ///< edge length of the remeshed part, more than 0
+  int triangles =
+      1500; ///< approximate maximum of triangles of the remeshed part, at least 100; edges are longer where needed
+  double stop_volume = 0.02; ///< fraction of the volume at which the flow is stopped to detect sheets and hollow parts
+  int maximum_iterations = 300; ///< maximum of iterations of the flow; parts that need more get their bounding box
+  /// Seconds for one part; parts that need more get their bounding box, which the report states. Default: no limit, so
+  /// that results do not depend on the speed of the machine.
   double time_limit = std::numeric_limits<double>::infinity();
-  int curve_points = 16; ///< control points of a curve; as many again for every full turn that it makes
-  int sheet_points = 8;  ///< control points of a sheet along each side
+  int curve_points = 16; ///< control points of a curve, at least 2; as many again for every full turn
+  int sheet_points = 8;  ///< control points along each side of a sheet, at least 2
   /// Called after every part with the number of parts done and their total; from one thread at a time.
   std::function<void(std::size_t, std::size_t)> progress;
 
-  /// The kind that a part of this name is to have.
+  /// The kind of abstraction of a part of this name.
   Abstraction_kind kind_of(const std::string& part) const
   {
     const auto found = part_kinds.find(part);
@@ -109,10 +110,10 @@ struct Abstraction_options
 Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Finds the abstractions of all parts of a shape, in the frame `frame` (so that turning the shape changes nothing), in
-/// world coordinates. Of parts that are copies of each other by a rigid motion or a reflection, one is abstracted, the
-/// others get it moved.
-/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same to the bit
+/// Finds the abstractions of all parts of a shape, in the frame `frame` (so that the result does not depend on the
+/// orientation), in world coordinates. Of parts that are copies of each other by a rigid motion or a reflection, one is
+/// abstracted, and its abstraction is moved to the others.
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is bitwise identical
 /// \param shape the shape
 /// \param frame its frame
 /// \param options of the abstraction

@@ -41,12 +41,13 @@ enum class Blend_size {
 /// Options of `Shape_blend`.
 struct Blend_options
 {
-  double contact_tolerance = 0.02; ///< parts nearer than this at an end of the blend touch there; of the shape's height
-  int samples = 5;                 ///< in-between shapes that a schedule is judged by
-  double min_confidence = 0.3;     ///< parts of pairs that are less probable shrink and grow
-  Blend_size size = Blend_size::BLEND; ///< of the shapes
-  std::string schedule;                ///< the name of the one to take; empty: the best
-  bool rank_all = false; ///< judge all schedules by all samples, also those that can no longer be the best
+  /// Largest gap of parts in contact in the source or target, as a fraction of the height.
+  double contact_tolerance = 0.02;
+  int samples = 5;             ///< number of in-between shapes by which a schedule is rated, at least 1
+  double min_confidence = 0.3; ///< pairs of lower confidence, in [0, 1], are left out: their parts shrink and grow
+  Blend_size size = Blend_size::BLEND; ///< size of the in-between shapes
+  std::string schedule;                ///< name of the schedule to use; empty: the best one
+  bool rank_all = false; ///< rate all schedules by all samples, also those that cannot be the best any more
   /// Called before every schedule is judged, with the share that is done; `false` ends it: those not judged come last.
   std::function<bool(double)> progress;
 };
@@ -135,10 +136,10 @@ struct Blend_surface
 ///   affine motions at once, as little as that takes. *Connected components* that have come apart all the same are
 ///   moved together.
 ///
-/// What closes gaps stretches no part by more than 1.4 or less than 0.7 times; what cannot be closed so is told.
+/// Closing gaps stretches parts by factors between 0.7 and 1.4 only; `check()` reports gaps that remain.
 ///
-/// Of several schedules, in all of which there is no idle time, the one is taken of the best `Blend_quality`: the sum
-/// of its measures, each over its tolerance, is least. `check()` tells what does not hold. Deterministic.
+/// Schedules have no idle time. The one with the best `Blend_quality` is used, that is the least sum of its measures,
+/// each divided by its tolerance. `check()` returns what does not hold. Deterministic.
 class Shape_blend
 {
 public:

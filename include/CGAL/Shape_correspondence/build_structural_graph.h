@@ -22,9 +22,9 @@ namespace Shape_correspondence {
 /// Options of `build_structural_graph()`, those of its three steps.
 struct Structure_options
 {
-  Abstraction_options abstraction; ///< of `abstract_parts()`
-  Symmetry_options symmetry;       ///< of `detect_symmetry_groups()`
-  Contact_options contacts;        ///< of `detect_contacts()`
+  Abstraction_options abstraction; ///< options of `abstract_parts()`
+  Symmetry_options symmetry;       ///< options of `detect_symmetry_groups()`
+  Contact_options contacts;        ///< options of `detect_contacts()`
 };
 
 /// \ingroup PkgShapeCorrespondenceFunctions
@@ -38,10 +38,10 @@ struct Structure_times
 /// \ingroup PkgShapeCorrespondenceFunctions
 /// Builds the structural graph of a segmented shape: its frame, the abstraction of every part, symmetry groups and
 /// contacts.
-/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same to the bit
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is bitwise identical
 /// \param shape the shape
 /// \param options of the steps
-/// \param times where not null, gets the seconds that the steps took
+/// \param times if not null, set to the seconds of the steps
 /// \throw Invalid_input if the shape has fewer than two parts or more than 1000
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Structural_graph build_structural_graph(const Segmented_shape& shape, const Structure_options& options = {},

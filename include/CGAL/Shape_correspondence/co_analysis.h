@@ -25,7 +25,8 @@ namespace Shape_correspondence {
 struct Co_analysis_options
 {
   Markov_clustering_options clustering; ///< options of the clustering
-  /// A pair of parts is an outlier if fewer of the third shapes that could confirm it do. 0 rejects none.
+  /// A pair of parts is an outlier if less than this share of the third shapes that could confirm it do, in [0, 1]. 0:
+  /// no outliers.
   double least_cycle_support = 0.5;
 };
 
@@ -33,9 +34,9 @@ struct Co_analysis_options
 /// Labels of parts that are consistent over a set.
 struct Co_analysis
 {
-  static constexpr int none = -1; ///< the label of a part that is like no other part
+  static constexpr int none = -1; ///< label of a part in no cluster
 
-  std::vector<std::vector<int>> labels; ///< by shape and part; the largest cluster is 0; `none`: like no other part
+  std::vector<std::vector<int>> labels; ///< by shape and part; 0 is the largest cluster, `none`: in no cluster
   int number_of_labels = 0;             ///< labels are 0 to `number_of_labels` - 1
   std::size_t part_pairs = 0;           ///< in the matrix, unordered
   std::size_t rejected_pairs = 0;       ///< as outliers
@@ -45,6 +46,7 @@ struct Co_analysis
 /// Finds which parts of a set of shapes correspond over the set: clusters the matrix of all part correspondences by
 /// Markov clustering, each cluster a label (paper, section 6.2). A cluster of parts of one shape only is no label.
 /// Memory: that of `part_matrix()` (part_matrix.h), then that of `markov_clustering()`.
+/// `part_counts` are the numbers of parts of the shapes, `maps` are of any pairs of shapes.
 /// \throw Invalid_input if a map has a part or a shape that is not there, or an option is out of its range
 Co_analysis co_analysis(const std::vector<std::size_t>& part_counts, const std::vector<Shape_pair_map>& maps,
                         const Co_analysis_options& options = {});

@@ -26,21 +26,21 @@ namespace Shape_correspondence {
 /// Options of `detect_contacts()`.
 struct Contact_options
 {
-  double tolerance = 0.02; ///< the widest gap that still is a contact, over the shape's bounding-box diagonal
+  double tolerance = 0.02; ///< largest gap of parts in contact, as a fraction of the bounding-box diagonal of the shape
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph
 /// Finds the pairs of parts whose surfaces touch, interpenetrate or nearly touch, and where (paper, section 3: "a point
 /// from each part with minimum distance"; of all such points, the middle). A part inside another touches it. One
-/// contact a pair of parts, with a region for every place where the two come as near as within half the tolerance of
-/// their least distance. A shape that falls into pieces is joined by its closest pairs; every such pair adds a sentence
-/// to `warnings`. Contacts are sorted by part indices. Distances of surfaces are exact up to rounding.
-/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same to the bit
+/// contact for each pair of parts, with a region for every place where the two come as near as within half the
+/// tolerance of their least distance. A shape that falls into pieces is joined by its closest pairs; every such pair
+/// adds a sentence to `warnings`. Contacts are sorted by part indices. Distances of surfaces are exact up to rounding.
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is bitwise identical
 /// \param shape the shape
 /// \param parts the abstractions of its parts, for the parameters of contacts
 /// \param frame of the shape; measuring in it makes the result independent of the shape's pose
 /// \param options the tolerance
-/// \param warnings gets the sentences
+/// \param warnings approximations are appended to it
 /// \pre `parts` are the abstractions of `shape.parts()`
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::vector<Part_abstraction>& parts,

@@ -20,11 +20,11 @@ namespace Shape_correspondence {
 /// Options of `detect_symmetry_groups()`.
 struct Symmetry_options
 {
-  double tolerance = 0.05; ///< how far a part may be from its image, over the part's diagonal
-  bool enabled = true;     ///< false: every part is a group of its own (`--no-symmetry`)
-  bool reflection = true;  ///< whether to look for reflections
-  bool rotation = true;    ///< whether to look for rotations
-  bool translation = true; ///< whether to look for translations
+  double tolerance = 0.05; ///< largest distance of a part from its image, as a fraction of the diagonal of the part
+  bool enabled = true;     ///< whether to detect groups; if not, every part is a group of its own
+  bool reflection = true;  ///< whether to detect reflections
+  bool rotation = true;    ///< whether to detect rotations
+  bool translation = true; ///< whether to detect translations
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph
@@ -54,11 +54,11 @@ struct Symmetry_options
 /// ring, by angle; of a row, along the vector. Groups come in the order of their first part, volumes and hulls filled
 /// in. The result does not depend on the order of the parts, nor on the shape's pose. O(n²) comparisons of hulls for n
 /// parts. Where k of the pairs of parts are congruent and k n is more than 1.5e7, which it cannot be up to 240 parts,
-/// no groups are looked for: every part is one.
+/// no groups are detected: every part is one.
 /// \param parts the abstractions of the shape's parts
 /// \param frame the frame of the shape
-/// \param options which symmetries are looked for, and the tolerance
-/// \param warnings where not null, is told if there are too many parts
+/// \param options the kinds of symmetry to detect, and the tolerance
+/// \param warnings if not null, a sentence is appended if there are too many parts
 std::vector<Part_group> detect_symmetry_groups(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
                                                const Symmetry_options& options = {},
                                                std::vector<std::string>* warnings = nullptr);

@@ -32,14 +32,15 @@ namespace Shape_correspondence {
 struct Energy_matrix_options
 {
   Search_options search; ///< options of every match
-  /// What a pair of connected parts counts of which one has no counterpart: about what a badly deformed pair costs.
+  /// Energy of a pair of connected parts of which one has no counterpart, not negative: about that of a badly deformed
+  /// pair.
   double unmatched_energy = 0.5;
-  /// Called after pairs of shapes, by one thread at a time, with how many are done; `false` ends the work.
+  /// Called after pairs of shapes, by one thread at a time, with the number of completed pairs; `false` ends the work.
   std::function<bool(std::size_t done, std::size_t total)> progress;
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// How far one shape is from another, and their parts' correspondence.
+/// The distance of two shapes, and the correspondence of their parts.
 struct Rated_map
 {
   double energy = std::numeric_limits<double>::quiet_NaN(); ///< `distance_energy()`; not a number: not computed
@@ -47,14 +48,14 @@ struct Rated_map
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The deformation energy as a distance of shapes: E of Eq. 1 for each pair of connected parts of the shape that was
-/// deformed, so that shapes of few and of many parts compare. A pair of which a part has no counterpart counts
-/// `unmatched_energy`, unless the search charged it; a part that touches nothing counts as a pair. So a match of few
-/// parts is not a near one.
+/// The distance of two shapes: E of Eq. 1 for each pair of connected parts of the deformed shape, so that shapes of few
+/// and of many parts can be compared. A pair of which a part has no counterpart counts
+/// `unmatched_energy`, unless the search charged it; a part without contacts counts as a pair. So a match of few
+/// parts does not give a small distance.
 double distance_energy(const Correspondence& correspondence, double unmatched_energy);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// Matches ordered pairs of shapes (source, target), in this order. Every shape is aligned once. The same to the bit
+/// Matches ordered pairs of shapes (source, target), in this order. Every shape is aligned once. Bitwise identical
 /// sequentially and in parallel (`CGAL::Parallel_tag`, with TBB).
 /// \pre the graphs are valid
 /// \throw Invalid_input if an option is out of its range
@@ -86,7 +87,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Energy_matrix energy_matrix(const std::vector<Structural_graph>& shapes, const Energy_matrix_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// Distances that are the same both ways: the mean of the energies of either direction.
+/// Symmetric distances: the mean of the `energies` of both directions.
 Eigen::MatrixXd symmetric_distances(const Eigen::MatrixXd& energies);
 
 } // namespace Shape_correspondence

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// A guess of the upright axis of a shape.
+/// An estimate of the upright axis of a shape.
 struct Up_estimate
 {
   Point up;              ///< a unit vector along an axis
@@ -27,9 +27,9 @@ struct Up_estimate
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// Guesses which of the axes x, y and z points up: the one along which the shape stands firmly, has much horizontal
-/// surface, most of it above the ground, and differs most from its image upside down. A guess, since things that lie
-/// are like things that stand; a model that is upside down or aslant has no right answer. Of equal axes the first of y,
+/// Estimates which of the axes x, y and z points up: the one along which the shape stands firmly, has much horizontal
+/// surface, most of it above the ground, and differs most from its image upside down. It can be wrong for shapes
+/// that stand on several sides; models that are upside down or tilted are not detected. Of equal axes the first of y,
 /// z, x. O(n log n) in the number of vertices.
 /// \param shape its up direction does not matter
 /// \param odds_of_y how many times as probable y is as each other axis before the shape is looked at
@@ -37,7 +37,7 @@ struct Up_estimate
 Up_estimate estimate_up(const Segmented_shape& shape, double odds_of_y = 1);
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// The same for two shapes of one kind: that their proportions are alike if they stand right counts, too.
+/// The same for two shapes of one category, whose proportions should be similar.
 /// \param source,target the shapes
 /// \param is_known whether the up direction of the source and of the target, along an axis, is right as it is
 /// \param odds_of_y how many times as probable y is as each other axis before the shapes are looked at

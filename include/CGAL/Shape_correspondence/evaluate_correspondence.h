@@ -23,10 +23,10 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
-/// What a person calls a part: `leg`, and `leg_front_left`.
+/// The label of a part: coarse (`leg`) and fine (`leg_front_left`).
 struct Part_label
 {
-  std::string coarse; ///< what the part is
+  std::string coarse; ///< the role of the part
   std::string fine;   ///< empty: none
 };
 
@@ -75,7 +75,7 @@ struct Scored_correspondence
 };
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
-/// A mean and where it would lie for other shapes of the kind.
+/// A mean and its confidence interval.
 struct Estimate
 {
   double mean = 0; ///< the mean
@@ -99,9 +99,9 @@ struct Mean_score
 /// Options of `mean_scores()`.
 struct Evaluation_options
 {
-  int resamples = 1000;     ///< of the bootstrap
-  double confidence = 0.95; ///< of the intervals
-  std::uint64_t seed = 0;   ///< of the random numbers
+  int resamples = 1000;     ///< samples of the bootstrap, at least 1
+  double confidence = 0.95; ///< confidence level of the intervals, in (0, 1)
+  std::uint64_t seed = 0;   ///< seed of the random numbers
 };
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
@@ -118,7 +118,7 @@ struct Evaluation
 /// The intervals are those of a bootstrap over shapes: correspondences that share a shape are not independent, so
 /// shapes are drawn with replacement, and a correspondence counts as often as its two shapes' draws multiply to (A.
 /// Owen, *The pigeonhole bootstrap*, 2007). Of two shapes there is but one mean, and the interval is that point. The
-/// same seed gives the same bits. O(resamples × correspondences).
+/// same seed gives the same result. O(resamples × correspondences).
 /// \throw Invalid_input if there are no scores, or options are out of range
 Evaluation mean_scores(const std::vector<Scored_correspondence>& scores, const Evaluation_options& options = {});
 

@@ -24,12 +24,13 @@ namespace Shape_correspondence {
 /// Options of `exact_search()`.
 struct Exact_options
 {
-  /// Entries that a table of the bound may join at first; what needs more is split. A search that takes long goes on
-  /// with larger ones, up to a million entries.
+  /// Largest number of entries of a table of the bound at first; larger tables are split. A long search restarts with
+  /// larger tables, up to a million entries.
   std::size_t table_limit = 1u << 12;
-  std::size_t node_limit = 2'000'000; ///< nodes of the search tree, after which the best solution so far is returned
-  double time_limit = 0;              ///< seconds, after which the same happens; 0: none. Makes results depend on speed
-  std::size_t solutions = 1;          ///< how many of the best assignments are returned
+  std::size_t node_limit =
+      2'000'000;             ///< maximum of nodes of the search tree; then the best solution so far is returned
+  double time_limit = 0;     ///< seconds, then the same; 0: no limit, so that results do not depend on speed
+  std::size_t solutions = 1; ///< number of best assignments to return, at least 1
 };
 
 /// \ingroup PkgShapeCorrespondenceSearch
@@ -52,8 +53,8 @@ public:
   /// \throw Invalid_input if no solution is asked for
   Search_result run();
 
-  /// The min-marginals, by variable: by how much the least energy rises if the variable may not have the label it has
-  /// in `result`. Infinite for a variable with one label. Where a limit ends a search, the rise to the best solution
+  /// The min-marginals, by variable: the increase of the least energy if the variable may not have its label in
+  /// `result`. Infinite for a variable with one label. Where a limit ends a search, the rise to the best solution
   /// found.
   std::vector<double> min_marginals(const Search_result& result);
 

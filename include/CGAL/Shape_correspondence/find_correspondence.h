@@ -66,7 +66,7 @@ public:
 
   /// A lower bound of the `distance_energy()` of what is found, without a search: the sum of the least values of the
   /// terms of one and of two groups; of `Search_method::PARTS`, where every part may correspond to every other, those
-  /// of parts. 0 where no bound is known.
+  /// of parts. 0 where no bound is known. `unmatched_energy` is that of `distance_energy()`.
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
 private:

@@ -26,13 +26,14 @@ namespace Shape_correspondence {
 /// Options of `markov_clustering()`.
 struct Markov_clustering_options
 {
-  double inflation = 2;            ///< the power that columns are raised to: more of it makes more and smaller clusters
-  double expansion_limit = 1e-4;   ///< entries of columns (which sum up to 1) that are less are dropped
-  std::size_t column_limit = 1000; ///< as are all but so many of the largest
-  /// The most entries of all columns; where it is less than `column_limit` a column, every column gets an even share.
+  double inflation = 2; ///< power of the entries of columns, more than 1; larger values give more and smaller clusters
+  double expansion_limit = 1e-4;   ///< smaller entries of columns (which sum to 1) are dropped
+  std::size_t column_limit = 1000; ///< largest number of entries of a column; the smallest ones are dropped
+  /// Largest number of entries of all columns, 24 bytes each; shared evenly if it is less than `column_limit` per
+  /// column.
   std::size_t entry_limit = 30'000'000;
-  double tolerance = 1e-3;      ///< of the largest entry of a column from its sum of squares, at convergence
-  int maximum_iterations = 200; ///< of squaring and inflating
+  double tolerance = 1e-3;      ///< difference of the largest entry of a column and its sum of squares at convergence
+  int maximum_iterations = 200; ///< maximum of iterations of squaring and inflating
 };
 
 /// \ingroup PkgShapeCorrespondenceSets

@@ -43,13 +43,13 @@ struct Nearest_shapes
 /// \ingroup PkgShapeCorrespondenceSets
 /// The `k` shapes of a set that are nearest to a query, without matching all of them: their distances are bounded from
 /// below (`Correspondence_finder::lower_bound()`), and evaluated in the order of these bounds until no bound is less
-/// than the k-th distance. So the result is that of matching all. The same to the bit sequentially and in parallel.
+/// than the k-th distance. So the result is that of matching all, bitwise identical sequentially and in parallel.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`
 /// \param query the structural graph of the query
 /// \param number_of_shapes of the set
 /// \param graph a shape by its index, valid; called for each once, and once more for those that are matched; by several
 /// threads at a time with `CGAL::Parallel_tag`
-/// \param k how many shapes are asked for
+/// \param k number of shapes to find
 /// \param options of the matches and the distance
 /// \throw Invalid_input if an option is out of its range
 template <typename ConcurrencyTag = CGAL::Sequential_tag>

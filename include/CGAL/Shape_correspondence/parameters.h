@@ -43,6 +43,8 @@ struct Named_parameters;
   X(energy_norm, Search_options, matching.norm)                                                                        \
   X(cut_curves, Search_options, matching.cut_curves)                                                                   \
   X(unmatched_cost, Search_options, matching.unmatched_cost)                                                           \
+  X(pinned, Search_options, matching.pinned)                                                                           \
+  X(forbidden, Search_options, matching.forbidden)                                                                     \
   X(both_directions, Search_options, both_directions)                                                                  \
   X(maximum_parts, Search_options, maximum_parts)                                                                      \
   X(coarse_target, Search_options, coarse_target)                                                                      \
@@ -121,7 +123,7 @@ Options options_from(const NamedParameters& np)
 
 /// \ingroup PkgShapeCorrespondenceFunctions
 /// Builds the structural graph of a segmented shape; named parameters take the place of `Structure_options`.
-/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same to the bit
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is bitwise identical
 /// \param shape the shape
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
@@ -245,6 +247,16 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 ///     \cgalParamDescription{the energy of leaving a group unmatched, for each of its contacts}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`Matching_options::never`: every group is matched}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{pinned}
+///     \cgalParamDescription{pairs that correspond, and the only ones of their parts, see `Matching_options::pinned`}
+///     \cgalParamType{`std::vector<Part_pair>`}
+///     \cgalParamDefault{empty}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{forbidden}
+///     \cgalParamDescription{pairs that do not correspond}
+///     \cgalParamType{`std::vector<Part_pair>`}
+///     \cgalParamDefault{empty}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{both_directions}
 ///     \cgalParamDescription{whether either shape is deformed into the other and the lower energy kept}

@@ -23,8 +23,8 @@ namespace Shape_correspondence {
 /// Options of `segment_mesh()`, those of `CGAL::segmentation_from_sdf_values()`.
 struct Segmentation_options
 {
-  int clusters = 2;         ///< levels of thickness that are told apart, for each connected component
-  double smoothness = 0.26; ///< in [0, 1]: how much short borders between segments count
+  int clusters = 2;         ///< levels of thickness that are distinguished in each connected component, at least 1
+  double smoothness = 0.26; ///< weight of short borders between segments, in [0, 1]
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
@@ -38,8 +38,8 @@ struct Mesh_segmentation
 /// \ingroup PkgShapeCorrespondenceShapes
 /// Makes parts of a mesh that has none: its connected components, and of each closed one the segments that CGAL's
 /// package Triangulated Surface Mesh Segmentation finds by the shape diameter function (Shapira, Shamir and Cohen-Or
-/// 2008). Pieces without area are left out, and counted. Part names are `segment_0`, `segment_1`, … A rough stand-in
-/// for a segmentation by hand.
+/// 2008). Pieces without area are left out, and counted. Part names are `segment_0`, `segment_1`, … Rough compared
+/// with a manual segmentation. `up` is the upright direction of the result.
 /// \throw Invalid_input if the mesh cannot be used
 Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options = {},
                                std::string name = "shape", const Point& up = Point::UnitY());

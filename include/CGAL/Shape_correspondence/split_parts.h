@@ -23,24 +23,24 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// What becomes a part of a shape whose file holds objects.
+/// How parts are made of the objects of a model.
 enum class Part_splitting {
-  AUTO,       ///< objects whose loose pieces do not belong together are split
+  AUTO,       ///< objects; those of unrelated loose pieces are split
   FILE,       ///< every object
   COMPONENTS, ///< every loose piece
   SEGMENTS    ///< every loose piece, and of each closed one the segments that `segment_mesh()` finds
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// Options of `split_parts()`. Lengths are over the size of the model, which is about its diameter.
+/// Options of `split_parts()`. Lengths are fractions of the size of the model, about its diameter.
 struct Part_splitting_options
 {
-  Part_splitting mode = Part_splitting::AUTO; ///< what becomes a part
-  double layer_distance = 0.015;              ///< a piece no point of which is farther from another piece lies on that
-  double small_size = 0.04;                   ///< a smaller piece joins what it touches
-  double touching_distance = 0.005;           ///< pieces that are no farther apart touch
-  std::size_t most_parts = 100;               ///< an object that would become more stays as it is
-  Segmentation_options segmentation;          ///< of `Part_splitting::SEGMENTS`, and of a model that is one piece
+  Part_splitting mode = Part_splitting::AUTO; ///< how parts are made
+  double layer_distance = 0.015;              ///< a piece lies on another one if all of its points are nearer than this
+  double small_size = 0.04;                   ///< smaller pieces join a piece in contact
+  double touching_distance = 0.005;           ///< largest gap of pieces in contact
+  std::size_t most_parts = 100;      ///< largest number of parts of an object; it stays as it is rather than have more
+  Segmentation_options segmentation; ///< options of `Part_splitting::SEGMENTS`, and for models of one piece
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
@@ -76,8 +76,8 @@ struct Part_split
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// Makes parts of the objects of a model. An object may gather pieces that only share a material, as four legs do, and
-/// a thing may lie in several pieces, as the spokes of a wheel do. In mode `Part_splitting::AUTO`
+/// Makes parts of the objects of a model. An object may have pieces that only share a material, such as four legs, and
+/// one part may have several pieces, such as the spokes of a wheel. In mode `Part_splitting::AUTO`
 /// - an object stays whole if it is one piece, if the hull of its largest piece holds all others (a spoked wheel, a
 ///   cushion with its piping), or if it is smaller than .3 of the model and its pieces touch, unless it is all of the
 ///   model;
@@ -98,7 +98,7 @@ struct Part_split
 Part_split split_parts(const Segmented_shape& objects, const Part_splitting_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// The same with the parts as a person wants them.
+/// The same with given parts.
 /// \param objects the model
 /// \param part_of_piece by name of the piece the name of its part; an empty name leaves the piece out
 /// \param by_segments whether pieces are those of `Part_splitting::SEGMENTS`

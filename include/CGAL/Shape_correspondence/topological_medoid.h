@@ -30,10 +30,10 @@ std::size_t topological_medoid(const Eigen::MatrixXd& distances);
 /// Options of `sampled_medoid()`.
 struct Sampled_medoid_options
 {
-  /// How probably the result may be another shape than the medoid; 0: it is the medoid.
+  /// Largest probability that the result is not the medoid, in [0, 1); 0: it is the medoid.
   double failure_probability = 0;
-  std::size_t batch = 16; ///< shapes that every candidate is compared with before some are set aside
-  unsigned seed = 0;      ///< of the order in which shapes are drawn
+  std::size_t batch = 16; ///< shapes that every candidate is compared with before some are set aside, at least 1
+  unsigned seed = 0;      ///< seed of the order in which shapes are drawn
 };
 
 /// \ingroup PkgShapeCorrespondenceSets

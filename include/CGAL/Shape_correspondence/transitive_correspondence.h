@@ -50,7 +50,7 @@ struct Shape_chain
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The step from source to target itself, without a shape in between.
+/// The step from source to target itself, without a shape in between. `energies` are those of `Energy_matrix`.
 Shape_chain direct_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target);
 
 /// \ingroup PkgShapeCorrespondenceSets
@@ -59,12 +59,13 @@ Shape_chain direct_chain(const Eigen::MatrixXd& energies, std::size_t source, st
 Shape_chain bridge_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// Along the tree.
+/// Along the tree. `energies` are those of `Energy_matrix`.
 Shape_chain tree_chain(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree, std::size_t source,
                        std::size_t target);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The best of the three: the one of the least energy, and of the fewest steps among equals.
+/// The best of the three, `direct_chain()`, `bridge_chain()` and `tree_chain()`: the one of the least sum of
+/// `energies`, of the fewest steps among equals. `tree` is a spanning tree.
 Shape_chain best_chain(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree, std::size_t source,
                        std::size_t target);
 
@@ -84,7 +85,7 @@ struct Transitive_correspondence
 
 /// \ingroup PkgShapeCorrespondenceSets
 /// The part correspondence of two shapes of a set along the best chain: the direct one unless another one costs less,
-/// or if too little of the other one is left to match any part.
+/// or if the composed map of the other one is empty. `tree` is a spanning tree.
 /// \pre the matrix is complete
 Transitive_correspondence transitive_correspondence(const Energy_matrix& matrix, const std::vector<Shape_pair>& tree,
                                                     std::size_t source, std::size_t target);

@@ -75,7 +75,7 @@ struct Nearest_in_collection
 };
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes them in the JSON format `shape_correspondence/nearest`, version 1.
+/// Writes what was `found` in the JSON format `shape_correspondence/nearest`, version 1.
 void write_nearest_json(std::ostream& out, const Nearest_in_collection& found);
 
 } // namespace IO

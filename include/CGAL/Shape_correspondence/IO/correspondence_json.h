@@ -55,12 +55,12 @@ struct Named_part_correspondence
 {
   std::string source; ///< the source part
   std::string target; ///< the target part
-  /// How probable it is. Not a number where the method does not tell.
+  /// Probability that the pair is right; not a number if the method does not compute it.
   double confidence = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// What a result file says of its parts, by their names.
+/// A correspondence by the names of parts, as read from a file.
 struct Named_correspondence
 {
   std::string source;                           ///< the source as the user named it

@@ -21,18 +21,18 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a role model into a file, all of it or nothing, with a digest by which damage is noticed.
+/// Writes a role model into the file `path`, completely or not at all, with a checksum.
 /// \throw Invalid_input if the file cannot be written
 void write_role_model(const std::string& path, const Role_model& model);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Reads what `write_role_model()` has written. \throw Invalid_input if there is no such file, or it is damaged or of
-/// another version; names the file
+/// Reads the file `path` that `write_role_model()` has written. \throw Invalid_input if there is no such file, or it is
+/// damaged or of another version; names the file
 Role_model read_role_model(const std::string& path);
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// The role model that comes with the package: of airplanes, beds, cars, chairs, lamps, shelves, sofas, tables and
-/// velocipedes, read once. `data/roles/manifest.json` tells what it was learned from and how good it is.
+/// velocipedes, read once. `data/roles/manifest.json` lists the training shapes and its accuracy.
 std::shared_ptr<const Role_model> shipped_role_model();
 
 } // namespace IO

@@ -23,7 +23,7 @@ namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Identifies what `build_structural_graph()` makes of a shape: a hash (SHA-1) of all names, coordinates and triangles
-/// to the bit, of all options that the graph depends on but the time limit, and of the version of the algorithms. Of
+/// (bitwise), of all options that the graph depends on but the time limit, and of the version of the algorithms. Of
 /// the abstractor it holds the type only: one that has a state needs a folder for every state. Linear time.
 std::string content_hash(const Segmented_shape& shape, const Structure_options& options);
 
@@ -37,7 +37,7 @@ public:
   /// \throw Invalid_input if it cannot be used
   explicit Structural_graph_cache(std::string folder);
 
-  /// The graph of this content, the same to the bit but for the hulls and most surface samples of the parts, which are
+  /// The graph of this content, bitwise identical except for the hulls and most surface samples of the parts, which are
   /// not saved (those that matching uses are); none if it is not there.
   std::optional<Structural_graph> find(const std::string& content) const;
 

@@ -23,11 +23,11 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a structural graph in the JSON format `shape_correspondence/graph`, version 1. What is read back is the same
-/// graph to the bit, but for the hulls of the parts, which are not saved, and their surface points, of which the first
-/// 32 are (key `surface` of a part: a list of points, not required), as many as matching needs. The key `method` of a
-/// part's `abstraction` is the value of `Abstraction_report::Method` in small letters.
-/// Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
+/// Writes a structural graph in the JSON format `shape_correspondence/graph`, version 1. The graph that is read
+/// back is bitwise identical, except for the hulls of the parts, which are not saved, and their surface points, of
+/// which the first 32 are (key `surface` of a part: a list of points, not required), as many as matching needs. The key
+/// `method` of a part's `abstraction` is the value of `Abstraction_report::Method` in small letters. Needs
+/// nlohmann-json: link `CGAL::Shape_correspondence_IO`.
 void write_structural_graph_json(std::ostream& out, const Structural_graph& graph);
 
 /// \ingroup PkgShapeCorrespondenceIO

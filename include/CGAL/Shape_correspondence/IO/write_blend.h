@@ -39,7 +39,7 @@ void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Correspo
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes what happens in a blend in the JSON format `shape_correspondence/blend`, version 1: schedules with their
 /// tasks, and how well every frame holds together. `source_file` and `target_file` are the inputs as the user named
-/// them, `output` is the file or folder of the frames.
+/// them, `output` is the file or folder of the frames, `warnings` are sentences to add.
 void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structural_graph& source,
                       const Structural_graph& target, const std::string& source_file, const std::string& target_file,
                       const std::string& output, int frames, const std::vector<std::string>& warnings);

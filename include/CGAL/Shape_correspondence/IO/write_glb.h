@@ -23,10 +23,10 @@ namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a picture of a correspondence as binary glTF 2.0: both shapes in their common frame side by side, source on
-/// the left, parts that pairs connect in one colour, unmatched parts grey, one node for each part with the part's name.
+/// the left, corresponding parts in one colour, unmatched parts grey, one node for each part with the part's name.
 /// Further scenes of the file hold the curves and sheets, and the contacts as lines. Shapes that have no meshes (read
-/// from a graph) are drawn by their curves and sheets: pass null. Needs nlohmann-json: link
-/// `CGAL::Shape_correspondence_IO`.
+/// from a graph) are drawn by their curves and sheets: `source_shape`, `target_shape` are null. Needs nlohmann-json:
+/// link `CGAL::Shape_correspondence_IO`.
 void write_correspondence_glb(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                               const Structural_graph& target, const Segmented_shape* source_shape = nullptr,
                               const Segmented_shape* target_shape = nullptr);
