@@ -4,7 +4,11 @@
 # The modules stand in the order in which they need each other, what they define differs in name, and each import is one
 # line: without imports and exports, and in one function, they are one script.
 file(READ ${LICENSE} license)
-file(READ ${THREE_JS} three)
+set(is_complete false)
+if(THREE_JS)
+  file(READ ${THREE_JS} three)
+  set(is_complete true)
+endif()
 set(script "/*\n${license}*/\n${three}\n(() => {\n'use strict';\n")
 string(REPLACE "," ";" modules "${MODULES}")
 foreach(module IN LISTS modules)
@@ -20,5 +24,6 @@ file(WRITE ${HASH} "#include \"viewer/shipped_viewer.h\"
 namespace CGAL::Shape_correspondence::IO {
 const unsigned char shipped_viewer_hash[] = {${bytes}};
 const std::size_t shipped_viewer_hash_size = 32;
+const bool shipped_viewer_is_complete = ${is_complete};
 } // namespace CGAL::Shape_correspondence::IO
 ")

@@ -17,6 +17,12 @@ FLAGS = ["--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swifts
          "--hide-scrollbars", "--allow-file-access-from-files"]
 
 
+# Style of a page of which only the picture is shown
+PICTURE_ALONE = """#side, #tools { display: none; }
+body { grid-template: none; grid-template-areas: "stage"; }
+</style>"""
+
+
 def screenshot(browser, page, picture, width, height):
     subprocess.run([browser, *FLAGS, "--virtual-time-budget=4000", f"--window-size={width},{height}",
                     f"--screenshot={picture}", "file://" + os.path.abspath(page)], check=True, capture_output=True, timeout=120)
@@ -45,7 +51,7 @@ def main():
             picture = page[:-5] + ".png"
             subprocess.run([os.path.abspath(args.program), "graph", model, "--quiet", "--html", page], check=True)
             with open(page) as file:  # the picture alone
-                text = file.read().replace("</style>", "#side { display: none; }\n</style>")
+                text = file.read().replace("</style>", PICTURE_ALONE)
             with open(picture[:-4] + ".tile.html", "w") as file:
                 file.write(text)
             screenshot(args.browser, picture[:-4] + ".tile.html", picture, WIDTH, HEIGHT)

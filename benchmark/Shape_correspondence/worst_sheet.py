@@ -11,7 +11,7 @@ import argparse
 import os
 import tempfile
 
-from contact_sheet import screenshot
+from contact_sheet import PICTURE_ALONE, screenshot
 
 COLUMNS, WIDTH, HEIGHT = 5, 300, 220
 
@@ -27,7 +27,7 @@ def main():
         while os.path.exists(source := os.path.join(args.folder, f"worst_{len(tiles) + 1}.html")):
             number = len(tiles) + 1
             with open(source) as file:  # the picture alone
-                text = file.read().replace("</style>", "#side { display: none; }\n</style>")
+                text = file.read().replace("</style>", PICTURE_ALONE)
             page = os.path.join(work, f"{number}.html")
             with open(page, "w") as file:
                 file.write(text)

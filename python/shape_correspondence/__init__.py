@@ -14,7 +14,7 @@ can be ended. What cannot be used raises `InvalidInput`, a `ValueError`.
 """
 
 from . import roles
-from ._blends import Blend, BlendTask, blend
+from ._blends import Blend, BlendTask, blend, schedule_names
 from ._collections import (
     Bridge,
     Cluster,
@@ -54,5 +54,5 @@ __all__ = [
     "EnergyTerms", "Estimate", "Evaluation", "Graph", "GroupMatch", "InvalidInput", "Match", "MeanScore", "Medoid",
     "NearShape", "Nearest", "PairRoles", "Part", "PartAbstraction", "PartGroup", "Score", "SearchSummary", "Seconds",
     "Shape", "Solution", "TreeEdge", "blend", "build_graph", "collection", "evaluate", "match", "nearest",
-    "paper_options", "read", "roles", "transfer",
+    "paper_options", "read", "roles", "schedule_names", "transfer",
 ]

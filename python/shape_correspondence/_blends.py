@@ -45,7 +45,11 @@ class Blend:
         """What happens to which part, and when."""
         return [BlendTask.from_dict(task) for task in self.to_dict(frames=2)["tasks"]]
 
-    def to_dict(self, frames: int = 24, output: Path = "") -> Dict[str, Any]:
+    def different(self) -> List["Blend"]:
+        """The same blend by every schedule that makes other shapes in between, the best first."""
+        return [Blend(handle) for handle in self._handle.different()]
+
+    def to_dict(self, frames: int = 25, output: Path = "") -> Dict[str, Any]:
         """What happens when, and how well every frame holds together, as ``shape_correspondence blend --json`` writes
         it.
 
@@ -54,7 +58,7 @@ class Blend:
         """
         return json.loads(self._handle.json(os.fspath(output), frames))
 
-    def save(self, path: Path, frames: int = 24) -> None:
+    def save(self, path: Path, frames: int = 25) -> None:
         """Writes an animation, if the path ends in ``.glb``, or else a folder of an OBJ file a frame."""
         path = _Path(path)
         if path.suffix == ".glb":
@@ -67,13 +71,22 @@ class Blend:
             self(frame / (frames - 1)).save(path / f"frame_{frame:03}.obj")
 
 
+def schedule_names() -> List[str]:
+    """The names of the orders in which the tasks of a blend may come."""
+    return _core.schedule_names()
+
+
 def blend(
     source: Input,
     target: Input,
     correspondence: Union[None, Match, Path] = None,
     *,
     contact_tolerance: float = 0.02,
-    samples: int = 7,
+    samples: int = 5,
+    min_confidence: float = 0.3,
+    size: str = "blend",
+    schedule: str = "",
+    rank_all: bool = False,
     cache: Optional[Path] = None,
     threads: int = 0,
     progress: Progress = None,
@@ -86,6 +99,11 @@ def blend(
     :param correspondence: a `Match`, a file of ``match --json``, or None: it is searched for
     :param contact_tolerance: parts nearer than this at an end of the blend touch there; of the shape's height
     :param samples: in-between shapes that a schedule is judged by
+    :param min_confidence: parts of pairs that are less probable shrink and grow
+    :param size: of the in-between shapes: ``"blend"`` (from the source's to the target's), ``"source"``, ``"target"``, or
+        ``"same"`` (height 1)
+    :param schedule: one of `schedule_names()`; empty: the best
+    :param rank_all: judge all schedules by all samples, also those that can no longer be the best
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
     :param progress: see `build_graph()`
@@ -102,5 +120,6 @@ def blend(
     else:
         pair = _graphs([source, target], True, {"threads": threads, **_reading_options(cache=cache)}, progress)
         handle = _core.read_match(os.fspath(correspondence), pair[0]._handle, pair[1]._handle)
-    values = {"contact_tolerance": contact_tolerance, "samples": samples}
+    values = {"contact_tolerance": contact_tolerance, "samples": samples, "min_confidence": min_confidence, "size": size,
+              "schedule": schedule, "rank_all": rank_all}
     return Blend(_core.blend(handle, threads, values, progress))

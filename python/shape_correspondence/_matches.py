@@ -18,6 +18,7 @@ from ._shapes import Graph, Input, Path, Progress, _graphs, _reading_options
 from .roles import RoleModel, _model_of
 
 Names = Sequence[Union[str, int]]
+Pairs = Sequence[Tuple[Union[str, int], Union[str, int]]]
 
 
 @dataclass
@@ -155,6 +156,8 @@ def match(
     energy_norm: str = "sum",
     cut_curves: bool = True,
     unmatched_cost: float = float("inf"),
+    pinned: Pairs = (),
+    forbidden: Pairs = (),
     both_directions: bool = True,
     maximum_parts: int = 0,
     coarse_target: bool = True,
@@ -188,6 +191,9 @@ def match(
     :param energy_norm: ``"sum"`` adds the energies of connected pairs of parts, ``"pooled"`` takes one norm of all rods
     :param cut_curves: whether curves may be cut into segments and joined
     :param unmatched_cost: energy of leaving a group unmatched, for each of its contacts; infinite: it may not be
+    :param pinned: pairs of parts (source, target), by name or index, that correspond, whatever they cost, and the only
+        ones of their parts
+    :param forbidden: pairs of parts that do not correspond
     :param both_directions: deform either shape into the other and keep the lower energy
     :param maximum_parts: only so many parts are matched, the most prominent ones; 0: all
     :param coarse_target: whether `maximum_parts` is of both shapes, or of the source alone
@@ -207,6 +213,9 @@ def match(
     search = _search_options(options)
     for name, graph in zip(("source_parts", "target_parts"), graphs):
         search[name] = _part_indices(search[name], graph)
+    for name in ("pinned", "forbidden"):
+        search[name] = [tuple(_part_indices([part], graph)[0] for part, graph in zip(pair, graphs))
+                        for pair in search[name]]
     handle = _core.match(graphs[0]._handle, graphs[1]._handle, model, threads, search, progress)
     return Match.from_dict(json.loads(handle.json()), _handle=handle)
 
@@ -302,7 +311,7 @@ def _checked_search_options(function: str, options: Mapping[str, Any]) -> Dict[s
     for name in options:
         if name not in known or name in ("source", "target"):
             raise TypeError(f"{function}() got an unexpected keyword argument '{name}'")
-    for name in ("solutions", "min_marginals", "source_parts", "target_parts"):
+    for name in ("solutions", "min_marginals", "source_parts", "target_parts", "pinned", "forbidden"):
         if name in options:
             raise TypeError(f"{name} is for a pair of shapes, not for {function}()")
     return _search_options(options)

@@ -6,6 +6,7 @@
 #include "options.h"
 #include "work.h"
 
+#include "cli/blend_warnings.h"
 #include "cli/thread_limit.h"
 #include "io/atomic_file.h"
 
@@ -39,9 +40,11 @@ std::shared_ptr<Blend> blend(const std::shared_ptr<Match>& match, int threads, c
     };
     const SC::cli::Thread_limit limit(threads);
     const Graph source = with_surfaces(*match->source), target = with_surfaces(*match->target);
-    return std::make_shared<Blend>(Blend{match, SC::Shape_blend(source.shape.graph, *source.shape.model,
-                                                                target.shape.graph, *target.shape.model, match->best(),
-                                                                options)});
+    std::vector<std::string> warnings = match->best().warnings;
+    SC::cli::warn_of_sizes(options.size, source.shape, target.shape, warnings);
+    const SC::Shape_blend blend(source.shape.graph, *source.shape.model, target.shape.graph, *target.shape.model,
+                                match->best(), options);
+    return std::make_shared<Blend>(Blend{match, blend, warnings});
   });
 }
 
@@ -52,6 +55,15 @@ Shape shape_at(const Blend& blend, double t)
   result.model.split.shape = blend.blend(t);
   result.model.objects = result.segmented();
   result.file = result.segmented().name();
+  return result;
+}
+
+/// The same blend by every schedule that makes other shapes, the best first.
+std::vector<std::shared_ptr<Blend>> different_blends(const Blend& blend)
+{
+  std::vector<std::shared_ptr<Blend>> result;
+  for (const SC::Shape_blend& other : blend.blend.different_blends())
+    result.push_back(std::make_shared<Blend>(Blend{blend.match, other, blend.warnings}));
   return result;
 }
 
@@ -66,7 +78,7 @@ std::string json_of(const Blend& blend, const std::string& output, int frames)
   const Graph &source = *blend.match->source, &target = *blend.match->target;
   return text([&](std::ostream& out) {
     SC::IO::write_blend_json(out, blend.blend, source.shape.graph, target.shape.graph, source.file, target.file, output,
-                             frames, blend.match->best().warnings);
+                             frames, blend.warnings);
   });
 }
 
@@ -83,9 +95,11 @@ void bind_blends(py::module_& module)
 {
   py::class_<Blend, std::shared_ptr<Blend>>(module, "Blend")
       .def("shape", shape_at, py::call_guard<py::gil_scoped_release>())
+      .def("different", different_blends, py::call_guard<py::gil_scoped_release>())
       .def("json", json_of, py::call_guard<py::gil_scoped_release>())
       .def("save_glb", save_glb, py::call_guard<py::gil_scoped_release>());
   module.def("blend", blend);
+  module.def("schedule_names", SC::Shape_blend::schedule_names);
 }
 
 } // namespace shape_correspondence_python

@@ -70,7 +70,8 @@ std::string collection(const Graphs& graphs, const std::optional<Role_model>& ro
     if (!page.empty())
       SC::IO::write_atomically(page, [&](std::ostream& out) {
         SC::IO::write_collection_html(
-            out, analysis.collection, [&](std::size_t i) { return shapes.graph(i); }, analysis.maps);
+            out, analysis.collection, [&](std::size_t i) { return shapes.graph(i); }, analysis.maps,
+            [&](std::size_t i) { return graphs[i]->shape.model; });
       });
     return text([&](std::ostream& out) { SC::IO::write_collection_json(out, analysis.collection); });
   });

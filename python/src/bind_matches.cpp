@@ -9,10 +9,10 @@
 #include "cli/thread_limit.h"
 #include "io/atomic_file.h"
 #include "io/input_file.h"
+#include "viewer/match_page.h"
 
 #include <CGAL/Shape_correspondence/Correspondence_map.h>
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
-#include <CGAL/Shape_correspondence/IO/write_html.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <pybind11/numpy.h>
@@ -84,8 +84,9 @@ void save(const Match& match, const std::string& path)
       SC::IO::write_correspondence_glb(out, match.best(), source.graph, target.graph, source.model_pointer(),
                                        target.model_pointer());
     else
-      SC::IO::write_correspondence_html(out, match.best(), source.graph, target.graph, source.model_pointer(),
-                                        target.model_pointer());
+      SC::IO::write_page(out, SC::IO::match_page(match.matched.ranked, source.graph, target.graph,
+                                                 source.model_pointer(), target.model_pointer(), match.source->file,
+                                                 match.target->file, match.matched.seconds));
   });
 }
 

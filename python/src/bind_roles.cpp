@@ -12,7 +12,9 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
+#include <filesystem>
 #include <ostream>
 
 namespace shape_correspondence_python {
@@ -62,7 +64,9 @@ void bind_roles(py::module_& module)
       .def_property_readonly("categories", [](const Role_model& model) { return model.model->categories(); })
       .def("roles", [](const Role_model& model, const std::string& category) { return model.model->roles(category); })
       .def("save",
-           [](const Role_model& model, const std::string& path) { SC::IO::write_role_model(path, *model.model); });
+           [](const Role_model& model, const std::filesystem::path& path) {
+             SC::IO::write_role_model(path.string(), *model.model);
+           });
   module.def("shipped_roles", [] { return Role_model{SC::IO::shipped_role_model()}; });
   module.def("load_roles", [](const std::string& path) {
     return Role_model{std::make_shared<const SC::Role_model>(SC::IO::read_role_model(path))};

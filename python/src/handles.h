@@ -48,6 +48,7 @@ struct Blend
 {
   std::shared_ptr<const Match> match;
   SC::Shape_blend blend;
+  std::vector<std::string> warnings; ///< of the shapes, the match and the blend
 };
 
 struct Role_model

@@ -17,6 +17,7 @@ namespace {
 void register_errors(py::module_& module)
 {
   static py::exception<SC::Invalid_input> invalid_input(module, "InvalidInput", PyExc_ValueError);
+  invalid_input.doc() = "An input or option cannot be used. The message says which one, why, and what to do.";
   py::register_exception_translator([](std::exception_ptr error) {
     try {
       if (error) std::rethrow_exception(error);

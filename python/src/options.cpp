@@ -45,6 +45,15 @@ struct Words<SC::Abstraction_kind>
                                                                            {"sheet", SC::Abstraction_kind::SHEET}};
 };
 
+template <>
+struct Words<SC::Blend_size>
+{
+  static constexpr std::pair<const char*, SC::Blend_size> words[] = {{"blend", SC::Blend_size::BLEND},
+                                                                     {"source", SC::Blend_size::SOURCE},
+                                                                     {"target", SC::Blend_size::TARGET},
+                                                                     {"same", SC::Blend_size::SAME}};
+};
+
 template <typename Value>
 Value value_of(const std::string& option, const std::string& word)
 {
@@ -103,6 +112,12 @@ private:
       field[part] = value_of<SC::Abstraction_kind>(name, word);
   }
 
+  static void read(const char*, const py::object& value, std::vector<SC::Part_pair>& field)
+  {
+    for (const auto& [source, target] : value.cast<std::vector<std::pair<std::size_t, std::size_t>>>())
+      field.push_back({source, target});
+  }
+
   const py::dict& values_;
   std::size_t used_ = 0;
 };
@@ -120,6 +135,7 @@ public:
       list_[name] = py::cast(field);
   }
   void operator()(const char* name, const std::map<std::string, SC::Abstraction_kind>&) { list_[name] = py::dict(); }
+  void operator()(const char* name, const std::vector<SC::Part_pair>&) { list_[name] = py::list(); }
 
   const py::dict& list() const { return list_; }
 
@@ -141,6 +157,8 @@ void visit(SC::Search_options& options, Visitor& option)
   option("energy_norm", options.matching.norm);
   option("cut_curves", options.matching.cut_curves);
   option("unmatched_cost", options.matching.unmatched_cost);
+  option("pinned", options.matching.pinned);
+  option("forbidden", options.matching.forbidden);
   option("both_directions", options.both_directions);
   option("maximum_parts", options.maximum_parts);
   option("coarse_target", options.coarse_target);
@@ -187,6 +205,10 @@ void visit(SC::Blend_options& options, Visitor& option)
 {
   option("contact_tolerance", options.contact_tolerance);
   option("samples", options.samples);
+  option("min_confidence", options.min_confidence);
+  option("size", options.size);
+  option("schedule", options.schedule);
+  option("rank_all", options.rank_all);
 }
 
 template <typename Visitor>

@@ -15,23 +15,38 @@ constexpr std::chrono::milliseconds signal_interval{50}; // a moment for who pre
 
 void Work::report(const std::string& what, std::size_t done, std::size_t total)
 {
-  report_share(what, total == 0 ? 1 : double(done) / double(total));
+  set_report(what, total == 0 ? 1 : double(done) / double(total));
   if (stopped_) throw Stopped();
 }
 
 bool Work::report_share(const std::string& what, double share)
 {
+  set_report(what, share);
+  std::unique_lock<std::mutex> lock(mutex_);
+  changed_.wait(lock, [this] { return answered_; });
+  return !ended_ && !stopped_;
+}
+
+void Work::set_report(const std::string& what, double share)
+{
   const std::lock_guard<std::mutex> lock(mutex_);
   report_ = Report{share, what};
-  changed_.notify_one();
-  return !ended_ && !stopped_;
+  answered_ = false;
+  changed_.notify_all();
+}
+
+void Work::answer()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  answered_ = !report_; // there may be another one by now
+  changed_.notify_all();
 }
 
 void Work::finish()
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   finished_ = true;
-  changed_.notify_one();
+  changed_.notify_all();
 }
 
 std::pair<std::optional<Work::Report>, bool> Work::next_report()
@@ -48,14 +63,15 @@ std::exception_ptr Work::wait(const py::object& progress)
   for (bool goes_on = true; goes_on;) {
     std::optional<Report> report;
     std::tie(report, goes_on) = next_report();
-    if (failure) continue;
     try {
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (report && !progress.is_none() && progress(report->share, report->what).is(py::bool_(false))) ended_ = true;
+      if (!failure && PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (!failure && report && !progress.is_none() && progress(report->share, report->what).is(py::bool_(false)))
+        ended_ = true;
     } catch (py::error_already_set&) {
       failure = std::current_exception();
       stopped_ = true;
     }
+    if (report) answer();
   }
   return failure;
 }

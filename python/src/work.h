@@ -30,7 +30,8 @@ public:
 
   /// For work: reports progress. \throw Stopped if the caller wants no more
   void report(const std::string& what, std::size_t done, std::size_t total);
-  /// For work: the same with a share. \return whether to go on: searches that are ended keep what they have found
+  /// For work: the same with a share; waits for the answer. \return whether to go on: searches that are ended keep what
+  /// they have found
   bool report_share(const std::string& what, double share);
 
   /// Runs `work(*this)`.
@@ -65,6 +66,8 @@ private:
     std::string what;
   };
 
+  void set_report(const std::string& what, double share);
+  void answer();
   void finish();
   /// Waits until work has finished. \return what Python raised meanwhile
   std::exception_ptr wait(const py::object& progress);
@@ -74,7 +77,7 @@ private:
   std::mutex mutex_;
   std::condition_variable changed_;
   std::optional<Report> report_;
-  bool finished_ = false;
+  bool answered_ = true, finished_ = false;
   std::atomic<bool> ended_{false}, stopped_{false}; // a search, everything
 };
 

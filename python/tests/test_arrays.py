@@ -121,6 +121,13 @@ def test_values_that_do_not_fit(table):
         sc.transfer(found, [np.zeros(8)] * 4)
 
 
+def test_pinned_and_forbidden_pairs(table):
+    graphs = [sc.build_graph(table()), sc.build_graph(table(width=2))]
+    assert ("leg_0", "leg_0") in sc.match(*graphs).pairs
+    assert ("leg_0", "leg_0") not in sc.match(*graphs, forbidden=[("leg_0", "leg_0")]).pairs
+    assert sc.match(*graphs, pinned=[("leg_0", 1)]).counterparts("leg_0") == [graphs[1].part_names[1]]
+
+
 def test_values_of_parts_without_counterpart(table):
     found = sc.match(table(), table(), source_parts=["top"], target_parts=["top"])
     moved = sc.transfer(found, [np.ones(8)] * 5)

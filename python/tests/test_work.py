@@ -40,9 +40,11 @@ def test_an_exception_of_progress_ends_the_work(data):
 
 def test_false_ends_a_search(table):
     graphs = [sc.build_graph(table()), sc.build_graph(table())]
-    found = sc.match(*graphs, search_method="beam", alignments=0, progress=lambda share, what: False)
-    assert any("cancelled" in warning.lower() or "ended" in warning.lower() for warning in found.warnings) or (
-        found.search.states > 0)
+    found = sc.match(*graphs, search_method="beam", alignments=0, progress=lambda share, what: share == 0)
+    assert found.warnings[-1].startswith("The search was cancelled after 1 of")
+    assert found.pairs and not found.complete
+    none = sc.match(*graphs, search_method="beam", progress=lambda share, what: False)
+    assert none.warnings[-1].startswith("The search was cancelled after 0 of") and not none.pairs
 
 
 def test_other_threads_run_meanwhile(data):

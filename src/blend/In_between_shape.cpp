@@ -35,7 +35,8 @@ void In_between_shape::set_unmatched(std::size_t part, Points points)
 {
   points_[part][0] = std::move(points);
   stretches_[part] = {};
-  if (remaining_[part] > 0) surface_[part] = 0;
+  constexpr double nothing = 1e-6; // of a part: less has no area in floating-point numbers
+  if (remaining_[part] > nothing) surface_[part] = 0;
 }
 
 In_between_shape::Tree In_between_shape::tree(std::size_t part) const

@@ -51,12 +51,10 @@ std::vector<int> places_of(const Points& points)
   return result;
 }
 
-double diagonal(const Points& points) { return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm(); }
-
 } // namespace
 
 Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangles)
-    : triangles_(triangles), size_(diagonal(points)), longest_(triangles.cols())
+    : triangles_(triangles), longest_(triangles.cols())
 {
   constexpr double smooth = 0.5; // cosine of the angle between normals
   find_edges(points);
@@ -120,11 +118,11 @@ Surface_extent Rest_surface::extent(const Points& points) const
   }
   if (!(result.area > 0)) return result;
   result.thickness = 2 * std::abs(result.volume) / result.area;
-  result.spread = std::sqrt(std::max(0., eigen_system(scatter_matrix(centred)).values[0] / result.area));
+  result.spreads = (eigen_system(scatter_matrix(centred)).values / result.area).cwiseMax(0).cwiseSqrt();
   return result;
 }
 
-double Rest_surface::torn_area(const Points& points) const
+double Rest_surface::torn_area(const Points& points, const Surface_extent& extent) const
 {
   constexpr double folded = -0.5;    // cosine of the angle between normals
   constexpr double most_stretch = 3; // of an edge, over that of the whole surface
@@ -136,7 +134,10 @@ double Rest_surface::torn_area(const Points& points) const
     if (cosine < folded * 4 * areas[edge.from] * areas[edge.to])
       is_torn[std::size_t(areas[edge.from] < areas[edge.to] ? edge.from : edge.to)] = 1;
   }
-  const double growth = most_stretch * std::max(1., diagonal(points) / std::max(size_, 1e-12));
+  const Eigen::Vector3d least = Eigen::Vector3d::Constant(Surface_extent::least_thickness);
+  const double growth =
+      most_stretch *
+      std::max(1., extent.spreads.cwiseMax(least).cwiseQuotient(extent_.spreads.cwiseMax(least)).maxCoeff());
   double result = 0;
   for (Eigen::Index t = 0; t < areas.size(); ++t)
     if (is_torn[std::size_t(t)] || squared_longest_edge(points, triangles_.col(t)) > growth * growth * longest_[t])

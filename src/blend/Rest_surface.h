@@ -16,9 +16,11 @@ struct Surface_extent
   double area = 0;
   double volume = 0;    ///< signed, positive if the triangles look outwards; of a closed surface
   double thickness = 0; ///< that of a plate of this volume and area; of a closed surface
-  double spread = 0;    ///< the least root mean square distance from a plane
+  /// Root mean square distances from the planes through the middle along its principal directions, the least one first.
+  Eigen::Vector3d spreads = Eigen::Vector3d::Zero();
 
-  bool is_flat() const { return spread < least_thickness; }
+  double spread() const { return spreads[0]; }
+  bool is_flat() const { return spread() < least_thickness; }
   static constexpr double least_thickness = 1e-4; ///< of the shape's height: what is thinner has none
 };
 
@@ -35,7 +37,8 @@ public:
 
   /// The area of the triangles that are folded back onto a neighbour that they continue at rest, or much longer than
   /// at rest where the whole surface is not.
-  double torn_area(const Points& points) const;
+  /// \param extent of the surface there
+  double torn_area(const Points& points, const Surface_extent& extent) const;
 
   /// Some points evenly over the area, at rest.
   Points samples(const Points& points) const;
@@ -51,7 +54,6 @@ private:
   Eigen::Matrix3Xi triangles_;
   bool is_closed_ = true;
   Surface_extent extent_;
-  double size_ = 0;                  ///< the diagonal of the box
   std::vector<Edge> smooth_;         ///< edges between triangles that continue each other
   Eigen::VectorXd longest_;          ///< by triangle, its longest edge, squared
   std::vector<Eigen::Index> chosen_; ///< triangles

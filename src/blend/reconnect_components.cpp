@@ -73,7 +73,7 @@ private:
   /// Moves a component by a step to a part, and mirror images of its parts alike. Returns whether it goes all of the
   /// way.
   /// \param from where it is nearest to the part
-  /// \param is_along_mirror whether what is its own image is not moved across the mirror plane
+  /// \param is_along_mirror whether it may need another step: what is its own image is not moved across the mirror plane
   bool move(std::size_t component, std::size_t to, const Point& from, Point step, bool is_along_mirror)
   {
     std::vector<char> moves(shape_.number_of_parts(), 0), image_moves(shape_.number_of_parts(), 0);
@@ -85,7 +85,8 @@ private:
     }
     if (image_moves[to]) step /= 2; // they move towards each other
     // What is its own image gets as much wider on both sides, unless that were more than twice as wide
-    const bool is_widened = moves == image_moves && std::abs(step.x()) <= std::abs(from.x());
+    const bool is_own_image = moves == image_moves;
+    const bool is_widened = is_own_image && std::abs(step.x()) <= std::abs(from.x());
     bool is_whole = true;
     for (std::size_t i = 0; i < present_.size(); ++i) {
       const std::size_t part = present_[i];
@@ -95,8 +96,8 @@ private:
       if (is_widened) {
         motion.translation.x() = 0;
         motion.gradient(0, 0) = step.x() != 0 ? step.x() / from.x() : 0;
-      } else if (moves[part] && image_moves[part] && is_along_mirror) {
-        is_whole = is_whole && std::abs(motion.translation.x()) <= In_between_shape::closed_gap;
+      } else if (moves[part] && image_moves[part] && (is_along_mirror || is_own_image)) {
+        is_whole = is_whole && (!is_along_mirror || std::abs(motion.translation.x()) <= In_between_shape::closed_gap);
         motion.translation.x() = 0;
       }
       shape_.stretch(motion, part);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/Affine_motion.h"
+#include "blend/ease.h"
 #include "blend/in_between_steps.h"
 #include "blend/mirror_images.h"
 
@@ -13,7 +14,11 @@ namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 /// How far parts are to be symmetric: wholly from the end of the first quarter to the begin of the last one.
-double mirror_share(double t) { return std::min({1., 4 * t, 4 * (1 - t)}); }
+double mirror_share(const In_between_shape& shape)
+{
+  const double t = time_of(shape.time());
+  return std::min({1., 4 * t, 4 * (1 - t)});
+}
 
 /// Whether a part and its mirror image are both there.
 bool has_image(const In_between_shape& shape, std::size_t part)
@@ -24,7 +29,7 @@ bool has_image(const In_between_shape& shape, std::size_t part)
 /// Root mean square, as that of what is left of a part.
 double thickness(const In_between_shape& shape, std::size_t part)
 {
-  return shape.remaining(part) * shape.part(part).rests[std::size_t(shape.surface(part))]->extent().spread;
+  return shape.remaining(part) * shape.part(part).rests[std::size_t(shape.surface(part))]->extent().spread();
 }
 
 /// Moves points half of the way to the mirror image of a surface.
@@ -45,7 +50,7 @@ void move_to_image(Points& points, const contacts::Triangle_tree& surface, doubl
 
 void symmetrise_boxes(In_between_shape& shape, bool of_matched)
 {
-  const double share = mirror_share(shape.time());
+  const double share = mirror_share(shape);
   std::vector<contacts::Box> boxes(shape.number_of_parts());
   for (std::size_t part = 0; part < boxes.size(); ++part)
     if (shape.is_there(part)) boxes[part] = box_of(shape.points(part));
@@ -70,18 +75,20 @@ void symmetrise_surfaces(In_between_shape& shape, std::size_t part)
 {
   constexpr double alike = 5e-4;      // of the height: so near that nothing needs to be done
   constexpr double most_moved = 0.25; // of the thickness
-  constexpr int most_rounds = 2;
-  constexpr Eigen::Index most_points = 2000; // ornaments have no nearest points that they could go to
+  constexpr int most_rounds = 4;
+  constexpr Eigen::Index most_points = 5000; // ornaments have no nearest points that they could go to
   if (!has_image(shape, part)) return;
   const std::size_t image = shape.part(part).image;
   if (image < part || shape.points(part).cols() + shape.points(image).cols() > most_points) return;
-  const double share = mirror_share(shape.time());
+  const double share = mirror_share(shape);
   std::array<std::vector<std::size_t>, 2> triangles;
   for (int round = 0; round < most_rounds; ++round) {
     const contacts::Triangle_tree own = shape.tree(part), others = shape.tree(image);
     const double distance =
         std::max(mirror_distance(shape.points(part), others), mirror_distance(shape.points(image), own));
-    if (distance <= alike || distance > most_moved * std::min(thickness(shape, part), thickness(shape, image))) return;
+    if (distance <= alike ||
+        (image != part && distance > most_moved * std::min(thickness(shape, part), thickness(shape, image))))
+      return;
     move_to_image(shape.points(part), others, share, triangles[0]);
     if (image != part) move_to_image(shape.points(image), own, share, triangles[1]);
   }

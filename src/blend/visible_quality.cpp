@@ -91,7 +91,9 @@ private:
         is_flat = is_flat || surface->extent().is_flat();
       }
     if (is_flat) return 0;
-    const auto thickness = [&](const Surface_extent& extent) { return are_closed ? extent.thickness : extent.spread; };
+    const auto thickness = [&](const Surface_extent& extent) {
+      return are_closed ? extent.thickness : extent.spread();
+    };
     double at_ends = std::numeric_limits<double>::infinity();
     for (const std::optional<Rest_surface>& surface : part(i).rests)
       if (surface) at_ends = std::min(at_ends, thickness(surface->extent()));
@@ -104,7 +106,7 @@ private:
     double sum = 0;
     for (std::size_t i = 0; i < extents_.size(); ++i) {
       if (!shape_.is_there(i)) continue;
-      const double area = rest(i).torn_area(shape_.points(i));
+      const double area = rest(i).torn_area(shape_.points(i), extents_[i]);
       improve(worst, area, i);
       sum += area;
     }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
+#include "cli/blend_warnings.h"
+#include "cli/choose_parts.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/load_shape.h"
@@ -42,10 +44,10 @@ Makes the in-between shapes of two segmented shapes of one category, which may d
 morph into each other, split or merge; parts without counterpart shrink or grow; parts in contact stay in contact. The
 first frame is the source, the last one the target.
 
-With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page shows the match and the blend and needs
-no network; with --at T, one shape is written, FILE.obj or FILE.ply. Otherwise FOLDER is made, with one file for each
-frame: frame_000 and so on. A part of a frame is named s~t where source part s becomes t, s~ where s vanishes, and ~t
-where t grows.
+With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
+plays the blend; with --at T, one shape is written, FILE.obj or FILE.ply. Otherwise FOLDER is made, with one file for
+each frame: frame_000 and so on. A part of a frame is named s~t where source part s
+becomes t, s~ where s vanishes, and ~t where t grows.
 
 SOURCE and TARGET are each one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D. Its objects or nodes are the
@@ -151,7 +153,8 @@ void check_is_no_other_file(const std::string& folder)
     if (ending == file)
       throw Usage_error(
           "'" + folder + "' is named like a " + ending +
-          " file; blend writes an animation, FILE.glb, a page, FILE.html, or one file for each frame into a folder");
+          " file; blend writes an animation, FILE.glb, a web page, FILE.html, or one file for each frame into a "
+          "folder");
 }
 
 /// The format of the one shape that is written to a file, or empty if it is not.
@@ -164,7 +167,7 @@ std::string file_format(const Blend_output& output)
 void check_path(const Blend_output& output)
 {
   if (output.path.empty())
-    throw Usage_error("-o is missing: a folder for the frames, an animation FILE.glb, or a page FILE.html");
+    throw Usage_error("-o is missing: a folder for the frames, an animation FILE.glb, or a web page FILE.html");
   const std::string ending = std::filesystem::path(output.path).extension().string();
   if (!file_format(output).empty()) {
     if (ending != ".obj" && ending != ".ply")
@@ -281,17 +284,6 @@ std::vector<std::string> remove_unlikely(Correspondence& correspondence, double 
   return result;
 }
 
-/// Tells of a difference in size that an animation cannot show.
-void warn_of_sizes(const Blend_output& output, const Loaded_shape& source, const Loaded_shape& target,
-                   std::vector<std::string>& warnings)
-{
-  constexpr double most = 5; // up to about this the one is seen beside the other
-  const double from = structure(source.graph).frame.height, to = structure(target.graph).frame.height;
-  if (output.size == "blend" && std::max(from, to) > most * std::min(from, to))
-    warnings.push_back("one shape is " + short_number(std::max(from, to) / std::min(from, to)) +
-                       " times as high as the other; --size same, source or target makes them alike");
-}
-
 Blend_options with_progress(Blend_options result, Progress_bar& bar)
 {
   result.progress = [&bar](double done) {
@@ -351,6 +343,16 @@ po::options_description all_options(Variables& v)
 
 } // namespace
 
+void warn_of_sizes(Blend_size size, const Loaded_shape& source, const Loaded_shape& target,
+                   std::vector<std::string>& warnings)
+{
+  constexpr double most = 5; // up to about this the one is seen beside the other
+  const double from = structure(source.graph).frame.height, to = structure(target.graph).frame.height;
+  if (size == Blend_size::BLEND && std::max(from, to) > most * std::min(from, to))
+    warnings.push_back("one shape is " + short_number(std::max(from, to) / std::min(from, to)) +
+                       " times as high as the other; --size same, source or target makes them alike");
+}
+
 Command_help help_of_blend()
 {
   static Variables unused;
@@ -383,8 +385,7 @@ void run_blend(const std::vector<std::string>& arguments)
   for (std::size_t i : {0u, 1u})
     complete_surfaces(paths[i], shapes[i]);
   const Loaded_shape &source = shapes[0], &target = shapes[1];
-  search.source_parts = chosen_parts(match.source_parts, source.graph, paths[0]);
-  search.target_parts = chosen_parts(match.target_parts, target.graph, paths[1]);
+  choose_parts(match, {source.graph, paths[0]}, {target.graph, paths[1]}, search);
   Correspondence correspondence =
       output.match.empty()
           ? find_correspondence(source.graph, target.graph, search)
@@ -401,7 +402,7 @@ void run_blend(const std::vector<std::string>& arguments)
   warnings.insert(warnings.begin(), warnings_of_up.begin(), warnings_of_up.end());
   warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
   warnings.insert(warnings.end(), unlikely.begin(), unlikely.end());
-  warn_of_sizes(output, source, target, warnings);
+  warn_of_sizes(blend_options(output).size, source, target, warnings);
   const auto write_json = [&](std::ostream& out) {
     IO::write_blend_json(out, blend, source.graph, target.graph, paths[0], paths[1], output.path, output.frames,
                          warnings);

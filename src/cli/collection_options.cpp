@@ -22,7 +22,8 @@ constexpr int matching_version = 7;
 /// Options of match that have no effect on a collection.
 void refuse_options_of_pairs(const po::variables_map& values)
 {
-  for (const char* option : {"solutions", "min-marginals", "source-parts", "target-parts", "search-time-limit"})
+  for (const char* option :
+       {"solutions", "min-marginals", "source-parts", "target-parts", "pin", "forbid", "search-time-limit"})
     if (is_given(values, option)) throw Usage_error("--" + std::string(option) + " has no effect on a set of shapes");
 }
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/choose_parts.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/load_shape.h"
@@ -102,8 +103,7 @@ void run_match(const std::vector<std::string>& arguments)
   const std::vector<std::string> warnings_of_up = find_up_of_pair(paths, common);
   const std::vector<Loaded_shape> shapes = load_shapes(paths, common);
   const Loaded_shape &source = shapes[0], &target = shapes[1];
-  search_with.source_parts = chosen_parts(match.source_parts, source.graph, paths[0]);
-  search_with.target_parts = chosen_parts(match.target_parts, target.graph, paths[1]);
+  choose_parts(match, {source.graph, paths[0]}, {target.graph, paths[1]}, search_with);
   Matched_shapes matched = match_shapes(source, target, search_with);
   std::vector<Correspondence>& ranked = matched.ranked;
   std::vector<std::string> warnings = warnings_of(paths, shapes);

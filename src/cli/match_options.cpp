@@ -187,6 +187,11 @@ po::options_description match_options(Match_options& match)
   add("source-parts", po::value(&match.source_parts)->value_name("NAMES"),
       "match these parts of the source only; names are separated by commas");
   add("target-parts", po::value(&match.target_parts)->value_name("NAMES"), "the same for the target");
+  add("pin", po::value(&match.pinned)->value_name("A=B"),
+      "source part A corresponds to target part B, and both to nothing else; give it several times for more pairs, "
+      "also of one part");
+  add("forbid", po::value(&match.forbidden)->value_name("A=B"),
+      "source part A does not correspond to target part B; may be given several times");
   return result;
 }
 
@@ -217,21 +222,6 @@ Search_options search_options(const Match_options& match, const po::variables_ma
   search.matching.norm = match.norm == "pooled" ? Energy_norm::POOLED : Energy_norm::SUM;
   search.matching.cut_curves = !values["no-cut"].as<bool>();
   return search;
-}
-
-std::vector<std::size_t> chosen_parts(const std::string& names, const Structural_graph& graph, const std::string& path)
-{
-  std::vector<std::size_t> result;
-  const auto& parts = structure(graph).parts;
-  for (const std::string& name : words_of(names)) {
-    const auto found =
-        std::find_if(parts.begin(), parts.end(), [&](const Part_abstraction& part) { return part.name == name; });
-    if (found == parts.end())
-      throw Invalid_input(path + ": there is no part '" + name +
-                          "' to choose; `shape_correspondence graph` lists the parts");
-    result.push_back(std::size_t(found - parts.begin()));
-  }
-  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::cli

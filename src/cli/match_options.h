@@ -8,6 +8,7 @@
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <string>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
 
@@ -24,17 +25,14 @@ struct Match_options
   std::string norm = "sum";
   std::string without;
   std::string source_parts, target_parts;
+  std::vector<std::string> pinned, forbidden; ///< A=B
   std::string roles = "auto"; ///< auto, none or a file
   bool paper = false;
 };
 
 boost::program_options::options_description match_options(Match_options& match);
 
-/// The search that the options ask for, but for the chosen parts. \throw Usage_error
+/// The search that the options ask for, but for `choose_parts()`. \throw Usage_error
 Search_options search_options(const Match_options& match, const boost::program_options::variables_map& values);
-
-/// The parts of a shape that a comma-separated list of names chooses; none for an empty list.
-/// \throw Invalid_input if the shape `path` has no part of such a name
-std::vector<std::size_t> chosen_parts(const std::string& names, const Structural_graph& graph, const std::string& path);
 
 } // namespace CGAL::Shape_correspondence::cli

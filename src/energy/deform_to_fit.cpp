@@ -11,8 +11,8 @@ using namespace internal;
 
 namespace {
 
-constexpr int curve_samples = samples_per_side;
-constexpr int sheet_samples = samples_per_side * samples_per_side;
+constexpr int samples_of_curve = samples_per_side;
+constexpr int samples_of_sheet = samples_per_side * samples_per_side;
 
 using Permutation = std::vector<int>;
 
@@ -20,11 +20,11 @@ using Permutation = std::vector<int>;
 std::vector<Permutation> curve_orientations(bool closed)
 {
   std::vector<Permutation> result;
-  for (int start = 0; start < (closed ? curve_samples : 1); ++start)
+  for (int start = 0; start < (closed ? samples_of_curve : 1); ++start)
     for (int step : {1, -1}) {
-      Permutation p(curve_samples);
-      for (int i = 0; i < curve_samples; ++i)
-        p[i] = ((step > 0 ? i : curve_samples - 1 - i) + start) % curve_samples;
+      Permutation p(samples_of_curve);
+      for (int i = 0; i < samples_of_curve; ++i)
+        p[i] = ((step > 0 ? i : samples_of_curve - 1 - i) + start) % samples_of_curve;
       result.push_back(p);
     }
   return result;
@@ -38,7 +38,7 @@ std::vector<Permutation> sheet_orientations()
   for (int transposed : {0, 1})
     for (int flip_u : {0, 1})
       for (int flip_v : {0, 1}) {
-        Permutation p(sheet_samples);
+        Permutation p(samples_of_sheet);
         for (int i = 0; i < e; ++i)
           for (int j = 0; j < e; ++j) {
             const int u = flip_u ? e - 1 - i : i, v = flip_v ? e - 1 - j : j;
@@ -62,7 +62,7 @@ const std::vector<Permutation>& orientations(const Sampled_part& source, const S
 const std::vector<int>& extremities(const Sampled_part& source, const Sampled_part& target)
 {
   constexpr int last = samples_per_side - 1;
-  static const std::vector<int> ends{0, last}, corners{0, last, sheet_samples - 1 - last, sheet_samples - 1},
+  static const std::vector<int> ends{0, last}, corners{0, last, samples_of_sheet - 1 - last, samples_of_sheet - 1},
       all{0, 1, 2, 3, 4, 5};
   using Kind = Sampled_part::Kind;
   if (source.kind == Kind::SHEET || target.kind == Kind::SHEET) return corners;

@@ -25,7 +25,7 @@ namespace {
 
 using Tree = boost::property_tree::ptree;
 
-constexpr int curve_samples = 33, sheet_samples = 9; // of a spline, along a side
+constexpr int spline_samples = 33, side_samples = 9; // of a spline, along a side
 
 /// An element of the document, or one of its children, that knows where it is.
 class Xml_reader
@@ -137,7 +137,7 @@ Spline_part read_part(const Xml_reader& node)
   if (type != "CURVE" && type != "SHEET") node.fail("has the <type> '" + type + "', which is none of CURVE, SHEET");
   const bool is_sheet = type == "SHEET";
   result.spline = read_spline(node, is_sheet);
-  const int rows = is_sheet ? sheet_samples : curve_samples, cols = is_sheet ? sheet_samples : 1;
+  const int rows = is_sheet ? side_samples : spline_samples, cols = is_sheet ? side_samples : 1;
   Points points(3, rows * cols);
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < cols; ++j)

@@ -20,7 +20,7 @@ constexpr double main_surface_thickness = 0.3; // its height over its shorter si
 constexpr double side_depth =
     0.1; // of the shape's extent: a part in one of its sides is no thicker and no farther off it
 
-constexpr std::size_t no_part = std::size_t(-1);
+constexpr std::size_t nothing = std::size_t(-1);
 
 // Is the group a row of `minimum_repetition` parts or more?
 bool is_row(const Part_group& group)
@@ -47,7 +47,7 @@ public:
   Part_assemblies run() const
   {
     Part_assemblies result;
-    result.has_main_surface = main_surface_ != no_part;
+    result.has_main_surface = main_surface_ != nothing;
     if (result.has_main_surface) result.support = support();
     result.legs = legs(result.support);
     result.is_on_ground = layout_.is_on_ground;
@@ -64,7 +64,7 @@ private:
   // The lowest flat part that covers much of the shape. A ring does not, however wide it is.
   std::size_t main_surface() const
   {
-    std::size_t lowest = no_part;
+    std::size_t lowest = nothing;
     const double shape_cover = layout_.bounds.sides().x() * layout_.bounds.sides().z();
     for (std::size_t part = 0; part < layout_.boxes.size(); ++part) {
       const Eigen::Array3d sides = layout_.boxes[part].sides();
@@ -73,13 +73,13 @@ private:
       if (layout_.is_on_ground[part] || !is_less(0, cover) || is_less(cover, main_surface_cover * shape_cover) ||
           is_less(main_surface_thickness * std::min(sides.x(), sides.z()), sides.y()))
         continue;
-      if (lowest == no_part || is_less(layout_.boxes[part].low.y(), layout_.boxes[lowest].low.y())) lowest = part;
+      if (lowest == nothing || is_less(layout_.boxes[part].low.y(), layout_.boxes[lowest].low.y())) lowest = part;
     }
     return lowest;
   }
 
   // By part, whether it is connected to the main surface by other parts than the one left out.
-  std::vector<char> connected_to_main_surface(std::size_t left_out = no_part) const
+  std::vector<char> connected_to_main_surface(std::size_t left_out = nothing) const
   {
     std::vector<char> result(layout_.boxes.size(), 0);
     for (std::size_t part :

@@ -28,7 +28,7 @@ namespace {
 constexpr double base_height = 0.02;      // over the largest extent: what is so near to the lowest vertex is the base
 constexpr double horizontal_cosine = 0.9; // of a normal with the axis
 constexpr double least_stability = -0.2;  // of a shape that falls over, however far its centre is off the base
-constexpr int surface_samples = 3000;     // that stand for the surface
+constexpr int shape_samples = 3000;     // that stand for the surface
 constexpr int mirrored_samples = 600;     // of which images are compared with it
 
 // A logistic regression on 131 labelled shapes, of which each tells one axis from two. Over categories left out in turn
@@ -78,9 +78,9 @@ Surface_summary summary_of_surface(const Segmented_shape& shape)
   }
   result.centre /= area;
   result.horizontal /= area;
-  const std::vector<Point> points = contacts::sample_triangles(triangles, surface_samples).points;
-  result.samples.resize(3, surface_samples);
-  for (int i = 0; i < surface_samples; ++i)
+  const std::vector<Point> points = contacts::sample_triangles(triangles, shape_samples).points;
+  result.samples.resize(3, shape_samples);
+  for (int i = 0; i < shape_samples; ++i)
     result.samples.col(i) = points[std::size_t(i)];
   return result;
 }
@@ -101,7 +101,7 @@ double asymmetry(const Surface_summary& surface, const Nearest_points& samples, 
 {
   double sum = 0;
   for (int i = 0; i < mirrored_samples; ++i) {
-    Point image = surface.samples.col(i * (surface_samples / mirrored_samples));
+    Point image = surface.samples.col(i * (shape_samples / mirrored_samples));
     image[axis] = surface.extents[axis] - image[axis];
     sum += samples.distance(image);
   }

@@ -23,7 +23,7 @@ using contacts::Triangle_tree;
 
 // Calibrated on raw files of which the parts are known (benchmark/Shape_correspondence/WILD.md). Lengths over the
 // size of the model.
-constexpr int surface_samples = 64;         // of a piece
+constexpr int piece_samples = 64;         // of a piece
 constexpr Eigen::Index vertex_samples = 64; // at most
 constexpr double hull_tolerance = 0.005;
 constexpr std::size_t most_pieces = 1000; // of an object; of more, such as leaves, none is a part
@@ -94,7 +94,7 @@ private:
       const Point u = t[1] - t[0], v = t[2] - t[0];
       triangles.push_back({t[0], u, v, u.cross(v).norm() / 2});
     }
-    std::vector<Point> points = contacts::sample_triangles(triangles, surface_samples).points;
+    std::vector<Point> points = contacts::sample_triangles(triangles, piece_samples).points;
     const Eigen::Index step = 1 + (mesh.points.cols() - 1) / vertex_samples;
     for (Eigen::Index v = 0; v < mesh.points.cols(); v += step)
       points.push_back(mesh.points.col(v));

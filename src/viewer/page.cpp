@@ -4,6 +4,8 @@
 #include "viewer/page.h"
 #include "viewer/shipped_viewer.h"
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
 #include <cstdint>
 #include <ostream>
 #include <string_view>
@@ -55,6 +57,8 @@ void write_title(std::ostream& out, const std::string& title)
 
 void write_page(std::ostream& out, const Page& page)
 {
+  if (!shipped_viewer_is_complete)
+    throw Invalid_input("web pages are not available: the program was built without three.js (see README.md)");
   std::string_view rest = text_of(shipped_viewer_page, shipped_viewer_page_size);
   for (std::size_t begin; (begin = rest.find('@')) != std::string_view::npos;) {
     const std::size_t end = rest.find('@', begin + 1);

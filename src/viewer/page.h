@@ -23,6 +23,7 @@ struct Page
 };
 
 /// Writes one file that holds all it needs: no network, and no script but the viewer's, whatever names are in it.
+/// \throw Invalid_input if the library was built without three.js
 void write_page(std::ostream& out, const Page& page);
 
 } // namespace CGAL::Shape_correspondence::IO

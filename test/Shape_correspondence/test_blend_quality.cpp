@@ -177,6 +177,27 @@ TEST_CASE("What is wrong with a shape in between is told, with the part")
   CHECK(is_told(faults(top, shifted({0, -0.88, 0})), "gone into other parts", "top~top"));
 }
 
+TEST_CASE("What is not symmetric any more is told, with the part")
+{
+  std::vector<Named_box> boxes = stand();
+  boxes.push_back({"peg", {0.3, 1.02, 0}, {0.04, 0.04, 0.04}});
+  Box_model model = model_of(boxes);
+  structure(model.graph).frame.axes.setIdentity();
+  structure(model.graph).frame.mirror_x = true;
+  const std::array<internal::Blend_input, 2> inputs = {internal::Blend_input{model.graph, model.shape, 0},
+                                                       internal::Blend_input{model.graph, model.shape, 0}};
+  const internal::Blend_structure blend(inputs, same_parts(4), {});
+  const auto faults = [&](std::size_t part, double by) {
+    internal::In_between_shape shape =
+        internal::in_between_shape(blend, internal::Task_times(4, std::array<double, 2>{0., 1.}), 0.5);
+    shape.points(part).row(0).array() += by;
+    return internal::check(shape).faults;
+  };
+  CHECK(!is_told(faults(1, 0), "mirror image", "column~column"));
+  CHECK(is_told(faults(1, 0.3), "farther from its mirror image", "column~column"));
+  CHECK(is_told(faults(3, 2), "no mirror image", "peg~peg"));
+}
+
 TEST_CASE("Parts that pass through each other are told")
 {
   const std::vector<Named_box> here = {{"base", {0, 0.05, 0}, {2, 0.1, 1}},

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -172,4 +173,25 @@ TEST_CASE("No files include each other in a circle")
   std::map<std::string, int> state;
   for (const auto& [file, included] : includes)
     CHECK(file_in_circle(file, includes, state) == "");
+}
+
+TEST_CASE("No constant of a source has the name of one of a header, which it would hide from sources combined with it")
+{
+  const std::regex definition("(\\w+)(?:\\[\\w*\\])? ?(?:= |\\{)");
+  std::map<std::string, std::set<std::string>> of_headers, of_sources; // files by name of a constant
+  for (const auto& [file, path] : package_files()) {
+    std::ifstream in(path);
+    for (std::string line; std::getline(in, line);) {
+      if (line.compare(0, 10, "constexpr ") != 0 || line.find(") {") != std::string::npos) continue;
+      const std::string code = line.substr(0, line.find("//"));
+      for (std::sregex_iterator found(code.begin(), code.end(), definition), end; found != end; ++found)
+        (path.extension() == ".h" ? of_headers : of_sources)[(*found)[1]].insert(file);
+    }
+  }
+  REQUIRE(of_headers.count("surface_samples"));
+  REQUIRE(of_sources.size() > 100);
+  for (const auto& [name, sources] : of_sources) {
+    INFO(name << " in " << *sources.begin());
+    CHECK_FALSE(of_headers.count(name));
+  }
 }

@@ -232,6 +232,33 @@ TEST_CASE("The method follows from the options, where it is not named")
   CHECK(method("--time-limit 10") == "parts"); // of the abstraction of a part
 }
 
+TEST_CASE("Pinned pairs are in the result and forbidden ones are not, with and without roles")
+{
+  const auto partners = [](const json& result, const std::string& part) {
+    std::set<std::string> names;
+    for (const json& pair : result["pairs"])
+      if (pair[0] == part) names.insert(pair[1]);
+    return names;
+  };
+  for (const std::string roles : {"--roles auto", "--roles none", "--search exact"}) {
+    const json result = match(data / "chair_four_legged", data / "chair_slatted",
+                              roles + " --pin back_panel=slat_1 --pin back_panel=slat_4 --forbid front_left_leg=leg_fl");
+    CHECK(partners(result, "back_panel") == std::set<std::string>{"slat_1", "slat_4"});
+    CHECK(partners(result, "front_left_leg").count("leg_fl") == 0);
+    if (result.contains("confidences"))
+      for (std::size_t i = 0; i < result["pairs"].size(); ++i)
+        if (result["pairs"][i][0] == "back_panel") CHECK(result["confidences"][i] == 1);
+  }
+  const auto fails = [](const std::string& options) {
+    const std::string command = quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " match " + quoted(data / "stool") + " " +
+                                quoted(data / "stool") + " --quiet " + options + " 2> /dev/null";
+    return std::system(command.c_str()) != 0;
+  };
+  CHECK(fails("--pin nobody=nobody"));
+  CHECK(fails("--pin nobody"));
+  CHECK(fails("--forbid nobody=nobody"));
+}
+
 TEST_CASE("Ranked solutions, min-marginals and chosen parts are in the result file")
 {
   const json ranked = match(data / "chair_four_legged", data / "chair_slatted", "--solutions 3 --min-marginals");

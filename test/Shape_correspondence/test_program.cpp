@@ -482,6 +482,10 @@ TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
   CHECK(run(models + " -o " + quoted(folder.path("a.glb")) + " --frames 3 --quiet").status == 0);
   CHECK(text_of(folder.path("a.glb")).substr(0, 4) == "glTF");
   CHECK(run("blend " + quoted(graph) + " " + quoted(graph) + " -o " + quoted(folder.path("frames.obj"))).status == 2);
+  CHECK(run(models + " --quiet --frames 2 -o " + quoted(folder.path("b.html"))).status == 0);
+  const std::string page = text_of(folder.path("b.html"));
+  for (const char* id : {"match", "match.glb", "blend", "blend.glb"})
+    CHECK(page.find(std::string("id=\"") + id + "\">") != std::string::npos);
 }
 
 TEST_CASE("blend takes graphs whose parts name their meshes")

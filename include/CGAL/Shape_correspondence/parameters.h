@@ -43,6 +43,8 @@ struct Named_parameters;
   X(energy_norm, Search_options, matching.norm)                                                                        \
   X(cut_curves, Search_options, matching.cut_curves)                                                                   \
   X(unmatched_cost, Search_options, matching.unmatched_cost)                                                           \
+  X(pinned, Search_options, matching.pinned)                                                                           \
+  X(forbidden, Search_options, matching.forbidden)                                                                     \
   X(both_directions, Search_options, both_directions)                                                                  \
   X(maximum_parts, Search_options, maximum_parts)                                                                      \
   X(coarse_target, Search_options, coarse_target)                                                                      \
@@ -245,6 +247,16 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 ///     \cgalParamDescription{the energy of leaving a group unmatched, for each of its contacts}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`Matching_options::never`: every group is matched}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{pinned}
+///     \cgalParamDescription{pairs that correspond, and the only ones of their parts, see `Matching_options::pinned`}
+///     \cgalParamType{`std::vector<Part_pair>`}
+///     \cgalParamDefault{empty}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{forbidden}
+///     \cgalParamDescription{pairs that do not correspond}
+///     \cgalParamType{`std::vector<Part_pair>`}
+///     \cgalParamDefault{empty}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{both_directions}
 ///     \cgalParamDescription{whether either shape is deformed into the other and the lower energy kept}

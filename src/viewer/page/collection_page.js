@@ -67,7 +67,7 @@ export function showCollection() {
     told.replaceChildren();
     if (indices.length === 1) element('p', `${shapes[indices[0]].name}: choose another shape.`, told);
     else if (stored)
-      element('p', `Energy ${shown(stored.energies[0])} from left to right, ${shown(stored.energies[1])} from right to ` +
+      element('p', `Distance ${shown(stored.energies[0])} from left to right, ${shown(stored.energies[1])} from right to ` +
               'left. Parts without counterpart are faint.', told);
     else if (indices.length === 2) {
       element('p', 'This page stores the matches of shapes that are near each other. To match these two, run', told);

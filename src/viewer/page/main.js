@@ -13,7 +13,9 @@ const pages = {match: showMatch, graph: showGraph, collection: showCollection, p
 
 try {
   pages[Object.keys(pages).find(id => document.getElementById(id))]();
-  document.body.dataset.ready = Math.round(performance.now()); // milliseconds since the page was opened
+  requestAnimationFrame(() => requestAnimationFrame(() => { // drawn by now
+    document.body.dataset.ready = Math.round(performance.now()); // milliseconds since the page was opened
+  }));
 } catch (error) {
   const canDraw = document.createElement('canvas').getContext('webgl') !== null;
   element('p', canDraw ? String(error) : 'The pictures need WebGL, which this browser does not offer.', $('#facts'));

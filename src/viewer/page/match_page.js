@@ -47,7 +47,7 @@ export function showMatch() {
              groups: groupNumbers(result, names)});
   view.addSwitches($('#tools'));
   $('h1').textContent = titles.join(' and ');
-  const unmatched = result.unmatched_source.length + result.unmatched_target.length;
+  const unmatched = view.blockOf.flat().filter(block => block < 0).length;
   element('p', `${result.pairs.length} pairs of parts, ${unmatched} parts without counterpart` +
           (result.category ? `; category: ${result.category}` : ''), $('#facts'));
   addWarnings($('#facts'), result.warnings);

@@ -5,7 +5,9 @@
 // `part` is the index of the part in its shape, or -1.
 
 const fieldOfView = 28; // degrees
+const focalLength = 1 / Math.tan(fieldOfView * Math.PI / 360); // over half the height of the picture
 const home = {yaw: 0.5, pitch: 0.3, zoom: 1, x: 0, y: 0};
+const stackedGain = 1.1; // in size, for which views go one below the other
 const fadedOpacity = 0.1, overlaidOpacity = 0.3;
 
 function geometryOf(mesh) {
@@ -43,33 +45,39 @@ export function newRenderer(canvas) {
   return renderer;
 }
 
-/** Puts a camera so that all boxes, turned to `pose`, are in view. */
-export function placeCamera(camera, boxes, aspect, pose = home) {
-  const turn = new THREE.Matrix4().makeRotationX(pose.pitch).multiply(new THREE.Matrix4().makeRotationY(-pose.yaw));
-  const atHome = new THREE.Matrix4().makeRotationX(home.pitch).multiply(
-      new THREE.Matrix4().makeRotationY(-home.yaw));
-  const f = 1 / Math.tan(fieldOfView * Math.PI / 360);
-  let fit = 1e-6, size = 1e-6;
+/** To the camera's directions. */
+function turnTo(pose) {
+  return new THREE.Matrix4().makeRotationX(pose.pitch).multiply(new THREE.Matrix4().makeRotationY(-pose.yaw));
+}
+
+/** From how far all boxes are in view. */
+function distanceTo(boxes, aspect) {
+  let fit = 1e-6;
   for (const box of boxes) {
     const half = box.getSize(new THREE.Vector3()).multiplyScalar(0.5);
-    size = Math.max(size, half.length());
     for (let corner = 0; corner < 8; ++corner) {
       const p = new THREE.Vector3(corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y,
-                                  corner & 4 ? half.z : -half.z).applyMatrix4(atHome);
-      fit = Math.max(fit, p.z + f * Math.max(Math.abs(p.x) / aspect, Math.abs(p.y)));
+                                  corner & 4 ? half.z : -half.z).applyMatrix4(turnTo(home));
+      fit = Math.max(fit, p.z + focalLength * Math.max(Math.abs(p.x) / aspect, Math.abs(p.y)));
     }
   }
-  const distance = 1.06 * fit * pose.zoom;
+  return 1.06 * fit; // a margin
+}
+
+/** Puts a camera so that it sees the boxes, all of them when they are turned as at first. */
+export function placeCamera(camera, boxes, aspect, pose = home) {
+  const distance = distanceTo(boxes, aspect) * pose.zoom;
+  const size = Math.max(1e-6, ...boxes.map(box => box.getSize(new THREE.Vector3()).length() / 2));
   camera.fov = fieldOfView;
   camera.aspect = aspect;
   camera.near = Math.max(distance - 2 * size, 0.01 * distance);
   camera.far = distance + 2 * size;
-  const back = new THREE.Matrix4().getInverse(turn);
+  const back = new THREE.Matrix4().getInverse(turnTo(pose));
   camera.quaternion.setFromRotationMatrix(back);
   camera.position.set(-pose.x, -pose.y, distance).applyMatrix4(back);
   camera.updateProjectionMatrix();
   camera.updateMatrixWorld();
-  return 2 * distance / f; // the height that the camera sees
+  return 2 * distance / focalLength; // the height that the camera sees
 }
 
 export class Stage {
@@ -89,7 +97,7 @@ export class Stage {
     this.seenHeight = 1;
     this.isLit = null; // of an item; null: nothing is lit, so nothing fades
     this.afterDrawing = () => {};
-    new ResizeObserver(() => this.resize()).observe(root);
+    new ResizeObserver(() => { this.resize(); this.draw(); }).observe(root);
   }
 
   /** Adds a view with a caption. */
@@ -140,7 +148,7 @@ export class Stage {
     view.shape.position.copy(view.bounds.getCenter(new THREE.Vector3())).negate();
     view.shape.updateMatrixWorld(true);
     view.bounds.setFromObject(view.shape);
-    this.redraw();
+    this.resize();
   }
 
   setLayer(layer, isShown) {
@@ -164,8 +172,13 @@ export class Stage {
   }
 
   resize() {
-    this.renderer.setSize(this.root.clientWidth, this.root.clientHeight, false);
-    this.draw();
+    const {clientWidth: width, clientHeight: height} = this.root, boxes = this.views.map(view => view.bounds);
+    if (this.views.length === 2) // beside each other, unless they are much larger one below the other
+      this.root.classList.toggle('stacked', 2 * stackedGain * distanceTo(boxes, 2 * width / height) <
+                                            distanceTo(boxes, width / height / 2));
+    const size = this.renderer.getSize(new THREE.Vector2());
+    if (size.x !== width || size.y !== height) this.renderer.setSize(width, height, false);
+    this.redraw();
   }
 
   dress(item) {
@@ -191,15 +204,21 @@ export class Stage {
     this.renderer.setScissorTest(true);
     const shown = this.views.filter(view => !view.figure.hidden), boxes = shown.map(view => view.bounds);
     for (const view of shown) {
-      const box = view.figure.getBoundingClientRect();
-      if (!box.width || !box.height) continue;
-      const corner = [box.left - whole.left, whole.bottom - box.bottom, box.width, box.height];
+      const box = this.boxOf(view);
+      if (box.width <= 0 || box.height <= 0) continue;
+      const corner = [box.left - whole.left, whole.bottom - box.top - box.height, box.width, box.height];
       this.seenHeight = placeCamera(view.camera, boxes, box.width / box.height, this.pose);
       this.renderer.setViewport(...corner);
       this.renderer.setScissor(...corner);
       this.renderer.render(view.scene, view.camera);
     }
     this.afterDrawing();
+  }
+
+  /** Where in the window a view is drawn: above its caption. */
+  boxOf(view) {
+    const {left, top, width, height} = view.figure.getBoundingClientRect();
+    return {left, top, width, height: height - view.caption.offsetHeight - 4};
   }
 
   viewAt(x, y) {
@@ -213,7 +232,7 @@ export class Stage {
   itemAt(x, y) {
     const view = this.viewAt(x, y);
     if (!view) return null;
-    const box = view.figure.getBoundingClientRect(), ray = new THREE.Raycaster();
+    const box = this.boxOf(view), ray = new THREE.Raycaster();
     ray.setFromCamera({x: 2 * (x - box.left) / box.width - 1, y: 1 - 2 * (y - box.top) / box.height}, view.camera);
     const objects = view.shape.children.filter(o => o.visible && o.userData.item.part >= 0);
     const [hit] = ray.intersectObjects(objects);
@@ -226,7 +245,7 @@ export class Stage {
     for (const item of this.items)
       if (item.view === view && item.part === part && item.object.visible) bounds.expandByObject(item.object);
     if (bounds.isEmpty()) return null;
-    const p = bounds.getCenter(new THREE.Vector3()).project(view.camera), box = view.figure.getBoundingClientRect();
+    const p = bounds.getCenter(new THREE.Vector3()).project(view.camera), box = this.boxOf(view);
     return [box.left + (p.x + 1) / 2 * box.width, box.top + (1 - p.y) / 2 * box.height];
   }
 }

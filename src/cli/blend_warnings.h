@@ -1,0 +1,19 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "cli/load_shape.h"
+
+#include <CGAL/Shape_correspondence/blend_shapes.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::cli {
+
+/// Tells of a difference in size that an animation cannot show.
+void warn_of_sizes(Blend_size size, const Loaded_shape& source, const Loaded_shape& target,
+                   std::vector<std::string>& warnings);
+
+} // namespace CGAL::Shape_correspondence::cli
