@@ -46,8 +46,8 @@ first frame is the source, the last one the target.
 
 With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
 plays the blend; with --at T, one shape is written, FILE.obj or FILE.ply. Otherwise FOLDER is made, with one file for
-each frame: frame_000 and so on. A part of a frame is named s~t where source part s
-becomes t, s~ where s vanishes, and ~t where t grows.
+each frame: frame_000 and so on. A part of a frame is named s~t where source part s becomes t, s~ where s vanishes, and
+~t where t grows.
 
 SOURCE and TARGET are each one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D. Its objects or nodes are the

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double gap = 0.25;          // between the shapes, over the wider one's width
 constexpr double tube_radius = 0.009; // over the shape's diagonal
-const Eigen::Vector2d middle(0.5, 0.5);
+const Eigen::Vector2d middle_parameter(0.5, 0.5);
 
 /// Parts of both shapes that pairs connect; target parts are numbered after the source's.
 internal::Disjoint_sets connected_parts(const Correspondence& correspondence, std::size_t sources, std::size_t targets)
@@ -75,8 +75,9 @@ Drawn_mesh Drawn_shape::contacts() const
   for (Eigen::Index i = 0; i < n; ++i) {
     const Contact& contact = structure_.contacts[static_cast<std::size_t>(i)];
     const Part_abstraction &first = structure_.parts[contact.parts[0]], &second = structure_.parts[contact.parts[1]];
-    ends.middleCols<steps + 1>((steps + 1) * i) << evaluate(first, middle), evaluate(first, contact.parameters[0]),
-        evaluate(second, contact.parameters[1]), evaluate(second, middle);
+    ends.middleCols<steps + 1>((steps + 1) * i) << evaluate(first, middle_parameter),
+        evaluate(first, contact.parameters[0]), evaluate(second, contact.parameters[1]),
+        evaluate(second, middle_parameter);
     for (int step = 0; step < steps; ++step)
       result.lines.col(steps * i + step) =
           Eigen::Vector2i::Constant(int((steps + 1) * i) + step) + Eigen::Vector2i(0, 1);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import {$, addWarnings, cssColour, documentOf, element} from './dom.js';
+import {$, addWarnings, documentOf, element} from './dom.js';
 import {fillGallery, Pictures} from './gallery.js';
 import {addLayerSwitches, glbOf} from './match_page.js';
 import {blocksOf} from './matching.js';

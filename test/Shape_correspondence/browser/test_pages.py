@@ -20,7 +20,7 @@ import zlib
 import chromium
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-DESKTOP, PHONE = (1200, 760), (390, 844)
+DESKTOP, PHONE = (900, 560), (390, 844)
 LARGEST_PAGE = 8 << 20
 arguments = None
 browser = None
