@@ -117,7 +117,7 @@ Chart_outline Chart_outline::between(const Chart_outline& a, const Chart_outline
   for (std::size_t i = 0; i < result.sections_.size(); ++i) {
     Section& section = result.sections_[i];
     section.middle = (1 - t) * a.sections_[i].middle + t * b.sections_[i].middle;
-    section.radii = a.sections_[i].radii.array().pow(1 - t) * b.sections_[i].radii.array().pow(t);
+    section.radii = (1 - t) * a.sections_[i].radii + t * b.sections_[i].radii;
   }
   return result;
 }

@@ -23,7 +23,7 @@ public:
   Point relative(const Point& k) const;
   Point absolute(const Point& q) const;
 
-  /// Radii by equal factors in equal times. \pre both are of sheets or both of curves
+  /// \pre both are of sheets or both of curves
   static Chart_outline between(const Chart_outline& a, const Chart_outline& b, double t);
 
 private:

@@ -430,7 +430,7 @@ Part_chart Part_chart::between(const Part_chart& a, const Part_chart& b, double 
   const Points shape =
       (1 - t) * (a.spine_.colwise() - centre_a) + t * (rotation.transpose() * (b.spine_.colwise() - centre_b));
   const Points spine = (part.toRotationMatrix() * shape).colwise() + ((1 - t) * centre_a + t * centre_b);
-  const Point half = a.half_.array().pow(1 - t) * b.half_.array().pow(t);
+  const Point half = (1 - t) * a.half_ + t * b.half_;
   if (a.is_sheet_) return over(spine, half);
   const Point from = a.frames_[0].col(1), to = rotation.transpose() * b.frames_[0].col(1);
   const Point across = part * unit_or((1 - t) * from + t * to, from);

@@ -61,9 +61,7 @@ public:
   Eigen::Matrix3d lengthwise_turn() const;
   /// That of a curve along the middle of a sheet, the long way; itself for a curve.
   Part_chart lengthwise() const;
-  /// The chart between two: rotated by a part of the rotation between them; extents across by equal factors in equal
-  /// times, since the volume of what gets thinner one way and thicker the other overshoots else; the rest linear.
-  /// \pre both of one kind
+  /// The chart between two: rotated by a part of the rotation between them, the rest linear. \pre both of one kind
   static Part_chart between(const Part_chart& a, const Part_chart& b, double t);
 
 private:

@@ -126,7 +126,7 @@ TEST_CASE("Shapes between two models are closed, hang together, are symmetric an
       CHECK(blend.check(t).quality.gap <= Shape_blend::contact_tolerance);
       CHECK(blend.check(t).quality.asymmetry <= ends + Shape_blend::symmetry_tolerance);
       CHECK(blend.check(t).quality.ground <= Shape_blend::ground_tolerance);
-      CHECK(blend.check(t).quality.thinning <= 0.6); // of the slivers that the stool's parts are cut into
+      CHECK(blend.check(t).quality.thinning <= Shape_blend::thinning_tolerance);
       CHECK(blend.check(t).quality.area <= Shape_blend::area_tolerance);
       CHECK(blend.check(t).quality.volume <= Shape_blend::volume_tolerance);
       CHECK(blend.check(t).quality.wobble <= Shape_blend::wobble_tolerance);
@@ -274,7 +274,7 @@ TEST_CASE("Mirror images of round parts and of what hangs in the middle stay mir
   const double ends = std::max(blend.check(0).quality.asymmetry, blend.check(1).quality.asymmetry);
   for (double t : {0.3, 0.6}) {
     INFO("t = " << t);
-    CHECK(blend.check(t).quality.asymmetry <= ends + 0.6 * Shape_blend::symmetry_tolerance);
+    CHECK(blend.check(t).quality.asymmetry <= ends + Shape_blend::symmetry_tolerance);
     CHECK(blend.check(t).quality.gap <= Shape_blend::contact_tolerance);
     CHECK(blend.check(t).quality.ground <= Shape_blend::ground_tolerance);
   }
