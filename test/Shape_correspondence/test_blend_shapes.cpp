@@ -274,7 +274,7 @@ TEST_CASE("Mirror images of round parts and of what hangs in the middle stay mir
   const double ends = std::max(blend.check(0).quality.asymmetry, blend.check(1).quality.asymmetry);
   for (double t : {0.3, 0.6}) {
     INFO("t = " << t);
-    CHECK(blend.check(t).quality.asymmetry <= ends + 0.001);
+    CHECK(blend.check(t).quality.asymmetry <= ends + Shape_blend::symmetry_tolerance);
     CHECK(blend.check(t).quality.gap <= Shape_blend::contact_tolerance);
     CHECK(blend.check(t).quality.ground <= Shape_blend::ground_tolerance);
   }

@@ -488,6 +488,39 @@ TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
     CHECK(page.find(std::string("id=\"") + id + "\">") != std::string::npos);
 }
 
+TEST_CASE("blend makes one shape, by one schedule or by all that differ, of a size that is asked for")
+{
+  const Temporary_folder folder;
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
+  const std::string models = "blend " + quoted(data + "/table_four_legged") + " " + quoted(data + "/table_trestle") +
+                             " --abstraction boxes --quiet --cache " + quoted(folder.path("cache")) + " -o ";
+  const auto out = [&](const std::string& name) { return models + quoted(folder.path(name)); };
+  CHECK(run(out("a.obj") + " --at 0.5 --size same").status == 0);
+  const std::string shape = text_of(folder.path("a.obj"));
+  CHECK(shape.find('~') != std::string::npos);
+  CHECK(run(out("a.ply") + " --at 0.5 --schedule all-at-once").status == 0);
+  CHECK(text_of(folder.path("a.ply")).substr(0, 3) == "ply");
+  CHECK(run(out("all") + " --at 0.5 --schedule all").status == 0);
+  int shapes = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder.path("all")))
+    shapes += file.path().extension() == ".obj";
+  CHECK(shapes > 1);
+  CHECK(run(out("b.obj") + " --at 1.5").status == 2);
+  CHECK(run(out("b") + " --at 0.5").status == 2); // one shape, no file
+  CHECK(run(out("b.glb") + " --schedule all").status == 2);
+  CHECK(run(out("b.glb") + " --schedule never").status == 2);
+  CHECK(run(out("b.glb") + " --size huge").status == 2);
+  // Nothing is believed: all shrinks and grows, and is told
+  const Run unsure = run(out("c.obj") + " --at 0.5 --min-confidence 1 --json -");
+  CHECK(unsure.status == 0);
+  const json report = json::parse(unsure.out);
+  for (const json& task : report["tasks"])
+    CHECK((task["task"] == "shrink" || task["task"] == "grow"));
+  CHECK_THAT(report["warnings"].dump(), Contains("--min-confidence"));
+  for (const auto& [measure, tolerance] : report["tolerances"].items())
+    CHECK(report["frames"][0]["quality"][measure] <= tolerance);
+}
+
 TEST_CASE("blend takes graphs whose parts name their meshes")
 {
   const Temporary_folder folder;
