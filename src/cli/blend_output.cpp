@@ -1,0 +1,204 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cli/blend_output.h"
+#include "base/for_each_index.h"
+#include "io/atomic_file.h"
+
+#include <CGAL/Shape_correspondence/IO/write_blend.h>
+
+#include <cctype>
+#include <filesystem>
+
+namespace CGAL::Shape_correspondence::cli {
+
+namespace po = boost::program_options;
+
+namespace {
+
+/// A schedule's name as it is written on the command line.
+std::string schedule_word(const std::string& name)
+{
+  std::string result;
+  for (char c : name)
+    if (std::isalpha(static_cast<unsigned char>(c)))
+      result += c;
+    else if (!result.empty() && result.back() != '-')
+      result += '-';
+  return result;
+}
+
+std::vector<std::string> schedule_words()
+{
+  std::vector<std::string> result = {"best", "all"};
+  for (const std::string& name : Shape_blend::schedule_names())
+    result.push_back(schedule_word(name));
+  return result;
+}
+
+std::string listed(const std::vector<std::string>& words)
+{
+  std::string result;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    result += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + words[i];
+  return result;
+}
+
+bool ends_with(const std::string& path, const std::string& ending)
+{
+  return path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+bool is_glb(const std::string& path) { return ends_with(path, ".glb"); }
+
+/// \throw Usage_error if a folder is to have the name of a file that blend does not write
+void check_is_no_other_file(const std::string& folder)
+{
+  const std::string ending = std::filesystem::path(folder).extension().string();
+  for (const char* file : {".obj", ".ply", ".stl", ".off", ".gltf", ".dae", ".json", ".png", ".gif", ".mp4"})
+    if (ending == file)
+      throw Usage_error(
+          "'" + folder + "' is named like a " + ending +
+          " file; blend writes an animation, FILE.glb, a web page, FILE.html, or one file for each frame into a "
+          "folder");
+}
+
+/// The format of the one shape that is written to a file, or empty if it is not.
+std::string file_format(const Blend_output& output)
+{
+  if (!output.is_one_shape() || output.schedule == "all") return "";
+  return std::filesystem::path(output.path).extension() == ".ply" ? "ply" : "obj";
+}
+
+void check_path(const Blend_output& output)
+{
+  if (output.path.empty())
+    throw Usage_error("-o is missing: a folder for the frames, an animation FILE.glb, or a web page FILE.html");
+  const std::string ending = std::filesystem::path(output.path).extension().string();
+  if (!file_format(output).empty()) {
+    if (ending != ".obj" && ending != ".ply")
+      throw Usage_error("with --at, one shape is written: -o must name a file that ends in .obj or .ply");
+    return;
+  }
+  if ((is_glb(output.path) || output.is_page())) {
+    if (output.schedule == "all") throw Usage_error("--schedule all makes several blends: -o must name a folder");
+    return;
+  }
+  check_is_no_other_file(output.path);
+  IO::check_new_folder(output.path);
+}
+
+} // namespace
+
+bool Blend_output::is_page() const { return ends_with(path, ".html"); }
+
+bool Blend_output::is_file() const { return is_glb(path) || is_page() || !file_format(*this).empty(); }
+
+po::options_description output_options(Blend_output& output, Common_options& common)
+{
+  po::options_description result = option_group("Output");
+  auto add = result.add_options();
+  add("output,o", po::value(&output.path)->value_name("PATH"),
+      "an animation, FILE.glb, a web page, FILE.html, or a new folder for one file per frame");
+  add("frames", number(output.frames)->value_name("N"),
+      "number of frames at equal time steps, including source and target");
+  add("format", po::value(&output.format)->value_name("FORMAT")->default_value(output.format),
+      "format of the frames in a folder: obj (one object per part) or ply (binary, with the part of each face)");
+  add("match", po::value(&output.match)->value_name("R.json"),
+      "read the correspondence from a result that `match --json` wrote for these shapes");
+  add("schedule", po::value(&output.schedule)->value_name("NAME")->default_value(output.schedule),
+      ("order of the tasks: " + listed(schedule_words()) +
+       "; best takes the one in which shapes hold together best, all makes a folder for each one that differs from "
+       "better ones")
+          .c_str());
+  add("at", number(output.at)->value_name("T")->default_value(output.at, "the whole blend"),
+      "make one shape only, that at time T between 0, the source, and 1, the target");
+  add("size", po::value(&output.size)->value_name("SIZE")->default_value(output.size),
+      "size of the frames: blend (from the source's to the target's), source, target, or same (height 1)");
+  add("json", po::value(&common.json)->value_name("FILE"),
+      "write the schedule of the parts and the quality of every frame as JSON; - is standard output");
+  return result;
+}
+
+void check(const Blend_output& output)
+{
+  check_at_least("frames", output.frames, 2);
+  check_word("format", output.format, {"obj", "ply"});
+  check_word("size", output.size, {"blend", "source", "target", "same"});
+  check_word("schedule", output.schedule, schedule_words());
+  if (output.is_one_shape() && !(output.at >= 0 && output.at <= 1)) throw Usage_error("--at must be between 0 and 1");
+  check_path(output);
+}
+
+Blend_options blend_options(const Blend_output& output)
+{
+  Blend_options result;
+  result.size = output.size == "source"   ? Blend_size::SOURCE
+                : output.size == "target" ? Blend_size::TARGET
+                : output.size == "same"   ? Blend_size::SAME
+                                          : Blend_size::BLEND;
+  result.rank_all = output.schedule == "all";
+  for (const std::string& name : Shape_blend::schedule_names())
+    if (schedule_word(name) == output.schedule) result.schedule = name;
+  return result;
+}
+
+namespace {
+
+std::string frame_name(const Blend_output& output, int frame)
+{
+  const std::string number = std::to_string(frame);
+  return "frame_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number + '.' + output.format;
+}
+
+void write_shape(const std::string& path, const std::string& format, const Segmented_shape& shape)
+{
+  IO::write_atomically(path, [&](std::ostream& out) {
+    if (format == "ply")
+      IO::write_segmented_shape_ply(out, shape);
+    else
+      IO::write_segmented_shape_obj(out, shape);
+  });
+}
+
+void write_frames(const std::string& folder, const Blend_output& output, const Shape_blend& blend)
+{
+  internal::for_each_index<CGAL::Parallel_if_available_tag>(std::size_t(output.frames), [&](std::size_t frame) {
+    write_shape(folder + '/' + frame_name(output, int(frame)), output.format,
+                blend(double(frame) / (output.frames - 1)));
+  });
+}
+
+/// A folder, or a file, of every one of some blends, numbered, the best first.
+void write_all(const std::string& folder, const Blend_output& output, const std::vector<Shape_blend>& blends)
+{
+  for (std::size_t i = 0; i < blends.size(); ++i) {
+    const std::string path = folder + '/' + std::to_string(i + 1) + '_' + schedule_word(blends[i].schedules()[0].name);
+    if (output.is_one_shape()) {
+      write_shape(path + '.' + output.format, output.format, blends[i](output.at));
+      continue;
+    }
+    std::filesystem::create_directory(path);
+    write_frames(path, output, blends[i]);
+  }
+}
+
+} // namespace
+
+void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence)
+{
+  if (const std::string format = file_format(output); !format.empty())
+    write_shape(output.path, format, blend(output.at));
+  else if (is_glb(output.path))
+    IO::write_atomically(output.path,
+                         [&](std::ostream& out) { IO::write_blend_glb(out, blend, correspondence, output.frames); });
+  else if (!output.is_page())
+    IO::write_folder_atomically(output.path, [&](const std::string& folder) {
+      if (output.schedule == "all")
+        write_all(folder, output, blend.different_blends());
+      else
+        write_frames(folder, output, blend);
+    });
+}
+
+} // namespace CGAL::Shape_correspondence::cli

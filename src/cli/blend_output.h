@@ -1,0 +1,42 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "cli/command_line.h"
+
+#include <CGAL/Shape_correspondence/blend_shapes.h>
+
+#include <string>
+
+namespace CGAL::Shape_correspondence::cli {
+
+/// What blend writes, as its options say it.
+struct Blend_output
+{
+  std::string path;
+  std::string format = "obj";
+  std::string match; ///< a result file, or empty
+  std::string schedule = "best";
+  std::string size = "blend";
+  int frames = 25;
+  double at = whole_blend;
+
+  static constexpr double whole_blend = -1;
+  bool is_one_shape() const { return at != whole_blend; }
+  bool is_page() const;
+  /// Whether the output is a file, not a folder.
+  bool is_file() const;
+};
+
+boost::program_options::options_description output_options(Blend_output& output, Common_options& common);
+
+/// \throw Usage_error if an option has no such value, or the output cannot be what it is named
+void check(const Blend_output& output);
+
+Blend_options blend_options(const Blend_output& output);
+
+/// Writes the shapes in between, but for those of a page.
+void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence);
+
+} // namespace CGAL::Shape_correspondence::cli
