@@ -37,7 +37,8 @@ double reach_in_polygon(const Planar_points& polygon, const Eigen::Vector2d& dir
 
 Chart_outline::Section Chart_outline::section_around(const std::vector<Eigen::Vector2d>& points)
 {
-  constexpr double least_radius = 0.02; // of the half extents: a flat section has an outline across, too
+  constexpr double least_radius = 0.02; // of the half extents: a section that is a point has an outline, too
+  constexpr double least_share = 0.3;   // of the largest radius, which may lie between two angles of a flat section
   Section result;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& p : points)
@@ -46,11 +47,15 @@ Chart_outline::Section Chart_outline::section_around(const std::vector<Eigen::Ve
   Planar_points centred;
   for (const Eigen::Vector2d& p : points)
     centred.push_back(p - result.middle);
+  double largest = 0;
+  for (const Eigen::Vector2d& p : centred)
+    largest = std::max(largest, p.norm());
+  const double least = std::max(least_radius, least_share * largest);
   const Planar_points hull = planar_hull(centred);
   for (int i = 0; i < angles; ++i) {
     const double angle = 2 * EIGEN_PI * i / angles;
     const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
-    result.radii[i] = std::max(least_radius, reach_in_polygon(hull, direction));
+    result.radii[i] = std::max(least, reach_in_polygon(hull, direction));
   }
   return result;
 }
