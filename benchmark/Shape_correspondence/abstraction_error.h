@@ -102,7 +102,7 @@ public:
   struct Segment
   {
     Point a, b;
-    std::size_t piece; ///< segments of the same connected piece have the same number
+    std::size_t piece = 0; ///< segments of the same connected piece have the same number
 
     Point middle() const { return 0.5 * (a + b); }
     double length() const { return (b - a).norm(); }

@@ -485,7 +485,7 @@ TEST_CASE("The shipped model knows the models of the package, and the program ma
   CHECK(!nlohmann::json::parse(run("match " + shapes + "--search exact").out).contains("category"));
   const Run paper = run("match " + shapes + "--paper --category chair");
   CHECK(paper.status == 2);
-  CHECK_THAT(paper.error, Contains("--category needs --search parts"));
+  CHECK_THAT(paper.error, Contains("--category has no effect on --search beam"));
   const Run missing = run("match " + shapes + "--roles /nowhere.roles");
   CHECK(missing.status == 1);
   CHECK_THAT(missing.error, Contains("/nowhere.roles"));

@@ -24,7 +24,7 @@ Shape_structure trestle()
   shape.parts = {curve("leg_1", {-1, 0, 0}, {-1, 1, 0}), sheet("plate", {-1, 1, -1}, {2, 0, 0}, {0, 0, 2}),
                  curve("leg_2", {1, 0, 0}, {1, 1, 0}), curve("brace", {-1, 0.5, 0}, {1, 0.5, 0})};
   for (const auto& pair : {std::array<std::size_t, 2>{0, 1}, {0, 2}, {0, 3}, {1, 2}, {2, 3}})
-    shape.contacts.push_back({pair, {Eigen::Vector2d(0.5, 0), Eigen::Vector2d(0.5, 0)}});
+    shape.contacts.push_back({pair, {Eigen::Vector2d(0.5, 0), Eigen::Vector2d(0.5, 0)}, {}});
   return shape;
 }
 
