@@ -27,14 +27,15 @@ public:
     return chunks_[chunk_].get() + used_ - blocks;
   }
 
-  // Whether the first chunk is used up.
-  bool is_full() const { return chunk_ > 0; }
+  // Whether more is taken than stays in the cache.
+  bool is_full() const { return chunk_ >= cached_chunks; }
 
   // Gives up all blocks; their memory is taken again.
   void clear() { chunk_ = used_ = 0; }
 
 private:
-  static constexpr std::size_t chunk_blocks = 2048; // 384 kB, which stay in the cache
+  // Chunks of 96 kB, which allocators keep; larger ones they give back to the system, which has to clear them again
+  static constexpr std::size_t chunk_blocks = 512, cached_chunks = 4;
 
   std::vector<std::unique_ptr<Rod_block[]>> chunks_;
   std::size_t chunk_ = 0, used_ = 0; // the chunk that is being filled, and how many of its blocks are taken
