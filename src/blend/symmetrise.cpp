@@ -86,9 +86,7 @@ void symmetrise_surfaces(In_between_shape& shape, std::size_t part)
     const contacts::Triangle_tree own = shape.tree(part), others = shape.tree(image);
     const double distance =
         std::max(mirror_distance(shape.points(part), others), mirror_distance(shape.points(image), own));
-    if (distance <= alike ||
-        (image != part && distance > most_moved * std::min(thickness(shape, part), thickness(shape, image))))
-      return;
+    if (distance <= alike || distance > most_moved * std::min(thickness(shape, part), thickness(shape, image))) return;
     move_to_image(shape.points(part), others, share, triangles[0]);
     if (image != part) move_to_image(shape.points(image), own, share, triangles[1]);
   }
