@@ -45,8 +45,8 @@ std::shared_ptr<Match> match(const std::shared_ptr<Graph>& source, const std::sh
   return work.run(progress, [&](Work& work) {
     search.progress = [&](double share) { return work.report_share("matching", share); };
     const SC::cli::Thread_limit limit(threads);
-    auto result = std::make_shared<Match>(
-        Match{source, target, SC::cli::match_shapes(source->shape, target->shape, search)});
+    auto result =
+        std::make_shared<Match>(Match{source, target, SC::cli::match_shapes(source->shape, target->shape, search)});
     std::vector<std::string>& warnings = result->matched.ranked[0].warnings;
     const std::vector<std::string> of_shapes = warnings_of(*source, *target);
     warnings.insert(warnings.begin(), of_shapes.begin(), of_shapes.end());
@@ -55,7 +55,8 @@ std::shared_ptr<Match> match(const std::shared_ptr<Graph>& source, const std::sh
 }
 
 /// The match that a file holds.
-std::shared_ptr<Match> read_match(const std::string& path, const std::shared_ptr<Graph>& source, const std::shared_ptr<Graph>& target)
+std::shared_ptr<Match> read_match(const std::string& path, const std::shared_ptr<Graph>& source,
+                                  const std::shared_ptr<Graph>& target)
 {
   auto result = std::make_shared<Match>(Match{source, target, {}});
   result->matched.ranked.push_back(SC::IO::correspondence_of(SC::IO::read_correspondence_json(path),
@@ -90,8 +91,8 @@ void save(const Match& match, const std::string& path)
   });
 }
 
-/// Where the vertices of a target part are on the source: by vertex the source part (-1: nowhere), the three vertices of
-/// the triangle, and their weights.
+/// Where the vertices of a target part are on the source: by vertex the source part (-1: nowhere), the three vertices
+/// of the triangle, and their weights.
 py::tuple places_of(const SC::Surface_map& map, const SC::Segmented_shape& source, const SC::Shape_part& part,
                     std::size_t index)
 {

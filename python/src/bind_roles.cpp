@@ -63,10 +63,9 @@ void bind_roles(py::module_& module)
   py::class_<Role_model>(module, "RoleModel")
       .def_property_readonly("categories", [](const Role_model& model) { return model.model->categories(); })
       .def("roles", [](const Role_model& model, const std::string& category) { return model.model->roles(category); })
-      .def("save",
-           [](const Role_model& model, const std::filesystem::path& path) {
-             SC::IO::write_role_model(path.string(), *model.model);
-           });
+      .def("save", [](const Role_model& model, const std::filesystem::path& path) {
+        SC::IO::write_role_model(path.string(), *model.model);
+      });
   module.def("shipped_roles", [] { return Role_model{SC::IO::shipped_role_model()}; });
   module.def("load_roles", [](const std::string& path) {
     return Role_model{std::make_shared<const SC::Role_model>(SC::IO::read_role_model(path))};

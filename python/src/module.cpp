@@ -26,8 +26,8 @@ void register_errors(py::module_& module)
     } catch (const SC::cli::Usage_error& e) {
       invalid_input(e.what());
     } catch (const std::filesystem::filesystem_error& e) {
-      const std::string message = e.path1().string() + ": it cannot be used (" + e.code().message() +
-                                  "); check the path and its permissions";
+      const std::string message =
+          e.path1().string() + ": it cannot be used (" + e.code().message() + "); check the path and its permissions";
       invalid_input(message.c_str());
     }
   });

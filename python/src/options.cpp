@@ -25,9 +25,8 @@ struct Words;
 template <>
 struct Words<SC::Search_method>
 {
-  static constexpr std::pair<const char*, SC::Search_method> words[] = {{"parts", SC::Search_method::PARTS},
-                                                                        {"beam", SC::Search_method::BEAM},
-                                                                        {"exact", SC::Search_method::EXACT}};
+  static constexpr std::pair<const char*, SC::Search_method> words[] = {
+      {"parts", SC::Search_method::PARTS}, {"beam", SC::Search_method::BEAM}, {"exact", SC::Search_method::EXACT}};
 };
 
 template <>
@@ -266,9 +265,9 @@ SC::cli::Common_options model_options(const py::dict& values)
   options.no_symmetry = !structure.symmetry.enabled;
   options.symmetry_tolerance = structure.symmetry.tolerance;
   options.symmetries.clear();
-  for (const auto& [is_wanted, kind] : {std::pair(structure.symmetry.reflection, "reflection"),
-                                        std::pair(structure.symmetry.rotation, "rotation"),
-                                        std::pair(structure.symmetry.translation, "translation")})
+  for (const auto& [is_wanted, kind] :
+       {std::pair(structure.symmetry.reflection, "reflection"), std::pair(structure.symmetry.rotation, "rotation"),
+        std::pair(structure.symmetry.translation, "translation")})
     if (is_wanted) options.symmetries += (options.symmetries.empty() ? "" : ",") + std::string(kind);
   options.contact_tolerance = structure.contacts.tolerance;
   options.quiet = true;

@@ -19,8 +19,8 @@ namespace shape_correspondence_python {
 
 namespace py = pybind11;
 
-/// Work that runs in a thread of its own, without Python's lock, while the calling thread reports its progress to Python
-/// and looks for signals. The two share this.
+/// Work that runs in a thread of its own, without Python's lock, while the calling thread reports its progress to
+/// Python and looks for signals. The two share this.
 class Work
 {
 public:

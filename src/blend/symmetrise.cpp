@@ -73,7 +73,7 @@ void symmetrise(In_between_shape& shape)
 
 void symmetrise_surfaces(In_between_shape& shape, std::size_t part)
 {
-  constexpr double alike = 5e-4;      // of the height: so near that nothing needs to be done
+  constexpr double alike = 5e-4;     // of the height: so near that nothing needs to be done
   constexpr double most_moved = 0.5; // of the thickness
   constexpr int most_rounds = 4;
   constexpr Eigen::Index most_points = 5000; // ornaments have no nearest points that they could go to

@@ -43,7 +43,8 @@ struct Common_options
   };
   std::array<Of_input, 2> of_pair; ///< of the source and the target
   Abstraction_options abstraction;
-  /// Told of the progress in place of a bar: what is done, how much of it, of how much. It may throw, which ends the work.
+  /// Told of the progress in place of a bar: what is done, how much of it, of how much. It may throw, which ends the
+  /// work.
   std::function<void(const std::string&, std::size_t, std::size_t)> on_progress;
   bool quiet = false;
   bool verbose = false;

@@ -113,7 +113,9 @@ void print_schedules(const Shape_blend& blend)
       rows.back().push_back(short_number(value));
   }
   write_table(std::cout, rows);
-  std::cout << "\nThe first schedule is used. All values are the maximum over the in-between shapes; lengths are "
+  std::cout << "\nThe first schedule is used. All values are the maximum over the in-between shapes that were judged, "
+               "of schedules "
+               "that are worse in the middle that one alone; lengths are "
                "divided by the "
                "height:\n"
                "  gap        how much wider a contact is than in the source and the target\n"

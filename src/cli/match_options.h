@@ -26,7 +26,7 @@ struct Match_options
   std::string without;
   std::string source_parts, target_parts;
   std::vector<std::string> pinned, forbidden; ///< A=B
-  std::string roles = "auto"; ///< auto, none or a file
+  std::string roles = "auto";                 ///< auto, none or a file
   bool paper = false;
 };
 

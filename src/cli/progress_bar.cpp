@@ -34,7 +34,11 @@ bool is_enabled(const Common_options& options)
 } // namespace
 
 Progress_bar::Progress_bar(const Common_options& options, std::string label, std::string unit)
-    : enabled_(is_enabled(options)), on_progress_(options.on_progress), label_(IO::quote_terminal(label)), unit_(std::move(unit)), begin_(now())
+    : enabled_(is_enabled(options)),
+      on_progress_(options.on_progress),
+      label_(IO::quote_terminal(label)),
+      unit_(std::move(unit)),
+      begin_(now())
 {}
 
 Progress_bar::~Progress_bar()

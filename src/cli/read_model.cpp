@@ -34,8 +34,9 @@ bool says_up(const std::string& path)
 std::string warning_of(const Up_estimate& found, const std::string& option)
 {
   return std::string("The upright axis was taken to be ") + axis_name(found.up) +
-         ", along which the model stands most stably (confidence " + std::to_string(std::lround(100 * found.confidence)) +
-         " %); if that is wrong, give another with " + option + ".";
+         ", along which the model stands most stably (confidence " +
+         std::to_string(std::lround(100 * found.confidence)) + " %); if that is wrong, give another with " + option +
+         ".";
 }
 
 /// Whether nothing says which axis of a model is up.

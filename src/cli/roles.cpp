@@ -3,10 +3,10 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/predicted_roles.h"
 #include "cli/labelled_models.h"
 #include "cli/load_shape.h"
 #include "cli/outputs.h"
+#include "cli/predicted_roles.h"
 #include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"

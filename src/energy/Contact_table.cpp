@@ -129,9 +129,9 @@ void Matching_problem::Contact_table::list_ends(int side)
   ends_[side].clear();
   end_of_[side].clear();
   for (std::size_t i = begin_[side]; i < begin_[side] + count_[side]; ++i) {
-    const Rod_end end{fitted_[i].source_index, Eigen::Index(fitted_[i].order->size())};
+    const Rod_end end{fitted_[i].source_index, fitted_[i].repeats};
     const auto known = std::find_if(ends_[side].begin(), ends_[side].end(), [&](const Rod_end& other) {
-      return other.source_index == end.source_index && other.count == end.count;
+      return other.source_index == end.source_index && other.repeats == end.repeats;
     });
     end_of_[side].push_back(std::size_t(known - ends_[side].begin()));
     if (known == ends_[side].end()) ends_[side].push_back(end);

@@ -68,11 +68,11 @@ private:
 
   const Structural_rods& rods(std::uint32_t a, std::uint32_t b);
 
-  // Source pieces with as many samples as they are fitted with: rods are found once for two of them.
+  // Source pieces, with how often their samples count: rods are found once for two of them.
   struct Rod_end
   {
     std::size_t source_index;
-    Eigen::Index count;
+    int repeats;
   };
 
   const Matching_problem& problem_;

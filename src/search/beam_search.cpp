@@ -104,8 +104,7 @@ public:
   // The solution whose expansions are rated next.
   void set_parent(const Assignment& assignment)
   {
-    // The parent before has most of it
-    (*this)(assignment, lower_bound(assignment), std::numeric_limits<double>::infinity());
+    (*this)(assignment, 0, std::numeric_limits<double>::infinity()); // the parent before has most of it
     has_parent_ = true;
     parent_ = assignment;
     parent_motions_ = motions_;

@@ -28,7 +28,7 @@ namespace {
 constexpr double base_height = 0.02;      // over the largest extent: what is so near to the lowest vertex is the base
 constexpr double horizontal_cosine = 0.9; // of a normal with the axis
 constexpr double least_stability = -0.2;  // of a shape that falls over, however far its centre is off the base
-constexpr int shape_samples = 3000;     // that stand for the surface
+constexpr int shape_samples = 3000;       // that stand for the surface
 constexpr int mirrored_samples = 600;     // of which images are compared with it
 
 // A logistic regression on 131 labelled shapes, of which each tells one axis from two. Over categories left out in turn

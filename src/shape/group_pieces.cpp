@@ -23,7 +23,7 @@ using contacts::Triangle_tree;
 
 // Calibrated on raw files of which the parts are known (benchmark/Shape_correspondence/WILD.md). Lengths over the
 // size of the model.
-constexpr int piece_samples = 64;         // of a piece
+constexpr int piece_samples = 64;           // of a piece
 constexpr Eigen::Index vertex_samples = 64; // at most
 constexpr double hull_tolerance = 0.005;
 constexpr std::size_t most_pieces = 1000; // of an object; of more, such as leaves, none is a part

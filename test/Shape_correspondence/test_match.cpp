@@ -241,8 +241,9 @@ TEST_CASE("Pinned pairs are in the result and forbidden ones are not, with and w
     return names;
   };
   for (const std::string roles : {"--roles auto", "--roles none", "--search exact"}) {
-    const json result = match(data / "chair_four_legged", data / "chair_slatted",
-                              roles + " --pin back_panel=slat_1 --pin back_panel=slat_4 --forbid front_left_leg=leg_fl");
+    const json result =
+        match(data / "chair_four_legged", data / "chair_slatted",
+              roles + " --pin back_panel=slat_1 --pin back_panel=slat_4 --forbid front_left_leg=leg_fl");
     CHECK(partners(result, "back_panel") == std::set<std::string>{"slat_1", "slat_4"});
     CHECK(partners(result, "front_left_leg").count("leg_fl") == 0);
     if (result.contains("confidences"))

@@ -130,7 +130,7 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
                                           "match " + a + " " + a + " --roles none --category chair",
                                           "match " + a + " " + a + " --front auto --alignments 2",
                                           "match " + a + " " + a + " --edge-length .05",
-                                             "match " + a + " " + a + " -q -v",
+                                          "match " + a + " " + a + " -q -v",
                                           "collection " + a + " " + a + " -k 3",
                                           "parts " + a + " --kind curve",
                                           "roles predict " + a + " --trees 3",
