@@ -202,8 +202,10 @@ void run_blend(const std::vector<std::string>& arguments)
       remove_unlikely(correspondence, match.search.min_confidence, source, target);
 
   Progress_bar bar(common, "blend");
+  Blend_options options = blend_options(output);
+  options.min_confidence = 0; // unlikely pairs are out already
   const Shape_blend blend(source.graph, *source.model, target.graph, *target.model, correspondence,
-                          with_progress(blend_options(output), bar));
+                          with_progress(options, bar));
   write_blend(output, blend, correspondence);
   std::vector<std::string> warnings = warnings_of(paths, shapes);
   warnings.insert(warnings.begin(), warnings_of_up.begin(), warnings_of_up.end());
