@@ -134,7 +134,10 @@ void run_graph(const std::vector<std::string>& arguments)
   if (!files.parts.empty() && is_graph_file(parsed.inputs[0]))
     throw Usage_error("--parts-json is for models; a graph has no pieces");
   Loaded_shape shape = load_shape(parsed.inputs[0], common);
-  if (!common.glb.empty()) read_appearance(parsed.inputs[0], shape);
+  if (!common.glb.empty()) {
+    read_appearance(parsed.inputs[0], shape);
+    warn_of_appearance(parsed.inputs[0], shape, common);
+  }
   write_output(common.json, [&](std::ostream& out) { IO::write_structural_graph_json(out, shape.graph); });
   write_output(common.glb, [&](std::ostream& out) {
     IO::write_structural_graph_glb(out, shape.graph, shape.model_pointer(), &shape.appearance);

@@ -202,6 +202,12 @@ void read_appearance(const std::string& path, Loaded_shape& shape)
   shape.appearance = appearance_of_parts(objects, of_objects, shape.split);
 }
 
+void warn_of_appearance(const std::string& path, const Loaded_shape& shape, const Common_options& options)
+{
+  for (const std::string& warning : shape.appearance.warnings)
+    warn(options, path + ": " + warning);
+}
+
 std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes)
 {
   std::vector<std::string> result;

@@ -113,15 +113,18 @@ void run_match(const std::vector<std::string>& arguments)
   write_output(common.json, [&](std::ostream& out) {
     IO::write_correspondences_json(out, ranked, source.graph, target.graph, paths[0], paths[1], matched.seconds);
   });
-  for (std::size_t i = 0; !common.glb.empty() && i < 2; ++i)
+  for (std::size_t i = 0; !(common.glb.empty() && common.html.empty()) && i < 2; ++i) {
     read_appearance(paths[i], shapes[i]);
+    warn_of_appearance(paths[i], shapes[i], common);
+  }
   write_output(common.glb, [&](std::ostream& out) {
     IO::write_correspondence_glb(out, ranked[0], source.graph, target.graph, source.model_pointer(),
                                  target.model_pointer(), &source.appearance, &target.appearance);
   });
   write_output(common.html, [&](std::ostream& out) {
-    IO::write_page(out, IO::match_page(ranked, source.graph, target.graph, source.model_pointer(),
-                                       target.model_pointer(), paths[0], paths[1], matched.seconds));
+    IO::write_page(out,
+                   IO::match_page(ranked, source.graph, target.graph, source.model_pointer(), target.model_pointer(),
+                                  paths[0], paths[1], matched.seconds, &source.appearance, &target.appearance));
   });
   if (!common.prints_table()) return;
   write_match_table(std::cout, ranked[0], source.graph, target.graph);

@@ -42,15 +42,15 @@ int add_dressed_shape(Glb_builder& glb, const Drawn_shape& shape, const Shape_ap
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
     const Part_appearance unknown;
     const Part_appearance& of_part = part < looks.parts.size() ? looks.parts[part] : unknown;
-    nodes.push_back(glb.add_node(shape.part(part).name, dressed(shape.best_mesh(part), of_part, materials)));
+    Drawn_mesh mesh = shape.best_mesh(part);
+    mesh.layer = material_layer;
+    nodes.push_back(glb.add_node(shape.part(part).name, dressed(mesh, of_part, materials)));
     glb.set_node_extras(nodes.back(), {{"part", part}});
   }
   return glb.add_node(shape.name(), nodes, translation);
 }
 
 bool is_dressed(const Shape_appearance* appearance) { return appearance && !appearance->empty(); }
-
-constexpr const char* material_scene = "materials";
 
 } // namespace
 
@@ -73,7 +73,7 @@ void write_correspondence_glb(std::ostream& out, const Correspondence& correspon
   std::vector<Glb_scene> scenes{scene("correspondence", &Drawn_shape::best_mesh)};
   if (left.has_mesh() || right.has_mesh()) scenes.push_back(scene(abstraction_layer, &Drawn_shape::abstraction));
   if (is_dressed(source_appearance) || is_dressed(target_appearance))
-    scenes.push_back({material_scene,
+    scenes.push_back({material_layer,
                       {add_dressed_shape(glb, left, source_appearance, places[0]),
                        add_dressed_shape(glb, right, target_appearance, places[1])}});
   scenes.push_back({contact_layer, {}});
@@ -104,7 +104,7 @@ void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph
   if (!structure(graph).contacts.empty()) nodes.push_back(add_contacts(glb, drawn));
   std::vector<Glb_scene> scenes{{"structural graph", {glb.add_node(drawn.name(), nodes, Point::Zero())}}};
   if (is_dressed(appearance))
-    scenes.push_back({material_scene, {add_dressed_shape(glb, drawn, appearance, Point::Zero())}});
+    scenes.push_back({material_layer, {add_dressed_shape(glb, drawn, appearance, Point::Zero())}});
   glb.write(out, scenes);
 }
 

@@ -21,6 +21,7 @@ constexpr double most_collapsed = 0.01;
 // Cosine of the steepest face that joins a chart of its neighbours; its texture is stretched by 1 / cosine
 constexpr double steepest = 0.4;
 constexpr int smoothing_rounds = 3;
+constexpr double off_border = 1e-6; // barycentric: pixels whose middles are on an edge are of no triangle
 
 double area_of(const Part_mesh& mesh, Eigen::Index t)
 {
@@ -151,16 +152,18 @@ private:
     std::vector<bool> taken(std::size_t(size) * size, false);
     for (std::size_t i = 0; i < flat.size(); ++i) {
       Flat_triangle scaled = flat[i];
-      const Eigen::Vector2d middle = ((scaled[0] + scaled[1] + scaled[2]) / 3 - low) * (size - 1) / extent;
-      for (Eigen::Vector2d& corner : scaled) // a little smaller, so that neighbours share no pixel
-        corner = 0.98 * Eigen::Vector2d((corner - low) * (size - 1) / extent) + 0.02 * middle;
+      for (Eigen::Vector2d& corner : scaled)
+        corner = (corner - low) * (size - 1) / extent;
       std::vector<std::size_t> pixels;
       int overlapping = 0;
-      for_each_pixel(scaled, size, [&](int x, int y) {
-        const std::size_t pixel = std::size_t(y) * size + std::size_t(x);
-        overlapping += taken[pixel];
-        pixels.push_back(pixel);
-      });
+      for_each_pixel(
+          scaled, size,
+          [&](int x, int y) {
+            const std::size_t pixel = std::size_t(y) * size + std::size_t(x);
+            overlapping += taken[pixel];
+            pixels.push_back(pixel);
+          },
+          off_border);
       result[i] = i == 0 || overlapping <= few || 10 * std::size_t(overlapping) <= pixels.size();
       if (!result[i]) continue;
       for (std::size_t pixel : pixels)
@@ -246,12 +249,15 @@ std::optional<Texture_layout> given_layout(const Segmented_shape& shape, const S
       const double of_triangle = area_of(mesh, Eigen::Index(t));
       area += of_triangle;
       if (!(std::abs(cross(flat[1] - flat[0], flat[2] - flat[0])) > 0)) collapsed += of_triangle;
-      for_each_pixel(flat, size, [&](int x, int y) {
-        const std::size_t pixel = std::size_t(y) * std::size_t(size) + std::size_t(x);
-        ++covered;
-        twice += taken[pixel];
-        taken[pixel] = true;
-      });
+      for_each_pixel(
+          flat, size,
+          [&](int x, int y) {
+            const std::size_t pixel = std::size_t(y) * std::size_t(size) + std::size_t(x);
+            ++covered;
+            twice += taken[pixel];
+            taken[pixel] = true;
+          },
+          off_border);
       result[part].push_back(flat);
     }
   }

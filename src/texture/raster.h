@@ -25,15 +25,16 @@ inline Eigen::Vector3d barycentric_coordinates(const Flat_triangle& t, const Eig
 }
 
 /// Calls `visit(x, y)` for the pixels of a square picture whose middle is in the triangle.
+/// \param inside the least barycentric coordinate: more than 0 leaves out those on its border, which are on another
+/// triangle's, too
 template <typename Visit>
-void for_each_pixel(const Flat_triangle& t, int size, const Visit& visit)
+void for_each_pixel(const Flat_triangle& t, int size, const Visit& visit, double inside = -1e-9)
 {
-  constexpr double on_border = 1e-9;
   const Eigen::Vector2d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
   const auto pixel = [size](double x) { return std::clamp(int(std::floor(x)), 0, size - 1); };
   for (int y = pixel(low.y()); y <= pixel(high.y()); ++y)
     for (int x = pixel(low.x()); x <= pixel(high.x()); ++x)
-      if (barycentric_coordinates(t, {x + 0.5, y + 0.5}).minCoeff() >= -on_border) visit(x, y);
+      if (barycentric_coordinates(t, {x + 0.5, y + 0.5}).minCoeff() >= inside) visit(x, y);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

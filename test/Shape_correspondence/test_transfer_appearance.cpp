@@ -217,8 +217,9 @@ TEST_CASE("A panel gets the looks of the laths in their order, without a seam")
     const int lath = middle.x() < -0.2 ? 0 : middle.x() < 0.2 ? 1 : 2;
     Eigen::Index main = 0;
     colour.maxCoeff(&main);
-    CHECK(main == lath);
+    CAPTURE(middle.x(), colour.transpose());
     const double border = std::min(std::abs(middle.x() + 0.2), std::abs(middle.x() - 0.2));
+    if (border > 1e-6) CHECK(main == lath);
     if (border > 0.1) CHECK(colour[lath] > 0.97);
     if (border < 0.03) CHECK(colour[lath] < 0.9); // one goes over into the other
   }
@@ -313,7 +314,7 @@ TEST_CASE("The program transfers a texture; what it writes reads back")
   }
   const std::string source = quoted(folder.path("table_four_legged.obj")), target = quoted(folder.path("stool.obj"));
   const std::string common = source + " " + target + " --abstraction boxes --size 128 ";
-  for (const std::string& name : {"out.glb", "out.obj"}) {
+  for (const std::string name : {"out.glb", "out.obj"}) {
     CAPTURE(name);
     const Run glb =
         run("transfer " + common + "-o " + quoted(folder.path(name)) + " --json " + quoted(folder.path("t.json")));
