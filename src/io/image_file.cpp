@@ -18,15 +18,15 @@ namespace {
 
 constexpr std::string_view png_begin("\x89PNG\r\n\x1a\n", 8), jpeg_begin("\xff\xd8\xff", 3);
 
-bool begins_with(std::string_view bytes, std::string_view begin) { return bytes.substr(0, begin.size()) == begin; }
+bool has_beginning(std::string_view bytes, std::string_view begin) { return bytes.substr(0, begin.size()) == begin; }
 
 } // namespace
 
-bool is_png(std::string_view bytes) { return begins_with(bytes, png_begin); }
+bool is_png(std::string_view bytes) { return has_beginning(bytes, png_begin); }
 
 std::string fault_of_image(std::string_view bytes)
 {
-  return is_png(bytes) || begins_with(bytes, jpeg_begin) ? "" : "is no PNG or JPEG image";
+  return is_png(bytes) || has_beginning(bytes, jpeg_begin) ? "" : "is no PNG or JPEG image";
 }
 
 #ifdef SHAPE_CORRESPONDENCE_WITH_IMAGES

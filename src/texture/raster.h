@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "base/planar_hull.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -13,8 +15,6 @@ namespace CGAL::Shape_correspondence::internal {
 
 /// The corners of a triangle in a picture, in pixels.
 using Flat_triangle = std::array<Eigen::Vector2d, 3>;
-
-inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Barycentric coordinates of a point; not finite for a triangle without area.
 inline Eigen::Vector3d barycentric_coordinates(const Flat_triangle& t, const Eigen::Vector2d& p)

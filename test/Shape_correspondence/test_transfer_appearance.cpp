@@ -13,6 +13,7 @@
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/transfer_appearance.h>
@@ -22,7 +23,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <sstream>
 
 using namespace box_shapes;
 using namespace CGAL::Shape_correspondence::internal;
@@ -354,4 +357,66 @@ TEST_CASE("The program says what is missing for a transfer")
   CHECK(run("transfer " + pair + "-o a.glb --size 5").status == 2);
   CHECK(run("transfer " + pair + "-o a.glb --match m.json --paper").status == 2);
   CHECK(folder.number_of_files() == 0);
+}
+
+namespace {
+
+// The document of a GLB
+nlohmann::json document_of(const std::string& glb)
+{
+  std::size_t size = 0;
+  for (int i = 3; i >= 0; --i)
+    size = size << 8 | static_cast<unsigned char>(glb.at(12 + std::size_t(i)));
+  return nlohmann::json::parse(glb.substr(20, size));
+}
+
+// The reds of the materials of surfaces in between, by name of the node
+std::map<std::string, std::set<double>> reds_in_between(const nlohmann::json& document)
+{
+  std::map<std::string, std::set<double>> result;
+  for (const auto& node : document["nodes"]) {
+    if (!node.contains("mesh") || node["name"].get<std::string>().find('~') == std::string::npos) continue;
+    for (const auto& primitive : document["meshes"][node["mesh"].get<std::size_t>()]["primitives"])
+      result[node["name"]].insert(
+          document["materials"][primitive["material"].get<std::size_t>()]["pbrMetallicRoughness"]["baseColorFactor"][0]
+              .get<double>());
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("In a blend a colour goes over into the other, and a texture stays on its surface")
+{
+  const Segmented_shape shape = table();
+  const Structural_graph graph = graph_of(shape);
+  const Correspondence correspondence = identity(shape);
+  std::vector<Eigen::Vector3d> before(shape.parts().size(), {0.2, 0.4, 0.6}), after = before;
+  before[0] = {1, 0, 0};
+  after[0] = {0, 0, 1};
+  IO::Blend_appearance looks{painted(shape, before), painted(shape, after)};
+  // The second part has a texture in the source
+  looks.source.textures.push_back({"picture", gen::test_picture(), {}});
+  looks.source.materials[1].texture = 0;
+  looks.source.parts[1].coordinates.assign(3 * looks.source.parts[1].materials.size(), Eigen::Vector2f(0.5f, 0.5f));
+  const Shape_blend blend(graph, shape, graph, shape, correspondence);
+  std::ostringstream animation, frame;
+  IO::write_blend_glb(animation, blend, looks, 6);
+  const nlohmann::json document = document_of(animation.str());
+  auto reds = reds_in_between(document);
+  const std::string name = shape.parts()[0].name, other = shape.parts()[2].name;
+  CHECK(reds[name + "~" + name].size() == 5);
+  CHECK(reds[other + "~" + other] == std::set<double>{0.2});
+  REQUIRE(document["images"].size() == 1);
+  bool has_moving_texture = false;
+  for (const auto& mesh : document["meshes"])
+    for (const auto& primitive : mesh["primitives"])
+      has_moving_texture =
+          has_moving_texture || (primitive.contains("targets") && primitive["attributes"].contains("TEXCOORD_0"));
+  CHECK(has_moving_texture);
+
+  IO::write_blend_frame_glb(frame, blend, looks, 0.5);
+  reds = reds_in_between(document_of(frame.str()));
+  REQUIRE(reds[name + "~" + name].size() == 1);
+  CHECK(*reds[name + "~" + name].begin() == Approx(0.5).margin(0.3)); // at half of its task
 }

@@ -27,9 +27,9 @@ namespace Shape_correspondence {
 /// Options of `transfer_appearance()` and `transfer_labels()`.
 struct Transfer_options
 {
-  int size = 1024;              ///< width and height of the texture in pixels, from 16 to 8192
-  int margin = 4;               ///< pixels by which the colours of a chart go on past its border, from 1 to 64
-  int samples = 2;              ///< the colour of a pixel is the mean of so many times so many points, from 1 to 8
+  int size = 1024; ///< width and height of the texture in pixels, at least 16, at most 8192
+  int margin = 4;  ///< pixels by which the colours of a chart go on past its border, at least 1, at most 64
+  int samples = 2; ///< the colour of a pixel is the mean of so many times so many points, at most 8
   bool new_coordinates = false; ///< lay out texture coordinates anew, also where those of the target can be used
   Eigen::Vector3d neutral = {0.45, 0.45, 0.45}; ///< linear colour of what has no looks
 };
