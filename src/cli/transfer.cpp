@@ -33,7 +33,7 @@ between their surfaces, and writes the target with them. With --labels, labels o
 
 Everything is baked, pixel by pixel, into one texture of the target. It has the texture coordinates of the target if no
 triangles overlap in them; otherwise new ones are laid out. Where a part corresponds to several, one goes over into the
-next without a seam. Target parts without counterpart keep their own looks, or are grey; the table tells which.
+next without a seam. Target parts without counterpart keep their own looks, or are grey; see the table.
 
 SOURCE and TARGET are models, as for `match`. Looks are read from OBJ with its MTL files, glTF/GLB, COLLADA, PLY, OFF,
 FBX, 3DS and AC3D; textures must be PNG or JPEG.
