@@ -81,7 +81,7 @@ po::options_description collection_options(Common_options& common, Collection_op
   add("merge", po::bool_switch(&options.merge), "match nothing; all pairs must be in the store");
   add("tile-size", po::value(&options.block_size)->value_name("N"),
       "shapes on a side of a tile, the smallest unit of work in the store; default: by the number of shapes, at most "
-      "64");
+      "128");
   add("skip-bad", po::bool_switch(&options.skip_bad), "leave out inputs that cannot be used, with a warning");
   add("unmatched-energy", number(options.unmatched_energy)->value_name("E"),
       "energy of a pair of connected parts of which one has no counterpart");
