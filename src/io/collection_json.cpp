@@ -88,6 +88,19 @@ Json bridges_json(const Collection& collection)
   return result;
 }
 
+Json matches_json(const Collection& collection)
+{
+  Json result = Json::array();
+  for (const Shape_pair_map& match : collection.matches) {
+    const Collection::Shape &source = collection.shapes[match.source], &target = collection.shapes[match.target];
+    result.push_back({{"source", source.name},
+                      {"target", target.name},
+                      {"pairs", pairs_json(match.map, source, target)},
+                      {"confidences", confidences_json(match.map)}});
+  }
+  return result;
+}
+
 Json clusters_json(const Collection& collection)
 {
   std::vector<Json> parts(std::size_t(collection.co_analysis.number_of_labels), Json::array());
@@ -120,6 +133,7 @@ void write_collection_json(std::ostream& out, const Collection& collection)
                            {"rejected_part_pairs", collection.co_analysis.rejected_pairs}};
   result["clusters"] = clusters_json(collection);
   if (collection.shapes.size() <= largest_written_matrix) result["energies"] = energies_json(collection.energies);
+  if (!collection.matches.empty()) result["matches"] = matches_json(collection);
   result["warnings"] = collection.warnings;
   result.write(out);
 }
