@@ -3,6 +3,7 @@
 
 #include "cli/match_options.h"
 #include "cli/command_line.h"
+#include "cli/labelled_models.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -88,6 +89,7 @@ Search_method search_method(const Match_options& match, const po::variables_map&
 /// Options that have an effect on some methods only.
 const std::pair<const char*, std::vector<Search_method>> methods_of_options[] = {
     {"roles", {Search_method::PARTS}},
+    {"examples", {Search_method::PARTS}},
     {"category", {Search_method::PARTS}},
     {"min-confidence", {Search_method::PARTS}},
     {"beam-width", {Search_method::BEAM}},
@@ -113,7 +115,8 @@ void refuse_options_without_effect(const Match_options& match, const po::variabl
   for (const auto& [option, methods] : methods_of_options)
     if (is_given(values, option) && std::find(methods.begin(), methods.end(), method) == methods.end())
       refuse(option, std::string("on --search ") + name_of(method) + (match.paper ? ", which --paper selects" : ""));
-  if (is_given(values, "category") && match.roles == "none") refuse("category", "with --roles none");
+  if (is_given(values, "category") && match.roles == "none" && match.examples.empty())
+    refuse("category", "with --roles none");
   if (is_given(values, "max-parts-of") && !is_given(values, "max-parts")) refuse("max-parts-of", "without --max-parts");
   if (is_given(values, "front") && is_given(values, "alignments") && match.alignments != "auto")
     refuse("front", "with --alignments " + match.alignments);
@@ -142,6 +145,9 @@ po::options_description match_options(Match_options& match)
   add("roles", po::value(&match.roles)->value_name("MODEL")->default_value(match.roles),
       "role model for --search parts: auto (the one that comes with the program), none, or a file that `roles train` "
       "wrote. Shapes must be upright and face +z");
+  add("examples", po::value(&match.examples)->value_name("FOLDER"),
+      "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition; three or more "
+      "of a category that the model does not know help. If they are of one category, both shapes are taken to be of it");
   add("category", po::value(&match.search.category)->value_name("NAME"),
       "category of both shapes for --roles, such as chair; default: the most similar one");
   add("min-confidence", number(match.search.min_confidence)->value_name("P"),
@@ -222,6 +228,11 @@ Search_options search_options(const Match_options& match, const po::variables_ma
   search.matching.norm = match.norm == "pooled" ? Energy_norm::POOLED : Energy_norm::SUM;
   search.matching.cut_curves = !values["no-cut"].as<bool>();
   return search;
+}
+
+void add_examples(const Match_options& match, const Common_options& common, Search_options& search)
+{
+  if (!match.examples.empty()) add_examples(match.examples, common, search.roles, search.category);
 }
 
 } // namespace CGAL::Shape_correspondence::cli

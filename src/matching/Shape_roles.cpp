@@ -199,8 +199,8 @@ Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& 
   return result;
 }
 
-std::vector<Part_correspondence> pairs_by_terms(const Pair_terms& terms, const Pair_weights& weights,
-                                                const Part_matching& geometric, const Match_constraints& constraints)
+Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weights, Part_matching geometric,
+                             const Match_constraints& constraints)
 {
   const auto m = std::size_t(geometric.costs.cols());
   Eigen::ArrayXd probable = probabilities(terms, weights);
@@ -213,10 +213,14 @@ std::vector<Part_correspondence> pairs_by_terms(const Pair_terms& terms, const P
     if (!constraints.allows(k / m, k % m)) probable[Eigen::Index(k)] = 0;
   }
   const std::vector<char> taken = pairs_of_greatest_expected_f1(probable);
-  std::vector<Part_correspondence> result;
-  for (std::size_t k = 0; k < taken.size(); ++k)
-    if (taken[k]) result.push_back({k / m, k % m, probable[Eigen::Index(k)]});
-  return result;
+  geometric.pairs.clear();
+  geometric.probabilities.resize(geometric.costs.rows(), geometric.costs.cols());
+  for (std::size_t k = 0; k < taken.size(); ++k) {
+    const double probability = probable[Eigen::Index(k)];
+    geometric.probabilities(Eigen::Index(k / m), Eigen::Index(k % m)) = probability;
+    if (taken[k]) geometric.pairs.push_back({k / m, k % m, probability});
+  }
+  return geometric;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

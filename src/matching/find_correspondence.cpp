@@ -202,12 +202,25 @@ public:
     return result;
   }
 
+  std::vector<Transferred_label> transferred_labels(const std::vector<Part_label>& labels,
+                                                    const Prepared_shape& target) const;
+
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
 private:
   using Shared_shape = Matching_problem::Shared_shape;
 
   std::vector<Correspondence> least_energy(const Prepared_shape& target) const;
+  // The best one of the ways that were tried.
+  struct Matched_parts
+  {
+    Part_matching matching;
+    Shared_shape target;
+    int turn = 0;
+    Correspondence known;            // of the roles
+    std::size_t done = 0, tried = 0; // ways
+  };
+  Matched_parts best_matching(const Prepared_shape& target) const;
   Correspondence matched_parts(const Prepared_shape& target) const;
   Part_matching matched_in_common_frame(const Prepared_shape& target, const Aligned_shape& shape, int turn) const;
   Part_matching matched_in_frames(const Prepared_shape& target, const Aligned_shape& shape, int source_turn,
@@ -310,12 +323,12 @@ Part_matching Correspondence_finder::Impl::matched_way(const Prepared_shape& tar
                            given_quarter_turns(structure(target.graph()).frame) + way.target_front);
 }
 
-Correspondence Correspondence_finder::Impl::matched_parts(const Prepared_shape& target) const
+Correspondence_finder::Impl::Matched_parts
+Correspondence_finder::Impl::best_matching(const Prepared_shape& target) const
 {
   Pair_category category;
   const std::vector<Way> tried = ways(target, category);
-  Part_matching best;
-  Shared_shape best_shape;
+  Matched_parts best;
   Way best_way = tried.front();
   double best_cost = std::numeric_limits<double>::infinity();
   std::size_t done = 0;
@@ -329,23 +342,51 @@ Correspondence Correspondence_finder::Impl::matched_parts(const Prepared_shape& 
     if (cost >= best_cost) continue;
     best_cost = cost;
     best_way = way;
-    best = std::move(matching);
-    best_shape = shape;
+    best.matching = std::move(matching);
+    best.target = shape;
   }
-  if (done == 0) best_shape = aligned(target, best_way.turn);
-  Correspondence known;
-  if (options_.roles && done > 0) join_roles(target, *best_shape, category, best_way, best, known);
-  const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
-  best.pairs.erase(std::remove_if(best.pairs.begin(), best.pairs.end(), unsure), best.pairs.end());
+  if (done == 0) best.target = aligned(target, best_way.turn);
+  if (options_.roles && done > 0) join_roles(target, *best.target, category, best_way, best.matching, best.known);
+  best.turn = best_way.turn;
+  best.done = done;
+  best.tried = tried.size();
+  return best;
+}
 
-  const Search_run run(source_, best_shape, best_way.turn, group_labels(best, *source_, *best_shape), options_);
+Correspondence Correspondence_finder::Impl::matched_parts(const Prepared_shape& target) const
+{
+  Matched_parts best = best_matching(target);
+  const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
+  std::vector<Part_correspondence>& pairs = best.matching.pairs;
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), unsure), pairs.end());
+
+  const Search_run run(source_, best.target, best.turn, group_labels(best.matching, *source_, *best.target), options_);
   Correspondence result = correspondence_of(run, run.result.best(), {});
-  result.pairs = original_pairs(best, *source_, *best_shape);
-  result.category = std::move(known.category);
-  result.source_roles = std::move(known.source_roles);
-  result.target_roles = std::move(known.target_roles);
-  result.warnings.insert(result.warnings.end(), known.warnings.begin(), known.warnings.end());
-  if (done < tried.size()) mark_cancelled(done, tried.size(), result);
+  result.pairs = original_pairs(best.matching, *source_, *best.target);
+  result.category = std::move(best.known.category);
+  result.source_roles = std::move(best.known.source_roles);
+  result.target_roles = std::move(best.known.target_roles);
+  result.warnings.insert(result.warnings.end(), best.known.warnings.begin(), best.known.warnings.end());
+  if (best.done < best.tried) mark_cancelled(best.done, best.tried, result);
+  return result;
+}
+
+std::vector<Transferred_label>
+Correspondence_finder::Impl::transferred_labels(const std::vector<Part_label>& labels,
+                                                const Prepared_shape& target) const
+{
+  if (options_.method != Search_method::PARTS)
+    throw Invalid_input("transfer_labels: labels are transferred by Search_method::PARTS only");
+  if (labels.size() != number_of_parts_)
+    throw Invalid_input("transfer_labels: there are " + std::to_string(labels.size()) + " labels of " +
+                        std::to_string(number_of_parts_) + " parts of the source");
+  const Matched_parts best = best_matching(target);
+  std::vector<Transferred_label> result(structure(target.graph()).parts.size());
+  if (best.done == 0) return result; // it was cancelled
+  for (std::size_t j = 0; j < best.target->parts.size(); ++j) {
+    const Part_correspondence from = likeliest_source(best.matching, j);
+    result[best.target->original[j]] = {labels[source_->original[from.source]], from.confidence};
+  }
   return result;
 }
 
@@ -363,7 +404,7 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
   const Role_votes &source = a->votes(category.index), &of_target = b->votes(category.index);
   const Pair_terms terms = pair_terms(source, source_->original, of_target, aligned_target.original, matching);
   const Match_constraints constrained = constraints(*source_, aligned_target);
-  matching.pairs = pairs_by_terms(terms, model.categories[category.index].weights, matching, constrained);
+  matching = match_by_terms(terms, model.categories[category.index].weights, std::move(matching), constrained);
   constrain(constrained, matching);
   result.category = model.categories[category.index].name;
   for (const Part_label& label : source.labels)
@@ -472,6 +513,12 @@ std::vector<Correspondence> Correspondence_finder::ranked(const Structural_graph
 std::vector<Correspondence> Correspondence_finder::ranked(const Prepared_shape& target) const
 {
   return impl_->ranked(target);
+}
+
+std::vector<Transferred_label> Correspondence_finder::transfer_labels(const std::vector<Part_label>& labels,
+                                                                      const Prepared_shape& target) const
+{
+  return impl_->transferred_labels(labels, target);
 }
 
 double Correspondence_finder::lower_bound(const Prepared_shape& target, double unmatched_energy) const

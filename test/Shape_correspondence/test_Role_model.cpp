@@ -348,7 +348,7 @@ TEST_CASE("Pairs of shapes that the training did not see")
 {
   const std::vector<Validation_shape> shapes = validation_shapes(examples());
   const std::vector<Validation_pair> all = pairs_of_category(examples(), shapes.size());
-  const Role_validation validation(shapes, all, Left_out::SHAPES, {});
+  const Role_validation validation(shapes, all, {}, {});
   REQUIRE(validation.pairs().size() == all.size());
   for (const Validated_pair& pair : validation.pairs()) {
     const std::string& category = examples()[pair.shapes[0]].category;
@@ -367,7 +367,9 @@ TEST_CASE("What was left out of the training is not known")
   const std::vector<Validation_shape> shapes = validation_shapes(examples());
   const std::vector<Validation_pair> pairs{{0, 2}, {1, 3}};
   for (const Left_out left_out : {Left_out::SOURCES, Left_out::CATEGORY}) { // each category is of one source
-    const Role_validation validation(shapes, pairs, left_out, {});
+    Validation_options options;
+    options.left_out = left_out;
+    const Role_validation validation(shapes, pairs, options, {});
     for (const Validated_pair& pair : validation.pairs()) {
       CHECK(pair.category.empty());
       CHECK(pair.joined.right == pair.geometric.right);
