@@ -77,7 +77,8 @@ po::options_description collection_options(Common_options& common, Collection_op
       "find the shapes of the set that are nearest to this one instead, without matching all pairs");
   add("count,k", number(options.nearest_count)->value_name("K"), "how many shapes --nearest finds");
   add("labels-from", po::value(&options.labels_from)->value_name("SHAPE"),
-      "transfer the labels of this shape to the set instead: a folder with labels.json and parts, one mesh file for each "
+      "transfer the labels of this shape to the set instead: a folder with labels.json and parts, one mesh file for "
+      "each "
       "part. Each part gets the label of the part to which it corresponds most probably");
   add("labels-to", po::value(&options.labels_to)->value_name("FOLDER"),
       "write FOLDER/NAME/labels.json for each shape of --labels-from, with the probability of each label");

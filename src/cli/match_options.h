@@ -29,6 +29,7 @@ struct Match_options
   std::vector<std::string> pinned, forbidden; ///< A=B
   std::string roles = "auto";                 ///< auto, none or a file
   std::string examples;                       ///< a folder; empty: none
+  double role_weight = 0;
   bool paper = false;
 };
 

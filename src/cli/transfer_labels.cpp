@@ -49,7 +49,8 @@ void write_files(const Collection_shapes& shapes, const std::string& category, c
   std::set<fs::path> used;
   for (const Collection_shape& shape : shapes.shapes())
     if (!used.insert(folder_of(shape, folder)).second)
-      throw Invalid_input(shape.path + ": another shape of the set has the same name, so that its labels would go to '" +
+      throw Invalid_input(shape.path +
+                          ": another shape of the set has the same name, so that its labels would go to '" +
                           folder_of(shape, folder).string() + "', too; rename one");
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const fs::path target = folder_of(shapes.shapes()[i], folder);
@@ -94,7 +95,8 @@ void print(const Collection_shapes& shapes, const std::vector<Labels>& labels)
     for (const auto& [label, count] : counts)
       text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + label;
     const std::size_t parts = std::max<std::size_t>(1, labels[i].size());
-    rows.push_back({shapes.shapes()[i].name, std::to_string(labels[i].size()), short_number(sum / double(parts)), text});
+    rows.push_back(
+        {shapes.shapes()[i].name, std::to_string(labels[i].size()), short_number(sum / double(parts)), text});
   }
   write_table(std::cout, rows);
 }

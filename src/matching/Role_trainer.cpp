@@ -179,9 +179,8 @@ Role_model_data Role_trainer::model() const
     taught.insert(shape.category);
   const std::vector<std::string> names(taught.begin(), taught.end());
   std::vector<Category_roles> categories(names.size());
-  for_each_index(names.size(), true, [&](std::size_t i) {
-    categories[i] = category(names[i], std::vector<char>(shapes_.size(), 0));
-  });
+  for_each_index(names.size(), true,
+                 [&](std::size_t i) { categories[i] = category(names[i], std::vector<char>(shapes_.size(), 0)); });
   Role_model_data result;
   result.trees = options_.trees;
   for (const Category_roles& known : known_.categories)

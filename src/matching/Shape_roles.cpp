@@ -176,6 +176,17 @@ std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, in
   return result;
 }
 
+Eigen::MatrixXd agreement_of_votes(const Role_votes& source, const Role_votes& target)
+{
+  Eigen::MatrixXd result(source.roles.rows(), target.roles.rows());
+  for (Eigen::Index i = 0; i < result.rows(); ++i)
+    for (Eigen::Index j = 0; j < result.cols(); ++j) {
+      const auto a = source.roles.row(i), b = target.roles.row(j);
+      result(i, j) = a.dot(b) / std::sqrt(double(a.squaredNorm()) * b.squaredNorm());
+    }
+  return result;
+}
+
 Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,
                       const std::vector<std::size_t>& target_parts, const Part_matching& geometric)
 {
@@ -183,11 +194,10 @@ Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& 
   const auto row = [m](std::size_t i, std::size_t j) { return Eigen::Index(i * m + j); };
   const Eigen::MatrixXd excess = excess_of_pairs(geometric.costs);
   Pair_terms result = Pair_terms::Zero(row(source_parts.size(), 0), PAIR_TERM_COUNT);
+  const Eigen::MatrixXd agreement = agreement_of_votes(source, target);
   for (std::size_t i = 0; i < source_parts.size(); ++i)
     for (std::size_t j = 0; j < m; ++j) {
-      const auto a = source.roles.row(Eigen::Index(source_parts[i])),
-                 b = target.roles.row(Eigen::Index(target_parts[j]));
-      result(row(i, j), VOTES_AGREE) = a.dot(b) / std::sqrt(double(a.squaredNorm()) * b.squaredNorm());
+      result(row(i, j), VOTES_AGREE) = agreement(Eigen::Index(source_parts[i]), Eigen::Index(target_parts[j]));
       result(row(i, j), EXCESS) = excess(Eigen::Index(i), Eigen::Index(j));
     }
   for (const auto& [i, j] :

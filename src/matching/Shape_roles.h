@@ -69,6 +69,9 @@ std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, in
 // The nearest category of two shapes whose fronts are not known.
 Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model);
 
+// Cosine of the votes for the roles of every source part and every target part.
+Eigen::MatrixXd agreement_of_votes(const Role_votes& source, const Role_votes& target);
+
 // Of all pairs of parts, source by source. `source_parts`, `target_parts`: the rows of the votes that the parts of the
 // match have.
 Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,

@@ -7,6 +7,8 @@
 #include "matching/Shape_roles.h"
 #include "matching/aligned_matching.h"
 
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -123,7 +125,20 @@ struct Pair_evidence
   std::string category; // as the matcher finds it; empty: none
   Pair_terms found;     // in that one
   Front_count fronts;   // with the category told
+  // Of least energy, without and with roles; by index in the structural graphs
+  std::array<std::vector<Part_correspondence>, 2> least_energy;
 };
+
+// The pairs of least energy. \param role_costs empty: without roles
+std::vector<Part_correspondence> pairs_of_least_energy(const Labelled_graph& source, const Labelled_graph& target,
+                                                       double role_weight, Eigen::MatrixXd role_costs)
+{
+  Search_options options;
+  options.method = Search_method::EXACT;
+  options.matching.weights.roles = role_weight;
+  options.matching.role_costs = std::move(role_costs);
+  return find_correspondence(*source.graph, *target.graph, options).pairs;
+}
 
 class Pair_validator
 {
@@ -165,8 +180,7 @@ private:
     const Role_model model(std::move(data));
     const Turned_roles a = turned_roles(pair[0], model), b = turned_roles(pair[1], model);
     const std::size_t told = model.data().index(source.category), none = model.data().categories.size(),
-                      category =
-                          options.category_is_told ? told : category_of_pair(*a[0], *b[0], model.data()).index;
+                      category = options.category_is_told ? told : category_of_pair(*a[0], *b[0], model.data()).index;
     Pair_evidence result;
     result.geometric = geometric_match(*source.graph, *target.graph);
     result.truth = ground_truth(source.labels, target.labels);
@@ -178,6 +192,13 @@ private:
       for (const Turned_roles* shape : {&a, &b})
         count_front(front_turns(*shape, told, model.data().trees), result.fronts);
     }
+    if (options.role_weight > 0)
+      for (std::size_t with : {0u, 1u}) {
+        Eigen::MatrixXd role_costs;
+        if (with == 1 && category < none)
+          role_costs = 1 - agreement_of_votes(a[0]->votes(category), b[0]->votes(category)).array();
+        result.least_energy[with] = pairs_of_least_energy(source, target, options.role_weight, std::move(role_costs));
+      }
     if (category == none) return result;
     result.category = model.data().categories[category].name;
     result.found = category == told ? result.told.terms : terms(category);
@@ -240,7 +261,12 @@ Role_validation::Role_validation(const std::vector<Validation_shape>& shapes, co
       matched = match_by_terms(pair.found, weights, pair.geometric);
     }
     pairs_[i].category = pair.category;
-    pairs_[i].geometric = evaluate_correspondence(part_pairs(pair.geometric.pairs), pair.truth);
+    std::vector<Part_correspondence> without = pair.geometric.pairs;
+    if (options.role_weight > 0) {
+      without = pair.least_energy[0];
+      matched.pairs = pair.least_energy[1];
+    }
+    pairs_[i].geometric = evaluate_correspondence(part_pairs(without), pair.truth);
     pairs_[i].joined = evaluate_correspondence(part_pairs(matched.pairs), pair.truth);
     pairs_[i].labels_by_geometry = transferred_share(pair.geometric, shapes[pairs[i][0]], shapes[pairs[i][1]]);
     pairs_[i].labels_joined = transferred_share(matched, shapes[pairs[i][0]], shapes[pairs[i][1]]);

@@ -41,6 +41,8 @@ struct Validation_options
   // `Left_out::CATEGORY` it sees these of all the category.
   std::optional<std::size_t> examples;
   bool category_is_told = false; // to the matcher
+  // Not 0: the correspondences of least energy are compared, without roles and with roles of this weight in the energy.
+  double role_weight = 0;
 };
 
 // A pair of parts that was matched: how probable that was, and whether it is right.
@@ -63,8 +65,8 @@ struct Validated_pair
   Correspondence_score geometric, joined; // by geometry alone, and as the matcher does it
   // The share of the target's parts that get their coarse label from the source.
   double labels_by_geometry = 0, labels_joined = 0;
-  Front_count fronts;                     // of the two shapes, with the category told
-  std::vector<Judged_pair> judged;        // of the matcher's pairs
+  Front_count fronts;              // of the two shapes, with the category told
+  std::vector<Judged_pair> judged; // of the matcher's pairs
 };
 
 // Matches of pairs of shapes that the training did not see. The weights of the terms follow from pairs of other

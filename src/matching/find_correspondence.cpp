@@ -16,6 +16,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -29,6 +30,8 @@ void check(const Search_options& options)
   const Energy_weights& weights = options.matching.weights;
   if (weights.distortion < 0 || weights.connectedness < 0 || weights.split < 0)
     throw Invalid_input("find_correspondence: the weights of E_d, E_c and E_s must not be negative");
+  if (!(weights.roles >= 0) || !std::isfinite(weights.roles))
+    throw Invalid_input("find_correspondence: the weight of roles must be finite and not negative");
   if (!(options.matching.unmatched_cost >= 0))
     throw Invalid_input("find_correspondence: the cost of leaving a part unmatched must not be negative");
   if (options.maximum_parts < 0 || options.alignments < 0)
@@ -69,6 +72,14 @@ void mark_cancelled(std::size_t done, std::size_t runs, Correspondence& correspo
                                     std::to_string(runs) + " runs; this is the best result up to then.");
 }
 
+void take_roles(const Correspondence& known, Correspondence& correspondence)
+{
+  correspondence.category = known.category;
+  correspondence.source_roles = known.source_roles;
+  correspondence.target_roles = known.target_roles;
+  correspondence.warnings.insert(correspondence.warnings.end(), known.warnings.begin(), known.warnings.end());
+}
+
 // The shape as far as it takes part. \param chosen indices in the structural graph; empty: all
 Matching_problem::Shared_shape participating(Matching_problem::Shared_shape shape,
                                              const std::vector<std::size_t>& chosen)
@@ -99,6 +110,17 @@ void check_indices(const Matching_options& matching, std::size_t Part_pair::*sid
       if (pair.*side >= parts)
         throw Invalid_input("find_correspondence: there is no part number " + std::to_string(pair.*side) +
                             " to pin or forbid, the " + shape + " has " + std::to_string(parts) + " parts");
+}
+
+void check_role_costs(const Eigen::MatrixXd& costs, std::size_t source_parts, std::size_t target_parts)
+{
+  if (costs.size() == 0) return;
+  if (costs.rows() != Eigen::Index(source_parts) || costs.cols() != Eigen::Index(target_parts))
+    throw Invalid_input("find_correspondence: the costs of roles are " + std::to_string(costs.rows()) + " x " +
+                        std::to_string(costs.cols()) + "; the shapes have " + std::to_string(source_parts) + " and " +
+                        std::to_string(target_parts) + " parts");
+  if (!(costs.array() >= 0).all() || !(costs.array() <= 1).all())
+    throw Invalid_input("find_correspondence: the costs of roles must be between 0 and 1");
 }
 
 // Which of the parts take part, of equally prominent ones the same in every alignment. \param shape in its own frame
@@ -192,6 +214,7 @@ public:
   std::vector<Correspondence> ranked(const Prepared_shape& target) const
   {
     check_indices(options_.matching, &Part_pair::target, structure(target.graph()).parts.size(), "target");
+    check_role_costs(options_.matching.role_costs, number_of_parts_, structure(target.graph()).parts.size());
     std::vector<Correspondence> result;
     if (options_.method == Search_method::PARTS)
       result.push_back(matched_parts(target));
@@ -247,6 +270,15 @@ private:
   }
   double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;
 
+  // What trees tell of the two shapes.
+  struct Pair_votes
+  {
+    const Role_votes &source, &target;
+  };
+  std::optional<Pair_votes> votes_of(const Prepared_shape& target, const Pair_category& category, const Way& way,
+                                     Correspondence& result) const;
+  // The options with `Matching_options::role_costs`, as far as roles are asked for and known. \param result as above
+  Search_options with_role_costs(const Prepared_shape& target, Correspondence& result) const;
   void join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target, const Pair_category& category,
                   const Way& way, Part_matching& matching, Correspondence& result) const;
 
@@ -363,17 +395,13 @@ Correspondence Correspondence_finder::Impl::matched_parts(const Prepared_shape& 
   const Search_run run(source_, best.target, best.turn, group_labels(best.matching, *source_, *best.target), options_);
   Correspondence result = correspondence_of(run, run.result.best(), {});
   result.pairs = original_pairs(best.matching, *source_, *best.target);
-  result.category = std::move(best.known.category);
-  result.source_roles = std::move(best.known.source_roles);
-  result.target_roles = std::move(best.known.target_roles);
-  result.warnings.insert(result.warnings.end(), best.known.warnings.begin(), best.known.warnings.end());
+  take_roles(best.known, result);
   if (best.done < best.tried) mark_cancelled(best.done, best.tried, result);
   return result;
 }
 
-std::vector<Transferred_label>
-Correspondence_finder::Impl::transferred_labels(const std::vector<Part_label>& labels,
-                                                const Prepared_shape& target) const
+std::vector<Transferred_label> Correspondence_finder::Impl::transferred_labels(const std::vector<Part_label>& labels,
+                                                                               const Prepared_shape& target) const
 {
   if (options_.method != Search_method::PARTS)
     throw Invalid_input("transfer_labels: labels are transferred by Search_method::PARTS only");
@@ -395,27 +423,51 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
                                              Correspondence& result) const
 {
   const Role_model_data& model = options_.roles->data();
-  if (category.index == model.categories.size()) {
-    result.warnings.push_back(category.note);
-    return;
-  }
-  const std::shared_ptr<const Shape_roles> a = prepared_source_.alignments_->roles(options_.roles, way.source_front),
-                                           b = target.alignments_->roles(options_.roles, way.target_front);
-  const Role_votes &source = a->votes(category.index), &of_target = b->votes(category.index);
+  const std::optional<Pair_votes> votes = votes_of(target, category, way, result);
+  if (!votes) return;
+  const auto& [source, of_target] = *votes;
   const Pair_terms terms = pair_terms(source, source_->original, of_target, aligned_target.original, matching);
   const Match_constraints constrained = constraints(*source_, aligned_target);
   matching = match_by_terms(terms, model.categories[category.index].weights, std::move(matching), constrained);
   constrain(constrained, matching);
+}
+
+// \param result gets the roles, or why there are none
+std::optional<Correspondence_finder::Impl::Pair_votes>
+Correspondence_finder::Impl::votes_of(const Prepared_shape& target, const Pair_category& category, const Way& way,
+                                      Correspondence& result) const
+{
+  const Role_model_data& model = options_.roles->data();
+  if (category.index == model.categories.size()) {
+    result.warnings.push_back(category.note);
+    return std::nullopt;
+  }
+  const Pair_votes votes{prepared_source_.alignments_->roles(options_.roles, way.source_front)->votes(category.index),
+                         target.alignments_->roles(options_.roles, way.target_front)->votes(category.index)};
   result.category = model.categories[category.index].name;
-  for (const Part_label& label : source.labels)
+  for (const Part_label& label : votes.source.labels)
     result.source_roles.push_back(label.coarse);
-  for (const Part_label& label : of_target.labels)
+  for (const Part_label& label : votes.target.labels)
     result.target_roles.push_back(label.coarse);
+  return votes;
+}
+
+Search_options Correspondence_finder::Impl::with_role_costs(const Prepared_shape& target, Correspondence& result) const
+{
+  Search_options options = options_;
+  if (!(options.matching.weights.roles > 0) || !options.roles || options.matching.role_costs.size() > 0) return options;
+  Pair_category category;
+  const Way way = ways(target, category).front();
+  if (const std::optional<Pair_votes> votes = votes_of(target, category, way, result))
+    options.matching.role_costs = 1 - agreement_of_votes(votes->source, votes->target).array();
+  return options;
 }
 
 std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prepared_shape& target) const
 {
   const std::vector<int> turns = tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments);
+  Correspondence known;
+  const Search_options options = with_role_costs(target, known);
   std::vector<Direction> directions{Direction::SOURCE_TO_TARGET};
   if (options_.both_directions) directions.push_back(Direction::TARGET_TO_SOURCE);
 
@@ -428,7 +480,7 @@ std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prep
     for (Direction direction : directions) {
       cancelled = cancelled || (options_.progress && !options_.progress(double(done) / double(run_count)));
       if (cancelled) break;
-      auto run = std::make_unique<Search_run>(source_, shape, direction, turns[t], options_);
+      auto run = std::make_unique<Search_run>(source_, shape, direction, turns[t], options);
       ++done;
       states += run->result.summary.states;
       evaluations += run->result.summary.evaluations;
@@ -449,6 +501,7 @@ std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prep
   for (Correspondence& correspondence : result) {
     correspondence.search.states = states;
     correspondence.search.evaluations = evaluations;
+    take_roles(known, correspondence);
     if (cancelled) mark_cancelled(done, run_count, correspondence);
   }
   return result;
@@ -481,6 +534,7 @@ double Correspondence_finder::Impl::lower_bound(const Shared_shape& deformed, co
   matching.cut_curves = false;
   matching.pinned.clear(); // without them the energy is not greater
   matching.forbidden.clear();
+  matching.role_costs.resize(0, 0);
   matching.unmatched_cost = unmatched_energy;
   const Matching_problem problem(std::make_shared<Deformable_shape>(deformed->ungrouped()),
                                  std::make_shared<Deformable_shape>(other->ungrouped()), matching);

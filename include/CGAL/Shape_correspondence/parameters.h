@@ -40,6 +40,7 @@ struct Named_parameters;
   X(distortion_weight, Search_options, matching.weights.distortion)                                                    \
   X(connectedness_weight, Search_options, matching.weights.connectedness)                                              \
   X(split_weight, Search_options, matching.weights.split)                                                              \
+  X(role_weight, Search_options, matching.weights.roles)                                                               \
   X(energy_norm, Search_options, matching.norm)                                                                        \
   X(cut_curves, Search_options, matching.cut_curves)                                                                   \
   X(unmatched_cost, Search_options, matching.unmatched_cost)                                                           \
