@@ -31,6 +31,7 @@
 
 using namespace hand_made;
 using namespace model_files;
+using namespace CGAL::Shape_correspondence::internal;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -506,13 +507,15 @@ TEST_CASE("Few examples: the training sees so many shapes of the category, and n
   options.category_is_told = true;
   for (const std::size_t count : {1u, 3u, 100u}) {
     options.examples = count;
-    for (const Validated_pair& pair : Role_validation(shapes, pairs, options, {}).pairs()) {
+    const Role_validation validation(shapes, pairs, options, {});
+    for (const Validated_pair& pair : validation.pairs()) {
       CHECK(pair.category == shapes[pair.shapes[0]].labelled.category);
       CHECK(pair.labels_joined == 1);
     }
   }
   options.examples.reset();
-  for (const Validated_pair& pair : Role_validation(shapes, pairs, options, {}).pairs())
+  const Role_validation unseen(shapes, pairs, options, {});
+  for (const Validated_pair& pair : unseen.pairs())
     CHECK(pair.category.empty());
   // As many as there are: the same as with the shapes left out alone
   options.left_out = Left_out::SHAPES;
@@ -648,6 +651,7 @@ TEST_CASE("The program matches with the user's own examples, and transfers label
 {
   const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
   const Temporary_folder folder;
+  std::filesystem::create_directory(folder.path("examples"));
   for (const std::string name : {"chair_four_legged", "stool"}) // as a category of one's own
     std::filesystem::copy(data + "/" + name, folder.path("examples/" + name), std::filesystem::copy_options::recursive);
   const std::string shapes = data + "/chair_four_legged/parts " + data + "/stool/parts --quiet --json - ";
