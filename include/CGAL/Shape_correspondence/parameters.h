@@ -234,6 +234,11 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.4`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{role_weight}
+///     \cgalParamDescription{weight of the disagreement of roles in the energy}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{energy_norm}
 ///     \cgalParamDescription{whether energies are summed over connected pairs of parts or pooled over all rods}
 ///     \cgalParamType{`Energy_norm`}
