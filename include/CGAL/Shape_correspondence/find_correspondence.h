@@ -75,7 +75,7 @@ public:
 
   /// Transfers the labels of the source's parts to the parts of a target, each the label of the source part to which
   /// it corresponds most probably: by roles and geometry as far as `Search_options::roles` tells the category, else by
-  /// geometry. \param labels by part of the source
+  /// geometry. \param labels by part of the source \param target the shape whose parts get labels
   /// \throw Invalid_input if there is not a label for every part, or the method is not `Search_method::PARTS`
   std::vector<Transferred_label> transfer_labels(const std::vector<Part_label>& labels,
                                                  const Prepared_shape& target) const;
