@@ -362,6 +362,22 @@ IO::Json json_of(const Training_set& set, const Role_validation& validation, con
   return result;
 }
 
+IO::Json pairs_json(const Training_set& set, const Role_validation& validation)
+{
+  IO::Json result = IO::Json::array();
+  for (const Validated_pair& pair : validation.pairs()) {
+    IO::Json entry;
+    entry["category"] = set.models[pair.shapes[0]].labels.category;
+    entry["source"] = set.models[pair.shapes[0]].labels.file;
+    entry["target"] = set.models[pair.shapes[1]].labels.file;
+    entry["category_found"] = pair.category;
+    entry["geometry"] = pair.geometric.f1();
+    entry["with_roles"] = pair.joined.f1();
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
 void evaluate(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
 {
   check_outputs({common.json}, {});
@@ -375,6 +391,7 @@ void evaluate(const std::vector<std::string>& folders, const Roles_options& role
     document["left_out"] = roles.leave_out;
     document["categories"] = json_of(set, validation, common);
     document["weights"] = json_of(validation.weights());
+    document["pairs"] = pairs_json(set, validation);
     document.write(out);
   });
   if (common.prints_table()) print(set, validation, common);
