@@ -168,7 +168,7 @@ def collection(
     graphs = _collection_graphs(shapes, cache, threads, progress)
     analysis = {"inflation": inflation, "least_cycle_support": least_cycle_support}
     page = "" if html is None else os.fspath(html)
-    model = _model_of(roles, options.get("search_method", "parts"))
+    model = _model_of(roles, options.get("search_method", "parts"), options.get("role_weight", 0))
     text = _core.collection([graph._handle for graph in graphs], model, threads, search,
                             {"unmatched_energy": unmatched_energy}, analysis, neighbours, matches, agreeing, page,
                             progress)
@@ -201,7 +201,7 @@ def nearest(
     :raises InvalidInput: if a shape cannot be used
     """
     search = _checked_search_options("nearest", options)
-    model = _model_of(roles, options.get("search_method", "parts"))
+    model = _model_of(roles, options.get("search_method", "parts"), options.get("role_weight", 0))
     graphs = _collection_graphs(shapes, cache, threads, progress)
     graph = _graphs([query], False, {"threads": threads, **_reading_options(cache=cache)}, progress)[0]
     text = _core.nearest(graph._handle, [graph._handle for graph in graphs], count, model, threads, search,

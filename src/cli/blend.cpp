@@ -188,6 +188,7 @@ void run_blend(const std::vector<std::string>& arguments)
   for (std::size_t i : {0u, 1u})
     complete_surfaces(paths[i], shapes[i]);
   const Loaded_shape &source = shapes[0], &target = shapes[1];
+  add_examples(match, common, search);
   choose_parts(match, {source.graph, paths[0]}, {target.graph, paths[1]}, search);
   Correspondence correspondence =
       output.match.empty()

@@ -82,6 +82,12 @@ po::options_description collection_options(Common_options& common, Collection_op
   add("nearest", po::value(&options.nearest)->value_name("QUERY"),
       "find the shapes of the set that are nearest to this one instead, without matching all pairs");
   add("count,k", number(options.nearest_count)->value_name("K"), "how many shapes --nearest finds");
+  add("labels-from", po::value(&options.labels_from)->value_name("SHAPE"),
+      "transfer the labels of this shape to the set instead: a folder with labels.json and parts, one mesh file for "
+      "each "
+      "part. Each part gets the label of the part to which it corresponds most probably");
+  add("labels-to", po::value(&options.labels_to)->value_name("FOLDER"),
+      "write FOLDER/NAME/labels.json for each shape of --labels-from, with the probability of each label");
   add("tile", po::value(&options.tile)->value_name("I/N"),
       "compute the I-th of N shares of the pairs and write no result, as one of N jobs; needs --store");
   add("merge", po::bool_switch(&options.merge), "match nothing; all pairs must be in the store");
@@ -115,6 +121,12 @@ void check(Collection_options& options, const Common_options& common, const po::
   if (!options.nearest.empty() &&
       (in_parts || options.merge || !(common.html + options.npy + options.csv).empty() || options.matches))
     throw Usage_error("--nearest goes with --json and --store, not with shares of the work or files of all pairs");
+  if (!options.labels_to.empty() && options.labels_from.empty())
+    throw Usage_error("--labels-to has no effect without --labels-from");
+  if (!options.labels_from.empty() &&
+      (in_parts || options.merge || !(options.nearest + common.html + options.npy + options.csv).empty()))
+    throw Usage_error("--labels-from goes with --labels-to, --json and --store, not with --nearest, shares of the work "
+                      "or files of all pairs");
   if (options.nearest_count < 1) throw Usage_error("-k must be at least 1");
   if (values.count("tile-size") && options.block_size < 1) throw Usage_error("--tile-size must be at least 1");
   if (values.count("neighbours") && options.neighbours < 1) throw Usage_error("--neighbours must be at least 1");
@@ -138,6 +150,7 @@ std::string key_of(const Match_options& match, const Search_options& search, con
     std::ostringstream roles;
     search.roles->write(roles);
     key << "roles=" << IO::digest(roles.str());
+    if (!match.examples.empty()) key << "category=" << search.category;
   }
   return key.str();
 }

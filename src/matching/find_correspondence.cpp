@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -28,6 +29,8 @@ void check(const Search_options& options)
   const Energy_weights& weights = options.matching.weights;
   if (weights.distortion < 0 || weights.connectedness < 0 || weights.split < 0)
     throw Invalid_input("find_correspondence: the weights of E_d, E_c and E_s must not be negative");
+  if (!(weights.roles >= 0) || !std::isfinite(weights.roles))
+    throw Invalid_input("find_correspondence: the weight of roles must be finite and not negative");
   if (!(options.matching.unmatched_cost >= 0))
     throw Invalid_input("find_correspondence: the cost of leaving a part unmatched must not be negative");
   if (options.maximum_parts < 0 || options.alignments < 0)
@@ -68,6 +71,14 @@ void mark_cancelled(std::size_t done, std::size_t runs, Correspondence& correspo
                                     std::to_string(runs) + " runs; this is the best result up to then.");
 }
 
+void take_roles(const Correspondence& known, Correspondence& correspondence)
+{
+  correspondence.category = known.category;
+  correspondence.source_roles = known.source_roles;
+  correspondence.target_roles = known.target_roles;
+  correspondence.warnings.insert(correspondence.warnings.end(), known.warnings.begin(), known.warnings.end());
+}
+
 // The shape as far as it takes part. \param chosen indices in the structural graph; empty: all
 Matching_problem::Shared_shape participating(Matching_problem::Shared_shape shape,
                                              const std::vector<std::size_t>& chosen)
@@ -98,6 +109,17 @@ void check_indices(const Matching_options& matching, std::size_t Part_pair::*sid
       if (pair.*side >= parts)
         throw Invalid_input("find_correspondence: there is no part number " + std::to_string(pair.*side) +
                             " to pin or forbid, the " + shape + " has " + std::to_string(parts) + " parts");
+}
+
+void check_role_costs(const Eigen::MatrixXd& costs, std::size_t source_parts, std::size_t target_parts)
+{
+  if (costs.size() == 0) return;
+  if (costs.rows() != Eigen::Index(source_parts) || costs.cols() != Eigen::Index(target_parts))
+    throw Invalid_input("find_correspondence: the costs of roles are " + std::to_string(costs.rows()) + " x " +
+                        std::to_string(costs.cols()) + "; the shapes have " + std::to_string(source_parts) + " and " +
+                        std::to_string(target_parts) + " parts");
+  if (!(costs.array() >= 0).all() || !(costs.array() <= 1).all())
+    throw Invalid_input("find_correspondence: the costs of roles must be between 0 and 1");
 }
 
 // Which of the parts take part, of equally prominent ones the same in every alignment. \param shape in its own frame
@@ -141,9 +163,10 @@ public:
   std::vector<Correspondence> ranked(const Prepared_shape& target) const
   {
     check_indices(options_.matching, &Part_pair::target, structure(target.graph()).parts.size(), "target");
+    check_role_costs(options_.matching.role_costs, number_of_parts_, structure(target.graph()).parts.size());
     std::vector<Correspondence> result;
     if (options_.method == Search_method::PARTS)
-      result.push_back(rated(source_, matched_parts(target)));
+      result.push_back(rated(source_, without_unsure(matched_parts(target))));
     else
       result = least_energy(target);
     for (Correspondence& correspondence : result)
@@ -152,6 +175,8 @@ public:
   }
 
   std::array<Correspondence, 2> both_orders(const Prepared_shape& target) const;
+  std::vector<Transferred_label> transferred_labels(const std::vector<Part_label>& labels,
+                                                    const Prepared_shape& target) const;
 
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
@@ -184,6 +209,8 @@ private:
     std::size_t done = 0, ways = 0; // alignments
   };
   Found matched_parts(const Prepared_shape& target) const;
+  // Without the pairs of less than the least confidence.
+  Found without_unsure(Found found) const;
   // The correspondence by which the source is deformed.
   Correspondence rated(const Shared_shape& source, const Found& found) const;
   // The correspondence by which the target is deformed. \pre it is not turned
@@ -191,7 +218,8 @@ private:
   bool takes_shapes_as_they_are() const
   {
     return options_.maximum_parts == 0 && options_.source_parts.empty() && options_.target_parts.empty() &&
-           options_.matching.pinned.empty() && options_.matching.forbidden.empty();
+           options_.matching.pinned.empty() && options_.matching.forbidden.empty() &&
+           options_.matching.role_costs.size() == 0;
   }
 
   std::shared_ptr<const Shape_features> features(const Prepared_shape& of, const Shared_shape& shape, int turn) const
@@ -211,6 +239,15 @@ private:
   }
   double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;
 
+  // What trees tell of the two shapes.
+  struct Pair_votes
+  {
+    const Role_votes &source, &target;
+  };
+  std::optional<Pair_votes> votes_of(const Prepared_shape& target, const Pair_category& category, const Way& way,
+                                     Correspondence& result) const;
+  // The options with `Matching_options::role_costs`, as far as roles are asked for and known. \param result as above
+  Search_options with_role_costs(const Prepared_shape& target, Correspondence& result) const;
   void join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target, const Pair_category& category,
                   const Way& way, Part_matching& matching, Correspondence& result) const;
 
@@ -314,6 +351,11 @@ Correspondence_finder::Impl::Found Correspondence_finder::Impl::matched_parts(co
   if (found.done == 0) found.target = aligned(target, found.way.turn);
   if (options_.roles && found.done > 0)
     join_roles(target, *found.target, category, found.way, found.matching, found.known);
+  return found;
+}
+
+Correspondence_finder::Impl::Found Correspondence_finder::Impl::without_unsure(Found found) const
+{
   const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
   std::vector<Part_correspondence>& pairs = found.matching.pairs;
   pairs.erase(std::remove_if(pairs.begin(), pairs.end(), unsure), pairs.end());
@@ -326,11 +368,26 @@ Correspondence Correspondence_finder::Impl::rated(const Shared_shape& source, co
                        options_);
   Correspondence result = correspondence_of(run, run.result.best(), {});
   result.pairs = original_pairs(found.matching, *source, *found.target);
-  result.category = found.known.category;
-  result.source_roles = found.known.source_roles;
-  result.target_roles = found.known.target_roles;
-  result.warnings.insert(result.warnings.end(), found.known.warnings.begin(), found.known.warnings.end());
+  take_roles(found.known, result);
   if (found.done < found.ways) mark_cancelled(found.done, found.ways, result);
+  return result;
+}
+
+std::vector<Transferred_label> Correspondence_finder::Impl::transferred_labels(const std::vector<Part_label>& labels,
+                                                                               const Prepared_shape& target) const
+{
+  if (options_.method != Search_method::PARTS)
+    throw Invalid_input("transfer_labels: labels are transferred by Search_method::PARTS only");
+  if (labels.size() != number_of_parts_)
+    throw Invalid_input("transfer_labels: there are " + std::to_string(labels.size()) + " labels of " +
+                        std::to_string(number_of_parts_) + " parts of the source");
+  const Found best = matched_parts(target);
+  std::vector<Transferred_label> result(structure(target.graph()).parts.size());
+  if (best.done == 0) return result; // it was cancelled
+  for (std::size_t j = 0; j < best.target->parts.size(); ++j) {
+    const Part_correspondence from = likeliest_source(best.matching, j);
+    result[best.target->original[j]] = {labels[source_->original[from.source]], from.confidence};
+  }
   return result;
 }
 
@@ -347,7 +404,7 @@ Correspondence Correspondence_finder::Impl::rated_backwards(Found found) const
 std::array<Correspondence, 2> Correspondence_finder::Impl::both_orders(const Prepared_shape& target) const
 {
   if (options_.method == Search_method::PARTS && takes_shapes_as_they_are()) {
-    const Found found = matched_parts(target);
+    const Found found = without_unsure(matched_parts(target));
     if (found.way.turn == 0 && found.ways == 1) {
       std::array<Correspondence, 2> result{rated(source_, found), rated_backwards(found)};
       const std::size_t of_target = structure(target.graph()).parts.size();
@@ -364,27 +421,51 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
                                              Correspondence& result) const
 {
   const Role_model_data& model = options_.roles->data();
-  if (category.index == model.categories.size()) {
-    result.warnings.push_back(category.note);
-    return;
-  }
-  const std::shared_ptr<const Shape_roles> a = prepared_source_.alignments_->roles(options_.roles, way.source_front),
-                                           b = target.alignments_->roles(options_.roles, way.target_front);
-  const Role_votes &source = a->votes(category.index), &of_target = b->votes(category.index);
+  const std::optional<Pair_votes> votes = votes_of(target, category, way, result);
+  if (!votes) return;
+  const auto& [source, of_target] = *votes;
   const Pair_terms terms = pair_terms(source, source_->original, of_target, aligned_target.original, matching);
   const Match_constraints constrained = constraints(*source_, aligned_target);
-  matching.pairs = pairs_by_terms(terms, model.categories[category.index].weights, matching, constrained);
+  matching = match_by_terms(terms, model.categories[category.index].weights, std::move(matching), constrained);
   constrain(constrained, matching);
+}
+
+// \param result gets the roles, or why there are none
+std::optional<Correspondence_finder::Impl::Pair_votes>
+Correspondence_finder::Impl::votes_of(const Prepared_shape& target, const Pair_category& category, const Way& way,
+                                      Correspondence& result) const
+{
+  const Role_model_data& model = options_.roles->data();
+  if (category.index == model.categories.size()) {
+    result.warnings.push_back(category.note);
+    return std::nullopt;
+  }
+  const Pair_votes votes{prepared_source_.alignments_->roles(options_.roles, way.source_front)->votes(category.index),
+                         target.alignments_->roles(options_.roles, way.target_front)->votes(category.index)};
   result.category = model.categories[category.index].name;
-  for (const Part_label& label : source.labels)
+  for (const Part_label& label : votes.source.labels)
     result.source_roles.push_back(label.coarse);
-  for (const Part_label& label : of_target.labels)
+  for (const Part_label& label : votes.target.labels)
     result.target_roles.push_back(label.coarse);
+  return votes;
+}
+
+Search_options Correspondence_finder::Impl::with_role_costs(const Prepared_shape& target, Correspondence& result) const
+{
+  Search_options options = options_;
+  if (!(options.matching.weights.roles > 0) || !options.roles || options.matching.role_costs.size() > 0) return options;
+  Pair_category category;
+  const Way way = ways(target, category).front();
+  if (const std::optional<Pair_votes> votes = votes_of(target, category, way, result))
+    options.matching.role_costs = 1 - agreement_of_votes(votes->source, votes->target).array();
+  return options;
 }
 
 std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prepared_shape& target) const
 {
   const std::vector<int> turns = tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments);
+  Correspondence known;
+  const Search_options options = with_role_costs(target, known);
   std::vector<Direction> directions{Direction::SOURCE_TO_TARGET};
   if (options_.both_directions) directions.push_back(Direction::TARGET_TO_SOURCE);
 
@@ -397,7 +478,7 @@ std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prep
     for (Direction direction : directions) {
       cancelled = cancelled || (options_.progress && !options_.progress(double(done) / double(run_count)));
       if (cancelled) break;
-      auto run = std::make_unique<Search_run>(source_, shape, direction, turns[t], options_);
+      auto run = std::make_unique<Search_run>(source_, shape, direction, turns[t], options);
       ++done;
       states += run->result.summary.states;
       evaluations += run->result.summary.evaluations;
@@ -418,6 +499,7 @@ std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prep
   for (Correspondence& correspondence : result) {
     correspondence.search.states = states;
     correspondence.search.evaluations = evaluations;
+    take_roles(known, correspondence);
     if (cancelled) mark_cancelled(done, run_count, correspondence);
   }
   return result;
@@ -450,6 +532,7 @@ double Correspondence_finder::Impl::lower_bound(const Shared_shape& deformed, co
   matching.cut_curves = false;
   matching.pinned.clear(); // without them the energy is not greater
   matching.forbidden.clear();
+  matching.role_costs.resize(0, 0);
   matching.unmatched_cost = unmatched_energy;
   const Matching_problem problem(std::make_shared<Deformable_shape>(deformed->ungrouped()),
                                  std::make_shared<Deformable_shape>(other->ungrouped()), matching);
@@ -487,6 +570,12 @@ std::vector<Correspondence> Correspondence_finder::ranked(const Structural_graph
 std::vector<Correspondence> Correspondence_finder::ranked(const Prepared_shape& target) const
 {
   return impl_->ranked(target);
+}
+
+std::vector<Transferred_label> Correspondence_finder::transfer_labels(const std::vector<Part_label>& labels,
+                                                                      const Prepared_shape& target) const
+{
+  return impl_->transferred_labels(labels, target);
 }
 
 double Correspondence_finder::lower_bound(const Prepared_shape& target, double unmatched_energy) const

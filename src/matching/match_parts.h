@@ -20,6 +20,7 @@ struct Part_matching
   std::vector<Part_correspondence> pairs; ///< by source, then target, by index of the aligned shapes
   Eigen::MatrixXd costs;                  ///< source part × target part, by index of the aligned shapes
   bool upside_down = false;               ///< one shape was turned over, as a lamp that hangs from a chain
+  Eigen::MatrixXd probabilities;          ///< of all pairs, as the costs; where roles tell, else empty
 };
 
 /// Parts that pair with each other alone, at no more cost, are as good as the same. Half of it is too little for the
