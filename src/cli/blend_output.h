@@ -7,6 +7,7 @@
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
+#include <optional>
 #include <string>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -20,10 +21,9 @@ struct Blend_output
   std::string schedule = "best";
   std::string size = "blend";
   int frames = 25;
-  double at = whole_blend;
+  std::optional<double> at; ///< the time of the one shape that is made; empty: the whole blend
 
-  static constexpr double whole_blend = -1;
-  bool is_one_shape() const { return at != whole_blend; }
+  bool is_one_shape() const { return at.has_value(); }
   bool is_page() const;
   /// Whether the output is a file, not a folder.
   bool is_file() const;
