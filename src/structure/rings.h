@@ -79,7 +79,7 @@ inline std::optional<Explanation> make_ring(const Part_relations& parts, const s
   const bool vertical = std::abs(axis.direction.y()) > 0.5;
   if (!vertical && n < least_horizontal_ring && !star) return std::nullopt;
   Explanation ring;
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(full_turn / n, axis.direction).toRotationMatrix();
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(full_turn / double(n), axis.direction).toRotationMatrix();
   for (std::size_t i = 0; i < n; ++i) {
     ring.members.push_back(places[i].part);
     ring.links.push_back({i, (i + 1) % n, turn, true});
