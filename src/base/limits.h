@@ -30,6 +30,9 @@ inline std::string too_many_parts(std::size_t parts)
 /// shape of 240 parts is below it.
 constexpr std::size_t most_symmetry_work = 15'000'000;
 
+/// Frames of a blend: at 25 a second, more than six minutes.
+constexpr int most_frames = 10000;
+
 /// Bytes of a JSON or XML document, and how deep its values may be nested.
 constexpr std::size_t largest_document = std::size_t(1) << 28;
 constexpr std::size_t deepest_document = 100;

@@ -3,6 +3,7 @@
 
 #include "cli/blend_output.h"
 #include "base/for_each_index.h"
+#include "base/limits.h"
 #include "io/atomic_file.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
@@ -15,8 +16,6 @@ namespace CGAL::Shape_correspondence::cli {
 namespace po = boost::program_options;
 
 namespace {
-
-constexpr int most_frames = 10000; // at 25 a second, more than six minutes
 
 /// A schedule's name as it is written on the command line.
 std::string schedule_word(const std::string& name)
@@ -124,7 +123,7 @@ po::options_description output_options(Blend_output& output, Common_options& com
 
 void check(const Blend_output& output)
 {
-  check_from_to("frames", output.frames, 2, most_frames);
+  check_from_to("frames", output.frames, 2, internal::most_frames);
   check_word("format", output.format, {"obj", "ply"});
   check_word("size", output.size, {"blend", "source", "target", "same"});
   check_word("schedule", output.schedule, schedule_words());

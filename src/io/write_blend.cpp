@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
+#include "base/limits.h"
 #include "io/Json.h"
 #include "io/drawn_shape.h"
 #include "io/picture_geometry.h"
 #include "io/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
 #include <array>
@@ -71,6 +73,13 @@ Json tolerances_json(double asymmetry)
           {"wobble", Shape_blend::wobble_tolerance}};
 }
 
+void check_number_of_frames(int frames)
+{
+  if (frames < 2 || frames > internal::most_frames)
+    throw Invalid_input("a blend has between 2 and " + std::to_string(internal::most_frames) + " frames, not " +
+                        std::to_string(frames));
+}
+
 } // namespace
 
 void write_segmented_shape_obj(std::ostream& out, const Segmented_shape& shape)
@@ -121,6 +130,7 @@ void write_segmented_shape_ply(std::ostream& out, const Segmented_shape& shape)
 
 void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Correspondence& correspondence, int frames)
 {
+  check_number_of_frames(frames);
   const Segmented_shape source = blend(0), target = blend(1);
   Glb_builder glb;
   const std::vector<int> materials =
@@ -166,6 +176,7 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
                       const Structural_graph& target, const std::string& source_file, const std::string& target_file,
                       const std::string& output, int frames, const std::vector<std::string>& warnings)
 {
+  check_number_of_frames(frames);
   Json result;
   result["format"] = "shape_correspondence/blend";
   result["version"] = 1;

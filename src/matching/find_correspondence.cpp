@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/limits.h"
 #include "base/quantized.h"
 #include "matching/Search_run.h"
 #include "matching/Shape_roles.h"
@@ -27,8 +28,9 @@ namespace {
 void check(const Search_options& options)
 {
   const Energy_weights& weights = options.matching.weights;
-  if (weights.distortion < 0 || weights.connectedness < 0 || weights.split < 0)
-    throw Invalid_input("find_correspondence: the weights of E_d, E_c and E_s must not be negative");
+  for (double weight : {weights.distortion, weights.connectedness, weights.split})
+    if (!(weight >= 0 && weight <= largest_number))
+      throw Invalid_input("find_correspondence: the weights of E_d, E_c and E_s must not be negative or beyond 1e50");
   if (!(options.matching.unmatched_cost >= 0))
     throw Invalid_input("find_correspondence: the cost of leaving a part unmatched must not be negative");
   if (options.maximum_parts < 0 || options.alignments < 0)
