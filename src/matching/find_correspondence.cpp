@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/limits.h"
 #include "base/quantized.h"
 #include "matching/Alignments.h"
 #include "matching/Search_run.h"
@@ -27,10 +28,11 @@ namespace {
 void check(const Search_options& options)
 {
   const Energy_weights& weights = options.matching.weights;
-  if (weights.distortion < 0 || weights.connectedness < 0 || weights.split < 0)
-    throw Invalid_input("find_correspondence: the weights of E_d, E_c and E_s must not be negative");
-  if (!(weights.roles >= 0) || !std::isfinite(weights.roles))
-    throw Invalid_input("find_correspondence: the weight of roles must be finite and not negative");
+  for (double weight : {weights.distortion, weights.connectedness, weights.split})
+    if (!(weight >= 0 && weight <= largest_number))
+      throw Invalid_input("find_correspondence: the weights of E_d, E_c and E_s must not be negative or beyond 1e50");
+  if (!(weights.roles >= 0 && weights.roles <= largest_number))
+    throw Invalid_input("find_correspondence: the weight of roles must not be negative or beyond 1e50");
   if (!(options.matching.unmatched_cost >= 0))
     throw Invalid_input("find_correspondence: the cost of leaving a part unmatched must not be negative");
   if (options.maximum_parts < 0 || options.alignments < 0)
