@@ -153,6 +153,7 @@ def match(
     distortion_weight: float = 1,
     connectedness_weight: float = 0.6,
     split_weight: float = 0.4,
+    role_weight: float = 0,
     energy_norm: str = "sum",
     cut_curves: bool = True,
     unmatched_cost: float = float("inf"),
@@ -188,6 +189,7 @@ def match(
     :param distortion_weight: weight of E_d in Eq. 1
     :param connectedness_weight: w_c, weight of E_c
     :param split_weight: w_s, weight of E_s
+    :param role_weight: weight of the disagreement of roles in the energy, by ``"beam"`` and ``"exact"``; 0: as in the paper
     :param energy_norm: ``"sum"`` adds the energies of connected pairs of parts, ``"pooled"`` takes one norm of all rods
     :param cut_curves: whether curves may be cut into segments and joined
     :param unmatched_cost: energy of leaving a group unmatched, for each of its contacts; infinite: it may not be
@@ -209,7 +211,7 @@ def match(
     """
     options = dict(locals())
     graphs = _graphs([source, target], True, {"threads": threads, **_reading_options(cache=cache)}, progress)
-    model = _model_of(roles, search_method)
+    model = _model_of(roles, search_method, role_weight)
     search = _search_options(options)
     for name, graph in zip(("source_parts", "target_parts"), graphs):
         search[name] = _part_indices(search[name], graph)

@@ -7,6 +7,7 @@
 #include "blend/in_between_steps.h"
 #include "blend/schedules.h"
 #include "map/check_model.h"
+#include "matching/unlikely_pairs.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
@@ -21,15 +22,6 @@ using namespace internal;
 
 namespace {
 
-/// The pairs that are probable enough; the others' parts are without counterpart.
-Correspondence probable(Correspondence correspondence, double least)
-{
-  const auto is_unlikely = [&](const Part_correspondence& pair) { return pair.confidence < least; };
-  std::vector<Part_correspondence>& pairs = correspondence.pairs;
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_unlikely), pairs.end());
-  return correspondence;
-}
-
 /// Leaves the schedule that is asked for alone, if one is.
 void choose(std::vector<Blend_schedule>& schedules, const std::string& name)
 {
@@ -37,6 +29,18 @@ void choose(std::vector<Blend_schedule>& schedules, const std::string& name)
   const auto is_other = [&](const Blend_schedule& schedule) { return schedule.name != name; };
   schedules.erase(std::remove_if(schedules.begin(), schedules.end(), is_other), schedules.end());
   if (schedules.empty()) throw Invalid_input("Shape_blend: there is no schedule '" + name + "'");
+}
+
+void check_options(const Blend_options& options)
+{
+  constexpr int most_samples = 1000;
+  if (options.samples < 1) throw Invalid_input("Shape_blend: at least one sample is needed to judge schedules");
+  if (options.samples > most_samples)
+    throw Invalid_input("Shape_blend: schedules are judged by at most " + std::to_string(most_samples) + " samples");
+  if (!(options.min_confidence >= 0 && options.min_confidence <= 1))
+    throw Invalid_input("Shape_blend: the least confidence must be between 0 and 1");
+  if (!(options.contact_tolerance >= 0 && options.contact_tolerance <= 1))
+    throw Invalid_input("Shape_blend: the contact tolerance must be between 0 and 1");
 }
 
 } // namespace
@@ -49,8 +53,10 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
   check_model(target, target_shape);
   const std::array<Blend_input, 2> inputs = {Blend_input{source, source_shape, 0},
                                              Blend_input{target, target_shape, correspondence.target_quarter_turns}};
-  if (options.samples < 1) throw Invalid_input("Shape_blend: at least one sample is needed to judge schedules");
-  blend_ = std::make_shared<const Blend_structure>(inputs, probable(correspondence, options.min_confidence), options);
+  check_options(options);
+  Correspondence likely = correspondence;
+  remove_unlikely_pairs(likely, options.min_confidence);
+  blend_ = std::make_shared<const Blend_structure>(inputs, likely, options);
   schedules_ = plausible_schedules(blend_->parts);
   choose(schedules_, options.schedule);
   rank(schedules_, *blend_, options);

@@ -3,6 +3,7 @@
 
 #include "cli/blend_output.h"
 #include "base/for_each_index.h"
+#include "base/limits.h"
 #include "io/atomic_file.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
@@ -119,8 +120,8 @@ po::options_description output_options(Blend_output& output, Common_options& com
        "; best takes the one in which shapes hold together best, all makes a folder for each one that differs from "
        "better ones")
           .c_str());
-  add("at", number(output.at)->value_name("T")->default_value(output.at, "the whole blend"),
-      "make one shape only, that at time T between 0, the source, and 1, the target");
+  add("at", po::value<double>()->value_name("T")->notifier([&output](double t) { output.at = t; }),
+      "make one shape only, that at time T between 0, the source, and 1, the target. Default: the whole blend");
   add("size", po::value(&output.size)->value_name("SIZE")->default_value(output.size),
       "size of the frames: blend (from the source's to the target's), source, target, or same (height 1)");
   add("colours", po::value(&output.colours)->value_name("COLOURS")->default_value(output.colours),
@@ -134,12 +135,12 @@ po::options_description output_options(Blend_output& output, Common_options& com
 
 void check(const Blend_output& output)
 {
-  check_at_least("frames", output.frames, 2);
+  check_from_to("frames", output.frames, 2, internal::most_frames);
   check_word("format", output.format, {"obj", "ply", "glb"});
   check_word("colours", output.colours, {"auto", "materials", "match"});
   check_word("size", output.size, {"blend", "source", "target", "same"});
   check_word("schedule", output.schedule, schedule_words());
-  if (output.is_one_shape() && !(output.at >= 0 && output.at <= 1)) throw Usage_error("--at must be between 0 and 1");
+  if (output.is_one_shape() && !(*output.at >= 0 && *output.at <= 1)) throw Usage_error("--at must be between 0 and 1");
   check_path(output);
 }
 
@@ -194,7 +195,7 @@ void write_all(const std::string& folder, const Blend_output& output, const std:
   for (std::size_t i = 0; i < blends.size(); ++i) {
     const std::string path = folder + '/' + std::to_string(i + 1) + '_' + schedule_word(blends[i].schedules()[0].name);
     if (output.is_one_shape()) {
-      write_shape(path + '.' + output.format, output.format, blends[i], appearance, output.at);
+      write_shape(path + '.' + output.format, output.format, blends[i], appearance, *output.at);
       continue;
     }
     std::filesystem::create_directory(path);
@@ -209,7 +210,7 @@ void write_blend(const Blend_output& output, const Shape_blend& blend, const Cor
 {
   const IO::Blend_appearance none, &looks = appearance ? *appearance : none;
   if (const std::string format = file_format(output); !format.empty())
-    write_shape(output.path, format, blend, looks, output.at);
+    write_shape(output.path, format, blend, looks, *output.at);
   else if (is_glb(output.path))
     IO::write_atomically(output.path, [&](std::ostream& out) {
       if (appearance)

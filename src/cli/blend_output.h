@@ -8,6 +8,7 @@
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
+#include <optional>
 #include <string>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -22,10 +23,9 @@ struct Blend_output
   std::string size = "blend";
   std::string colours = "auto"; ///< auto, materials or match
   int frames = 25;
-  double at = whole_blend;
+  std::optional<double> at; ///< the time of the one shape that is made; empty: the whole blend
 
-  static constexpr double whole_blend = -1;
-  bool is_one_shape() const { return at != whole_blend; }
+  bool is_one_shape() const { return at.has_value(); }
   bool is_page() const;
   /// Whether the output is a file, not a folder.
   bool is_file() const;

@@ -104,6 +104,7 @@ void run_match(const std::vector<std::string>& arguments)
   const std::vector<std::string> warnings_of_up = find_up_of_pair(paths, common);
   std::vector<Loaded_shape> shapes = load_shapes(paths, common);
   const Loaded_shape &source = shapes[0], &target = shapes[1];
+  add_examples(match, common, search_with);
   choose_parts(match, {source.graph, paths[0]}, {target.graph, paths[1]}, search_with);
   Matched_shapes matched = match_shapes(source, target, search_with);
   std::vector<Correspondence>& ranked = matched.ranked;

@@ -21,6 +21,7 @@ public:
   {
     std::string_view line = next_line_of_words();
     check_keyword(next_word(line));
+    if (trimmed(line) == "BINARY") fail("is binary; only OFF as text is read: convert it, or write PLY or OBJ");
     if (trimmed(line).empty()) line = next_line_of_words();
     const std::size_t vertices = number<std::size_t>(line), faces = number<std::size_t>(line);
     constexpr std::size_t least_vertex = 6, least_face = 2; // bytes of a line

@@ -121,9 +121,7 @@ bool add_part(const std::string& file, const Model_part& part, Segmented_shape& 
 
 void check_number_of_parts(const std::string& path, std::size_t parts)
 {
-  if (parts > internal::most_parts)
-    throw Invalid_input(path + ": it has " + std::to_string(parts) + " parts; a shape may have at most " +
-                        std::to_string(internal::most_parts));
+  if (parts > internal::most_parts) throw Invalid_input(path + ": it has " + internal::too_many_parts(parts));
 }
 
 void warn(std::size_t number, const std::string& of_what, std::vector<std::string>* warnings)

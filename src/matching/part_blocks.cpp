@@ -50,32 +50,21 @@ void append(std::vector<std::size_t>& to, const std::vector<std::size_t>& from)
   to.insert(to.end(), from.begin(), from.end());
 }
 
-// The costs within a shape of the parts of one-sided blocks, with each other and with all others. No more is needed:
-// one of two blocks that are joined is one-sided.
-Eigen::MatrixXd costs_of_one_sided(const std::vector<Block>& blocks, std::vector<std::size_t> Block::*side,
-                                   const Normalized_shape& shape, const Part_cost_weights& weights)
-{
-  std::vector<char> is_one_sided(shape.parts.size(), 0);
-  bool has_one_sided = false;
-  for (const Block& block : blocks)
-    if (block.is_one_sided())
-      for (std::size_t part : block.*side)
-        is_one_sided[part] = has_one_sided = true;
-  return has_one_sided ? costs_within_shape(shape, is_one_sided, weights) : Eigen::MatrixXd();
-}
-
 class One_sided_block_joiner
 {
 public:
-  One_sided_block_joiner(std::vector<Block> blocks, Eigen::MatrixXd source_costs, Eigen::MatrixXd target_costs)
+  One_sided_block_joiner(std::vector<Block> blocks, const Shape_features& source, const Shape_features& target)
       : blocks_(std::move(blocks)),
-        source_costs_(std::move(source_costs)),
-        target_costs_(std::move(target_costs)),
-        costs_(blocks_.size(), std::vector<long>(blocks_.size(), never))
+        source_(source),
+        target_(target),
+        costs_(blocks_.size()),
+        nearest_(blocks_.size(), 0)
   {
-    for (std::size_t k = 0; k < blocks_.size(); ++k)
+    for (std::size_t k = 0; k < blocks_.size(); ++k) {
       for (std::size_t l = 0; l < k; ++l)
-        costs_[k][l] = joining_cost(blocks_[k], blocks_[l]);
+        costs_[k].push_back(joining_cost(blocks_[k], blocks_[l]));
+      find_nearest(k);
+    }
   }
 
   std::vector<Block> run(double bound)
@@ -91,32 +80,53 @@ private:
   long joining_cost(const Block& a, const Block& b) const
   {
     if (!a.is_one_sided() && !b.is_one_sided()) return never;
-    if (!a.source.empty() && !b.source.empty()) return quantized(set_cost(source_costs_, a.source, b.source));
-    if (!a.target.empty() && !b.target.empty()) return quantized(set_cost(target_costs_, a.target, b.target));
+    if (!a.source.empty() && !b.source.empty()) return quantized(set_cost(source_.costs_within(), a.source, b.source));
+    if (!a.target.empty() && !b.target.empty()) return quantized(set_cost(target_.costs_within(), a.target, b.target));
     return never;
+  }
+
+  void find_nearest(std::size_t k)
+  {
+    nearest_[k] = std::size_t(std::min_element(costs_[k].begin(), costs_[k].end()) - costs_[k].begin());
   }
 
   bool join_cheapest(long bound)
   {
-    std::size_t best_k = 0, best_l = 0;
-    for (std::size_t k = 0; k < blocks_.size(); ++k)
-      for (std::size_t l = 0; l < k; ++l)
-        if (costs_[k][l] < bound) bound = costs_[k][l], best_k = k, best_l = l;
-    if (best_k == best_l) return false;
+    std::size_t joined = 0;
+    for (std::size_t k = 1; k < blocks_.size(); ++k)
+      if (costs_[k][nearest_[k]] < bound) bound = costs_[k][nearest_[k]], joined = k;
+    if (joined == 0) return false;
 
-    append(blocks_[best_l].source, blocks_[best_k].source);
-    append(blocks_[best_l].target, blocks_[best_k].target);
-    blocks_[best_k] = {};
-    for (std::size_t k = 0; k < blocks_.size(); ++k) {
-      if (k != best_l) costs_[std::max(k, best_l)][std::min(k, best_l)] = joining_cost(blocks_[k], blocks_[best_l]);
-      if (k != best_k) costs_[std::max(k, best_k)][std::min(k, best_k)] = never;
-    }
+    const std::size_t kept = nearest_[joined];
+    append(blocks_[kept].source, blocks_[joined].source);
+    append(blocks_[kept].target, blocks_[joined].target);
+    blocks_[joined] = {};
+    std::fill(costs_[joined].begin(), costs_[joined].end(), never);
+    for (std::size_t l = 0; l < kept; ++l)
+      costs_[kept][l] = joining_cost(blocks_[kept], blocks_[l]);
+    find_nearest(kept);
+    for (std::size_t k = kept + 1; k < blocks_.size(); ++k)
+      update_row(k, kept, joined);
     return true;
   }
 
+  // After `joined` became part of `kept`, which comes before it and before k.
+  void update_row(std::size_t k, std::size_t kept, std::size_t joined)
+  {
+    std::vector<long>& costs = costs_[k];
+    const std::size_t nearest = nearest_[k];
+    costs[kept] = joining_cost(blocks_[k], blocks_[kept]);
+    if (joined < k) costs[joined] = never;
+    if (nearest == kept || nearest == joined)
+      find_nearest(k);
+    else if (std::make_pair(costs[kept], kept) < std::make_pair(costs[nearest], nearest))
+      nearest_[k] = kept;
+  }
+
   std::vector<Block> blocks_; // empty where joined to another one
-  Eigen::MatrixXd source_costs_, target_costs_;
+  const Shape_features &source_, &target_;
   std::vector<std::vector<long>> costs_; // [k][l] for l < k
+  std::vector<std::size_t> nearest_;     // the first l of least cost for each k > 0
 };
 
 } // namespace
@@ -127,10 +137,7 @@ std::vector<Block> joined_blocks(const Match_matrix& confident, const Shape_feat
   std::vector<Block> blocks = blocks_of(confident, source, target);
   if (std::none_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.is_one_sided(); }))
     return blocks;
-  Eigen::MatrixXd source_costs = costs_of_one_sided(blocks, &Block::source, source.normalized, options.weights);
-  Eigen::MatrixXd target_costs = costs_of_one_sided(blocks, &Block::target, target.normalized, options.weights);
-  return One_sided_block_joiner(std::move(blocks), std::move(source_costs), std::move(target_costs))
-      .run(options.shared_counterpart);
+  return One_sided_block_joiner(std::move(blocks), source, target).run(options.shared_counterpart);
 }
 
 } // namespace CGAL::Shape_correspondence::internal
