@@ -17,6 +17,7 @@
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
+#include <filesystem>
 #include <iostream>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -93,6 +94,16 @@ void check(const Transfer_request& request)
   if (request.options.size < 16 || request.options.size > 8192) throw Usage_error("--size must be between 16 and 8192");
 }
 
+/// The files that are written.
+std::vector<std::string> output_files(const Transfer_request& request)
+{
+  std::vector<std::string> result{request.output};
+  if (IO::lower_extension(request.output) == ".obj")
+    for (const char* beside : {".mtl", ".png"})
+      result.push_back(std::filesystem::path(request.output).replace_extension(beside).string());
+  return result;
+}
+
 /// \throw Usage_error if an option of the search is given along with a correspondence
 void refuse_search(const po::options_description& search, const po::variables_map& given)
 {
@@ -123,7 +134,9 @@ void run_transfer(const std::vector<std::string>& arguments)
   check(common);
   check(request);
   const std::vector<std::string>& paths = parsed.inputs;
-  check_outputs({common.json, request.output}, {paths[0], paths[1], variables.result, request.labels});
+  std::vector<std::string> outputs = output_files(request);
+  outputs.push_back(common.json);
+  check_outputs(outputs, {paths[0], paths[1], variables.result, request.labels});
   const Thread_limit limit(common.threads);
   std::vector<std::string> warnings = find_up_of_pair(paths, common);
   std::vector<Loaded_shape> shapes = load_shapes(paths, common);

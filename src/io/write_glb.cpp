@@ -8,6 +8,8 @@
 
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
 
+#include <Eigen/Geometry>
+
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
@@ -110,6 +112,9 @@ void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph
 
 void write_segmented_shape_glb(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance)
 {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); // glTF has y up
+  if (shape.up() != Point::UnitY())
+    turn = Eigen::Quaterniond::FromTwoVectors(shape.up(), Point::UnitY()).toRotationMatrix();
   Glb_builder glb;
   Glb_materials materials(glb, appearance);
   std::vector<int> nodes;
@@ -117,8 +122,8 @@ void write_segmented_shape_glb(std::ostream& out, const Segmented_shape& shape, 
     const Part_appearance unknown;
     const Part_mesh& mesh = shape.parts()[part].mesh;
     const Part_appearance& looks = part < appearance.parts.size() ? appearance.parts[part] : unknown;
-    nodes.push_back(
-        glb.add_node(shape.parts()[part].name, dressed(shaded(mesh.points, mesh.triangles), looks, materials)));
+    const Points points = turn * mesh.points;
+    nodes.push_back(glb.add_node(shape.parts()[part].name, dressed(shaded(points, mesh.triangles), looks, materials)));
   }
   glb.write(out, {{shape.name(), {glb.add_node(shape.name(), nodes, Point::Zero())}}});
 }

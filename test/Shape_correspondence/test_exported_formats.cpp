@@ -36,7 +36,7 @@ TEST_CASE("Models in formats that assimp writes have their parts, materials and 
   const aiScene* const scene = importer.ReadFile(folder.write("m.obj", two_boxes), aiProcess_Triangulate);
   REQUIRE(scene);
   for (const auto& [format, file] :
-       {std::pair("3ds", "m.3ds"), std::pair("fbx", "m.fbx"), std::pair("collada", "m.dae"),
+       {std::pair("3ds", "m.3ds"), std::pair("fbxa", "m.fbx"), std::pair("collada", "m.dae"),
         std::pair("gltf2", "m.gltf"), std::pair("glb2", "m.glb")}) {
     CAPTURE(format);
     Assimp::Exporter exporter;

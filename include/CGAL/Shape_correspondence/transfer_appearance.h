@@ -87,8 +87,15 @@ Transferred_appearance transfer_appearance(const Structural_graph& source, const
 /// The same for labels of the source's parts, each of which has a colour. The label of a triangle is the one that most
 /// of it is mapped to, then, three times, that of most of its neighbours in the part, so that borders of labels are
 /// smooth.
+/// \param source,target the structural graphs
+/// \param source_shape,target_shape the models that the graphs were built from
 /// \param labels by source part
 /// \param colours linear, by label
+/// \param target_appearance the looks of the target, textures decoded
+/// \param correspondence of the graphs
+/// \param options the texture
+/// \throw Invalid_input if a model does not have the parts of its graph, a label has no colour, or an option is out of
+/// its range
 Transferred_appearance transfer_labels(const Structural_graph& source, const Segmented_shape& source_shape,
                                        const std::vector<int>& labels, const std::vector<Eigen::Vector3d>& colours,
                                        const Structural_graph& target, const Segmented_shape& target_shape,

@@ -33,6 +33,8 @@ void decode_textures(Shape_appearance& appearance, std::vector<std::string>& war
 /// - `.ply`: binary PLY with colours of vertices, for which triangles are divided, and the properties `part` and, where
 ///   there are labels, `label` of faces; comments tell the names of parts and labels.
 /// \param path the file to write; its extension tells the format
+/// \param shape the target
+/// \param transferred what it got
 /// \param labels the names of labels
 /// \throw Invalid_input if a file cannot be written, or the extension is none of these
 void write_transferred_shape(const std::string& path, const Segmented_shape& shape,

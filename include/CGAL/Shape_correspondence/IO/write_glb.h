@@ -43,8 +43,8 @@ void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph
                                 const Segmented_shape* shape = nullptr, const Shape_appearance* appearance = nullptr);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a shape as binary glTF 2.0 with its materials, textures, texture coordinates and colours, as it is: a node
-/// for each part. Parts without material are grey.
+/// Writes a shape as binary glTF 2.0 with its materials, textures, texture coordinates and colours, turned to y up: a
+/// node for each part. Parts without material are grey.
 void write_segmented_shape_glb(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance);
 
 } // namespace IO
