@@ -38,8 +38,13 @@ Cross-validated on labelled shapes: the model was trained without the shapes tha
 confidence of .7 or more, and *share* their share of all pairs.
 
 {roles}
-So roles help for categories that they were learned from, and not for others.
+So roles help for categories that they were learned from, and not for others. A few labelled shapes of a category that is left out (`--examples`), with the
+category told, help again; *labels* is the share of the parts of one shape that get their label from another one by `collection --labels-from`:
 
+{few}
+In the energy (`--role-weight`), by exact search, roles of shapes left out give:
+
+{energy}
 \\section sc_ac_confidence Confidences
 
 Pairs by confidence, and the share of them that is right. Without roles.
@@ -111,9 +116,14 @@ def roles(results):
                             ("the training sees no shape of either one's source", "all shapes of their sources"),
                             ("the training sees nothing of the category", "the category")):
         words = results.last_line("Matching with roles, " + title, "mean")
-        _, pairs, _, _, geometry, p, r, f1, gain, _, _, _, sure, share = words[:14]
-        rows.append([left_out, pairs, geometry, p, r, f1, gain, sure, share])
-    return table(["left out", "pairs", "F1 without roles", "P", "R", "F1 with roles", "gain", "sure", "share"], rows)
+        _, pairs, _, _, geometry, p, r, f1, _, gain, interval, _, _, _, sure, share = words[:16]
+        rows.append([left_out, pairs, geometry, p, r, f1, gain, interval.replace("..", " to "), sure, share])
+    return table(["left out", "pairs", "F1 without roles", "P", "R", "F1 with roles", "gain", "95 %", "sure", "share"], rows)
+
+
+def of_means(results, title, head):
+    rows = results.rows(title)
+    return table([head, "F1", "gain", "95 %", "labels"], [[row[key] for key in (head, "mean", "gain", "95 %", "labels")] for row in rows])
 
 
 def confidence(results):
@@ -148,7 +158,9 @@ def main():
     args = parser.parse_args()
     with open(args.results) as file:
         results = Results(file.read())
-    text = PAGE.format(methods=methods(results), roles=roles(results), confidence=confidence(results),
+    text = PAGE.format(methods=methods(results), roles=roles(results),
+                       few=of_means(results, "A few labelled shapes of a category that is not known", "examples"),
+                       energy=of_means(results, "Roles in the energy", "weight of roles"), confidence=confidence(results),
                        abstraction=abstraction(results), search=search(results))
     if not args.check:
         with open(args.page, "w") as file:

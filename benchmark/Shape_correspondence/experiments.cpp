@@ -8,6 +8,7 @@
 #include "experiments/abstraction.h"
 #include "experiments/default_method.h"
 #include "experiments/energy.h"
+#include "experiments/fit.h"
 #include "experiments/gallery.h"
 #include "experiments/segmentations.h"
 #include "experiments/tables.h"
@@ -46,6 +47,8 @@ of shapes of a category are matched, or those of DATA/pairs.json: [[CATEGORY, SO
   figure19     FURTHER_DATA segmented otherwise: energy against the quality of the correspondence
   abstraction  the ways to abstract parts: deviation from what structure.json states, kinds, residual, scores, seconds
   ablation     the default method without each of its costs and rules; by halves of the shapes, too
+  fit          weights and bounds of the default method without roles, fitted to DATA and FURTHER_DATA by coordinate descent,
+               and judged on the category that the fit does not see
   pose         the default method on shapes turned about the up axis
   reliability  how often pairs of a confidence are right; FOLDER/reliability.svg
   worst        the twenty worst results with pictures; FOLDER/worst.html
@@ -84,6 +87,7 @@ Experiment experiment(const std::string& name)
                                                       {"figure19", figure19},
                                                       {"abstraction", of_data_alone(compare_abstractions)},
                                                       {"ablation", of_data_alone(ablation)},
+                                                      {"fit", fit},
                                                       {"pose", of_data_alone(pose)},
                                                       {"reliability", reliability},
                                                       {"worst", worst}};

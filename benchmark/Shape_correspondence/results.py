@@ -10,6 +10,7 @@ name no shapes, and need no special ones, run on another folder of labelled shap
 from, and evaluated on by leaving shapes out. A table that WORK has already is not made again.
 """
 import argparse
+import json
 import os
 import subprocess
 
@@ -43,7 +44,26 @@ ROLES_NOTE = ("The category is not told. The weights of the terms follow from ot
               "of them. The four terms, the charge and the limits of categories and fronts were chosen on these pairs, too. `stated`: mean confidence; "
               "`right`: share of the pairs\nof parts that are right; AUC: how often a right pair has more confidence than a wrong one; `P sure`, `share`: "
               "precision and share of the pairs\nof a confidence of .7 or more; `front`, `sure front`: how often the front of a shape is among the ways that roles leave possible, or the only "
-              "one, with\nthe category told (so none where it is left out).")
+              "one, with\nthe category told (so none where it is left out); `labels`, `with roles`: the share of the parts of the second shape that get their label "
+              "from the first one.\nIntervals: bootstrap over shapes, of the F1 with roles and of the paired gain over geometry.")
+FEW_NOTE = ("F1 of pairs whose category the training does not see but for so many of its shapes, drawn for every pair and never of the pair, as with\n"
+            "`match --examples`; none of them is generated. The category is told. The weights of the terms are those of the other categories with as few\n"
+            "examples. `labels`: share of the parts of one shape that get their label from the other one (`collection --labels-from`); .81 of the parts have\n"
+            "a label that the other shape has at all.")
+CURVE_NOTE = ("F1 with so many labelled shapes of the category that are not generated in the training, drawn for every pair, and the generated ones. The category\n"
+              "is not told; the weights of the terms are those of the other categories with as many shapes.")
+ENERGY_NOTE = ("F1 of the correspondences of least energy, by exact search for the given orientation, with roles in the energy; the training sees neither shape of\n"
+               "a pair. The weights were not chosen: these are all that were tried.")
+ROLES_TABLES = [
+    ("A few labelled shapes of a category that is not known", "geometry", "examples", FEW_NOTE,
+     [(str(n), ["--leave-out", "category", "--told", "--number-of-examples", str(n)]) for n in (1, 3, 5, 8)] +
+     [("all, generated ones, too", ["--leave-out", "shapes", "--told"])]),
+    ("Learning curve: labelled shapes of a category", "geometry", "labelled shapes", CURVE_NOTE,
+     [(str(n), ["--leave-out", "shapes", "--number-of-examples", str(n)]) for n in (1, 2, 4, 8, 16)] +
+     [("all", ["--leave-out", "shapes"])]),
+    ("Roles in the energy", "least energy", "weight of roles", ENERGY_NOTE,
+     [(weight, ["--leave-out", "shapes", "--role-weight", weight]) for weight in ("0.1", "0.3", "1", "3")]),
+]
 # They name shapes, or need large categories, closed surfaces or shapes made worse
 GENERATED_ONLY = ("gallery", "table1", "figure15", "worst", "figure17", "figure18", "figure19")
 # A check: shapes that nothing was chosen on, so only what says how good the methods are
@@ -68,16 +88,45 @@ def table(args, programs, data, further_data, name, pairs, out):
         return file.read().strip()
 
 
-def roles_table(args, generated, left_out, out):
-    path = os.path.join(out, f"roles_{left_out}.txt")
-    if not os.path.exists(path):
+def roles_evaluation(args, generated, name, options, out):
+    """The table that `roles evaluate` prints, and its JSON."""
+    base = os.path.join(out, f"roles_{name}")
+    if not os.path.exists(base + ".json"):
         command = [os.path.join(args.build, "shape_correspondence"), "roles", "evaluate", *args.labelled, "--generated", generated,
-                   "--leave-out", left_out, "--cache", os.path.join(args.work, "cache")]
+                   "--json", base + ".json", *options, "--cache", os.path.join(args.work, "cache")]
         done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
-        with open(path, "w") as file:
+        with open(base + ".txt", "w") as file:
             file.write(done.stdout)
-    with open(path) as file:
-        return "\n".join("    " + line.rstrip() for line in file.read().rstrip().splitlines())
+    with open(base + ".txt") as text, open(base + ".json") as document:
+        return text.read().rstrip(), json.load(document)["categories"]
+
+
+def roles_rows(first, title, evaluations):
+    """A table of a row an evaluation: F1 by category, and the paired gain over what `first` names."""
+    names = [entry["category"] for entry in evaluations[0][1]]
+    lines = [f"| {title} | " + " | ".join(names) + " | gain | 95 % | labels |", "|---" * (len(names) + 4) + "|"]
+    f1 = lambda entry, method: f"{entry[method]['f1']['mean']:.3f}"
+    row = lambda name, cells: lines.append(f"| {name} | " + " | ".join(cells) + " |")
+    reference = evaluations[0][1]
+    row(first, [f1(entry, "geometry") for entry in reference] + ["", "", f"{reference[-1]['labels']:.3f}"])
+    for name, entries in evaluations:
+        gain = entries[-1]["gain"]["f1"]
+        row(name, [f1(entry, "with_roles") for entry in entries] +
+            [f"{gain['mean']:+.3f}", f"{gain['low']:+.3f}–{gain['high']:+.3f}", f"{entries[-1]['labels_with_roles']:.3f}"])
+    return "\n".join(lines)
+
+
+def roles_sections(args, generated, out):
+    for left_out, title in ROLES:
+        text, _ = roles_evaluation(args, generated, left_out, ["--leave-out", left_out], out)
+        table = "\n".join("    " + line.rstrip() for line in text.splitlines())
+        yield (f"## Matching with roles, {title}\n\n`shape_correspondence roles evaluate LABELLED... --generated benchmark "
+               f"--leave-out {left_out}`\n\n{ROLES_NOTE}\n\n{table}\n")
+    for title, first, head, note, rows in ROLES_TABLES:
+        evaluations = [(name, roles_evaluation(args, generated, "_".join(options).replace("-", ""), options, out)[1])
+                       for name, options in rows]
+        commands = "\n".join(f"`roles evaluate LABELLED... --generated benchmark {' '.join(options)}`" for _, options in rows)
+        yield f"## {title}\n\n{commands}\n\n{note}\n\n{roles_rows(first, head, evaluations)}\n"
 
 
 def main():
@@ -113,13 +162,10 @@ def main():
             words = ["experiments", name, "DATA", *(os.path.basename(w) for w in worse)] + (["--pairs", str(pairs)] if pairs else [])
             sections.append(f"## {title}: {set_name}\n\n`{' '.join(words)}`\n\n{text}\n")
             print(name, set_name, flush=True)
-    for left_out, title in ROLES if args.labelled and (not only or "roles" in only) else ():
+    if args.labelled and (not only or "roles" in only):
         out = os.path.join(args.work, "out")
         os.makedirs(out, exist_ok=True)
-        text = roles_table(args, sets[0][1], left_out, out)
-        sections.append(f"## Matching with roles, {title}\n\n`shape_correspondence roles evaluate LABELLED... --generated benchmark "
-                        f"--leave-out {left_out}`\n\n{ROLES_NOTE}\n\n{text}\n")
-        print("roles", left_out, flush=True)
+        sections += roles_sections(args, sets[0][1], out)
     with open(args.results, "w") as file:
         file.write("# Results of the experiments\n\nMade by `results.py`, which runs every command that is named below. P, R, F1: precision, "
                    "recall and F1 of pairs of parts;\nmeans of pairs by category, then of categories; the interval of the mean F1 is a bootstrap over "

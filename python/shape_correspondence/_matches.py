@@ -153,6 +153,7 @@ def match(
     distortion_weight: float = 1,
     connectedness_weight: float = 0.6,
     split_weight: float = 0.4,
+    role_weight: float = 0,
     energy_norm: str = "sum",
     cut_curves: bool = True,
     unmatched_cost: float = float("inf"),
@@ -188,6 +189,7 @@ def match(
     :param distortion_weight: weight of E_d in Eq. 1
     :param connectedness_weight: w_c, weight of E_c
     :param split_weight: w_s, weight of E_s
+    :param role_weight: weight of the disagreement of roles in the energy, by ``"beam"`` and ``"exact"``; 0: as in the paper
     :param energy_norm: ``"sum"`` adds the energies of connected pairs of parts, ``"pooled"`` takes one norm of all rods
     :param cut_curves: whether curves may be cut into segments and joined
     :param unmatched_cost: energy of leaving a group unmatched, for each of its contacts; infinite: it may not be
@@ -209,7 +211,7 @@ def match(
     """
     options = dict(locals())
     graphs = _graphs([source, target], True, {"threads": threads, **_reading_options(cache=cache)}, progress)
-    model = _model_of(roles, search_method)
+    model = _model_of(roles, search_method, role_weight)
     search = _search_options(options)
     for name, graph in zip(("source_parts", "target_parts"), graphs):
         search[name] = _part_indices(search[name], graph)
@@ -257,6 +259,50 @@ def transfer(
             out[rows] = _interpolated(arrays[part], corners[rows], weights[rows], are_labels)
         result[name] = out
     return result
+
+
+@dataclass
+class TransferredPart(Record):
+    """What a part of the target got."""
+
+    name: str  #: the target part
+    looks: str  #: whose looks it has: source, target (its own), or neutral (grey)
+    sources: List[str]  #: the source parts that it is mapped to
+    label: Optional[str] = None  #: the label of most of its faces, where labels were transferred
+
+
+@dataclass
+class TransferredLooks(Record):
+    """What `transfer_looks()` did. `to_dict()` is what ``shape_correspondence transfer --json`` writes."""
+
+    _header: ClassVar[Dict[str, Any]] = {"format": "shape_correspondence/transfer", "version": 1}
+
+    source: str  #: file or name of the source
+    target: str  #: file or name of the target
+    output: str  #: the file that was written
+    texture_size: int  #: width and height of the texture in pixels
+    texture_coordinates: str  #: given (those of the target) or new
+    labels: Optional[List[str]] = None  #: names of labels by number, where labels were transferred
+    parts: List[TransferredPart] = field(default_factory=list)  #: by target part
+    warnings: List[str] = field(default_factory=list)  #: what is missing or damaged, in whole sentences
+
+
+def transfer_looks(
+    match: Match, output: Path, *, size: int = 1024, labels: Optional[Path] = None, new_coordinates: bool = False
+) -> TransferredLooks:
+    """Transfers materials, textures and colours, or labels, from the source to the target along a match, and writes the
+    target with them, baked into a texture. Shapes must be files; those made of arrays have no looks, but labels.
+
+    :param match: what `match()` found
+    :param output: ``.glb``, ``.obj`` (with ``.mtl`` and ``.png`` beside it) or ``.ply``
+    :param size: width and height of the texture in pixels
+    :param labels: None, ``"parts"`` (the names of the source's parts) or a file of labels of the source
+    :param new_coordinates: lay out new texture coordinates even if those of the target can be used
+    :raises InvalidInput: if the source has no looks, or a file cannot be read or written
+    """
+    text = match._handle.transfer_looks(os.fspath(output), size, "" if labels is None else os.fspath(labels),
+                                        new_coordinates)
+    return TransferredLooks.from_dict(json.loads(text))
 
 
 def _interpolated(values: np.ndarray, corners: np.ndarray, weights: np.ndarray, are_labels: bool) -> np.ndarray:

@@ -88,13 +88,33 @@ def train(shapes: Union[Path, Sequence[Union[Path, LabelledShape]]], *, trees: i
     every = [shapes] if isinstance(shapes, (str, os.PathLike)) else list(shapes)
     if all(isinstance(shape, (str, os.PathLike)) for shape in every):
         return _train_of_files([os.fspath(shape) for shape in every], trees, seed, cache, threads, progress)
+    return _core.train_roles(_examples(every, cache, threads, progress), trees, seed, progress)
+
+
+def extend(model: Optional[Model], shapes: Sequence[LabelledShape], *, seed: int = 0, cache: Optional[Path] = None,
+           threads: int = 0, progress: Progress = None) -> RoleModel:
+    """Learns roles from labelled shapes in addition to those that a model was learned from, such as a few of one's own.
+
+    :param model: a role model or its file; None: the one that comes with the package
+    :param shapes: the labelled shapes; with those of a category that the model has, labels must mean the same
+    :param seed: of the random numbers
+    :param cache: see `build_graph()`
+    :param threads: see `build_graph()`
+    :param progress: see `build_graph()`
+    :raises InvalidInput: if a shape cannot be used, or a part has no label
+    """
+    known = model if isinstance(model, RoleModel) else load(model)
+    return _core.extend_roles(known, _examples(shapes, cache, threads, progress), seed, progress)
+
+
+def _examples(shapes: Sequence[LabelledShape], cache: Optional[Path], threads: int, progress: Progress) -> List[Any]:
     examples = []
     options = {"threads": threads, **_reading_options(cache=cache)}
-    for labelled in every:
+    for labelled in shapes:
         graph = _graphs([labelled.shape], False, options, progress)[0]
         labels = [_label(labelled.labels, part, graph) for part in graph.part_names]
         examples.append((graph._handle, labelled.category, labels, labelled.weight))
-    return _core.train_roles(examples, trees, seed, progress)
+    return examples
 
 
 def _train_of_files(folders: List[str], trees: int, seed: int, cache: Optional[Path], threads: int,
@@ -117,11 +137,12 @@ def _label(labels: Mapping[str, Union[str, Tuple[str, str]]], part: str, graph: 
     return (label, "") if isinstance(label, str) else (label[0], label[1] or "")
 
 
-def _model_of(roles: Optional[Model], search_method: str) -> Optional[RoleModel]:
-    """The model that a search takes: roles are for matching by parts."""
-    if search_method != "parts" and not (roles is None or roles == "auto"):
-        raise _core.InvalidInput('roles need search_method="parts"')
-    if roles is None or search_method != "parts":
+def _model_of(roles: Optional[Model], search_method: str, role_weight: float = 0) -> Optional[RoleModel]:
+    """The model that a search takes: roles are for matching by parts, or have a weight in the energy."""
+    has_roles = search_method == "parts" or role_weight > 0
+    if not has_roles and not (roles is None or roles == "auto"):
+        raise _core.InvalidInput('roles need search_method="parts", or a role_weight')
+    if roles is None or not has_roles:
         return None
     if isinstance(roles, RoleModel):
         return roles

@@ -38,21 +38,39 @@ bool run_command(const std::vector<std::string>& arguments)
 using Example =
     std::tuple<std::shared_ptr<Graph>, std::string, std::vector<std::pair<std::string, std::string>>, double>;
 
-Role_model train(const std::vector<Example>& examples, int trees, std::uint64_t seed, const py::object& progress)
+std::vector<SC::Labelled_graph> labelled_graphs(const std::vector<Example>& examples)
 {
-  if (trees < 1) throw SC::Invalid_input("trees must be at least 1, not " + std::to_string(trees));
   std::vector<SC::Labelled_graph> shapes;
   for (const auto& [graph, category, labels, weight] : examples) {
     shapes.push_back({&graph->shape.graph, category, {}, weight});
     for (const auto& [coarse, fine] : labels)
       shapes.back().labels.push_back({coarse, fine});
   }
+  return shapes;
+}
+
+Role_model train(const std::vector<Example>& examples, int trees, std::uint64_t seed, const py::object& progress)
+{
+  if (trees < 1) throw SC::Invalid_input("trees must be at least 1, not " + std::to_string(trees));
+  const std::vector<SC::Labelled_graph> shapes = labelled_graphs(examples);
   SC::Role_training_options options;
   options.trees = trees;
   options.seed = seed;
   Work work;
   return work.run(progress, [&](Work&) {
     return Role_model{std::make_shared<const SC::Role_model>(SC::train_role_model(shapes, options))};
+  });
+}
+
+Role_model extend(const Role_model& model, const std::vector<Example>& examples, std::uint64_t seed,
+                  const py::object& progress)
+{
+  const std::vector<SC::Labelled_graph> shapes = labelled_graphs(examples);
+  SC::Role_training_options options;
+  options.seed = seed;
+  Work work;
+  return work.run(progress, [&](Work&) {
+    return Role_model{std::make_shared<const SC::Role_model>(SC::extend_role_model(*model.model, shapes, options))};
   });
 }
 
@@ -72,6 +90,7 @@ void bind_roles(py::module_& module)
   });
   module.def("predict_roles", predict, py::call_guard<py::gil_scoped_release>());
   module.def("train_roles", train);
+  module.def("extend_roles", extend);
   module.def("train_roles_of_files", [](const std::vector<std::string>& arguments, const py::object& progress) {
     Work work;
     work.run(progress, [&](Work&) { return run_command(arguments); });

@@ -153,6 +153,7 @@ void visit(SC::Search_options& options, Visitor& option)
   option("distortion_weight", options.matching.weights.distortion);
   option("connectedness_weight", options.matching.weights.connectedness);
   option("split_weight", options.matching.weights.split);
+  option("role_weight", options.matching.weights.roles);
   option("energy_norm", options.matching.norm);
   option("cut_curves", options.matching.cut_curves);
   option("unmatched_cost", options.matching.unmatched_cost);

@@ -159,6 +159,13 @@ def test_roles(table, tmp_path):
     model.save(tmp_path / "my.roles")
     found = sc.roles.predict(table(1.33), tmp_path / "my.roles", category="table")
     assert {part.name: part.coarse for part in found.parts} == {"top": "top", **{f"leg_{k}": "leg" for k in range(4)}}
+    shipped = sc.roles.load()
+    extended = sc.roles.extend(None, [tables[0]._replace(category="my table"), tables[1]._replace(category="my table")])
+    assert set(extended.categories) == {*shipped.categories, "my table"}
+    assert sc.match(table(1.33), table(1.1), roles=extended, category="my table").category == "my table"
+    exact = sc.match(table(1.33), table(1.1), search_method="exact", role_weight=1, roles=extended, category="my table")
+    assert exact.category == "my table"
+    assert sc.match(table(1.33), table(1.1), search_method="exact").category is None
     with pytest.raises(sc.InvalidInput, match="leg_0"):
         sc.roles.train([sc.roles.LabelledShape(table(), "table", {"top": "top"})])
     assert "chair" in sc.roles.load().categories

@@ -16,6 +16,7 @@
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/quoting.h"
+#include "matching/unlikely_pairs.h"
 #include "viewer/match_page.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
@@ -42,7 +43,7 @@ morph into each other, split or merge; parts without counterpart shrink or grow;
 first frame is the source, the last one the target.
 
 With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
-plays the blend; with --at T, one shape is written, FILE.obj or FILE.ply. Otherwise FOLDER is made, with one file for
+plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb. Otherwise FOLDER is made, with one file for
 each frame: frame_000 and so on. A part of a frame is named s~t where source part s becomes t, s~ where s vanishes, and
 ~t where t grows.
 
@@ -78,15 +79,10 @@ std::vector<std::string> remove_unlikely(Correspondence& correspondence, double 
                                          const Loaded_shape& target)
 {
   std::vector<std::string> result;
-  const auto is_unlikely = [&](const Part_correspondence& pair) {
-    if (!(pair.confidence < least)) return false;
+  for (const Part_correspondence& pair : internal::remove_unlikely_pairs(correspondence, least))
     result.push_back("'" + structure(source.graph).parts[pair.source].name + "' and '" +
                      structure(target.graph).parts[pair.target].name + "' correspond with probability " +
                      short_number(pair.confidence) + " only: they shrink and grow (--min-confidence)");
-    return true;
-  };
-  std::vector<Part_correspondence>& pairs = correspondence.pairs;
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_unlikely), pairs.end());
   return result;
 }
 
@@ -192,6 +188,7 @@ void run_blend(const std::vector<std::string>& arguments)
   for (std::size_t i : {0u, 1u})
     complete_surfaces(paths[i], shapes[i]);
   const Loaded_shape &source = shapes[0], &target = shapes[1];
+  add_examples(match, common, search);
   choose_parts(match, {source.graph, paths[0]}, {target.graph, paths[1]}, search);
   Correspondence correspondence =
       output.match.empty()
@@ -206,8 +203,16 @@ void run_blend(const std::vector<std::string>& arguments)
   options.min_confidence = 0; // unlikely pairs are out already
   const Shape_blend blend(source.graph, *source.model, target.graph, *target.model, correspondence,
                           with_progress(options, bar));
-  write_blend(output, blend, correspondence);
   std::vector<std::string> warnings = warnings_of(paths, shapes);
+  if (output.may_show_materials() && output.colours != "match")
+    for (std::size_t i : {0u, 1u}) {
+      read_appearance(paths[i], shapes[i]);
+      for (const std::string& warning : shapes[i].appearance.warnings)
+        warnings.push_back(paths[i] + ": " + warning);
+    }
+  const IO::Blend_appearance appearance{source.appearance, target.appearance};
+  const bool has_materials = !appearance.source.empty() || !appearance.target.empty();
+  write_blend(output, blend, correspondence, output.colours == "materials" || has_materials ? &appearance : nullptr);
   warnings.insert(warnings.begin(), warnings_of_up.begin(), warnings_of_up.end());
   warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
   warnings.insert(warnings.end(), unlikely.begin(), unlikely.end());

@@ -12,6 +12,7 @@
 #include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
+#include "cli/transfer_labels.h"
 #include "io/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
@@ -44,6 +45,8 @@ Matches all ordered pairs of a set of shapes and computes
 
 The entries of FOLDER are the shapes: model files, folders of part meshes, and structural graphs (.json, .xml).
 
+With --labels-from, the labels of one shape are transferred to all shapes of the set instead, by matching it with each.
+
 With --store, finished work is kept in a folder. A run that was stopped or killed continues where it was when the same
 command is run again; what depends on a changed shape or option is computed again. Several machines can share the work:
 
@@ -57,6 +60,7 @@ or, if the program was built with MPI:
 Examples: shape_correspondence collection chairs --json chairs.json --npy distances.npy
           shape_correspondence collection chairs --store work --html chairs.html --search exact
           shape_correspondence collection chairs --store work --nearest stool.obj -k 3
+          shape_correspondence collection chairs --labels-from my_chair --labels-to labels
 
 )";
 
@@ -187,6 +191,7 @@ void run_collection(const std::vector<std::string>& arguments)
   if (team.size() > 1 && options.store.empty())
     throw Usage_error("several processes need --store, a folder that all reach");
   const Thread_limit limit(number_of_threads(common, team));
+  add_examples(match, common, matching.search);
   const std::string store_folder = options.store;
   Tile_store store(store_folder.empty() ? "" : (fs::path(store_folder) / "tiles").string());
   if (common.cache.empty() && !store_folder.empty()) common.cache = (fs::path(store_folder) / "cache").string();
@@ -194,6 +199,10 @@ void run_collection(const std::vector<std::string>& arguments)
                                  options.skip_bad, common, team);
   if (!options.nearest.empty()) {
     if (team.is_first()) find_nearest(shapes, options, matching, common);
+    return;
+  }
+  if (!options.labels_from.empty()) {
+    if (team.is_first()) transfer_labels(shapes, options, matching.search, common);
     return;
   }
   Collection_work work(shapes, store, key_of(match, matching.search, options, parsed.values), options, matching,

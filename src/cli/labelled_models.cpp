@@ -86,6 +86,20 @@ std::vector<Labelled_model> load_labelled_models(const std::string& folder, cons
   return result;
 }
 
+void add_examples(const std::string& folder, const Common_options& options, std::shared_ptr<const Role_model>& model,
+                  std::string& category)
+{
+  const std::vector<Labelled_model> models = load_labelled_models(folder, options);
+  std::vector<Labelled_graph> shapes;
+  std::set<std::string> categories;
+  for (const Labelled_model& shape : models) {
+    shapes.push_back({&shape.graph, shape.labels.category, shape.part_labels, weight_of_real_shapes});
+    categories.insert(shape.labels.category);
+  }
+  model = std::make_shared<const Role_model>(extend_role_model(model ? *model : Role_model(), shapes));
+  if (category.empty() && categories.size() == 1) category = *categories.begin();
+}
+
 std::vector<Pair> listed_pairs(const std::vector<Labelled_model>& models, std::size_t most)
 {
   std::set<std::string> folders;

@@ -6,10 +6,12 @@
 #include "cli/Common_options.h"
 
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
+#include <CGAL/Shape_correspondence/Role_model.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,14 @@ struct Labelled_model
 /// All labelled shapes of a folder of SHAPE/ or CATEGORY/SHAPE/ with `labels.json` and `parts/`.
 /// \throw Invalid_input if one cannot be used, or a part has no label
 std::vector<Labelled_model> load_labelled_models(const std::string& folder, const Common_options& options);
+
+/// Of a labelled shape in the training, where generated ones weigh 1.
+constexpr double weight_of_real_shapes = 3;
+
+/// Adds the labelled shapes of a folder to what a model was learned from, see `extend_role_model()`. If they are of one
+/// category, and none is asked for, that category is meant. \param model null: none so far
+void add_examples(const std::string& folder, const Common_options& options, std::shared_ptr<const Role_model>& model,
+                  std::string& category);
 
 /// Pairs of shapes of a category and folder: those that FOLDER/pairs.json lists, or else at most `most` of a category,
 /// spread evenly over all. \throw Invalid_input if a list names a shape that is not there

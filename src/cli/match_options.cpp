@@ -4,6 +4,7 @@
 #include "cli/match_options.h"
 #include "base/limits.h"
 #include "cli/command_line.h"
+#include "cli/labelled_models.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -69,7 +70,8 @@ int parse_alignments(const Match_options& match, bool is_front_given)
 const std::pair<const char*, Search_method> energy_options[] = {
     {"beam-width", Search_method::BEAM},       {"expansions", Search_method::BEAM},
     {"allow-unmatched", Search_method::EXACT}, {"search-time-limit", Search_method::EXACT},
-    {"min-marginals", Search_method::EXACT},   {"solutions", Search_method::EXACT}};
+    {"role-weight", Search_method::EXACT},     {"min-marginals", Search_method::EXACT},
+    {"solutions", Search_method::EXACT}};
 
 Search_method search_method(const Match_options& match, const po::variables_map& values)
 {
@@ -88,8 +90,7 @@ Search_method search_method(const Match_options& match, const po::variables_map&
 
 /// Options that have an effect on some methods only.
 const std::pair<const char*, std::vector<Search_method>> methods_of_options[] = {
-    {"roles", {Search_method::PARTS}},
-    {"category", {Search_method::PARTS}},
+    {"role-weight", {Search_method::BEAM, Search_method::EXACT}},
     {"min-confidence", {Search_method::PARTS}},
     {"beam-width", {Search_method::BEAM}},
     {"expansions", {Search_method::BEAM}},
@@ -105,6 +106,11 @@ const char* name_of(Search_method method)
   return method == Search_method::PARTS ? "parts" : method == Search_method::BEAM ? "beam" : "exact";
 }
 
+bool has_roles(const Match_options& match, Search_method method)
+{
+  return method == Search_method::PARTS || match.role_weight > 0;
+}
+
 /// \throw Usage_error if an option is given that changes nothing
 void refuse_options_without_effect(const Match_options& match, const po::variables_map& values, Search_method method)
 {
@@ -114,7 +120,14 @@ void refuse_options_without_effect(const Match_options& match, const po::variabl
   for (const auto& [option, methods] : methods_of_options)
     if (is_given(values, option) && std::find(methods.begin(), methods.end(), method) == methods.end())
       refuse(option, std::string("on --search ") + name_of(method) + (match.paper ? ", which --paper selects" : ""));
-  if (is_given(values, "category") && match.roles == "none") refuse("category", "with --roles none");
+  for (const char* option : {"roles", "examples", "category"})
+    if (is_given(values, option) && !has_roles(match, method))
+      refuse(option, std::string("on --search ") + name_of(method) + (match.paper ? ", which --paper selects," : "") +
+                         " without --role-weight");
+  if (is_given(values, "role-weight") && match.roles == "none" && match.examples.empty())
+    refuse("role-weight", "with --roles none");
+  if (is_given(values, "category") && match.roles == "none" && match.examples.empty())
+    refuse("category", "with --roles none");
   if (is_given(values, "max-parts-of") && !is_given(values, "max-parts")) refuse("max-parts-of", "without --max-parts");
   if (is_given(values, "front") && is_given(values, "alignments") && match.alignments != "auto")
     refuse("front", "with --alignments " + match.alignments);
@@ -122,7 +135,7 @@ void refuse_options_without_effect(const Match_options& match, const po::variabl
 
 std::shared_ptr<const Role_model> role_model(const Match_options& match, Search_method method)
 {
-  if (match.roles == "none" || method != Search_method::PARTS) return nullptr;
+  if (match.roles == "none" || !has_roles(match, method)) return nullptr;
   return match.roles == "auto" ? IO::shipped_role_model()
                                : std::make_shared<const Role_model>(IO::read_role_model(match.roles));
 }
@@ -141,8 +154,14 @@ po::options_description match_options(Match_options& match)
   add("paper", po::bool_switch(&match.paper),
       "the method of the paper: --search beam --front auto, and --max-parts of the source only");
   add("roles", po::value(&match.roles)->value_name("MODEL")->default_value(match.roles),
-      "role model for --search parts: auto (the one that comes with the program), none, or a file that `roles train` "
+      "role model for --search parts and --role-weight: auto (the one that comes with the program), none, or a file "
+      "that `roles train` "
       "wrote. Shapes must be upright and face +z");
+  add("examples", po::value(&match.examples)->value_name("FOLDER"),
+      "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition; three or "
+      "more "
+      "of a category that the model does not know help. If they are of one category, both shapes are taken to be of "
+      "it");
   add("category", po::value(&match.search.category)->value_name("NAME"),
       "category of both shapes for --roles, such as chair; default: the most similar one");
   add("min-confidence", number(match.search.min_confidence)->value_name("P"),
@@ -167,6 +186,9 @@ po::options_description match_options(Match_options& match)
       "number of alignments to try, nearest to the given orientation first; auto: as --front says");
   add("weights", po::value(&match.weights)->value_name("WC,WS")->default_value(match.weights),
       "weights of connectedness and split in the energy, w_c and w_s of the paper");
+  add("role-weight", number(match.role_weight)->value_name("W"),
+      "weight of the disagreement of roles in the energy, for beam and exact search; 0: roles are not used, as in the "
+      "paper");
   add("without", po::value(&match.without)->value_name("TERM"),
       "leave out a term of the energy: distortion, connectedness or split");
   add("norm", po::value(&match.norm)->value_name("NORM")->default_value(match.norm),
@@ -206,6 +228,8 @@ Search_options search_options(const Match_options& match, const po::variables_ma
   check_at_least("solutions", match.search.solutions, 1);
   if (!(match.search.min_confidence >= 0 && match.search.min_confidence <= 1))
     throw Usage_error("--min-confidence must be between 0 and 1");
+  if (!(match.role_weight >= 0) || std::isinf(match.role_weight))
+    throw Usage_error("--role-weight must be finite and not negative");
   if (!(match.search.matching.unmatched_cost >= 0)) throw Usage_error("--allow-unmatched must not be negative");
   if (!(match.search.exact.time_limit >= 0)) throw Usage_error("--search-time-limit must not be negative");
   check_at_least("beam-width", match.search.beam.beam_width, 1);
@@ -219,10 +243,16 @@ Search_options search_options(const Match_options& match, const po::variables_ma
   search.coarse_target = match.coarse_shapes == "both" || (match.coarse_shapes == "auto" && !match.paper);
   search.roles = role_model(match, search.method);
   search.matching.weights = parse_weights(match.weights);
+  search.matching.weights.roles = match.role_weight;
   if (values.count("without")) switch_off(match.without, search.matching.weights);
   search.matching.norm = match.norm == "pooled" ? Energy_norm::POOLED : Energy_norm::SUM;
   search.matching.cut_curves = !values["no-cut"].as<bool>();
   return search;
+}
+
+void add_examples(const Match_options& match, const Common_options& common, Search_options& search)
+{
+  if (!match.examples.empty()) add_examples(match.examples, common, search.roles, search.category);
 }
 
 } // namespace CGAL::Shape_correspondence::cli

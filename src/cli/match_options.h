@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "cli/Common_options.h"
 #include "cli/program_options_fwd.h"
 
 #include <CGAL/Shape_correspondence/find_correspondence.h>
@@ -27,6 +28,8 @@ struct Match_options
   std::string source_parts, target_parts;
   std::vector<std::string> pinned, forbidden; ///< A=B
   std::string roles = "auto";                 ///< auto, none or a file
+  std::string examples;                       ///< a folder; empty: none
+  double role_weight = 0;
   bool paper = false;
 };
 
@@ -34,5 +37,8 @@ boost::program_options::options_description match_options(Match_options& match);
 
 /// The search that the options ask for, but for `choose_parts()`. \throw Usage_error
 Search_options search_options(const Match_options& match, const boost::program_options::variables_map& values);
+
+/// Adds the labelled shapes of `--examples`, if any, to the roles of a search.
+void add_examples(const Match_options& match, const Common_options& common, Search_options& search);
 
 } // namespace CGAL::Shape_correspondence::cli

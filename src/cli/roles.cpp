@@ -1,9 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/collection_shapes.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/labelled_models.h"
+#include "cli/labels_json.h"
 #include "cli/load_shape.h"
 #include "cli/outputs.h"
 #include "cli/predicted_roles.h"
@@ -13,11 +15,13 @@
 #include "io/Json.h"
 #include "io/quoting.h"
 #include "matching/cross_validate_roles.h"
+#include "matching/mean_differences.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <iostream>
@@ -59,12 +63,13 @@ struct Roles_options
   std::vector<std::string> generated;
   std::string output, manifest, date, model, category;
   std::string leave_out = "shapes";
+  int shown_examples = 0;
+  std::string examples;
+  bool told = false;
+  double role_weight = 0;
   int pairs = 45;
   Role_training_options training;
 };
-
-// Of a labelled shape, where generated ones weigh 1.
-constexpr double weight_of_real_shapes = 3;
 
 po::options_description roles_options(Roles_options& roles, Common_options& common)
 {
@@ -81,6 +86,16 @@ po::options_description roles_options(Roles_options& roles, Common_options& comm
   add("leave-out", po::value(&roles.leave_out)->value_name("WHAT")->default_value(roles.leave_out),
       "evaluate: what is left out of the training for a pair of shapes: shapes (the two), sources (all shapes with "
       "their `source` in labels.json) or category (all shapes of their category)");
+  add("examples", po::value(&roles.examples)->value_name("FOLDER"),
+      "predict: labelled shapes that the model learns in addition, as of `match`");
+  add("number-of-examples", po::value(&roles.shown_examples)->value_name("N"),
+      "evaluate: the training sees at most N shapes of the pair's category that are not generated, drawn for every "
+      "pair; "
+      "with --leave-out category, these of all the category. Default: all that are not left out");
+  add("told", po::bool_switch(&roles.told), "evaluate: the matcher is told the category, as by --category");
+  add("role-weight", number(roles.role_weight)->value_name("W"),
+      "evaluate: compare the correspondences of least energy, by exact search, without roles and with roles of this "
+      "weight in the energy, in place of matching by parts; 0: do not");
   add("pairs", number(roles.pairs)->value_name("N"),
       "train, evaluate: match at most N pairs of a category and folder, unless the folder has a pairs.json: "
       "[[CATEGORY, SOURCE, TARGET], ...]");
@@ -98,6 +113,16 @@ Left_out left_out(const std::string& word)
 {
   check_word("leave-out", word, {"shapes", "sources", "category"});
   return word == "shapes" ? Left_out::SHAPES : word == "sources" ? Left_out::SOURCES : Left_out::CATEGORY;
+}
+
+Validation_options validation_options(const Roles_options& roles)
+{
+  Validation_options result;
+  result.left_out = left_out(roles.leave_out);
+  if (roles.shown_examples > 0) result.examples = std::size_t(roles.shown_examples);
+  result.category_is_told = roles.told;
+  result.role_weight = roles.role_weight;
+  return result;
 }
 
 std::string fixed(double number)
@@ -125,7 +150,8 @@ struct Training_set
       const bool is_real = shapes.size() < number_of_real;
       const double weight = is_real ? weight_of_real_shapes : 1;
       shapes.push_back({{&model.graph, model.labels.category, model.part_labels, weight},
-                        is_real ? model.labels.source : "generated"});
+                        is_real ? model.labels.source : "generated",
+                        !is_real});
     }
   }
 
@@ -140,21 +166,38 @@ private:
 
 using Score_of = std::function<const Correspondence_score&(const Validated_pair&)>;
 
-Evaluation mean_of(const Training_set& set, const Role_validation& validation, const Score_of& score,
-                   const Common_options& common)
+std::vector<Scored_correspondence> scores_of(const Training_set& set, const Role_validation& validation,
+                                             const Score_of& score)
 {
-  std::vector<Scored_correspondence> scores;
+  std::vector<Scored_correspondence> result;
   for (const Validated_pair& pair : validation.pairs()) {
     const Labelled_model &a = set.models[pair.shapes[0]], &b = set.models[pair.shapes[1]];
-    scores.push_back({a.labels.category, a.folder + '/' + a.labels.name, b.folder + '/' + b.labels.name, score(pair)});
+    result.push_back({a.labels.category, a.folder + '/' + a.labels.name, b.folder + '/' + b.labels.name, score(pair)});
   }
-  Evaluation_options options;
-  options.seed = std::uint64_t(common.seed);
-  return mean_scores(scores, options);
+  return result;
 }
 
 const Correspondence_score& geometric_score(const Validated_pair& pair) { return pair.geometric; }
 const Correspondence_score& joined_score(const Validated_pair& pair) { return pair.joined; }
+
+// By geometry alone, with roles, and the paired difference.
+struct Evaluations
+{
+  Evaluation geometric, joined, gain;
+
+  Evaluations(const Training_set& set, const Role_validation& validation, const Common_options& common)
+  {
+    const std::vector<Scored_correspondence> without = scores_of(set, validation, geometric_score),
+                                             with = scores_of(set, validation, joined_score);
+    Evaluation_options options;
+    options.seed = std::uint64_t(common.seed);
+    geometric = mean_scores(without, options);
+    joined = mean_scores(with, options);
+    gain = mean_differences(with, without, options);
+  }
+};
+
+std::string interval(const Estimate& estimate) { return fixed(estimate.low) + ".." + fixed(estimate.high); }
 
 // How well confidences tell right from wrong. Every pair of shapes of a category weighs the same.
 struct Calibration
@@ -221,28 +264,52 @@ std::string share_of_fronts(const Training_set& set, const Role_validation& vali
   return counts.empty() ? "-" : fixed(sum / double(counts.size()));
 }
 
+// The mean of the pairs, every category with the same weight.
+// \param category empty: all
+double mean_share(const Training_set& set, const Role_validation& validation, const std::string& category,
+                  double Validated_pair::*share)
+{
+  std::map<std::string, std::pair<double, int>> sums;
+  for (const Validated_pair& pair : validation.pairs()) {
+    const std::string& name = set.models[pair.shapes[0]].labels.category;
+    if (!category.empty() && name != category) continue;
+    sums[name].first += pair.*share;
+    ++sums[name].second;
+  }
+  double result = 0;
+  for (const auto& [name, sum] : sums)
+    result += sum.first / sum.second / double(sums.size());
+  return result;
+}
+
 void print(const Training_set& set, const Role_validation& validation, const Common_options& common)
 {
-  const Evaluation geometric = mean_of(set, validation, geometric_score, common),
-                   joined = mean_of(set, validation, joined_score, common);
-  std::vector<std::vector<std::string>> rows{{"category", "pairs", "geometry P", "R", "F1", "with roles P", "R", "F1",
-                                              "gain", "stated", "right", "AUC", "P sure", "share", "front",
-                                              "sure front"}};
-  const auto add_row = [&](const std::string& name, const Mean_score& without, const Mean_score& with) {
+  const Evaluations found(set, validation, common);
+  std::vector<std::vector<std::string>> rows{{"category",     "pairs",  "geometry P", "R",      "F1",
+                                              "with roles P", "R",      "F1",         "95 %",   "gain",
+                                              "95 %",         "stated", "right",      "AUC",    "P sure",
+                                              "share",        "front",  "sure front", "labels", "with roles"}};
+  const auto add_row = [&](const std::string& name, const Mean_score& without, const Mean_score& with,
+                           const Mean_score& gain) {
     rows.push_back({name, std::to_string(without.correspondences)});
     for (const Mean_score* score : {&without, &with})
       for (const Estimate* estimate : {&score->precision, &score->recall, &score->f1})
         rows.back().push_back(fixed(estimate->mean));
     const Calibration confidences = calibration_of(set, validation, name == "mean" ? "" : name);
-    for (double value : {with.f1.mean - without.f1.mean, confidences.stated, confidences.right, confidences.auc,
-                         confidences.sure_precision, confidences.sure_share})
+    for (const std::string& text : {interval(with.f1), fixed(gain.f1.mean), interval(gain.f1)})
+      rows.back().push_back(text);
+    for (double value :
+         {confidences.stated, confidences.right, confidences.auc, confidences.sure_precision, confidences.sure_share})
       rows.back().push_back(fixed(value));
     for (const auto fronts : {&Front_count::possible, &Front_count::sure})
       rows.back().push_back(share_of_fronts(set, validation, name == "mean" ? "" : name, fronts));
+    for (const auto labels : {&Validated_pair::labels_by_geometry, &Validated_pair::labels_joined})
+      rows.back().push_back(fixed(mean_share(set, validation, name == "mean" ? "" : name, labels)));
   };
-  for (std::size_t c = 0; c < geometric.categories.size(); ++c)
-    add_row(geometric.categories[c].first, geometric.categories[c].second, joined.categories[c].second);
-  add_row("mean", geometric.mean, joined.mean);
+  for (std::size_t c = 0; c < found.gain.categories.size(); ++c)
+    add_row(found.gain.categories[c].first, found.geometric.categories[c].second, found.joined.categories[c].second,
+            found.gain.categories[c].second);
+  add_row("mean", found.geometric.mean, found.joined.mean, found.gain.mean);
   write_table(std::cout, rows);
 }
 
@@ -272,20 +339,42 @@ IO::Json json_of(const Mean_score& score)
 
 IO::Json json_of(const Training_set& set, const Role_validation& validation, const Common_options& common)
 {
-  const Evaluation geometry = mean_of(set, validation, geometric_score, common),
-                   joined = mean_of(set, validation, joined_score, common);
+  const Evaluations found(set, validation, common);
   IO::Json result = IO::Json::array();
-  const auto add = [&](const std::string& category, const Mean_score& without, const Mean_score& with) {
+  const auto add = [&](const std::string& category, const Mean_score& without, const Mean_score& with,
+                       const Mean_score& gain) {
     IO::Json entry;
     entry["category"] = category;
     entry["pairs"] = without.correspondences;
     entry["geometry"] = json_of(without);
     entry["with_roles"] = json_of(with);
+    entry["gain"] = json_of(gain);
+    entry["labels"] =
+        mean_share(set, validation, category == "mean" ? "" : category, &Validated_pair::labels_by_geometry);
+    entry["labels_with_roles"] =
+        mean_share(set, validation, category == "mean" ? "" : category, &Validated_pair::labels_joined);
     result.push_back(std::move(entry));
   };
-  for (std::size_t c = 0; c < geometry.categories.size(); ++c)
-    add(geometry.categories[c].first, geometry.categories[c].second, joined.categories[c].second);
-  add("mean", geometry.mean, joined.mean);
+  for (std::size_t c = 0; c < found.gain.categories.size(); ++c)
+    add(found.gain.categories[c].first, found.geometric.categories[c].second, found.joined.categories[c].second,
+        found.gain.categories[c].second);
+  add("mean", found.geometric.mean, found.joined.mean, found.gain.mean);
+  return result;
+}
+
+IO::Json pairs_json(const Training_set& set, const Role_validation& validation)
+{
+  IO::Json result = IO::Json::array();
+  for (const Validated_pair& pair : validation.pairs()) {
+    IO::Json entry;
+    entry["category"] = set.models[pair.shapes[0]].labels.category;
+    entry["source"] = set.models[pair.shapes[0]].labels.file;
+    entry["target"] = set.models[pair.shapes[1]].labels.file;
+    entry["category_found"] = pair.category;
+    entry["geometry"] = pair.geometric.f1();
+    entry["with_roles"] = pair.joined.f1();
+    result.push_back(std::move(entry));
+  }
   return result;
 }
 
@@ -294,13 +383,15 @@ void evaluate(const std::vector<std::string>& folders, const Roles_options& role
   check_outputs({common.json}, {});
   const Training_set set(folders, roles, common);
   if (set.pairs.empty()) throw Invalid_input(folders[0] + ": it takes two shapes of a category to match any");
-  const Role_validation validation(set.shapes, set.pairs, left_out(roles.leave_out), roles.training);
+  const Role_validation validation(set.shapes, set.pairs, validation_options(roles), roles.training);
   write_output(common.json, [&](std::ostream& out) {
     IO::Json document;
     document["format"] = "shape_correspondence/role_evaluation";
     document["version"] = 1;
     document["left_out"] = roles.leave_out;
     document["categories"] = json_of(set, validation, common);
+    document["weights"] = json_of(validation.weights());
+    document["pairs"] = pairs_json(set, validation);
     document.write(out);
   });
   if (common.prints_table()) print(set, validation, common);
@@ -347,7 +438,7 @@ void train(const std::vector<std::string>& folders, const Roles_options& roles, 
   if (roles.output.empty()) throw Usage_error("'roles train' needs --output MODEL");
   check_outputs({roles.output, roles.manifest}, {});
   const Training_set set(folders, roles, common);
-  const Role_validation validation(set.shapes, set.pairs, Left_out::SHAPES, roles.training);
+  const Role_validation validation(set.shapes, set.pairs, {}, roles.training);
   const Role_model model = validation.model();
   IO::write_role_model(roles.output, model);
   write_output(roles.manifest, [&](std::ostream& out) { manifest(set, validation, model, roles, common).write(out); });
@@ -369,11 +460,13 @@ std::string percentage(double probability)
 
 void predict(const std::string& path, const Roles_options& roles, const Common_options& common)
 {
-  check_outputs({common.json}, {path, roles.model});
+  check_outputs({common.json}, {path, roles.model, roles.examples});
   const Loaded_shape shape = load_shape(path, common);
-  const auto model = roles.model.empty() ? IO::shipped_role_model()
-                                         : std::make_shared<const Role_model>(IO::read_role_model(roles.model));
-  const Part_roles found = predicted_roles(path, shape.graph, *model, roles.category);
+  auto model = roles.model.empty() ? IO::shipped_role_model()
+                                   : std::make_shared<const Role_model>(IO::read_role_model(roles.model));
+  std::string category = roles.category;
+  if (!roles.examples.empty()) add_examples(roles.examples, common, model, category);
+  const Part_roles found = predicted_roles(path, shape.graph, *model, category);
   const auto& parts = structure(shape.graph).parts;
   std::vector<std::vector<std::string>> rows{{"part", "role", "fine label", "probability"}};
   for (std::size_t part = 0; part < parts.size(); ++part)
@@ -393,6 +486,10 @@ void refuse_options_of_other_actions(const std::string& action, const po::variab
                                                                          {"date", {"train"}},
                                                                          {"generated", {"train", "evaluate"}},
                                                                          {"leave-out", {"evaluate"}},
+                                                                         {"number-of-examples", {"evaluate"}},
+                                                                         {"examples", {"predict"}},
+                                                                         {"told", {"evaluate"}},
+                                                                         {"role-weight", {"evaluate"}},
                                                                          {"pairs", {"train", "evaluate"}},
                                                                          {"trees", {"train", "evaluate"}},
                                                                          {"roles", {"predict"}},
@@ -416,19 +513,10 @@ Part_roles predicted_roles(const std::string& path, const Structural_graph& grap
 
 void write_labels_json(std::ostream& out, const Structural_graph& graph, const Part_roles& found)
 {
-  IO::Json document;
-  document["format"] = "shape_correspondence/labels";
-  document["category"] = found.category;
-  document["parts"] = IO::Json::array();
-  for (std::size_t part = 0; part < found.labels.size(); ++part) {
-    IO::Json entry;
-    entry["name"] = structure(graph).parts[part].name;
-    entry["coarse"] = found.labels[part].coarse;
-    if (!found.labels[part].fine.empty()) entry["fine"] = found.labels[part].fine;
-    entry["probability"] = probability_of(part, found);
-    document["parts"].push_back(std::move(entry));
-  }
-  document.write(out);
+  std::vector<Transferred_label> labels;
+  for (std::size_t part = 0; part < found.labels.size(); ++part)
+    labels.push_back({found.labels[part], probability_of(part, found)});
+  labels_json(part_names(graph), found.category, labels).write(out);
 }
 
 namespace {
@@ -465,6 +553,9 @@ void run_roles(const std::vector<std::string>& arguments)
   check(common);
   check_at_least("trees", roles.training.trees, 1);
   check_at_least("pairs", roles.pairs, 1);
+  if (!(roles.role_weight >= 0) || std::isinf(roles.role_weight))
+    throw Usage_error("--role-weight must be finite and not negative");
+  if (is_given(parsed.values, "number-of-examples")) check_at_least("number-of-examples", roles.shown_examples, 1);
   roles.training.seed = std::uint64_t(common.seed);
   const Thread_limit limit(common.threads);
   const std::string action = parsed.inputs[0];

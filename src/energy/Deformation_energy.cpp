@@ -13,7 +13,7 @@ namespace CGAL::Shape_correspondence {
 double deformation_energy(const Energy_terms& terms, const Energy_weights& weights)
 {
   return weights.distortion * terms.distortion + weights.connectedness * terms.connectedness +
-         weights.split * terms.split + terms.unmatched;
+         weights.split * terms.split + terms.unmatched + weights.roles * terms.roles;
 }
 
 double distortion_energy(double mean_squared_cosine) { return 1 - std::sqrt(std::min(1.0, mean_squared_cosine)); }

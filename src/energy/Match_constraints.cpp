@@ -92,6 +92,7 @@ Matching_options reversed(Matching_options options)
   for (auto* pairs : {&options.pinned, &options.forbidden})
     for (Part_pair& pair : *pairs)
       std::swap(pair.source, pair.target);
+  options.role_costs.transposeInPlace();
   return options;
 }
 

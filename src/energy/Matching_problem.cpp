@@ -114,6 +114,7 @@ Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
 {
   fill_contact_energies();
   fill_cut_energies();
+  fill_role_costs();
   add_up_energy();
 }
 
@@ -158,6 +159,30 @@ void Matching_problem::fill_cut_energies()
   }
 }
 
+void Matching_problem::fill_role_costs()
+{
+  const bool has_costs = options_.weights.roles > 0 && options_.role_costs.size() > 0;
+  std::vector<double> weight(source().parts.size(), 0); // half of a contact for each of its sides
+  for (const Aligned_shape::Contact& contact : source().contacts)
+    for (std::size_t part : contact.parts)
+      weight[part] += 0.5;
+  const double unit =
+      options_.norm == Energy_norm::POOLED ? 1 / double(std::max<std::size_t>(1, source().contacts.size())) : 1;
+  for (std::size_t g = 0; g < labels_.size(); ++g) {
+    role_costs_.emplace_back(labels_[g].size(), 0.);
+    for (std::size_t l = 0; has_costs && l < labels_[g].size(); ++l)
+      for (const std::vector<Image>& images : labels_[g][l].images) {
+        double sum = 0;
+        for (const Image& image : images)
+          sum += options_.role_costs(Eigen::Index(source().original[image.source.part]),
+                                     Eigen::Index(target().original[image.target.part]));
+        if (images.empty()) continue;
+        const double of_part = weight[images[0].source.part];
+        role_costs_[g][l] += unit * (of_part > 0 ? of_part : 1) * sum / double(images.size());
+      }
+  }
+}
+
 // Of the whole parts, unlifted.
 double Matching_problem::number_of_rods(std::size_t contact) const
 {
@@ -182,7 +207,8 @@ void Matching_problem::add_up_energy()
       const Group_label& label = labels_[g][std::size_t(l)];
       split.unary[g][l] = label.solidity_ratio * label.solidity_ratio;
       const Rod_energy& cut = cut_energies_[g][std::size_t(l)];
-      energy_.unary[g][l] = weights.distortion * cut.distortion + weights.connectedness * cut.connectedness;
+      energy_.unary[g][l] = weights.distortion * cut.distortion + weights.connectedness * cut.connectedness +
+                            weights.roles * role_costs_[g][std::size_t(l)];
       if (is_unmatched(g, std::size_t(l)) && is_isolated(source(), g)) energy_.unary[g][l] = options_.unmatched_cost;
     }
   }
@@ -267,6 +293,7 @@ Energy_terms Matching_problem::terms(const Assignment& assignment, const std::ve
     solidity_ratios[g] = labels_[g][l].solidity_ratio;
     terms.distortion += cut_energies_[g][l].distortion;
     terms.connectedness += cut_energies_[g][l].connectedness;
+    terms.roles += role_costs_[g][l];
     if (is_unmatched(g, l) && is_isolated(source(), g)) terms.unmatched += options_.unmatched_cost;
   }
   terms.split = split_energy(solidity_ratios);

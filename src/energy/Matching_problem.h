@@ -66,6 +66,10 @@ public:
   /// E_d and E_c, summed, between the segments of a group's cut parts.
   Rod_energy cut_energy(std::size_t group, std::size_t label) const { return cut_energies_[group][label]; }
 
+  /// What the roles of a group and of what it becomes add to the energy, before weighting
+  /// (`Matching_options::role_costs`).
+  double role_cost(std::size_t group, std::size_t label) const { return role_costs_[group][label]; }
+
   /// What source parts become, by label.
   const internal::Fitted_pieces& fitted() const { return fitted_; }
   /// What touches at a contact on a side when the part there has a label: all its clones, or the one segment.
@@ -80,6 +84,7 @@ private:
 
   void fill_contact_energies();
   void fill_cut_energies();
+  void fill_role_costs();
   void add_up_energy();
   double number_of_rods(std::size_t contact) const;
 
@@ -91,6 +96,7 @@ private:
   std::vector<std::size_t> contact_begin_;            // by contact, in `contact_energies_`
   std::vector<Rod_energy> contact_energies_;          // by labels of either side
   std::vector<std::vector<Rod_energy>> cut_energies_; // by group and label
+  std::vector<std::vector<double>> role_costs_;       // by group and label
   Pairwise_energy energy_;
 };
 

@@ -81,6 +81,7 @@ Json terms(const Energy_terms& terms)
 {
   Json result = {{"distortion", terms.distortion}, {"connectedness", terms.connectedness}, {"split", terms.split}};
   if (terms.unmatched > 0) result["unmatched"] = terms.unmatched;
+  if (terms.roles > 0) result["roles"] = terms.roles;
   return result;
 }
 

@@ -15,7 +15,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// A labelled part.
+// A labelled part. `role`: index of what trees vote for.
 struct Role_example
 {
   std::array<std::uint8_t, ROLE_FEATURE_COUNT> features;

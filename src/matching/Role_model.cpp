@@ -22,6 +22,14 @@ namespace {
 
 constexpr double steps_per_deviation = 32; // of a standardised feature, a byte: it reaches over four deviations
 
+Role_features features_of(const std::vector<Role_example>& examples)
+{
+  Role_features result(Eigen::Index(examples.size()), ROLE_FEATURE_COUNT);
+  for (std::size_t i = 0; i < examples.size(); ++i)
+    std::copy(examples[i].features.begin(), examples[i].features.end(), &result(Eigen::Index(i), 0));
+  return result;
+}
+
 } // namespace
 
 std::size_t Role_model_data::index(const std::string& category) const
@@ -36,8 +44,8 @@ Role_distances::Role_distances(const std::vector<Category_roles>& categories)
   for (int feature = 0; feature < ROLE_FEATURE_COUNT; ++feature) {
     double count = 0, sum = 0, squares = 0; // whole numbers: exact
     for (const Category_roles& category : categories)
-      for (Eigen::Index i = 0; i < category.examples.rows(); ++i) {
-        const double value = category.examples(i, feature);
+      for (const Role_example& example : category.examples) {
+        const double value = example.features[std::size_t(feature)];
         count += 1;
         sum += value;
         squares += value * value;
@@ -46,7 +54,7 @@ Role_distances::Role_distances(const std::vector<Category_roles>& categories)
     scales_[std::size_t(feature)] = steps_per_deviation / std::sqrt(std::max(1., variance));
   }
   for (const Category_roles& category : categories)
-    examples_.push_back(standardised(category.examples));
+    examples_.push_back(standardised(features_of(category.examples)));
 }
 
 Role_features Role_distances::standardised(const Role_features& parts) const
@@ -170,8 +178,8 @@ private:
   const std::string& name_;
 };
 
-constexpr const char* magic = "shape_correspondence roles 2";
-constexpr std::uint32_t most_categories = 1000, most_examples = 1000000;
+constexpr const char* magic = "shape_correspondence roles 3";
+constexpr std::uint32_t most_categories = 1000, most_examples = 1000000, most_example_weight = 1000000000;
 constexpr long most_weight_steps = 1000000000; // of the weight of a pair's term, either way
 
 } // namespace
@@ -212,8 +220,12 @@ void Role_model::write(std::ostream& out) const
           std::uint32_t(std::clamp(std::lround(weight / pair_weight_unit), -most_weight_steps, most_weight_steps) +
                         most_weight_steps));
     category.forest.write(out);
-    write.number(std::uint32_t(category.examples.rows()));
-    out.write(reinterpret_cast<const char*>(category.examples.data()), std::streamsize(category.examples.size()));
+    write.number(std::uint32_t(category.examples.size()));
+    for (const Role_example& example : category.examples) {
+      out.write(reinterpret_cast<const char*>(example.features.data()), std::streamsize(example.features.size()));
+      out.put(char(example.role));
+      write.number(std::uint32_t(std::min(example.weight, double(most_example_weight))));
+    }
   }
 }
 
@@ -240,9 +252,15 @@ Role_model Role_model::read(std::istream& in, const std::string& name)
     for (double& weight : category.weights)
       weight = double(long(read.number(2 * most_weight_steps)) - most_weight_steps) * pair_weight_unit;
     if (!category.forest.read(in, data.trees, int(category.classes.size()))) read.fail();
-    category.examples.resize(Eigen::Index(read.number(most_examples)), ROLE_FEATURE_COUNT);
-    for (Eigen::Index i = 0; i < category.examples.size(); ++i)
-      category.examples.data()[i] = read.byte();
+    const std::uint32_t count = read.number(most_examples);
+    for (std::uint32_t i = 0; i < count; ++i) { // not reserved: a damaged file may promise more than it has
+      Role_example& example = category.examples.emplace_back();
+      for (std::uint8_t& value : example.features)
+        value = read.byte();
+      example.role = read.byte();
+      if (example.role >= category.classes.size()) read.fail();
+      example.weight = read.number(most_example_weight);
+    }
   }
   return Role_model(std::move(data));
 }

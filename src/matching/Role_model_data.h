@@ -37,7 +37,7 @@ struct Category_roles
   std::vector<Role_class> classes; // sorted, at most `maximum_classes`
   Role_forest forest;
   Pair_weights weights = usual_pair_weights();
-  Role_features examples; // of the labelled parts
+  std::vector<Role_example> examples; // the labelled parts, by class; sorted
 };
 
 constexpr std::size_t maximum_classes = 255;

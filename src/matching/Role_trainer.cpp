@@ -99,68 +99,95 @@ std::uint8_t class_of(const Example_label& label, const Category_roles& category
                       category.classes.begin());
 }
 
+// A labelled part before the classes are numbered.
+struct Labelled_part
+{
+  Example_label label;
+  Role_example example;
+};
+
+std::vector<Labelled_part> labelled_parts(const Labelled_graph& shape, const Role_features& features)
+{
+  std::vector<Labelled_part> result;
+  const double weight = std::max(1., std::round(weight_steps * shape.weight / double(shape.labels.size())));
+  for (Example_label& label : example_labels(shape.labels)) {
+    Labelled_part part{std::move(label), {}};
+    std::copy_n(&features(Eigen::Index(result.size()), 0), ROLE_FEATURE_COUNT, part.example.features.begin());
+    part.example.weight = weight;
+    result.push_back(std::move(part));
+  }
+  return result;
+}
+
+std::vector<Labelled_part> known_parts(const Category_roles& category)
+{
+  std::vector<Labelled_part> result;
+  for (const Role_example& example : category.examples) {
+    const Role_class& known = category.classes[example.role];
+    result.push_back({{category.roles[known.role], known.fine, known.has_side}, example});
+  }
+  return result;
+}
+
 } // namespace
 
-Role_trainer::Role_trainer(const std::vector<Labelled_graph>& shapes, const Role_training_options& options)
-    : shapes_(shapes), options_(options), evidence_(shapes.size())
+Role_trainer::Role_trainer(const std::vector<Labelled_graph>& shapes, const Role_training_options& options,
+                           const Role_model_data& known)
+    : shapes_(shapes), options_(options), known_(known), evidence_(shapes.size())
 {
   check(shapes, options);
   for_each_index(shapes.size(), true,
                  [&](std::size_t shape) { evidence_[shape] = role_evidence(*shapes[shape].graph); });
 }
 
-std::vector<std::string> Role_trainer::categories() const
-{
-  std::set<std::string> names;
-  for (const Labelled_graph& shape : shapes_)
-    names.insert(shape.category);
-  return {names.begin(), names.end()};
-}
-
 Category_roles Role_trainer::category(const std::string& name, const std::vector<char>& is_left_out) const
 {
   Category_roles result;
-  result.name = name;
-  std::vector<std::size_t> chosen;
-  std::vector<Example_label> labels;
-  for (std::size_t shape = 0; shape < shapes_.size(); ++shape)
-    if (shapes_[shape].category == name && !is_left_out[shape]) {
-      chosen.push_back(shape);
-      for (Example_label& label : example_labels(shapes_[shape].labels))
-        labels.push_back(std::move(label));
-    }
-  set_classes(labels, result);
-
-  std::vector<Role_example> examples;
-  for (std::size_t shape : chosen) {
-    const std::size_t size = shapes_[shape].labels.size();
-    const double weight = std::round(weight_steps * shapes_[shape].weight / double(size));
-    for (std::size_t part = 0; part < size; ++part) {
-      Role_example example;
-      std::copy_n(&evidence_[shape].features(Eigen::Index(part), 0), ROLE_FEATURE_COUNT, example.features.begin());
-      example.role = class_of(labels[examples.size()], result);
-      example.weight = std::max(1., weight);
-      examples.push_back(example);
-    }
+  std::vector<Labelled_part> parts;
+  const std::size_t known = known_.index(name);
+  if (known < known_.categories.size()) {
+    result.weights = known_.categories[known].weights;
+    parts = known_parts(known_.categories[known]);
   }
-  if (examples.empty()) return result;
-  std::sort(examples.begin(), examples.end());
-  result.examples.resize(Eigen::Index(examples.size()), ROLE_FEATURE_COUNT);
-  for (std::size_t i = 0; i < examples.size(); ++i)
-    std::copy(examples[i].features.begin(), examples[i].features.end(), &result.examples(Eigen::Index(i), 0));
-  result.forest = Role_forest(examples, options_.trees, options_.seed);
+  result.name = name;
+  std::size_t count = 0;
+  for (std::size_t shape = 0; shape < shapes_.size(); ++shape) {
+    if (shapes_[shape].category != name || is_left_out[shape]) continue;
+    ++count;
+    for (Labelled_part& part : labelled_parts(shapes_[shape], evidence_[shape].features))
+      parts.push_back(std::move(part));
+  }
+  if (parts.empty()) return result;
+  if (known == known_.categories.size()) result.weights = usual_pair_weights(count);
+  std::vector<Example_label> labels;
+  for (const Labelled_part& part : parts)
+    labels.push_back(part.label);
+  set_classes(labels, result);
+  for (const auto& [label, example] : parts) {
+    result.examples.push_back(example);
+    result.examples.back().role = class_of(label, result);
+  }
+  std::sort(result.examples.begin(), result.examples.end());
+  result.forest = Role_forest(result.examples, options_.trees, options_.seed);
   return result;
 }
 
 Role_model_data Role_trainer::model() const
 {
-  const std::vector<std::string> names = categories();
+  std::set<std::string> taught;
+  for (const Labelled_graph& shape : shapes_)
+    taught.insert(shape.category);
+  const std::vector<std::string> names(taught.begin(), taught.end());
+  std::vector<Category_roles> categories(names.size());
+  for_each_index(names.size(), true,
+                 [&](std::size_t i) { categories[i] = category(names[i], std::vector<char>(shapes_.size(), 0)); });
   Role_model_data result;
   result.trees = options_.trees;
-  result.categories.resize(names.size());
-  for_each_index(names.size(), true, [&](std::size_t i) {
-    result.categories[i] = category(names[i], std::vector<char>(shapes_.size(), 0));
-  });
+  for (const Category_roles& known : known_.categories)
+    if (taught.count(known.name) == 0) categories.push_back(known);
+  std::sort(categories.begin(), categories.end(),
+            [](const Category_roles& a, const Category_roles& b) { return a.name < b.name; });
+  result.categories = std::move(categories);
   return result;
 }
 
@@ -169,6 +196,14 @@ Role_model_data Role_trainer::model() const
 Role_model train_role_model(const std::vector<Labelled_graph>& shapes, const Role_training_options& options)
 {
   return Role_model(internal::Role_trainer(shapes, options).model());
+}
+
+Role_model extend_role_model(const Role_model& model, const std::vector<Labelled_graph>& shapes,
+                             const Role_training_options& options)
+{
+  Role_training_options of_all = options;
+  if (!model.data().categories.empty()) of_all.trees = model.data().trees;
+  return Role_model(internal::Role_trainer(shapes, of_all, model.data()).model());
 }
 
 } // namespace CGAL::Shape_correspondence

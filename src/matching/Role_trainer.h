@@ -14,19 +14,21 @@ namespace CGAL::Shape_correspondence::internal {
 class Role_trainer
 {
 public:
+  // \param known what was learned from other labelled shapes before
   // \throw Invalid_input if a shape or an option cannot be used
-  Role_trainer(const std::vector<Labelled_graph>& shapes, const Role_training_options& options);
+  Role_trainer(const std::vector<Labelled_graph>& shapes, const Role_training_options& options,
+               const Role_model_data& known = {});
 
   const Role_evidence& evidence(std::size_t shape) const { return evidence_[shape]; }
-  // Sorted.
-  std::vector<std::string> categories() const;
   // What the shapes of a category teach but those left out; without roles if none is left.
   Category_roles category(const std::string& name, const std::vector<char>& is_left_out) const;
+  // Of all shapes, and the categories that were known before.
   Role_model_data model() const;
 
 private:
   const std::vector<Labelled_graph>& shapes_;
   Role_training_options options_;
+  Role_model_data known_;
   std::vector<Role_evidence> evidence_; // by shape
 };
 

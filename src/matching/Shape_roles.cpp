@@ -176,6 +176,17 @@ std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, in
   return result;
 }
 
+Eigen::MatrixXd agreement_of_votes(const Role_votes& source, const Role_votes& target)
+{
+  Eigen::MatrixXd result(source.roles.rows(), target.roles.rows());
+  for (Eigen::Index i = 0; i < result.rows(); ++i)
+    for (Eigen::Index j = 0; j < result.cols(); ++j) {
+      const auto a = source.roles.row(i), b = target.roles.row(j);
+      result(i, j) = a.dot(b) / std::sqrt(double(a.squaredNorm()) * b.squaredNorm());
+    }
+  return result;
+}
+
 Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,
                       const std::vector<std::size_t>& target_parts, const Part_matching& geometric)
 {
@@ -183,11 +194,10 @@ Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& 
   const auto row = [m](std::size_t i, std::size_t j) { return Eigen::Index(i * m + j); };
   const Eigen::MatrixXd excess = excess_of_pairs(geometric.costs);
   Pair_terms result = Pair_terms::Zero(row(source_parts.size(), 0), PAIR_TERM_COUNT);
+  const Eigen::MatrixXd agreement = agreement_of_votes(source, target);
   for (std::size_t i = 0; i < source_parts.size(); ++i)
     for (std::size_t j = 0; j < m; ++j) {
-      const auto a = source.roles.row(Eigen::Index(source_parts[i])),
-                 b = target.roles.row(Eigen::Index(target_parts[j]));
-      result(row(i, j), VOTES_AGREE) = a.dot(b) / std::sqrt(double(a.squaredNorm()) * b.squaredNorm());
+      result(row(i, j), VOTES_AGREE) = agreement(Eigen::Index(source_parts[i]), Eigen::Index(target_parts[j]));
       result(row(i, j), EXCESS) = excess(Eigen::Index(i), Eigen::Index(j));
     }
   for (const auto& [i, j] :
@@ -199,8 +209,8 @@ Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& 
   return result;
 }
 
-std::vector<Part_correspondence> pairs_by_terms(const Pair_terms& terms, const Pair_weights& weights,
-                                                const Part_matching& geometric, const Match_constraints& constraints)
+Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weights, Part_matching geometric,
+                             const Match_constraints& constraints)
 {
   const auto m = std::size_t(geometric.costs.cols());
   Eigen::ArrayXd probable = probabilities(terms, weights);
@@ -213,10 +223,14 @@ std::vector<Part_correspondence> pairs_by_terms(const Pair_terms& terms, const P
     if (!constraints.allows(k / m, k % m)) probable[Eigen::Index(k)] = 0;
   }
   const std::vector<char> taken = pairs_of_greatest_expected_f1(probable);
-  std::vector<Part_correspondence> result;
-  for (std::size_t k = 0; k < taken.size(); ++k)
-    if (taken[k]) result.push_back({k / m, k % m, probable[Eigen::Index(k)]});
-  return result;
+  geometric.pairs.clear();
+  geometric.probabilities.resize(geometric.costs.rows(), geometric.costs.cols());
+  for (std::size_t k = 0; k < taken.size(); ++k) {
+    const double probability = probable[Eigen::Index(k)];
+    geometric.probabilities(Eigen::Index(k / m), Eigen::Index(k % m)) = probability;
+    if (taken[k]) geometric.pairs.push_back({k / m, k % m, probability});
+  }
+  return geometric;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -69,17 +69,19 @@ std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, in
 // The nearest category of two shapes whose fronts are not known.
 Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model);
 
+// Cosine of the votes for the roles of every source part and every target part.
+Eigen::MatrixXd agreement_of_votes(const Role_votes& source, const Role_votes& target);
+
 // Of all pairs of parts, source by source. `source_parts`, `target_parts`: the rows of the votes that the parts of the
 // match have.
 Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,
                       const std::vector<std::size_t>& target_parts, const Part_matching& geometric);
 
-// The pairs of greatest expected F1, by source, then target; their confidence is how probable they are. Parts that the
-// geometric match takes for the same part, at next to no cost, correspond to each other only: however many parts have
-// the same label, a shape corresponds to itself part by part. Pinned pairs are certain, others of their parts
-// impossible.
-std::vector<Part_correspondence> pairs_by_terms(const Pair_terms& terms, const Pair_weights& weights,
-                                                const Part_matching& geometric,
-                                                const Match_constraints& constraints = {});
+// The geometric match with the pairs of greatest expected F1 in place of its own, by source, then target, and with the
+// probabilities of all pairs, which are the confidences. Parts that the geometric match takes for the same part, at
+// next to no cost, correspond to each other only: however many parts have the same label, a shape corresponds to itself
+// part by part. Pinned pairs are certain, others of their parts impossible.
+Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weights, Part_matching geometric,
+                             const Match_constraints& constraints = {});
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -85,6 +85,21 @@ std::vector<Part_correspondence> original_pairs(const Part_matching& matching, c
   return result;
 }
 
+Part_correspondence likeliest_source(const Part_matching& matching, std::size_t target)
+{
+  const auto column = Eigen::Index(target);
+  Eigen::Index best = 0;
+  if (matching.probabilities.size() > 0) {
+    const double probability = matching.probabilities.col(column).maxCoeff(&best);
+    return {std::size_t(best), target, probability};
+  }
+  matching.costs.col(column).minCoeff(&best);
+  Part_correspondence result{std::size_t(best), target, 0};
+  for (const Part_correspondence& pair : matching.pairs)
+    if (pair.target == target && pair.confidence > result.confidence) result = pair;
+  return result;
+}
+
 Part_matching renumbered(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& new_source,
                          const Aligned_shape& target, const Aligned_shape& new_target)
 {

@@ -25,6 +25,10 @@ long alignment_cost(const Part_matching& matching, const Aligned_shape& source, 
 std::vector<Part_correspondence> original_pairs(const Part_matching& matching, const Aligned_shape& source,
                                                 const Aligned_shape& target);
 
+// The pair of a target part and the source part that it corresponds to most probably. Where roles do not tell the
+// probabilities: the matched one of most confidence, or else, with confidence 0, the one of least cost.
+Part_correspondence likeliest_source(const Part_matching& matching, std::size_t target);
+
 // A matching of one alignment of two shapes in the indices of another one. \pre both have the same parts
 Part_matching renumbered(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& new_source,
                          const Aligned_shape& target, const Aligned_shape& new_target);

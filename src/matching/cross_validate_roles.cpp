@@ -5,10 +5,15 @@
 #include "base/for_each_index.h"
 #include "matching/Role_trainer.h"
 #include "matching/Shape_roles.h"
+#include "matching/aligned_matching.h"
+
+#include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <numeric>
+#include <random>
 #include <set>
 #include <utility>
 
@@ -22,17 +27,35 @@ constexpr double slight_charge = 1e-4;  // for large weights, where every catego
 // is flat.
 constexpr double charge_of_category = 1;
 
+bool is_in(const Validation_pair& pair, std::size_t shape) { return shape == pair[0] || shape == pair[1]; }
+
+// Leaves of the shapes at most so many, drawn by the number of the pair.
+void draw(std::vector<std::size_t>& shapes, std::size_t count, std::uint64_t pair)
+{
+  std::mt19937_64 random(pair); // the same numbers on all machines
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    std::swap(shapes[i], shapes[i + std::size_t(random() % (shapes.size() - i))]);
+  if (shapes.size() > count) shapes.resize(count);
+}
+
 std::vector<char> left_out_shapes(const std::vector<Validation_shape>& shapes, const Validation_pair& pair,
-                                  Left_out left_out)
+                                  std::size_t number_of_pair, const Validation_options& options)
 {
   std::vector<char> result(shapes.size(), 0);
-  for (std::size_t shape = 0; shape < shapes.size(); ++shape)
-    for (std::size_t end : pair) {
-      const bool same_category = shapes[shape].labelled.category == shapes[end].labelled.category;
-      if (shape == end || (left_out == Left_out::SOURCES && shapes[shape].source == shapes[end].source) ||
-          (left_out == Left_out::CATEGORY && same_category))
-        result[shape] = 1;
-    }
+  std::vector<std::size_t> examples;
+  for (std::size_t shape = 0; shape < shapes.size(); ++shape) {
+    const bool same_category = shapes[shape].labelled.category == shapes[pair[0]].labelled.category;
+    const bool same_source = options.left_out == Left_out::SOURCES && (shapes[shape].source == shapes[pair[0]].source ||
+                                                                       shapes[shape].source == shapes[pair[1]].source);
+    const bool is_example = same_category && !shapes[shape].is_generated && !same_source && !is_in(pair, shape);
+    if (is_example) examples.push_back(shape);
+    result[shape] = is_in(pair, shape) || same_source || (options.left_out == Left_out::CATEGORY && same_category) ||
+                    (options.examples && is_example);
+  }
+  if (!options.examples) return result;
+  draw(examples, *options.examples, number_of_pair);
+  for (std::size_t shape : examples)
+    result[shape] = 0;
   return result;
 }
 
@@ -83,6 +106,16 @@ std::vector<Judged_pair> judged(const std::vector<Part_correspondence>& pairs, c
   return result;
 }
 
+// The share of the target's parts that get their coarse label from the source.
+double transferred_share(const Part_matching& matching, const Validation_shape& source, const Validation_shape& target)
+{
+  const std::vector<Part_label>&from = source.labelled.labels, &to = target.labelled.labels;
+  std::size_t right = 0;
+  for (std::size_t j = 0; j < to.size(); ++j)
+    right += from[likeliest_source(matching, j).source].coarse == to[j].coarse;
+  return double(right) / double(to.size());
+}
+
 // What is known of a pair of shapes that the training did not see.
 struct Pair_evidence
 {
@@ -92,7 +125,20 @@ struct Pair_evidence
   std::string category; // as the matcher finds it; empty: none
   Pair_terms found;     // in that one
   Front_count fronts;   // with the category told
+  // Of least energy, without and with roles; by index in the structural graphs
+  std::array<std::vector<Part_correspondence>, 2> least_energy;
 };
+
+// The pairs of least energy. \param role_costs empty: without roles
+std::vector<Part_correspondence> pairs_of_least_energy(const Labelled_graph& source, const Labelled_graph& target,
+                                                       double role_weight, Eigen::MatrixXd role_costs)
+{
+  Search_options options;
+  options.method = Search_method::EXACT;
+  options.matching.weights.roles = role_weight;
+  options.matching.role_costs = std::move(role_costs);
+  return find_correspondence(*source.graph, *target.graph, options).pairs;
+}
 
 class Pair_validator
 {
@@ -104,14 +150,14 @@ public:
 
   const Role_model_data& model() const { return all_; }
 
-  std::vector<Pair_evidence> run(const std::vector<Validation_pair>& pairs, Left_out left_out)
+  std::vector<Pair_evidence> run(const std::vector<Validation_pair>& pairs, const Validation_options& options)
   {
     for (const Validation_pair& pair : pairs)
       for (std::size_t end : pair)
         for (int turn = int(turned_[end].size()); turn < 4; ++turn)
           turned_[end].push_back(role_evidence(*shapes_[end].labelled.graph, turn));
     std::vector<Pair_evidence> result(pairs.size());
-    for_each_index(pairs.size(), true, [&](std::size_t i) { result[i] = evidence(pairs[i], left_out); });
+    for_each_index(pairs.size(), true, [&](std::size_t i) { result[i] = evidence(pairs[i], i, options); });
     return result;
   }
 
@@ -124,17 +170,17 @@ private:
     return result;
   }
 
-  Pair_evidence evidence(const Validation_pair& pair, Left_out left_out) const
+  Pair_evidence evidence(const Validation_pair& pair, std::size_t number, const Validation_options& options) const
   {
     const Labelled_graph &source = shapes_[pair[0]].labelled, &target = shapes_[pair[1]].labelled;
     Role_model_data data = all_;
     const std::size_t own = data.index(source.category);
-    data.categories[own] = trainer_.category(source.category, left_out_shapes(shapes_, pair, left_out));
+    data.categories[own] = trainer_.category(source.category, left_out_shapes(shapes_, pair, number, options));
     if (data.categories[own].roles.empty()) data.categories.erase(data.categories.begin() + std::ptrdiff_t(own));
     const Role_model model(std::move(data));
     const Turned_roles a = turned_roles(pair[0], model), b = turned_roles(pair[1], model);
     const std::size_t told = model.data().index(source.category), none = model.data().categories.size(),
-                      category = category_of_pair(*a[0], *b[0], model.data()).index;
+                      category = options.category_is_told ? told : category_of_pair(*a[0], *b[0], model.data()).index;
     Pair_evidence result;
     result.geometric = geometric_match(*source.graph, *target.graph);
     result.truth = ground_truth(source.labels, target.labels);
@@ -146,6 +192,13 @@ private:
       for (const Turned_roles* shape : {&a, &b})
         count_front(front_turns(*shape, told, model.data().trees), result.fronts);
     }
+    if (options.role_weight > 0)
+      for (std::size_t with : {0u, 1u}) {
+        Eigen::MatrixXd role_costs;
+        if (with == 1 && category < none)
+          role_costs = 1 - agreement_of_votes(a[0]->votes(category), b[0]->votes(category)).array();
+        result.least_energy[with] = pairs_of_least_energy(source, target, options.role_weight, std::move(role_costs));
+      }
     if (category == none) return result;
     result.category = model.data().categories[category].name;
     result.found = category == told ? result.told.terms : terms(category);
@@ -177,18 +230,18 @@ std::vector<Labelled_graph> labelled_graphs(const std::vector<Validation_shape>&
 } // namespace
 
 Role_validation::Role_validation(const std::vector<Validation_shape>& shapes, const std::vector<Validation_pair>& pairs,
-                                 Left_out left_out, const Role_training_options& options)
+                                 const Validation_options& options, const Role_training_options& training)
     : shapes_(shapes), pairs_(pairs.size())
 {
   const std::vector<Labelled_graph> labelled = labelled_graphs(shapes);
-  Pair_validator validator(shapes, labelled, options);
+  Pair_validator validator(shapes, labelled, training);
   all_ = validator.model();
-  std::vector<Pair_evidence> evidence = validator.run(pairs, left_out);
+  std::vector<Pair_evidence> evidence = validator.run(pairs, options);
   for (std::size_t i = 0; i < pairs.size(); ++i)
     pairs_[i].shapes = pairs[i];
   // What was learned with much left out tells nothing of how good what is learned of others is
   std::vector<Pair_evidence> with_others;
-  if (left_out != Left_out::SHAPES) with_others = validator.run(pairs, Left_out::SHAPES);
+  if (options.left_out != Left_out::SHAPES && !options.examples) with_others = validator.run(pairs, {});
   for (const Pair_evidence& pair : with_others.empty() ? evidence : with_others)
     examples_.push_back(pair.told);
 
@@ -200,17 +253,25 @@ Role_validation::Role_validation(const std::vector<Validation_shape>& shapes, co
   for_each_index(pairs.size(), true, [&](std::size_t i) {
     const std::string& category = shapes[pairs[i][0]].labelled.category;
     const Pair_evidence& pair = evidence[i];
-    std::vector<Part_correspondence> matched = pair.geometric.pairs;
+    Part_matching matched = pair.geometric;
     if (!pair.category.empty()) {
       Pair_weights weights = of_others.at(category);
-      if (pair.category == category) weights = weights_of(category, weights, {pairs[i][0], pairs[i][1]});
-      matched = pairs_by_terms(pair.found, weights, pair.geometric);
+      if (pair.category == category && !options.examples)
+        weights = weights_of(category, weights, {pairs[i][0], pairs[i][1]});
+      matched = match_by_terms(pair.found, weights, pair.geometric);
     }
     pairs_[i].category = pair.category;
-    pairs_[i].geometric = evaluate_correspondence(part_pairs(pair.geometric.pairs), pair.truth);
-    pairs_[i].joined = evaluate_correspondence(part_pairs(matched), pair.truth);
+    std::vector<Part_correspondence> without = pair.geometric.pairs;
+    if (options.role_weight > 0) {
+      without = pair.least_energy[0];
+      matched.pairs = pair.least_energy[1];
+    }
+    pairs_[i].geometric = evaluate_correspondence(part_pairs(without), pair.truth);
+    pairs_[i].joined = evaluate_correspondence(part_pairs(matched.pairs), pair.truth);
+    pairs_[i].labels_by_geometry = transferred_share(pair.geometric, shapes[pairs[i][0]], shapes[pairs[i][1]]);
+    pairs_[i].labels_joined = transferred_share(matched, shapes[pairs[i][0]], shapes[pairs[i][1]]);
     pairs_[i].fronts = pair.fronts;
-    pairs_[i].judged = judged(matched, pair.truth);
+    pairs_[i].judged = judged(matched.pairs, pair.truth);
   });
 }
 

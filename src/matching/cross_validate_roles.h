@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Validation_shape
 {
   Labelled_graph labelled;
   std::string source; // where it is from
+  bool is_generated = false;
 };
 
 // Two labelled shapes of a category, by index.
@@ -30,6 +32,17 @@ enum class Left_out {
   SHAPES,  // the two shapes
   SOURCES, // all shapes of their sources
   CATEGORY // all of it
+};
+
+struct Validation_options
+{
+  Left_out left_out = Left_out::SHAPES;
+  // How many shapes of the category that are not generated the training sees at most, drawn for every pair; with
+  // `Left_out::CATEGORY` it sees these of all the category.
+  std::optional<std::size_t> examples;
+  bool category_is_told = false; // to the matcher
+  // Not 0: the correspondences of least energy are compared, without roles and with roles of this weight in the energy.
+  double role_weight = 0;
 };
 
 // A pair of parts that was matched: how probable that was, and whether it is right.
@@ -50,17 +63,20 @@ struct Validated_pair
   Validation_pair shapes{};
   std::string category;                   // as the matcher finds it; empty: none
   Correspondence_score geometric, joined; // by geometry alone, and as the matcher does it
-  Front_count fronts;                     // of the two shapes, with the category told
-  std::vector<Judged_pair> judged;        // of the matcher's pairs
+  // The share of the target's parts that get their coarse label from the source.
+  double labels_by_geometry = 0, labels_joined = 0;
+  Front_count fronts;              // of the two shapes, with the category told
+  std::vector<Judged_pair> judged; // of the matcher's pairs
 };
 
 // Matches of pairs of shapes that the training did not see. The weights of the terms follow from pairs of other
-// categories, and from those of their own category that share no shape with the one at hand, if any.
+// categories and from those of their own category that share no shape with the one at hand; where examples are limited,
+// from pairs of other categories that were matched with as few.
 class Role_validation
 {
 public:
   Role_validation(const std::vector<Validation_shape>& shapes, const std::vector<Validation_pair>& pairs,
-                  Left_out left_out, const Role_training_options& options);
+                  const Validation_options& options, const Role_training_options& training);
 
   const std::vector<Validated_pair>& pairs() const { return pairs_; }
 

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "matching/mean_differences.h"
+
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 
@@ -11,6 +13,7 @@
 #include <optional>
 #include <random>
 #include <set>
+#include <tuple>
 
 namespace CGAL::Shape_correspondence {
 namespace {
@@ -68,13 +71,16 @@ void add(Figures& sum, const Figures& figures, double weight)
 class Category_bootstrap
 {
 public:
-  explicit Category_bootstrap(const std::vector<const Scored_correspondence*>& scores)
+  /// \param others what the figures are the differences from, by score; empty: nothing
+  explicit Category_bootstrap(const std::vector<const Scored_correspondence*>& scores,
+                              const std::vector<const Scored_correspondence*>& others)
   {
     std::map<std::string, std::size_t> indices;
     const auto index = [&](const std::string& shape) { return indices.emplace(shape, indices.size()).first->second; };
-    for (const Scored_correspondence* s : scores) {
-      const std::size_t source = index(s->source);
-      entries_.push_back({source, index(s->target), figures(s->score)});
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+      const std::size_t source = index(scores[i]->source);
+      entries_.push_back({source, index(scores[i]->target), figures(scores[i]->score)});
+      if (!others.empty()) add(entries_.back().figures, figures(others[i]->score), -1);
     }
     shapes_ = indices.size();
   }
@@ -185,12 +191,18 @@ Correspondence_score evaluate_correspondence(Part_pairs pairs, const Ground_trut
           number_of_common(pairs, truth.coarse_pairs)};
 }
 
-Evaluation mean_scores(const std::vector<Scored_correspondence>& scores, const Evaluation_options& options)
+namespace {
+
+/// \param others what the means are the differences from, by score; empty: nothing
+Evaluation means_of(const std::vector<Scored_correspondence>& scores, const std::vector<Scored_correspondence>& others,
+                    const Evaluation_options& options)
 {
   check(scores, options);
-  std::map<std::string, std::vector<const Scored_correspondence*>> categories;
+  std::map<std::string, std::vector<const Scored_correspondence*>> categories, of_others;
   for (const Scored_correspondence& score : scores)
     categories[score.category].push_back(&score);
+  for (const Scored_correspondence& other : others)
+    of_others[other.category].push_back(&other);
 
   Evaluation result;
   std::mt19937_64 random(options.seed);
@@ -198,7 +210,7 @@ Evaluation mean_scores(const std::vector<Scored_correspondence>& scores, const E
   Figures mean{};
   std::vector<Figures> mean_draws(std::size_t(options.resamples), Figures{});
   for (const auto& [name, of_category] : categories) {
-    const Category_bootstrap bootstrap(of_category);
+    const Category_bootstrap bootstrap(of_category, of_others[name]);
     std::vector<Figures> draws;
     for (Figures& sum : mean_draws) {
       draws.push_back(bootstrap.draw(random));
@@ -216,6 +228,24 @@ Evaluation mean_scores(const std::vector<Scored_correspondence>& scores, const E
   }
   set_estimates(result.mean, mean, mean_draws, options.confidence);
   return result;
+}
+
+} // namespace
+
+Evaluation mean_scores(const std::vector<Scored_correspondence>& scores, const Evaluation_options& options)
+{
+  return means_of(scores, {}, options);
+}
+
+Evaluation internal::mean_differences(const std::vector<Scored_correspondence>& scores,
+                                      const std::vector<Scored_correspondence>& others,
+                                      const Evaluation_options& options)
+{
+  const auto key = [](const Scored_correspondence& s) { return std::tie(s.category, s.source, s.target); };
+  if (!std::equal(scores.begin(), scores.end(), others.begin(), others.end(),
+                  [&](const auto& a, const auto& b) { return key(a) == key(b); }))
+    throw Invalid_input("differences of scores need scores of the same correspondences, in the same order");
+  return means_of(scores, others, options);
 }
 
 } // namespace CGAL::Shape_correspondence

@@ -3,8 +3,8 @@
 
 #include "base/limits.h"
 #include "base/quantized.h"
+#include "matching/Alignments.h"
 #include "matching/Search_run.h"
-#include "matching/Shape_roles.h"
 #include "matching/aligned_matching.h"
 #include "matching/match_parts.h"
 
@@ -16,7 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -31,6 +31,8 @@ void check(const Search_options& options)
   for (double weight : {weights.distortion, weights.connectedness, weights.split})
     if (!(weight >= 0 && weight <= largest_number))
       throw Invalid_input("find_correspondence: the weights of E_d, E_c and E_s must not be negative or beyond 1e50");
+  if (!(weights.roles >= 0) || !std::isfinite(weights.roles))
+    throw Invalid_input("find_correspondence: the weight of roles must be finite and not negative");
   if (!(options.matching.unmatched_cost >= 0))
     throw Invalid_input("find_correspondence: the cost of leaving a part unmatched must not be negative");
   if (options.maximum_parts < 0 || options.alignments < 0)
@@ -71,6 +73,14 @@ void mark_cancelled(std::size_t done, std::size_t runs, Correspondence& correspo
                                     std::to_string(runs) + " runs; this is the best result up to then.");
 }
 
+void take_roles(const Correspondence& known, Correspondence& correspondence)
+{
+  correspondence.category = known.category;
+  correspondence.source_roles = known.source_roles;
+  correspondence.target_roles = known.target_roles;
+  correspondence.warnings.insert(correspondence.warnings.end(), known.warnings.begin(), known.warnings.end());
+}
+
 // The shape as far as it takes part. \param chosen indices in the structural graph; empty: all
 Matching_problem::Shared_shape participating(Matching_problem::Shared_shape shape,
                                              const std::vector<std::size_t>& chosen)
@@ -103,6 +113,17 @@ void check_indices(const Matching_options& matching, std::size_t Part_pair::*sid
                             " to pin or forbid, the " + shape + " has " + std::to_string(parts) + " parts");
 }
 
+void check_role_costs(const Eigen::MatrixXd& costs, std::size_t source_parts, std::size_t target_parts)
+{
+  if (costs.size() == 0) return;
+  if (costs.rows() != Eigen::Index(source_parts) || costs.cols() != Eigen::Index(target_parts))
+    throw Invalid_input("find_correspondence: the costs of roles are " + std::to_string(costs.rows()) + " x " +
+                        std::to_string(costs.cols()) + "; the shapes have " + std::to_string(source_parts) + " and " +
+                        std::to_string(target_parts) + " parts");
+  if (!(costs.array() >= 0).all() || !(costs.array() <= 1).all())
+    throw Invalid_input("find_correspondence: the costs of roles must be between 0 and 1");
+}
+
 // Which of the parts take part, of equally prominent ones the same in every alignment. \param shape in its own frame
 std::vector<std::size_t> participants(const Matching_problem::Shared_shape& shape,
                                       const std::vector<std::size_t>& chosen, int maximum_parts)
@@ -121,56 +142,6 @@ Search_options paper_options()
   options.alignments = 0;
   options.coarse_target = false;
   return options;
-}
-
-// By quarter turn.
-struct Prepared_shape::Alignments
-{
-  explicit Alignments(const Structural_graph& graph) : graph(graph) {}
-
-  Matching_problem::Shared_shape aligned(int quarter_turns)
-  {
-    const std::size_t turn = std::size_t((quarter_turns % 4 + 4) % 4);
-    std::call_once(is_aligned[turn],
-                   [&] { shapes[turn] = std::make_shared<Deformable_shape>(align_shape(graph, int(turn))); });
-    return shapes[turn];
-  }
-
-  // Of the model that was asked for last: a shape is hardly ever matched with several. The turns are from the given
-  // orientation.
-  std::shared_ptr<const Shape_roles> roles(const std::shared_ptr<const Role_model>& model, int quarter_turns = 0)
-  {
-    const std::lock_guard<std::mutex> lock(roles_mutex);
-    if (role_model != model) turned_roles = {};
-    role_model = model;
-    std::shared_ptr<const Shape_roles>& result = turned_roles[std::size_t(quarter_turns)];
-    if (!result) result = std::make_shared<Shape_roles>(graph, *model, quarter_turns);
-    return result;
-  }
-
-  Turned_roles roles_by_turn(const std::shared_ptr<const Role_model>& model)
-  {
-    Turned_roles result;
-    for (int turn = 0; turn < 4; ++turn)
-      result[std::size_t(turn)] = roles(model, turn);
-    return result;
-  }
-
-  const Structural_graph& graph;
-  std::mutex roles_mutex;
-  std::shared_ptr<const Role_model> role_model;
-  Turned_roles turned_roles;
-  std::array<std::once_flag, 4> is_aligned;
-  std::array<Matching_problem::Shared_shape, 4> shapes;
-};
-
-Prepared_shape::Prepared_shape(const Structural_graph& graph)
-    : graph_(graph), alignments_(std::make_shared<Alignments>(graph))
-{}
-
-void Prepared_shape::read_roles(const std::shared_ptr<const Role_model>& model) const
-{
-  if (model) alignments_->roles(model);
 }
 
 class Correspondence_finder::Impl
@@ -194,9 +165,10 @@ public:
   std::vector<Correspondence> ranked(const Prepared_shape& target) const
   {
     check_indices(options_.matching, &Part_pair::target, structure(target.graph()).parts.size(), "target");
+    check_role_costs(options_.matching.role_costs, number_of_parts_, structure(target.graph()).parts.size());
     std::vector<Correspondence> result;
     if (options_.method == Search_method::PARTS)
-      result.push_back(matched_parts(target));
+      result.push_back(rated(source_, without_unsure(matched_parts(target))));
     else
       result = least_energy(target);
     for (Correspondence& correspondence : result)
@@ -204,14 +176,17 @@ public:
     return result;
   }
 
+  std::array<Correspondence, 2> both_orders(const Prepared_shape& target) const;
+  std::vector<Transferred_label> transferred_labels(const std::vector<Part_label>& labels,
+                                                    const Prepared_shape& target) const;
+
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
 private:
   using Shared_shape = Matching_problem::Shared_shape;
 
   std::vector<Correspondence> least_energy(const Prepared_shape& target) const;
-  Correspondence matched_parts(const Prepared_shape& target) const;
-  Part_matching matched_in_common_frame(const Prepared_shape& target, const Aligned_shape& shape, int turn) const;
+  Part_matching matched_in_common_frame(const Prepared_shape& target, const Shared_shape& shape, int turn) const;
   Part_matching matched_in_frames(const Prepared_shape& target, const Aligned_shape& shape, int source_turn,
                                   int target_turn) const;
 
@@ -224,7 +199,37 @@ private:
   };
   // The alignments that are tried, the first guess first. \param category of both shapes, if roles tell one
   std::vector<Way> ways(const Prepared_shape& target, Pair_category& category) const;
-  Part_matching matched_way(const Prepared_shape& target, const Aligned_shape& shape, const Way& way) const;
+  Part_matching matched_way(const Prepared_shape& target, const Shared_shape& shape, const Way& way) const;
+
+  // What `Search_method::PARTS` finds, before it is rated by the energy.
+  struct Found
+  {
+    Part_matching matching; // of the source and the target in the alignment
+    Shared_shape target;    // aligned
+    Way way;
+    Correspondence known;           // roles, category and warnings
+    std::size_t done = 0, ways = 0; // alignments
+  };
+  Found matched_parts(const Prepared_shape& target) const;
+  // Without the pairs of less than the least confidence.
+  Found without_unsure(Found found) const;
+  // The correspondence by which the source is deformed.
+  Correspondence rated(const Shared_shape& source, const Found& found) const;
+  // The correspondence by which the target is deformed. \pre it is not turned
+  Correspondence rated_backwards(Found found) const;
+  bool takes_shapes_as_they_are() const
+  {
+    return options_.maximum_parts == 0 && options_.source_parts.empty() && options_.target_parts.empty() &&
+           options_.matching.pinned.empty() && options_.matching.forbidden.empty() &&
+           options_.matching.role_costs.size() == 0;
+  }
+
+  std::shared_ptr<const Shape_features> features(const Prepared_shape& of, const Shared_shape& shape, int turn) const
+  {
+    Alignments& shapes = *of.alignments_;
+    return shape == shapes.aligned(turn) ? shapes.features(turn, options_.parts)
+                                         : std::make_shared<Shape_features>(*shape, options_.parts);
+  }
   using Alignments = Prepared_shape::Alignments;
   Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const
   {
@@ -236,6 +241,15 @@ private:
   }
   double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;
 
+  // What trees tell of the two shapes.
+  struct Pair_votes
+  {
+    const Role_votes &source, &target;
+  };
+  std::optional<Pair_votes> votes_of(const Prepared_shape& target, const Pair_category& category, const Way& way,
+                                     Correspondence& result) const;
+  // The options with `Matching_options::role_costs`, as far as roles are asked for and known. \param result as above
+  Search_options with_role_costs(const Prepared_shape& target, Correspondence& result) const;
   void join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target, const Pair_category& category,
                   const Way& way, Part_matching& matching, Correspondence& result) const;
 
@@ -255,11 +269,12 @@ private:
 // To the side and to the front, places count differently, so that it matters by a quarter turn in whose frame shapes
 // are compared: in the frame of the one that comes first, whichever is the source.
 Part_matching Correspondence_finder::Impl::matched_in_common_frame(const Prepared_shape& target,
-                                                                   const Aligned_shape& shape, int turn) const
+                                                                   const Shared_shape& shape, int turn) const
 {
-  if (turn % 2 == 0 || !comes_first(shape, *source_))
-    return match_parts(*source_, shape, options_.parts, constraints(*source_, shape));
-  return matched_in_frames(target, shape, -turn, 0);
+  if (turn % 2 == 0 || !comes_first(*shape, *source_))
+    return match_parts(*features(prepared_source_, source_, 0), *features(target, shape, turn), options_.parts,
+                       constraints(*source_, *shape));
+  return matched_in_frames(target, *shape, -turn, 0);
 }
 
 // With either shape turned from its own frame.
@@ -269,7 +284,9 @@ Part_matching Correspondence_finder::Impl::matched_in_frames(const Prepared_shap
   const Shared_shape b = aligned(target, target_turn),
                      a = regrouped(participating(prepared_source_.alignments_->aligned(source_turn), source_->original),
                                    pinned_.source);
-  return renumbered(match_parts(*a, *b, options_.parts, constraints(*a, *b)), *a, *source_, *b, shape);
+  return renumbered(match_parts(*features(prepared_source_, a, source_turn), *features(target, b, target_turn),
+                                options_.parts, constraints(*a, *b)),
+                    *a, *source_, *b, shape);
 }
 
 std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(const Prepared_shape& target,
@@ -304,51 +321,101 @@ std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(
   return result;
 }
 
-Part_matching Correspondence_finder::Impl::matched_way(const Prepared_shape& target, const Aligned_shape& shape,
+Part_matching Correspondence_finder::Impl::matched_way(const Prepared_shape& target, const Shared_shape& shape,
                                                        const Way& way) const
 {
   if (!way.by_roles) return matched_in_common_frame(target, shape, way.turn);
-  return matched_in_frames(target, shape, given_quarter_turns(source_frame_) + way.source_front,
+  return matched_in_frames(target, *shape, given_quarter_turns(source_frame_) + way.source_front,
                            given_quarter_turns(structure(target.graph()).frame) + way.target_front);
 }
 
-Correspondence Correspondence_finder::Impl::matched_parts(const Prepared_shape& target) const
+Correspondence_finder::Impl::Found Correspondence_finder::Impl::matched_parts(const Prepared_shape& target) const
 {
+  Found found;
   Pair_category category;
   const std::vector<Way> tried = ways(target, category);
-  Part_matching best;
-  Shared_shape best_shape;
-  Way best_way = tried.front();
+  found.way = tried.front();
+  found.ways = tried.size();
   double best_cost = std::numeric_limits<double>::infinity();
-  std::size_t done = 0;
   for (const Way& way : tried) {
-    if (options_.progress && !options_.progress(double(done) / double(tried.size()))) break;
+    if (options_.progress && !options_.progress(double(found.done) / double(tried.size()))) break;
     const Shared_shape shape = aligned(target, way.turn);
-    Part_matching matching = matched_way(target, *shape, way);
-    const double preference = done == 0 ? clearly_cheaper : 1;
-    ++done;
-    const double cost = preference * double(alignment_cost(matching, *source_, *shape));
+    Part_matching matching = matched_way(target, shape, way);
+    const double preference = found.done == 0 ? clearly_cheaper : 1;
+    ++found.done;
+    const double cost = tried.size() == 1 ? 0 : preference * double(alignment_cost(matching, *source_, *shape));
     if (cost >= best_cost) continue;
     best_cost = cost;
-    best_way = way;
-    best = std::move(matching);
-    best_shape = shape;
+    found.way = way;
+    found.matching = std::move(matching);
+    found.target = shape;
   }
-  if (done == 0) best_shape = aligned(target, best_way.turn);
-  Correspondence known;
-  if (options_.roles && done > 0) join_roles(target, *best_shape, category, best_way, best, known);
-  const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
-  best.pairs.erase(std::remove_if(best.pairs.begin(), best.pairs.end(), unsure), best.pairs.end());
+  if (found.done == 0) found.target = aligned(target, found.way.turn);
+  if (options_.roles && found.done > 0)
+    join_roles(target, *found.target, category, found.way, found.matching, found.known);
+  return found;
+}
 
-  const Search_run run(source_, best_shape, best_way.turn, group_labels(best, *source_, *best_shape), options_);
+Correspondence_finder::Impl::Found Correspondence_finder::Impl::without_unsure(Found found) const
+{
+  const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
+  std::vector<Part_correspondence>& pairs = found.matching.pairs;
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), unsure), pairs.end());
+  return found;
+}
+
+Correspondence Correspondence_finder::Impl::rated(const Shared_shape& source, const Found& found) const
+{
+  const Search_run run(source, found.target, found.way.turn, group_labels(found.matching, *source, *found.target),
+                       options_);
   Correspondence result = correspondence_of(run, run.result.best(), {});
-  result.pairs = original_pairs(best, *source_, *best_shape);
-  result.category = std::move(known.category);
-  result.source_roles = std::move(known.source_roles);
-  result.target_roles = std::move(known.target_roles);
-  result.warnings.insert(result.warnings.end(), known.warnings.begin(), known.warnings.end());
-  if (done < tried.size()) mark_cancelled(done, tried.size(), result);
+  result.pairs = original_pairs(found.matching, *source, *found.target);
+  take_roles(found.known, result);
+  if (found.done < found.ways) mark_cancelled(found.done, found.ways, result);
   return result;
+}
+
+std::vector<Transferred_label> Correspondence_finder::Impl::transferred_labels(const std::vector<Part_label>& labels,
+                                                                               const Prepared_shape& target) const
+{
+  if (options_.method != Search_method::PARTS)
+    throw Invalid_input("transfer_labels: labels are transferred by Search_method::PARTS only");
+  if (labels.size() != number_of_parts_)
+    throw Invalid_input("transfer_labels: there are " + std::to_string(labels.size()) + " labels of " +
+                        std::to_string(number_of_parts_) + " parts of the source");
+  const Found best = matched_parts(target);
+  std::vector<Transferred_label> result(structure(target.graph()).parts.size());
+  if (best.done == 0) return result; // it was cancelled
+  for (std::size_t j = 0; j < best.target->parts.size(); ++j) {
+    const Part_correspondence from = likeliest_source(best.matching, j);
+    result[best.target->original[j]] = {labels[source_->original[from.source]], from.confidence};
+  }
+  return result;
+}
+
+Correspondence Correspondence_finder::Impl::rated_backwards(Found found) const
+{
+  for (Part_correspondence& pair : found.matching.pairs)
+    pair = inverse(pair);
+  std::sort(found.matching.pairs.begin(), found.matching.pairs.end(), is_before);
+  std::swap(found.known.source_roles, found.known.target_roles);
+  const Shared_shape source = std::exchange(found.target, source_);
+  return rated(source, found);
+}
+
+std::array<Correspondence, 2> Correspondence_finder::Impl::both_orders(const Prepared_shape& target) const
+{
+  if (options_.method == Search_method::PARTS && takes_shapes_as_they_are()) {
+    const Found found = without_unsure(matched_parts(target));
+    if (found.way.turn == 0 && found.ways == 1) {
+      std::array<Correspondence, 2> result{rated(source_, found), rated_backwards(found)};
+      const std::size_t of_target = structure(target.graph()).parts.size();
+      collect_unmatched(number_of_parts_, of_target, result[0]);
+      collect_unmatched(of_target, number_of_parts_, result[1]);
+      return result;
+    }
+  }
+  return {std::move(ranked(target).front()), std::move(Impl(target, options_).ranked(prepared_source_).front())};
 }
 
 void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target,
@@ -356,27 +423,51 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
                                              Correspondence& result) const
 {
   const Role_model_data& model = options_.roles->data();
-  if (category.index == model.categories.size()) {
-    result.warnings.push_back(category.note);
-    return;
-  }
-  const std::shared_ptr<const Shape_roles> a = prepared_source_.alignments_->roles(options_.roles, way.source_front),
-                                           b = target.alignments_->roles(options_.roles, way.target_front);
-  const Role_votes &source = a->votes(category.index), &of_target = b->votes(category.index);
+  const std::optional<Pair_votes> votes = votes_of(target, category, way, result);
+  if (!votes) return;
+  const auto& [source, of_target] = *votes;
   const Pair_terms terms = pair_terms(source, source_->original, of_target, aligned_target.original, matching);
   const Match_constraints constrained = constraints(*source_, aligned_target);
-  matching.pairs = pairs_by_terms(terms, model.categories[category.index].weights, matching, constrained);
+  matching = match_by_terms(terms, model.categories[category.index].weights, std::move(matching), constrained);
   constrain(constrained, matching);
+}
+
+// \param result gets the roles, or why there are none
+std::optional<Correspondence_finder::Impl::Pair_votes>
+Correspondence_finder::Impl::votes_of(const Prepared_shape& target, const Pair_category& category, const Way& way,
+                                      Correspondence& result) const
+{
+  const Role_model_data& model = options_.roles->data();
+  if (category.index == model.categories.size()) {
+    result.warnings.push_back(category.note);
+    return std::nullopt;
+  }
+  const Pair_votes votes{prepared_source_.alignments_->roles(options_.roles, way.source_front)->votes(category.index),
+                         target.alignments_->roles(options_.roles, way.target_front)->votes(category.index)};
   result.category = model.categories[category.index].name;
-  for (const Part_label& label : source.labels)
+  for (const Part_label& label : votes.source.labels)
     result.source_roles.push_back(label.coarse);
-  for (const Part_label& label : of_target.labels)
+  for (const Part_label& label : votes.target.labels)
     result.target_roles.push_back(label.coarse);
+  return votes;
+}
+
+Search_options Correspondence_finder::Impl::with_role_costs(const Prepared_shape& target, Correspondence& result) const
+{
+  Search_options options = options_;
+  if (!(options.matching.weights.roles > 0) || !options.roles || options.matching.role_costs.size() > 0) return options;
+  Pair_category category;
+  const Way way = ways(target, category).front();
+  if (const std::optional<Pair_votes> votes = votes_of(target, category, way, result))
+    options.matching.role_costs = 1 - agreement_of_votes(votes->source, votes->target).array();
+  return options;
 }
 
 std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prepared_shape& target) const
 {
   const std::vector<int> turns = tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments);
+  Correspondence known;
+  const Search_options options = with_role_costs(target, known);
   std::vector<Direction> directions{Direction::SOURCE_TO_TARGET};
   if (options_.both_directions) directions.push_back(Direction::TARGET_TO_SOURCE);
 
@@ -389,7 +480,7 @@ std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prep
     for (Direction direction : directions) {
       cancelled = cancelled || (options_.progress && !options_.progress(double(done) / double(run_count)));
       if (cancelled) break;
-      auto run = std::make_unique<Search_run>(source_, shape, direction, turns[t], options_);
+      auto run = std::make_unique<Search_run>(source_, shape, direction, turns[t], options);
       ++done;
       states += run->result.summary.states;
       evaluations += run->result.summary.evaluations;
@@ -410,6 +501,7 @@ std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prep
   for (Correspondence& correspondence : result) {
     correspondence.search.states = states;
     correspondence.search.evaluations = evaluations;
+    take_roles(known, correspondence);
     if (cancelled) mark_cancelled(done, run_count, correspondence);
   }
   return result;
@@ -442,6 +534,7 @@ double Correspondence_finder::Impl::lower_bound(const Shared_shape& deformed, co
   matching.cut_curves = false;
   matching.pinned.clear(); // without them the energy is not greater
   matching.forbidden.clear();
+  matching.role_costs.resize(0, 0);
   matching.unmatched_cost = unmatched_energy;
   const Matching_problem problem(std::make_shared<Deformable_shape>(deformed->ungrouped()),
                                  std::make_shared<Deformable_shape>(other->ungrouped()), matching);
@@ -466,6 +559,11 @@ Correspondence Correspondence_finder::operator()(const Prepared_shape& target) c
   return std::move(ranked(target).front());
 }
 
+std::array<Correspondence, 2> Correspondence_finder::both_orders(const Prepared_shape& target) const
+{
+  return impl_->both_orders(target);
+}
+
 std::vector<Correspondence> Correspondence_finder::ranked(const Structural_graph& target) const
 {
   return ranked(Prepared_shape(target));
@@ -474,6 +572,12 @@ std::vector<Correspondence> Correspondence_finder::ranked(const Structural_graph
 std::vector<Correspondence> Correspondence_finder::ranked(const Prepared_shape& target) const
 {
   return impl_->ranked(target);
+}
+
+std::vector<Transferred_label> Correspondence_finder::transfer_labels(const std::vector<Part_label>& labels,
+                                                                      const Prepared_shape& target) const
+{
+  return impl_->transferred_labels(labels, target);
 }
 
 double Correspondence_finder::lower_bound(const Prepared_shape& target, double unmatched_energy) const

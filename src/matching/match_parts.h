@@ -20,14 +20,14 @@ struct Part_matching
   std::vector<Part_correspondence> pairs; ///< by source, then target, by index of the aligned shapes
   Eigen::MatrixXd costs;                  ///< source part × target part, by index of the aligned shapes
   bool upside_down = false;               ///< one shape was turned over, as a lamp that hangs from a chain
+  Eigen::MatrixXd probabilities;          ///< of all pairs, as the costs; where roles tell, else empty
 };
 
 /// Parts that pair with each other alone, at no more cost, are as good as the same. Half of it is too little for the
 /// slats of a bed in data/ against themselves.
 constexpr double same_part_cost = 1;
 
-/// An order of two shapes that does not depend on which of them is the source, nor on turns about the up axis; settles
-/// what else that would decide.
+/// An order of two shapes that does not depend on which of them is the source; settles what else that would decide.
 bool comes_first(const Aligned_shape& a, const Aligned_shape& b);
 
 /// Matches parts by their costs alone, without deforming a shape.
@@ -50,6 +50,14 @@ bool comes_first(const Aligned_shape& a, const Aligned_shape& b);
 Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
                           const Part_matching_options& options = {},
                           const internal::Match_constraints& constraints = {});
+
+namespace internal {
+struct Shape_features;
+}
+
+/// The same of shapes whose features are known, by the same options.
+Part_matching match_parts(const internal::Shape_features& source, const internal::Shape_features& target,
+                          const Part_matching_options& options, const internal::Match_constraints& constraints);
 
 /// Takes out the pairs that are not allowed and puts in those that are pinned.
 void constrain(const internal::Match_constraints& constraints, Part_matching& matching);

@@ -25,6 +25,15 @@ Pair_weights usual_pair_weights()
   return result;
 }
 
+Pair_weights usual_pair_weights(std::size_t labelled_shapes)
+{
+  // Over the root of the number. Set by `roles evaluate --leave-out category --told --number-of-examples N` with N = 1,
+  // 3, 5, 8: the mean of how far `weights` there are from the usual ones, times the root of N
+  Pair_weights of_few;
+  of_few << -1.05, -1.59, 0.72, -0.04, 1.07;
+  return usual_pair_weights() + of_few / std::sqrt(double(labelled_shapes));
+}
+
 Eigen::MatrixXd excess_of_pairs(const Eigen::MatrixXd& costs)
 {
   const Eigen::VectorXd of_source = costs.rowwise().minCoeff(), of_target = costs.colwise().minCoeff();

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -29,9 +30,13 @@ using Pair_terms = Eigen::Matrix<double, Eigen::Dynamic, PAIR_TERM_COUNT>;
 using Pair_weights = Eigen::Matrix<double, PAIR_TERM_COUNT, 1>;
 
 // Fitted to the labelled shapes that the role model of the package was learned from, each pair of shapes matched with
-// neither in the training (`weights` in data/roles/manifest.json); for models that are learned from too few shapes for
-// weights of their own.
+// neither in the training (`weights` in data/roles/manifest.json); for validations of too few pairs for weights of
+// their own.
 Pair_weights usual_pair_weights();
+
+// For a category of which so many shapes are labelled: the fewer there are, the less the labels count, and the more
+// the geometric match does.
+Pair_weights usual_pair_weights(std::size_t labelled_shapes);
 
 // The excess of every pair.
 Eigen::MatrixXd excess_of_pairs(const Eigen::MatrixXd& costs);

@@ -4,10 +4,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "aligned_graphs.h"
+#include "brute_force.h"
 #include "deformed_parts.h"
 #include "energy/Matching_problem.h"
 #include "energy/Structural_rods.h"
 #include "energy/divide_sheets.h"
+#include "search/beam_search.h"
+
+#include <CGAL/Shape_correspondence/exact_search.h>
 
 #include <catch2/catch.hpp>
 
@@ -49,6 +53,57 @@ TEST_CASE("The tables add up to the terms of an assignment, in both norms")
       const Energy_terms terms = problem.terms(assignment);
       CHECK(problem.energy()(assignment) == Approx(deformation_energy(terms, options.weights)));
     }
+  }
+}
+
+TEST_CASE("Roles: each contact is charged the mean of what its parts disagree with their images, by brute force")
+{
+  const Aligned_shape source = align_shape(slatted_chair()), target = align_shape(chair());
+  for (const Energy_norm norm : {Energy_norm::SUM, Energy_norm::POOLED}) {
+    Matching_options options;
+    options.norm = norm;
+    options.unmatched_cost = 0.3;
+    const Matching_problem without(source, target, options);
+    options.role_costs.resize(Eigen::Index(source.parts.size()), Eigen::Index(target.parts.size()));
+    for (Eigen::Index i = 0; i < options.role_costs.rows(); ++i)
+      for (Eigen::Index j = 0; j < options.role_costs.cols(); ++j)
+        options.role_costs(i, j) = double((3 * i + 5 * j) % 7) / 7;
+    CHECK(Matching_problem(source, target, options).energy().unary == without.energy().unary); // the weight is 0
+    options.weights.roles = 0.8;
+    const Matching_problem problem(source, target, options);
+    const auto cost_of_part = [&](std::size_t part, const Assignment& assignment) {
+      const std::size_t g = source.group_of[part];
+      double sum = 0, count = 0;
+      for (const auto& images : problem.label(g, std::size_t(assignment[g])).images)
+        for (const Image& image : images)
+          if (image.source.part == part) {
+            sum += options.role_costs(Eigen::Index(source.original[part]),
+                                      Eigen::Index(target.original[image.target.part]));
+            count += 1;
+          }
+      return count > 0 ? sum / count : 0;
+    };
+    for (std::size_t start = 0; start < 20; ++start) {
+      Assignment assignment(problem.source().number_of_groups());
+      for (std::size_t g = 0; g < assignment.size(); ++g)
+        assignment[g] = int((g * 7 + start) % problem.number_of_labels(g));
+      double expected = 0;
+      for (const Sampled_contact& contact : source.contacts)
+        expected += (cost_of_part(contact.parts[0], assignment) + cost_of_part(contact.parts[1], assignment)) / 2;
+      if (norm == Energy_norm::POOLED) expected /= double(source.contacts.size());
+      CHECK(problem.terms(assignment).roles == Approx(expected).margin(1e-12));
+      CHECK(problem.energy()(assignment) == Approx(without.energy()(assignment) + 0.8 * expected));
+      CHECK(problem.energy()(assignment) == Approx(deformation_energy(problem.terms(assignment), options.weights)));
+    }
+    const double least = brute_force(problem.energy())[0];
+    CHECK(problem.energy().lower_bound() <= least);
+    const Search_result exact = exact_search(problem.energy());
+    CHECK(exact.optimal);
+    CHECK(exact.best().energy == Approx(least).margin(1e-6));
+    Beam_options wide;
+    wide.beam_width = wide.expansions = 1000;
+    CHECK(beam_search(problem, wide).best().energy == Approx(least).margin(1e-6));
+    CHECK(internal::reversed(options).role_costs == options.role_costs.transpose());
   }
 }
 

@@ -23,12 +23,15 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <filesystem>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
 
 using namespace hand_made;
 using namespace model_files;
+using namespace CGAL::Shape_correspondence::internal;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -233,6 +236,123 @@ TEST_CASE("A role model is the same for any order of the shapes, and after it wa
   }
 }
 
+TEST_CASE("A model that is extended knows what all shapes teach together")
+{
+  const std::vector<Labelled_graph> all = labelled(examples());
+  std::vector<Labelled_graph> chairs, shelves, first_half, second_half;
+  for (const Labelled_graph& shape : all) {
+    (shape.category == "chair" ? chairs : shelves).push_back(shape);
+    (first_half.size() < all.size() / 2 ? first_half : second_half).push_back(shape);
+  }
+  const Role_model together = train_role_model(all);
+  CHECK(bytes(extend_role_model(train_role_model(chairs), shelves)) == bytes(together));
+  CHECK(bytes(extend_role_model(Role_model(), all)) == bytes(together));
+
+  // Shapes of a category that is known: its roles are learned from the old and the new ones
+  const Role_model extended = extend_role_model(train_role_model(first_half), second_half);
+  for (const Furniture& shape : {chair(0.17, 1.9), shelf(0.08, 4)}) {
+    const Part_roles a = part_roles(shape.graph, extended), b = part_roles(shape.graph, together);
+    CHECK(a.probabilities == b.probabilities);
+    CHECK(a.distance == b.distance);
+  }
+  // Also after it was kept in a file
+  const Temporary_folder folder;
+  IO::write_role_model(folder.path("half.roles"), train_role_model(first_half));
+  CHECK(bytes(extend_role_model(IO::read_role_model(folder.path("half.roles")), second_half)) == bytes(extended));
+
+  // The forests have as many trees as those of the model
+  Role_training_options few;
+  few.trees = 7;
+  CHECK(extend_role_model(train_role_model(chairs, few), shelves).data().trees == 7);
+  std::vector<Labelled_graph> bad = shelves;
+  bad[0].labels.pop_back();
+  CHECK_THROWS_WITH(extend_role_model(train_role_model(chairs), bad), Contains("role for every part"));
+}
+
+TEST_CASE("The fewer shapes are labelled, the less their labels count")
+{
+  double before = 0;
+  for (const std::size_t count : {1, 3, 10, 100}) {
+    const Pair_weights weights = usual_pair_weights(count);
+    CHECK(weights[SAME_LABEL] > before);
+    CHECK(weights[GEOMETRIC_PAIR] > usual_pair_weights()[GEOMETRIC_PAIR]);
+    before = weights[SAME_LABEL];
+  }
+  CHECK(before < usual_pair_weights()[SAME_LABEL]);
+  const std::vector<Labelled_graph> shapes = labelled(examples());
+  CHECK(train_role_model({shapes[0], shapes[2]}).data().categories[0].weights == usual_pair_weights(2));
+}
+
+TEST_CASE("Labels are transferred to the parts that correspond most probably")
+{
+  const Furniture a = shelf(0.06, 3), b = shelf(0.1, 5);
+  Search_options options;
+  for (const bool with_roles : {true, false}) {
+    if (with_roles)
+      options.roles = std::make_shared<const Role_model>(train_role_model(labelled(examples())));
+    else
+      options.roles = nullptr;
+    const std::vector<Transferred_label> labels =
+        Correspondence_finder(a.graph, options).transfer_labels(a.labels, Prepared_shape(b.graph));
+    REQUIRE(labels.size() == b.labels.size());
+    const Correspondence match = find_correspondence(a.graph, b.graph, options);
+    for (std::size_t part = 0; part < labels.size(); ++part) {
+      CHECK(labels[part].label.coarse == b.labels[part].coarse);
+      CHECK(labels[part].label.fine == b.labels[part].fine);
+      double most = 0;
+      for (const Part_correspondence& pair : match.pairs)
+        if (pair.target == part) most = std::max(most, pair.confidence);
+      if (most > 0) CHECK(labels[part].confidence == most);
+    }
+  }
+  const Correspondence_finder finder(a.graph, options);
+  CHECK_THROWS_WITH(finder.transfer_labels({}, Prepared_shape(b.graph)), Contains("0 labels of 5 parts"));
+  options.method = Search_method::EXACT;
+  CHECK_THROWS_WITH(Correspondence_finder(a.graph, options).transfer_labels(a.labels, Prepared_shape(b.graph)),
+                    Contains("Search_method::PARTS"));
+  options.method = Search_method::PARTS;
+  options.target_parts = {0, 2};
+  const auto some = Correspondence_finder(a.graph, options).transfer_labels(a.labels, Prepared_shape(b.graph));
+  CHECK(some[0].label.coarse == "side");
+  CHECK(some[1].label.coarse.empty());
+}
+
+TEST_CASE("Roles joined to the energy")
+{
+  const Furniture a = shelf(0.06, 3), b = shelf(0.1, 5);
+  const auto model = std::make_shared<const Role_model>(train_role_model(labelled(examples())));
+  for (const Search_method method : {Search_method::EXACT, Search_method::BEAM}) {
+    Search_options options;
+    options.method = method;
+    const Correspondence without = find_correspondence(a.graph, b.graph, options);
+    options.roles = model;
+    const Correspondence off = find_correspondence(a.graph, b.graph, options); // the weight is 0
+    CHECK(off.pairs == without.pairs);
+    CHECK(off.energy == without.energy);
+    CHECK(off.category.empty());
+    options.matching.weights.roles = 100; // decides alone
+    const Correspondence with = find_correspondence(a.graph, b.graph, options);
+    CHECK(with.category == "shelf");
+    CHECK(with.source_roles == roles(a.labels));
+    for (const Part_correspondence& pair : with.pairs)
+      CHECK(a.labels[pair.source].coarse == b.labels[pair.target].coarse);
+    CHECK(with.terms.roles < 0.1);
+    CHECK(with.energy == Approx(deformation_energy(with.terms, options.matching.weights)));
+    // From either shape
+    const Correspondence back = find_correspondence(b.graph, a.graph, options);
+    CHECK(back.energy == Approx(with.energy));
+    // No model, nothing to charge
+    options.roles = nullptr;
+    CHECK(find_correspondence(a.graph, b.graph, options).energy == without.energy);
+    options.matching.role_costs = Eigen::MatrixXd::Zero(2, 2);
+    CHECK_THROWS_WITH(find_correspondence(a.graph, b.graph, options), Contains("2 x 2"));
+    options.matching.role_costs = Eigen::MatrixXd::Constant(5, 7, 1.5);
+    CHECK_THROWS_WITH(find_correspondence(a.graph, b.graph, options), Contains("between 0 and 1"));
+    options.matching.weights.roles = -1;
+    CHECK_THROWS_WITH(find_correspondence(a.graph, b.graph, options), Contains("weight of roles"));
+  }
+}
+
 TEST_CASE("What cannot be learned from")
 {
   std::vector<Labelled_graph> shapes = labelled(examples());
@@ -348,7 +468,7 @@ TEST_CASE("Pairs of shapes that the training did not see")
 {
   const std::vector<Validation_shape> shapes = validation_shapes(examples());
   const std::vector<Validation_pair> all = pairs_of_category(examples(), shapes.size());
-  const Role_validation validation(shapes, all, Left_out::SHAPES, {});
+  const Role_validation validation(shapes, all, {}, {});
   REQUIRE(validation.pairs().size() == all.size());
   for (const Validated_pair& pair : validation.pairs()) {
     const std::string& category = examples()[pair.shapes[0]].category;
@@ -367,13 +487,44 @@ TEST_CASE("What was left out of the training is not known")
   const std::vector<Validation_shape> shapes = validation_shapes(examples());
   const std::vector<Validation_pair> pairs{{0, 2}, {1, 3}};
   for (const Left_out left_out : {Left_out::SOURCES, Left_out::CATEGORY}) { // each category is of one source
-    const Role_validation validation(shapes, pairs, left_out, {});
+    Validation_options options;
+    options.left_out = left_out;
+    const Role_validation validation(shapes, pairs, options, {});
     for (const Validated_pair& pair : validation.pairs()) {
       CHECK(pair.category.empty());
       CHECK(pair.joined.right == pair.geometric.right);
       CHECK(pair.joined.matched == pair.geometric.matched);
     }
   }
+}
+
+TEST_CASE("Few examples: the training sees so many shapes of the category, and neither of the pair")
+{
+  const std::vector<Validation_shape> shapes = validation_shapes(examples());
+  const std::vector<Validation_pair> pairs{{0, 2}, {1, 3}};
+  Validation_options options;
+  options.left_out = Left_out::CATEGORY;
+  options.category_is_told = true;
+  for (const std::size_t count : {1u, 3u, 100u}) {
+    options.examples = count;
+    const Role_validation validation(shapes, pairs, options, {});
+    for (const Validated_pair& pair : validation.pairs()) {
+      CHECK(pair.category == shapes[pair.shapes[0]].labelled.category);
+      CHECK(pair.labels_joined == 1);
+    }
+  }
+  options.examples.reset();
+  const Role_validation unseen(shapes, pairs, options, {});
+  for (const Validated_pair& pair : unseen.pairs())
+    CHECK(pair.category.empty());
+  // As many as there are: the same as with the shapes left out alone
+  options.left_out = Left_out::SHAPES;
+  options.examples = 3;
+  const Role_validation few(shapes, pairs, options, {});
+  options.examples.reset();
+  const Role_validation all(shapes, pairs, options, {});
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    CHECK(few.pairs()[i].joined.right == all.pairs()[i].joined.right);
 }
 
 TEST_CASE("Fine labels are learned where all parts of a role have one, and the side is told from the place")
@@ -462,6 +613,11 @@ TEST_CASE("The command roles")
   for (const auto& category : evaluation["categories"])
     CHECK(category["with_roles"]["f1"]["mean"].get<double>() >= category["geometry"]["f1"]["mean"].get<double>() - 0.2);
 
+  const Run few = run("roles evaluate " + data + quick + "--leave-out category --number-of-examples 1 --told --json -");
+  REQUIRE(few.status == 0);
+  CHECK(nlohmann::json::parse(few.out)["weights"].contains("same_label"));
+  CHECK_THAT(run("roles evaluate " + data + " --number-of-examples 0").error, Contains("at least 1"));
+
   CHECK_THAT(run("roles train " + data).error, Contains("needs --output"));
   CHECK_THAT(run("roles learn " + data).error, Contains("train, evaluate, predict"));
   CHECK_THAT(run("roles evaluate " + data + " --leave-out luck").error, Contains("shapes, sources, category"));
@@ -489,4 +645,47 @@ TEST_CASE("The shipped model knows the models of the package, and the program ma
   const Run missing = run("match " + shapes + "--roles /nowhere.roles");
   CHECK(missing.status == 1);
   CHECK_THAT(missing.error, Contains("/nowhere.roles"));
+}
+
+TEST_CASE("The program matches with the user's own examples, and transfers labels")
+{
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
+  const Temporary_folder folder;
+  std::filesystem::create_directory(folder.path("examples"));
+  for (const std::string name : {"chair_four_legged", "stool"}) // as a category of one's own
+    std::filesystem::copy(data + "/" + name, folder.path("examples/" + name), std::filesystem::copy_options::recursive);
+  const std::string shapes = data + "/chair_four_legged/parts " + data + "/stool/parts --quiet --json - ";
+  const auto matched =
+      nlohmann::json::parse(run("match " + shapes + "--roles none --examples " + folder.path("examples")).out);
+  CHECK(matched["category"] == "chair");
+  const Run predicted =
+      run("roles predict " + data + "/stool/parts --json - --quiet --examples " + folder.path("examples"));
+  CHECK(nlohmann::json::parse(predicted.out)["category"] == "chair");
+  CHECK_THAT(run("match " + shapes + "--examples " + folder.path("none")).error, Contains("no such file"));
+  CHECK_THAT(run("match " + shapes + "--paper --examples " + folder.path("examples")).error,
+             Contains("--examples has no effect on --search beam"));
+  CHECK_THAT(run("match " + shapes + "--role-weight 1 --roles none").error, Contains("--role-weight has no effect"));
+  const auto exact = nlohmann::json::parse(run("match " + shapes + "--role-weight 0.5").out);
+  CHECK(exact["search"]["method"] == "exact");
+  CHECK(exact["category"] == "chair");
+
+  const std::string set =
+      "collection " + folder.path("examples") + " --quiet --labels-from " + data + "/chair_four_legged ";
+  const Run transferred = run(set + "--labels-to " + folder.path("labels") + " --json -");
+  REQUIRE(transferred.status == 0);
+  const auto result = nlohmann::json::parse(transferred.out);
+  CHECK(result["category"] == "chair");
+  CHECK(result["shapes"].size() == 2);
+  const auto own = nlohmann::json::parse(text_of(folder.path("labels/chair_four_legged/labels.json")));
+  const auto truth = nlohmann::json::parse(text_of(data + "/chair_four_legged/labels.json"));
+  REQUIRE(own["parts"].size() == truth["parts"].size());
+  for (const auto& part : own["parts"])
+    for (const auto& known : truth["parts"])
+      if (part["name"] == known["name"]) CHECK(part["coarse"] == known["coarse"]);
+  CHECK(nlohmann::json::parse(text_of(folder.path("labels/stool/labels.json")))["parts"].size() > 3);
+
+  CHECK_THAT(run("collection " + data + " --labels-to x").error, Contains("without --labels-from"));
+  CHECK_THAT(run(set + "--csv x.csv").error, Contains("--labels-from goes with"));
+  CHECK_THAT(run("collection " + folder.path("examples") + " --labels-from " + folder.path("examples")).error,
+             Contains("2 labelled shapes"));
 }

@@ -24,6 +24,7 @@ struct Energy_terms
   double connectedness = 0; ///< E_c, Eq. 4 with its sign corrected
   double split = 0;         ///< E_s, Eq. 5
   double unmatched = 0;     ///< cost of unmatched groups (`Matching_options::unmatched_cost`)
+  double roles = 0;         ///< disagreement of roles (`Matching_options::role_costs`); not in the paper
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
@@ -33,10 +34,11 @@ struct Energy_weights
   double distortion = 1;      ///< weight of E_d, not negative
   double connectedness = 0.6; ///< w_c, weight of E_c, not negative
   double split = 0.4;         ///< w_s, weight of E_s, not negative
+  double roles = 0;           ///< weight of the disagreement of roles, not negative; not in the paper
 };
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// E = E_d + w_c E_c + w_s E_s (Eq. 1), and the cost of unmatched groups.
+/// E = E_d + w_c E_c + w_s E_s (Eq. 1), the cost of unmatched groups, and the weighted disagreement of roles.
 double deformation_energy(const Energy_terms& terms, const Energy_weights& weights = {});
 
 /// \ingroup PkgShapeCorrespondenceSearch

@@ -13,6 +13,8 @@
 
 #include <CGAL/Shape_correspondence/Deformation_energy.h>
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -52,6 +54,11 @@ struct Matching_options
   /// of them. A search takes these parts out of their symmetry groups and charges no E_s for them.
   std::vector<Part_pair> pinned;
   std::vector<Part_pair> forbidden; ///< pairs that must not correspond
+  /// By how much the roles of a source part (row) and a target part (column), by their indices, disagree, between 0
+  /// and 1; empty: not at all. Each contact is charged, times `Energy_weights::roles`, the mean of what its two parts
+  /// have with their images, and each part without contacts the same once. `find_correspondence()` fills it from
+  /// `Search_options::roles`, where it is empty and the weight is not 0.
+  Eigen::MatrixXd role_costs;
 };
 
 } // namespace Shape_correspondence

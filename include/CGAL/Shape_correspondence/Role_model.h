@@ -114,6 +114,14 @@ struct Role_training_options
 /// \throw Invalid_input if a shape has no category, a part no role, or a number is out of its range
 Role_model train_role_model(const std::vector<Labelled_graph>& shapes, const Role_training_options& options = {});
 
+/// \ingroup PkgShapeCorrespondenceRoles
+/// Learns roles from labelled shapes in addition to those that a model was learned from, such as a few shapes of one's
+/// own. A category that the model has is learned anew from the old and the new shapes together, whose labels must mean
+/// the same; other categories are added. The forests get as many trees as those of the model.
+/// \throw Invalid_input as `train_role_model()`
+Role_model extend_role_model(const Role_model& model, const std::vector<Labelled_graph>& shapes,
+                             const Role_training_options& options = {});
+
 } // namespace Shape_correspondence
 } // namespace CGAL
 

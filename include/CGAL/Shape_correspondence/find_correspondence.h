@@ -14,7 +14,9 @@
 #include <CGAL/Shape_correspondence/Correspondence.h>
 #include <CGAL/Shape_correspondence/Search_options.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
+#include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -44,6 +46,14 @@ private:
   std::shared_ptr<Alignments> alignments_;
 };
 
+/// \ingroup PkgShapeCorrespondenceCorrespondence
+/// A label that a part of a target has from a part of the source.
+struct Transferred_label
+{
+  Part_label label;      ///< empty where the part did not take part in the match
+  double confidence = 0; ///< probability that the two parts correspond; 0: nearest by cost only
+};
+
 /// \ingroup PkgShapeCorrespondenceFunctions
 /// Finds the correspondences of one source shape with many targets: what depends on the source alone is computed once.
 class Correspondence_finder
@@ -59,10 +69,20 @@ public:
   Correspondence operator()(const Structural_graph& target) const;
   /// Like `find_correspondence()`.
   Correspondence operator()(const Prepared_shape& target) const;
+  /// The correspondence of the source and the target, and that of the target and the source with the same options.
+  /// `Search_method::PARTS`, which treats both shapes alike, matches them once for both.
+  std::array<Correspondence, 2> both_orders(const Prepared_shape& target) const;
   /// Like `find_correspondences()`.
   std::vector<Correspondence> ranked(const Structural_graph& target) const;
   /// Like `find_correspondences()`.
   std::vector<Correspondence> ranked(const Prepared_shape& target) const;
+
+  /// Transfers the labels of the source's parts to the parts of a target, each the label of the source part to which
+  /// it corresponds most probably: by roles and geometry as far as `Search_options::roles` tells the category, else by
+  /// geometry. \param labels by part of the source \param target the shape whose parts get labels
+  /// \throw Invalid_input if there is not a label for every part, or the method is not `Search_method::PARTS`
+  std::vector<Transferred_label> transfer_labels(const std::vector<Part_label>& labels,
+                                                 const Prepared_shape& target) const;
 
   /// A lower bound of the `distance_energy()` of what is found, without a search: the sum of the least values of the
   /// terms of one and of two groups; of `Search_method::PARTS`, where every part may correspond to every other, those

@@ -40,6 +40,7 @@ struct Named_parameters;
   X(distortion_weight, Search_options, matching.weights.distortion)                                                    \
   X(connectedness_weight, Search_options, matching.weights.connectedness)                                              \
   X(split_weight, Search_options, matching.weights.split)                                                              \
+  X(role_weight, Search_options, matching.weights.roles)                                                               \
   X(energy_norm, Search_options, matching.norm)                                                                        \
   X(cut_curves, Search_options, matching.cut_curves)                                                                   \
   X(unmatched_cost, Search_options, matching.unmatched_cost)                                                           \
@@ -232,6 +233,11 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 ///     \cgalParamDescription{w_s, weight of E_s in Eq. 1}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.4`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{role_weight}
+///     \cgalParamDescription{weight of the disagreement of roles in the energy}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{energy_norm}
 ///     \cgalParamDescription{whether energies are summed over connected pairs of parts or pooled over all rods}
