@@ -48,8 +48,8 @@ ROLES_NOTE = ("The category is not told. The weights of the terms follow from ot
               "from the first one.\nIntervals: bootstrap over shapes, of the F1 with roles and of the paired gain over geometry.")
 FEW_NOTE = ("F1 of pairs whose category the training does not see but for so many of its shapes, drawn for every pair and never of the pair, as with\n"
             "`match --examples`; none of them is generated. The category is told. The weights of the terms are those of the other categories with as few\n"
-            "examples. `labels`: share of the parts of one shape that get their label from the other one (`collection --labels-from`); .81 of the parts have\n"
-            "a label that the other shape has at all.")
+            "examples. `labels`: share of the parts of one shape that get their label from the other one (`collection --labels-from`), which a\n"
+            "perfect match would not bring to 1 either: some labels are in one of the shapes only.")
 CURVE_NOTE = ("F1 with so many labelled shapes of the category that are not generated in the training, drawn for every pair, and the generated ones. The category\n"
               "is not told; the weights of the terms are those of the other categories with as many shapes.")
 ENERGY_NOTE = ("F1 of the correspondences of least energy, by exact search for the given orientation, with roles in the energy; the training sees neither shape of\n"
@@ -104,15 +104,17 @@ def roles_evaluation(args, generated, name, options, out):
 def roles_rows(first, title, evaluations):
     """A table of a row an evaluation: F1 by category, and the paired gain over what `first` names."""
     names = [entry["category"] for entry in evaluations[0][1]]
-    lines = [f"| {title} | " + " | ".join(names) + " | gain | 95 % | labels |", "|---" * (len(names) + 4) + "|"]
+    has_labels = first == "geometry"  # labels are transferred by parts
+    ends = ["gain", "95 %"] + ["labels"] * has_labels
+    lines = [f"| {title} | " + " | ".join(names + ends) + " |", "|---" * (1 + len(names + ends)) + "|"]
     f1 = lambda entry, method: f"{entry[method]['f1']['mean']:.3f}"
     row = lambda name, cells: lines.append(f"| {name} | " + " | ".join(cells) + " |")
     reference = evaluations[0][1]
-    row(first, [f1(entry, "geometry") for entry in reference] + ["", "", f"{reference[-1]['labels']:.3f}"])
+    row(first, [f1(entry, "geometry") for entry in reference] + ["", ""] + [f"{reference[-1]['labels']:.3f}"] * has_labels)
     for name, entries in evaluations:
         gain = entries[-1]["gain"]["f1"]
         row(name, [f1(entry, "with_roles") for entry in entries] +
-            [f"{gain['mean']:+.3f}", f"{gain['low']:+.3f}–{gain['high']:+.3f}", f"{entries[-1]['labels_with_roles']:.3f}"])
+            [f"{gain['mean']:+.3f}", f"{gain['low']:+.3f} to {gain['high']:+.3f}"] + [f"{entries[-1]['labels_with_roles']:.3f}"] * has_labels)
     return "\n".join(lines)
 
 
