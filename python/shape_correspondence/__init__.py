@@ -27,6 +27,7 @@ from ._collections import (
     Medoid,
     Nearest,
     NearShape,
+    PairMatch,
     Score,
     TreeEdge,
     collection,
@@ -52,7 +53,7 @@ from ._shapes import Graph, Part, PartAbstraction, PartGroup, Shape, build_graph
 __all__ = [
     "Blend", "BlendTask", "Bridge", "Cluster", "CoAnalysis", "Collection", "CollectionShape", "ContactEnergy",
     "EnergyTerms", "Estimate", "Evaluation", "Graph", "GroupMatch", "InvalidInput", "Match", "MeanScore", "Medoid",
-    "NearShape", "Nearest", "PairRoles", "Part", "PartAbstraction", "PartGroup", "Score", "SearchSummary", "Seconds",
-    "Shape", "Solution", "TreeEdge", "blend", "build_graph", "collection", "evaluate", "match", "nearest",
-    "paper_options", "read", "roles", "schedule_names", "transfer",
+    "NearShape", "Nearest", "PairMatch", "PairRoles", "Part", "PartAbstraction", "PartGroup", "Score",
+    "SearchSummary", "Seconds", "Shape", "Solution", "TreeEdge", "blend", "build_graph", "collection", "evaluate",
+    "match", "nearest", "paper_options", "read", "roles", "schedule_names", "transfer",
 ]

@@ -73,6 +73,16 @@ class Cluster(Record):
     parts: List[Tuple[str, str]]  #: (shape, part)
 
 
+@dataclass
+class PairMatch(Record):
+    """The corresponding parts of two shapes of a collection."""
+
+    source: str  #: the source shape
+    target: str  #: the target shape
+    pairs: List[Tuple[str, str]]  #: parts that correspond
+    confidences: List[float]  #: by pair
+
+
 @dataclass(eq=False)
 class Collection(Record):
     """What is found out about a set of shapes.
@@ -90,6 +100,7 @@ class Collection(Record):
     co_analysis: CoAnalysis  #: how many pairs of parts were clustered
     clusters: List[Cluster]  #: parts that correspond over the whole set
     energies: Optional[np.ndarray] = None  #: source × target; 0 on the diagonal
+    matches: Optional[List[PairMatch]] = None  #: of ordered pairs of shapes, where they were asked for
     warnings: List[str] = field(default_factory=list)  #: what was approximated, in whole sentences
 
 
@@ -124,6 +135,8 @@ def collection(
     inflation: float = 2,
     least_cycle_support: float = 0.5,
     neighbours: int = 0,
+    matches: bool = False,
+    agreeing: bool = False,
     html: Optional[Path] = None,
     roles: Any = "auto",
     cache: Optional[Path] = None,
@@ -139,6 +152,10 @@ def collection(
     :param least_cycle_support: a pair of parts is clustered if this share of the third shapes that could confirm it do
     :param neighbours: cluster the part maps of every shape with so many nearest ones only; 0: with all of up to 100
         shapes, with 32 of more
+    :param matches: whether the result has the corresponding parts of all pairs of shapes (of more than 100 shapes: of
+        near ones)
+    :param agreeing: keep only pairs of parts that are in one cluster, in the matches and on the page: fewer pairs,
+        which are right more often
     :param html: a web page to write
     :param roles: see `match()`
     :param cache: see `build_graph()`
@@ -153,7 +170,8 @@ def collection(
     page = "" if html is None else os.fspath(html)
     model = _model_of(roles, options.get("search_method", "parts"), options.get("role_weight", 0))
     text = _core.collection([graph._handle for graph in graphs], model, threads, search,
-                            {"unmatched_energy": unmatched_energy}, analysis, neighbours, page, progress)
+                            {"unmatched_energy": unmatched_energy}, analysis, neighbours, matches, agreeing, page,
+                            progress)
     return Collection.from_dict(json.loads(text))
 
 

@@ -47,12 +47,15 @@ SC::Energy_matrix_options matching_options(const std::optional<Role_model>& role
 /// The JSON of a collection. \param page where its page goes; empty: nowhere
 std::string collection(const Graphs& graphs, const std::optional<Role_model>& roles, int threads,
                        const py::dict& search, const py::dict& matching_values, const py::dict& analysis_values,
-                       std::size_t neighbours, const std::string& page, const py::object& progress)
+                       std::size_t neighbours, bool matches, bool agreeing, const std::string& page,
+                       const py::object& progress)
 {
   const SC::Energy_matrix_options matching = matching_options(roles, search, matching_values);
   SC::cli::Collection_options options;
   options.co_analysis = co_analysis_options(analysis_values);
   options.neighbours = neighbours;
+  options.matches = matches;
+  options.agreeing = agreeing;
   Work work;
   return work.run(progress, [&](Work& work) {
     const SC::cli::Thread_limit limit(threads);

@@ -78,6 +78,11 @@ def test_collection(json_of_program, cache):
     found = sc.collection(shapes, cache=cache)
     assert as_text(found.to_dict()) == as_text(expected)
     assert found.energies.shape == (3, 3)
+    assert found.matches is None
+    expected = json_of_program("collection", *shapes, "--cache", cache, "--matches", "--agreeing")
+    found = sc.collection(shapes, cache=cache, matches=True, agreeing=True)
+    assert as_text(found.to_dict()) == as_text(expected)
+    assert len(found.matches) == 6
 
 
 def test_nearest(json_of_program, cache):

@@ -7,6 +7,7 @@
 #include "blend/in_between_steps.h"
 #include "blend/schedules.h"
 #include "map/check_model.h"
+#include "matching/unlikely_pairs.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
@@ -20,15 +21,6 @@ namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
-
-/// The pairs that are probable enough; the others' parts are without counterpart.
-Correspondence probable(Correspondence correspondence, double least)
-{
-  const auto is_unlikely = [&](const Part_correspondence& pair) { return pair.confidence < least; };
-  std::vector<Part_correspondence>& pairs = correspondence.pairs;
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_unlikely), pairs.end());
-  return correspondence;
-}
 
 /// Leaves the schedule that is asked for alone, if one is.
 void choose(std::vector<Blend_schedule>& schedules, const std::string& name)
@@ -50,7 +42,9 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
   const std::array<Blend_input, 2> inputs = {Blend_input{source, source_shape, 0},
                                              Blend_input{target, target_shape, correspondence.target_quarter_turns}};
   if (options.samples < 1) throw Invalid_input("Shape_blend: at least one sample is needed to judge schedules");
-  blend_ = std::make_shared<const Blend_structure>(inputs, probable(correspondence, options.min_confidence), options);
+  Correspondence likely = correspondence;
+  remove_unlikely_pairs(likely, options.min_confidence);
+  blend_ = std::make_shared<const Blend_structure>(inputs, likely, options);
   schedules_ = plausible_schedules(blend_->parts);
   choose(schedules_, options.schedule);
   rank(schedules_, *blend_, options);

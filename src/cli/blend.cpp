@@ -16,6 +16,7 @@
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/quoting.h"
+#include "matching/unlikely_pairs.h"
 #include "viewer/match_page.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
@@ -78,15 +79,10 @@ std::vector<std::string> remove_unlikely(Correspondence& correspondence, double 
                                          const Loaded_shape& target)
 {
   std::vector<std::string> result;
-  const auto is_unlikely = [&](const Part_correspondence& pair) {
-    if (!(pair.confidence < least)) return false;
+  for (const Part_correspondence& pair : internal::remove_unlikely_pairs(correspondence, least))
     result.push_back("'" + structure(source.graph).parts[pair.source].name + "' and '" +
                      structure(target.graph).parts[pair.target].name + "' correspond with probability " +
                      short_number(pair.confidence) + " only: they shrink and grow (--min-confidence)");
-    return true;
-  };
-  std::vector<Part_correspondence>& pairs = correspondence.pairs;
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_unlikely), pairs.end());
   return result;
 }
 

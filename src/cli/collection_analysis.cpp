@@ -125,6 +125,8 @@ Analysis analysed(const Collection_shapes& shapes, const Collection_options& opt
     analysis.maps.push_back({i, j, std::move(maps.at({i, j}))});
   result.co_analysis = co_analysis(part_counts, analysis.maps, options.co_analysis);
   result.co_analysis_shape_pairs = clustered.size() / 2;
+  if (options.agreeing) analysis.maps = agreeing_maps(std::move(analysis.maps), result.co_analysis);
+  if (options.matches) result.matches = analysis.maps;
   return analysis;
 }
 

@@ -69,6 +69,12 @@ po::options_description collection_options(Common_options& common, Collection_op
       "write a web page with the shapes, the medoid, the spanning tree, and the match of any two shapes that are "
       "clicked "
       "(of more than 100 shapes: of near ones; of more than 1000 shapes it shows 1000); it needs no network");
+  add("matches", po::bool_switch(&options.matches),
+      "write the corresponding parts of all pairs of shapes to --json, too (of more than 100 shapes: of near ones)");
+  add("agreeing", po::bool_switch(&options.agreeing),
+      "keep only pairs of parts that are in one cluster, in --matches and on the page of --html: fewer pairs, which "
+      "are "
+      "right more often");
   add("store", po::value(&options.store)->value_name("FOLDER"),
       "keep graphs and finished pairs in this folder and reuse them; recommended for large sets, which then need "
       "memory "
@@ -87,7 +93,7 @@ po::options_description collection_options(Common_options& common, Collection_op
   add("merge", po::bool_switch(&options.merge), "match nothing; all pairs must be in the store");
   add("tile-size", po::value(&options.block_size)->value_name("N"),
       "shapes on a side of a tile, the smallest unit of work in the store; default: by the number of shapes, at most "
-      "64");
+      "128");
   add("skip-bad", po::bool_switch(&options.skip_bad), "leave out inputs that cannot be used, with a warning");
   add("unmatched-energy", number(options.unmatched_energy)->value_name("E"),
       "energy of a pair of connected parts of which one has no counterpart");
@@ -112,17 +118,22 @@ void check(Collection_options& options, const Common_options& common, const po::
   if (in_parts && !(common.json + common.html + options.npy + options.csv).empty())
     throw Usage_error("--tile writes no result; --merge does when all shares are done");
   if (is_given(values, "count") && options.nearest.empty()) throw Usage_error("-k has no effect without --nearest");
-  if (!options.nearest.empty() && (in_parts || options.merge || !(common.html + options.npy + options.csv).empty()))
+  if (!options.nearest.empty() &&
+      (in_parts || options.merge || !(common.html + options.npy + options.csv).empty() || options.matches))
     throw Usage_error("--nearest goes with --json and --store, not with shares of the work or files of all pairs");
   if (!options.labels_to.empty() && options.labels_from.empty())
     throw Usage_error("--labels-to has no effect without --labels-from");
   if (!options.labels_from.empty() &&
-      (in_parts || options.merge || !(options.nearest + common.html + options.npy + options.csv).empty()))
+      (in_parts || options.merge || options.matches || options.agreeing ||
+       !(options.nearest + common.html + options.npy + options.csv).empty()))
     throw Usage_error("--labels-from goes with --labels-to, --json and --store, not with --nearest, shares of the work "
                       "or files of all pairs");
   if (options.nearest_count < 1) throw Usage_error("-k must be at least 1");
   if (values.count("tile-size") && options.block_size < 1) throw Usage_error("--tile-size must be at least 1");
   if (values.count("neighbours") && options.neighbours < 1) throw Usage_error("--neighbours must be at least 1");
+  if (options.matches && common.json.empty()) throw Usage_error("--matches has no effect without --json");
+  if (options.agreeing && !options.matches && common.html.empty())
+    throw Usage_error("--agreeing has no effect without --matches or --html");
   if (!(options.unmatched_energy >= 0)) throw Usage_error("--unmatched-energy must not be negative");
   if (!(options.co_analysis.clustering.inflation > 1)) throw Usage_error("--inflation must be more than 1");
   if (!(options.co_analysis.least_cycle_support >= 0 && options.co_analysis.least_cycle_support <= 1))

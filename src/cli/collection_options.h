@@ -17,7 +17,7 @@ namespace CGAL::Shape_correspondence::cli {
 struct Collection_options
 {
   std::string npy, csv, store, tile, nearest, labels_from, labels_to;
-  bool merge = false, skip_bad = false;
+  bool merge = false, skip_bad = false, matches = false, agreeing = false;
   std::size_t block_size = 0, neighbours = 0, nearest_count = 5;
   double unmatched_energy = 0.5;
   Co_analysis_options co_analysis;

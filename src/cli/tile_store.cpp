@@ -19,23 +19,40 @@ namespace fs = std::filesystem;
 
 constexpr const char* extension = ".tile";
 
-using Small = std::uint16_t; // numbers of parts, and confidences
-constexpr double largest = 65535;
+using Small = std::uint16_t; // confidences
+constexpr double largest_confidence = 65535;
 
-template <typename Number>
-void append(const Number& number, std::string& bytes)
+/// Bytes of a tile. Whole numbers take seven bits a byte, the low ones first (LEB128).
+class Byte_writer
 {
-  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
-}
+public:
+  template <typename Number>
+  void write(const Number& number)
+  {
+    bytes_.append(reinterpret_cast<const char*>(&number), sizeof number);
+  }
 
-/// Numbers out of bytes; says at the end whether they were as many as were there.
+  void write_count(std::size_t number)
+  {
+    for (; number > 127; number >>= 7)
+      bytes_ += char((number & 127) | 128);
+    bytes_ += char(number);
+  }
+
+  std::string bytes() && { return std::move(bytes_); }
+
+private:
+  std::string bytes_;
+};
+
+/// Reads them; says at the end whether they were as many as were there.
 class Byte_reader
 {
 public:
   explicit Byte_reader(const std::string& bytes) : bytes_(bytes) {}
 
   template <typename Number>
-  Number next()
+  Number read()
   {
     Number number{};
     if (bytes_.size() - at_ < sizeof number) {
@@ -47,6 +64,18 @@ public:
     return number;
   }
 
+  std::size_t read_count()
+  {
+    std::size_t number = 0;
+    for (int shift = 0; shift < 64; shift += 7) {
+      const auto byte = read<unsigned char>();
+      number |= std::size_t(byte & 127) << shift;
+      if (byte < 128) return number;
+    }
+    failed_ = true;
+    return 0;
+  }
+
   bool is_at_end() const { return failed_ || at_ == bytes_.size(); }
   bool is_good() const { return !failed_; }
 
@@ -56,25 +85,47 @@ private:
   bool failed_ = false;
 };
 
-Small small(std::size_t number)
+// In place of the number of pairs of parts, which is written as one more: the map before, inverted.
+constexpr std::size_t inverse_of_last = 0;
+
+Small as_small(double confidence) { return Small(std::lround(confidence * largest_confidence)); }
+
+/// Of pairs that are sorted by source.
+void write_map(const Part_map& map, Byte_writer& out)
 {
-  if (number > std::size_t(largest)) throw Invalid_input("a shape of more than 65536 parts fits no collection");
-  return Small(number);
+  out.write_count(map.pairs.size() + 1);
+  std::size_t last_source = 0;
+  for (const Part_correspondence& pair : map.pairs) {
+    out.write_count(pair.source - last_source);
+    out.write_count(pair.target);
+    out.write(as_small(pair.confidence));
+    last_source = pair.source;
+  }
+}
+
+Part_map read_map(std::size_t size, Byte_reader& in)
+{
+  Part_map map;
+  std::size_t source = 0;
+  for (std::size_t k = 0; k < size && in.is_good(); ++k) {
+    source += in.read_count();
+    const std::size_t target = in.read_count();
+    map.pairs.push_back({source, target, in.read<Small>() / largest_confidence});
+  }
+  return map;
 }
 
 std::string encoded(const std::vector<Rated_map>& pairs)
 {
-  std::string bytes;
-  for (const Rated_map& pair : pairs) {
-    append(pair.energy, bytes);
-    append(std::uint32_t(pair.map.pairs.size()), bytes);
-    for (const Part_correspondence& parts : pair.map.pairs) {
-      append(small(parts.source), bytes);
-      append(small(parts.target), bytes);
-      append(Small(std::lround(parts.confidence * largest)), bytes);
-    }
+  Byte_writer out;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    out.write(pairs[k].energy);
+    if (k % 2 == 1 && pairs[k].map == inverse(pairs[k - 1].map))
+      out.write_count(inverse_of_last);
+    else
+      write_map(pairs[k].map, out);
   }
-  return bytes;
+  return std::move(out).bytes();
 }
 
 std::optional<std::vector<Rated_map>> decoded(const std::string& bytes)
@@ -83,19 +134,17 @@ std::optional<std::vector<Rated_map>> decoded(const std::string& bytes)
   std::vector<Rated_map> pairs;
   while (!in.is_at_end()) {
     Rated_map pair;
-    pair.energy = in.next<double>();
-    const auto size = in.next<std::uint32_t>();
-    for (std::uint32_t k = 0; k < size && in.is_good(); ++k) {
-      const Small source = in.next<Small>(), target = in.next<Small>();
-      pair.map.pairs.push_back({source, target, in.next<Small>() / largest});
-    }
+    pair.energy = in.read<double>();
+    const std::size_t size = in.read_count();
+    if (size == inverse_of_last && pairs.empty()) return std::nullopt;
+    pair.map = size == inverse_of_last ? inverse(pairs.back().map) : read_map(size - 1, in);
     pairs.push_back(std::move(pair));
   }
   if (!in.is_good()) return std::nullopt;
   return pairs;
 }
 
-std::string title(const std::string& name) { return "shape_correspondence tile " + name; }
+std::string title(const std::string& name) { return "shape_correspondence tile 2 " + name; }
 
 } // namespace
 

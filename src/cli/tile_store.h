@@ -22,7 +22,8 @@ public:
 
   bool has(const std::string& name) const;
   std::optional<std::vector<Rated_map>> find(const std::string& name) const;
-  /// Confidences are kept to 16 bits; `find()` returns what is kept, in memory as in a folder.
+  /// Two maps in turn that are each other's inverse take the room of one. Confidences are kept to 16 bits; `find()`
+  /// returns what is kept, in memory as in a folder.
   void insert(const std::string& name, const std::vector<Rated_map>& pairs);
 
 private:

@@ -9,7 +9,7 @@
 namespace CGAL::Shape_correspondence::cli {
 namespace {
 
-constexpr std::size_t least_block = 4, largest_block = 64, usual_blocks = 8;
+constexpr std::size_t least_block = 4, largest_block = 128, usual_blocks = 8;
 
 std::size_t usual_block_size(std::size_t shapes)
 {

@@ -189,4 +189,19 @@ Co_analysis co_analysis(const std::vector<std::size_t>& part_counts, const std::
   return result;
 }
 
+std::vector<Shape_pair_map> agreeing_maps(std::vector<Shape_pair_map> maps, const Co_analysis& analysis)
+{
+  for (Shape_pair_map& map : maps) {
+    const std::vector<int>&source = analysis.labels[map.source], &target = analysis.labels[map.target];
+    std::vector<Part_correspondence>& pairs = map.map.pairs;
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                               [&](const Part_correspondence& pair) {
+                                 return source[pair.source] == Co_analysis::none ||
+                                        source[pair.source] != target[pair.target];
+                               }),
+                pairs.end());
+  }
+  return maps;
+}
+
 } // namespace CGAL::Shape_correspondence

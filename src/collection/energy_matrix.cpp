@@ -8,9 +8,11 @@
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -42,6 +44,37 @@ double distance_energy(const Correspondence& correspondence, double unmatched_en
   return (correspondence.energy + charged) / double(std::max<std::size_t>(1, counted));
 }
 
+namespace {
+
+// A pair of shapes, and where the pair and the same two in the other order are in a list.
+struct Both_orders
+{
+  static constexpr std::size_t none = std::size_t(-1);
+
+  std::size_t first, second, place, reversed = none;
+};
+
+// The pairs of a list, those of the same two shapes as one.
+std::vector<Both_orders> both_orders(const std::vector<std::pair<std::size_t, std::size_t>>& pairs)
+{
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> open; // pairs without the reversed one, by place in result
+  std::vector<Both_orders> result;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto [i, j] = pairs[k];
+    const auto reversed = open.find({j, i});
+    if (reversed != open.end() && i != j) {
+      result[reversed->second].reversed = k;
+      open.erase(reversed);
+    } else {
+      open[pairs[k]] = result.size();
+      result.push_back({i, j, k});
+    }
+  }
+  return result;
+}
+
+} // namespace
+
 template <typename ConcurrencyTag>
 std::vector<Rated_map> match_pairs(const std::vector<Structural_graph>& shapes,
                                    const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
@@ -58,11 +91,18 @@ std::vector<Rated_map> match_pairs(const std::vector<Structural_graph>& shapes,
 
   std::vector<Rated_map> result(pairs.size());
   Shared_progress progress(options.progress, pairs.size());
-  for_each_index<ConcurrencyTag>(pairs.size(), [&](std::size_t k) {
-    if (progress.is_ended()) return;
-    const Correspondence correspondence = (*finders[pairs[k].first])(prepared[pairs[k].second]);
-    result[k] = {distance_energy(correspondence, options.unmatched_energy), part_map(correspondence)};
+  const auto keep = [&](std::size_t place, const Correspondence& correspondence) {
+    result[place] = {distance_energy(correspondence, options.unmatched_energy), part_map(correspondence)};
     progress.add_one();
+  };
+  const std::vector<Both_orders> work = both_orders(pairs);
+  for_each_index<ConcurrencyTag>(work.size(), [&](std::size_t k) {
+    if (progress.is_ended()) return;
+    const Both_orders& pair = work[k];
+    if (pair.reversed == Both_orders::none) return keep(pair.place, (*finders[pair.first])(prepared[pair.second]));
+    const std::array<Correspondence, 2> found = finders[pair.first]->both_orders(prepared[pair.second]);
+    keep(pair.place, found[0]);
+    keep(pair.reversed, found[1]);
   });
   return result;
 }

@@ -50,8 +50,7 @@ Nearest_shapes nearest_shapes(const Structural_graph& query, std::size_t number_
       const std::size_t i = order[begin + e];
       const Structural_graph shape = graph(i);
       const Prepared_shape prepared(shape);
-      const Correspondence there = from_query(prepared);
-      const Correspondence back = Correspondence_finder(prepared, options.search)(prepared_query);
+      const auto [there, back] = from_query.both_orders(prepared);
       evaluated[e] = {
           i, (distance_energy(there, options.unmatched_energy) + distance_energy(back, options.unmatched_energy)) / 2,
           part_map(there)};

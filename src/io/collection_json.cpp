@@ -27,20 +27,28 @@ Json energies_json(const Eigen::MatrixXd& energies)
   return result;
 }
 
-Json medoid_json(const Collection& collection, const Eigen::MatrixXd& distances)
+double distance(const Collection& collection, std::size_t i, std::size_t j)
 {
-  const Eigen::Index n = distances.rows();
-  const double sum = distances.row(Eigen::Index(collection.medoid)).sum();
-  return {{"shape", collection.shapes[collection.medoid].name},
-          {"mean_distance", sum / double(std::max<Eigen::Index>(1, n - 1))}};
+  const auto a = Eigen::Index(i), b = Eigen::Index(j);
+  return (collection.energies(a, b) + collection.energies(b, a)) / 2;
 }
 
-Json tree_json(const Collection& collection, const Eigen::MatrixXd& distances)
+Json medoid_json(const Collection& collection)
+{
+  const std::size_t n = collection.shapes.size();
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    sum += distance(collection, collection.medoid, i);
+  return {{"shape", collection.shapes[collection.medoid].name},
+          {"mean_distance", sum / double(std::max<std::size_t>(1, n - 1))}};
+}
+
+Json tree_json(const Collection& collection)
 {
   Json result = Json::array();
   for (const auto& [a, b] : collection.tree)
-    result.push_back({{"shapes", {collection.shapes[a].name, collection.shapes[b].name}},
-                      {"distance", distances(Eigen::Index(a), Eigen::Index(b))}});
+    result.push_back(
+        {{"shapes", {collection.shapes[a].name, collection.shapes[b].name}}, {"distance", distance(collection, a, b)}});
   return result;
 }
 
@@ -80,6 +88,19 @@ Json bridges_json(const Collection& collection)
   return result;
 }
 
+Json matches_json(const Collection& collection)
+{
+  Json result = Json::array();
+  for (const Shape_pair_map& match : collection.matches) {
+    const Collection::Shape &source = collection.shapes[match.source], &target = collection.shapes[match.target];
+    result.push_back({{"source", source.name},
+                      {"target", target.name},
+                      {"pairs", pairs_json(match.map, source, target)},
+                      {"confidences", confidences_json(match.map)}});
+  }
+  return result;
+}
+
 Json clusters_json(const Collection& collection)
 {
   std::vector<Json> parts(std::size_t(collection.co_analysis.number_of_labels), Json::array());
@@ -99,13 +120,12 @@ Json clusters_json(const Collection& collection)
 
 void write_collection_json(std::ostream& out, const Collection& collection)
 {
-  const Eigen::MatrixXd distances = symmetric_distances(collection.energies);
   Json result;
   result["format"] = "shape_correspondence/collection";
   result["version"] = 1;
   result["shapes"] = shapes_json(collection);
-  result["medoid"] = medoid_json(collection, distances);
-  result["spanning_tree"] = tree_json(collection, distances);
+  result["medoid"] = medoid_json(collection);
+  result["spanning_tree"] = tree_json(collection);
   result["bridge_count"] = collection.bridge_count;
   result["bridges"] = bridges_json(collection);
   result["co_analysis"] = {{"shape_pairs", collection.co_analysis_shape_pairs},
@@ -113,6 +133,7 @@ void write_collection_json(std::ostream& out, const Collection& collection)
                            {"rejected_part_pairs", collection.co_analysis.rejected_pairs}};
   result["clusters"] = clusters_json(collection);
   if (collection.shapes.size() <= largest_written_matrix) result["energies"] = energies_json(collection.energies);
+  if (!collection.matches.empty()) result["matches"] = matches_json(collection);
   result["warnings"] = collection.warnings;
   result.write(out);
 }

@@ -91,6 +91,16 @@ void add_unions(Normalized_shape& result, const Aligned_shape& shape, const Part
 
 } // namespace
 
+Shape_rank rank_of(const Aligned_shape& shape)
+{
+  double height = 0, off_axis = 0;
+  for (const Sampled_part& part : shape.parts) {
+    height += part.surface.row(1).mean();
+    off_axis += part.surface.row(0).cwiseAbs2().mean() + part.surface.row(2).cwiseAbs2().mean();
+  }
+  return {shape.parts.size(), quantized(height), quantized(off_axis)};
+}
+
 Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assemblies& assemblies)
 {
   Normalized_shape result;
@@ -114,6 +124,9 @@ Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assembl
     result.parts[part].is_in_chain = assemblies.is_in_chain[part];
   }
   add_unions(result, shape, assemblies);
+  result.lanes = {result.surfaces.begin(), result.surfaces.end()};
+  result.neighbours = touching_parts(shape);
+  result.rank = rank_of(shape);
   return result;
 }
 

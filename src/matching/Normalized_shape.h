@@ -3,12 +3,14 @@
 
 #pragma once
 
+#include "matching/nearest_points_kernel.h"
 #include "matching/part_assemblies.h"
 #include "structure/align_shapes.h"
 
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -31,16 +33,25 @@ struct Part_extent
   bool is_in_chain = false; // a ring of a chain
 };
 
+// An order of shapes that does not depend on turns about the up axis.
+using Shape_rank = std::tuple<std::size_t, long, long>;
+
+Shape_rank rank_of(const Aligned_shape& shape);
+
 // The parts of a shape in its unit box.
 struct Normalized_shape
 {
   std::vector<Surface> surfaces;
+  std::vector<Point_lanes> lanes; // of the surfaces
   std::vector<Part_extent> parts;
   Boxes boxes;
 
   std::vector<std::vector<std::size_t>> unions; // sets of parts that may correspond to one part as a whole
   std::vector<Part_extent> union_parts;
   Boxes union_boxes;
+
+  std::vector<std::vector<std::size_t>> neighbours; // by part, those in contact with it
+  Shape_rank rank;
 };
 
 Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assemblies& assemblies);

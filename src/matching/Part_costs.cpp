@@ -3,7 +3,6 @@
 
 #include "matching/Part_costs.h"
 #include "matching/Normalized_shape.h"
-#include "matching/Shape_layout.h"
 #include "matching/box_costs.h"
 #include "matching/surface_distances.h"
 
@@ -55,11 +54,11 @@ double mean_of_best(const Eigen::ArrayXXd& likelihood, const std::vector<std::si
 
 // How well the parts that two parts touch correspond: the mean over those of either of how likely their best
 // counterpart among the other's is; geometric mean of the two.
-Eigen::ArrayXXd contact_agreement(const Eigen::ArrayXXd& likelihood, const Aligned_shape& source,
-                                  const Aligned_shape& target)
+Eigen::ArrayXXd contact_agreement(const Eigen::ArrayXXd& likelihood,
+                                  const std::vector<std::vector<std::size_t>>& of_source,
+                                  const std::vector<std::vector<std::size_t>>& of_target)
 {
   const Eigen::ArrayXXd transposed = likelihood.transpose();
-  const std::vector<std::vector<std::size_t>> of_source = touching_parts(source), of_target = touching_parts(target);
   Eigen::ArrayXXd result = Eigen::ArrayXXd::Zero(likelihood.rows(), likelihood.cols());
   for (std::size_t i = 0; i < of_source.size(); ++i)
     for (std::size_t j = 0; j < of_target.size(); ++j)
@@ -79,6 +78,21 @@ Eigen::MatrixXd costs_of_kind(const Normalized_shape& a, const Normalized_shape&
       result(Eigen::Index(i), Eigen::Index(j)) =
           cost_of_kind(a.parts[i], b.parts[j], weights) + weights.chamfer * chamfer(a_from_b, b_from_a, i, j);
   return result;
+}
+
+Eigen::MatrixXd ranked_part_costs(const Normalized_shape& a, const Normalized_shape& b,
+                                  const Part_cost_weights& weights)
+{
+  Point_distances a_from_b, b_from_a;
+  point_distances(a, b, a_from_b, b_from_a);
+
+  const Eigen::MatrixXd of_kind = costs_of_kind(a, b, a_from_b, b_from_a, weights);
+  const Eigen::MatrixXd without_contacts =
+      costs_after_warping(a.boxes, b.boxes, of_kind, weights)
+          .cwiseMin(costs_of_unions(a, b, a_from_b, b_from_a, weights))
+          .cwiseMin(costs_of_unions(b, a, b_from_a, a_from_b, weights).transpose());
+  const Eigen::ArrayXXd agreement = contact_agreement(mutual_softmax(without_contacts), a.neighbours, b.neighbours);
+  return without_contacts + weights.contacts * (1 - agreement).matrix();
 }
 
 } // namespace
@@ -107,41 +121,28 @@ double mean_least_cost(const Eigen::MatrixXd& costs)
   return costs.rowwise().minCoeff().mean() + costs.colwise().minCoeff().mean();
 }
 
-Eigen::MatrixXd part_costs(const Normalized_shape& a, const Aligned_shape& source, const Normalized_shape& b,
-                           const Aligned_shape& target, const Part_cost_weights& weights)
+// In one order, whichever is the source: sums of the warp run over pairs source by source.
+Eigen::MatrixXd part_costs(const Normalized_shape& source, const Normalized_shape& target,
+                           const Part_cost_weights& weights)
 {
-  Point_distances a_from_b, b_from_a;
-  point_distances(a, b, a_from_b, b_from_a);
-
-  const Eigen::MatrixXd of_kind = costs_of_kind(a, b, a_from_b, b_from_a, weights);
-  const Eigen::MatrixXd without_contacts =
-      costs_after_warping(a.boxes, b.boxes, of_kind, weights)
-          .cwiseMin(costs_of_unions(a, b, a_from_b, b_from_a, weights))
-          .cwiseMin(costs_of_unions(b, a, b_from_a, a_from_b, weights).transpose());
-  const Eigen::ArrayXXd agreement = contact_agreement(mutual_softmax(without_contacts), source, target);
-  return without_contacts + weights.contacts * (1 - agreement).matrix();
+  if (target.rank < source.rank) return ranked_part_costs(target, source, weights).transpose();
+  return ranked_part_costs(source, target, weights);
 }
 
 Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target, const Part_cost_weights& weights)
 {
-  const Normalized_shape a = normalized_shape(source, part_assemblies(source)),
-                         b = normalized_shape(target, part_assemblies(target));
-  return part_costs(a, source, b, target, weights);
+  return part_costs(normalized_shape(source, part_assemblies(source)),
+                    normalized_shape(target, part_assemblies(target)), weights);
 }
 
-Eigen::MatrixXd costs_within_shape(const Normalized_shape& a, const std::vector<char>& is_chosen,
-                                   const Part_cost_weights& weights)
+Eigen::MatrixXd part_costs(const Normalized_shape& shape, const Part_cost_weights& weights)
 {
-  Eigen::MatrixXd result = costs_of_boxes(a.boxes, a.boxes, weights);
-  const std::vector<Point_lanes> lanes = lanes_of(a);
-  Eigen::ArrayXd i_from_j, j_from_i;
-  for (std::size_t i = 0; i < a.parts.size(); ++i)
+  Eigen::MatrixXd result = costs_of_boxes(shape.boxes, shape.boxes, weights);
+  for (std::size_t i = 0; i < shape.parts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      if (!is_chosen[i] && !is_chosen[j]) continue;
-      nearest_distances(lanes[i], lanes[j], i_from_j, j_from_i);
       const auto row = Eigen::Index(i), column = Eigen::Index(j);
-      result(row, column) +=
-          cost_of_kind(a.parts[i], a.parts[j], weights) + weights.chamfer * (i_from_j.mean() + j_from_i.mean()) / 2;
+      result(row, column) += cost_of_kind(shape.parts[i], shape.parts[j], weights) +
+                             weights.chamfer * chamfer(shape.lanes[i], shape.lanes[j]);
       result(column, row) = result(row, column);
     }
   return result;
@@ -149,8 +150,7 @@ Eigen::MatrixXd costs_within_shape(const Normalized_shape& a, const std::vector<
 
 Eigen::MatrixXd part_costs(const Aligned_shape& shape, const Part_cost_weights& weights)
 {
-  return costs_within_shape(normalized_shape(shape, part_assemblies(shape)), std::vector<char>(shape.parts.size(), 1),
-                            weights);
+  return part_costs(normalized_shape(shape, part_assemblies(shape)), weights);
 }
 
 } // namespace CGAL::Shape_correspondence

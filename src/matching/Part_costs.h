@@ -32,15 +32,12 @@ namespace internal {
 struct Normalized_shape;
 }
 
-/// The same of shapes whose boxes and surfaces are known.
-Eigen::MatrixXd part_costs(const internal::Normalized_shape& a, const Aligned_shape& source,
-                           const internal::Normalized_shape& b, const Aligned_shape& target,
+/// The same of shapes whose boxes and surfaces are known. To the bit the transposed matrix if they are swapped, unless
+/// they have the same rank.
+Eigen::MatrixXd part_costs(const internal::Normalized_shape& source, const internal::Normalized_shape& target,
                            const Part_cost_weights& weights);
-
-/// The costs of the parts of one shape among each other, as far as one of the two is chosen; of others some are
-/// missing.
-Eigen::MatrixXd costs_within_shape(const internal::Normalized_shape& a, const std::vector<char>& is_chosen,
-                                   const Part_cost_weights& weights);
+/// The same.
+Eigen::MatrixXd part_costs(const internal::Normalized_shape& shape, const Part_cost_weights& weights);
 
 /// The cost of two sets of parts: the mean of what every part costs with the one of the other set that it costs least
 /// with, averaged over both sets. \pre neither is empty

@@ -7,14 +7,18 @@
 
 #include <CGAL/Shape_correspondence/Search_options.h>
 
+#include <Eigen/Core>
+
 #include <cstddef>
+#include <mutex>
 
 namespace CGAL::Shape_correspondence::internal {
 
-// What `match_parts()` knows of a shape.
+// What `match_parts()` knows of a shape. Threads may share it.
 struct Shape_features
 {
   const Aligned_shape& shape;
+  Part_matching_options options;
   Part_assemblies assemblies; // as far as the options ask for them
   Normalized_shape normalized;
 
@@ -22,6 +26,16 @@ struct Shape_features
 
   std::size_t size() const { return shape.parts.size(); }
   bool has_chain() const;
+
+  // What the parts cost standing for each other, computed when it is first asked for.
+  const Eigen::MatrixXd& costs_within() const;
+
+private:
+  mutable std::once_flag has_costs_within_;
+  mutable Eigen::MatrixXd costs_within_;
 };
+
+// Whether features that were made by one of the two are those of the other.
+bool are_same(const Part_matching_options& a, const Part_matching_options& b);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/quantized.h"
+#include "matching/Alignments.h"
 #include "matching/Search_run.h"
-#include "matching/Shape_roles.h"
 #include "matching/aligned_matching.h"
 #include "matching/match_parts.h"
 
@@ -15,7 +15,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -143,56 +142,6 @@ Search_options paper_options()
   return options;
 }
 
-// By quarter turn.
-struct Prepared_shape::Alignments
-{
-  explicit Alignments(const Structural_graph& graph) : graph(graph) {}
-
-  Matching_problem::Shared_shape aligned(int quarter_turns)
-  {
-    const std::size_t turn = std::size_t((quarter_turns % 4 + 4) % 4);
-    std::call_once(is_aligned[turn],
-                   [&] { shapes[turn] = std::make_shared<Deformable_shape>(align_shape(graph, int(turn))); });
-    return shapes[turn];
-  }
-
-  // Of the model that was asked for last: a shape is hardly ever matched with several. The turns are from the given
-  // orientation.
-  std::shared_ptr<const Shape_roles> roles(const std::shared_ptr<const Role_model>& model, int quarter_turns = 0)
-  {
-    const std::lock_guard<std::mutex> lock(roles_mutex);
-    if (role_model != model) turned_roles = {};
-    role_model = model;
-    std::shared_ptr<const Shape_roles>& result = turned_roles[std::size_t(quarter_turns)];
-    if (!result) result = std::make_shared<Shape_roles>(graph, *model, quarter_turns);
-    return result;
-  }
-
-  Turned_roles roles_by_turn(const std::shared_ptr<const Role_model>& model)
-  {
-    Turned_roles result;
-    for (int turn = 0; turn < 4; ++turn)
-      result[std::size_t(turn)] = roles(model, turn);
-    return result;
-  }
-
-  const Structural_graph& graph;
-  std::mutex roles_mutex;
-  std::shared_ptr<const Role_model> role_model;
-  Turned_roles turned_roles;
-  std::array<std::once_flag, 4> is_aligned;
-  std::array<Matching_problem::Shared_shape, 4> shapes;
-};
-
-Prepared_shape::Prepared_shape(const Structural_graph& graph)
-    : graph_(graph), alignments_(std::make_shared<Alignments>(graph))
-{}
-
-void Prepared_shape::read_roles(const std::shared_ptr<const Role_model>& model) const
-{
-  if (model) alignments_->roles(model);
-}
-
 class Correspondence_finder::Impl
 {
 public:
@@ -217,7 +166,7 @@ public:
     check_role_costs(options_.matching.role_costs, number_of_parts_, structure(target.graph()).parts.size());
     std::vector<Correspondence> result;
     if (options_.method == Search_method::PARTS)
-      result.push_back(matched_parts(target));
+      result.push_back(rated(source_, matched_parts(target)));
     else
       result = least_energy(target);
     for (Correspondence& correspondence : result)
@@ -227,6 +176,7 @@ public:
 
   std::vector<Transferred_label> transferred_labels(const std::vector<Part_label>& labels,
                                                     const Prepared_shape& target) const;
+  std::array<Correspondence, 2> both_orders(const Prepared_shape& target) const;
 
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
@@ -234,18 +184,7 @@ private:
   using Shared_shape = Matching_problem::Shared_shape;
 
   std::vector<Correspondence> least_energy(const Prepared_shape& target) const;
-  // The best one of the ways that were tried.
-  struct Matched_parts
-  {
-    Part_matching matching;
-    Shared_shape target;
-    int turn = 0;
-    Correspondence known;            // of the roles
-    std::size_t done = 0, tried = 0; // ways
-  };
-  Matched_parts best_matching(const Prepared_shape& target) const;
-  Correspondence matched_parts(const Prepared_shape& target) const;
-  Part_matching matched_in_common_frame(const Prepared_shape& target, const Aligned_shape& shape, int turn) const;
+  Part_matching matched_in_common_frame(const Prepared_shape& target, const Shared_shape& shape, int turn) const;
   Part_matching matched_in_frames(const Prepared_shape& target, const Aligned_shape& shape, int source_turn,
                                   int target_turn) const;
 
@@ -258,7 +197,34 @@ private:
   };
   // The alignments that are tried, the first guess first. \param category of both shapes, if roles tell one
   std::vector<Way> ways(const Prepared_shape& target, Pair_category& category) const;
-  Part_matching matched_way(const Prepared_shape& target, const Aligned_shape& shape, const Way& way) const;
+  Part_matching matched_way(const Prepared_shape& target, const Shared_shape& shape, const Way& way) const;
+
+  // What `Search_method::PARTS` finds, before it is rated by the energy.
+  struct Found
+  {
+    Part_matching matching; // of the source and the target in the alignment
+    Shared_shape target;    // aligned
+    Way way;
+    Correspondence known;           // roles, category and warnings
+    std::size_t done = 0, ways = 0; // alignments
+  };
+  Found matched_parts(const Prepared_shape& target) const;
+  // The correspondence by which the source is deformed.
+  Correspondence rated(const Shared_shape& source, const Found& found) const;
+  // The correspondence by which the target is deformed. \pre it is not turned
+  Correspondence rated_backwards(Found found) const;
+  bool takes_shapes_as_they_are() const
+  {
+    return options_.maximum_parts == 0 && options_.source_parts.empty() && options_.target_parts.empty() &&
+           options_.matching.pinned.empty() && options_.matching.forbidden.empty();
+  }
+
+  std::shared_ptr<const Shape_features> features(const Prepared_shape& of, const Shared_shape& shape, int turn) const
+  {
+    Alignments& shapes = *of.alignments_;
+    return shape == shapes.aligned(turn) ? shapes.features(turn, options_.parts)
+                                         : std::make_shared<Shape_features>(*shape, options_.parts);
+  }
   using Alignments = Prepared_shape::Alignments;
   Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const
   {
@@ -298,11 +264,12 @@ private:
 // To the side and to the front, places count differently, so that it matters by a quarter turn in whose frame shapes
 // are compared: in the frame of the one that comes first, whichever is the source.
 Part_matching Correspondence_finder::Impl::matched_in_common_frame(const Prepared_shape& target,
-                                                                   const Aligned_shape& shape, int turn) const
+                                                                   const Shared_shape& shape, int turn) const
 {
-  if (turn % 2 == 0 || !comes_first(shape, *source_))
-    return match_parts(*source_, shape, options_.parts, constraints(*source_, shape));
-  return matched_in_frames(target, shape, -turn, 0);
+  if (turn % 2 == 0 || !comes_first(*shape, *source_))
+    return match_parts(*features(prepared_source_, source_, 0), *features(target, shape, turn), options_.parts,
+                       constraints(*source_, *shape));
+  return matched_in_frames(target, *shape, -turn, 0);
 }
 
 // With either shape turned from its own frame.
@@ -312,7 +279,9 @@ Part_matching Correspondence_finder::Impl::matched_in_frames(const Prepared_shap
   const Shared_shape b = aligned(target, target_turn),
                      a = regrouped(participating(prepared_source_.alignments_->aligned(source_turn), source_->original),
                                    pinned_.source);
-  return renumbered(match_parts(*a, *b, options_.parts, constraints(*a, *b)), *a, *source_, *b, shape);
+  return renumbered(match_parts(*features(prepared_source_, a, source_turn), *features(target, b, target_turn),
+                                options_.parts, constraints(*a, *b)),
+                    *a, *source_, *b, shape);
 }
 
 std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(const Prepared_shape& target,
@@ -347,56 +316,52 @@ std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(
   return result;
 }
 
-Part_matching Correspondence_finder::Impl::matched_way(const Prepared_shape& target, const Aligned_shape& shape,
+Part_matching Correspondence_finder::Impl::matched_way(const Prepared_shape& target, const Shared_shape& shape,
                                                        const Way& way) const
 {
   if (!way.by_roles) return matched_in_common_frame(target, shape, way.turn);
-  return matched_in_frames(target, shape, given_quarter_turns(source_frame_) + way.source_front,
+  return matched_in_frames(target, *shape, given_quarter_turns(source_frame_) + way.source_front,
                            given_quarter_turns(structure(target.graph()).frame) + way.target_front);
 }
 
-Correspondence_finder::Impl::Matched_parts
-Correspondence_finder::Impl::best_matching(const Prepared_shape& target) const
+Correspondence_finder::Impl::Found Correspondence_finder::Impl::matched_parts(const Prepared_shape& target) const
 {
+  Found found;
   Pair_category category;
   const std::vector<Way> tried = ways(target, category);
-  Matched_parts best;
-  Way best_way = tried.front();
+  found.way = tried.front();
+  found.ways = tried.size();
   double best_cost = std::numeric_limits<double>::infinity();
-  std::size_t done = 0;
   for (const Way& way : tried) {
-    if (options_.progress && !options_.progress(double(done) / double(tried.size()))) break;
+    if (options_.progress && !options_.progress(double(found.done) / double(tried.size()))) break;
     const Shared_shape shape = aligned(target, way.turn);
-    Part_matching matching = matched_way(target, *shape, way);
-    const double preference = done == 0 ? clearly_cheaper : 1;
-    ++done;
-    const double cost = preference * double(alignment_cost(matching, *source_, *shape));
+    Part_matching matching = matched_way(target, shape, way);
+    const double preference = found.done == 0 ? clearly_cheaper : 1;
+    ++found.done;
+    const double cost = tried.size() == 1 ? 0 : preference * double(alignment_cost(matching, *source_, *shape));
     if (cost >= best_cost) continue;
     best_cost = cost;
-    best_way = way;
-    best.matching = std::move(matching);
-    best.target = shape;
+    found.way = way;
+    found.matching = std::move(matching);
+    found.target = shape;
   }
-  if (done == 0) best.target = aligned(target, best_way.turn);
-  if (options_.roles && done > 0) join_roles(target, *best.target, category, best_way, best.matching, best.known);
-  best.turn = best_way.turn;
-  best.done = done;
-  best.tried = tried.size();
-  return best;
+  if (found.done == 0) found.target = aligned(target, found.way.turn);
+  if (options_.roles && found.done > 0)
+    join_roles(target, *found.target, category, found.way, found.matching, found.known);
+  const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
+  std::vector<Part_correspondence>& pairs = found.matching.pairs;
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), unsure), pairs.end());
+  return found;
 }
 
-Correspondence Correspondence_finder::Impl::matched_parts(const Prepared_shape& target) const
+Correspondence Correspondence_finder::Impl::rated(const Shared_shape& source, const Found& found) const
 {
-  Matched_parts best = best_matching(target);
-  const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
-  std::vector<Part_correspondence>& pairs = best.matching.pairs;
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), unsure), pairs.end());
-
-  const Search_run run(source_, best.target, best.turn, group_labels(best.matching, *source_, *best.target), options_);
+  const Search_run run(source, found.target, found.way.turn, group_labels(found.matching, *source, *found.target),
+                       options_);
   Correspondence result = correspondence_of(run, run.result.best(), {});
-  result.pairs = original_pairs(best.matching, *source_, *best.target);
-  take_roles(best.known, result);
-  if (best.done < best.tried) mark_cancelled(best.done, best.tried, result);
+  result.pairs = original_pairs(found.matching, *source, *found.target);
+  take_roles(found.known, result);
+  if (found.done < found.ways) mark_cancelled(found.done, found.ways, result);
   return result;
 }
 
@@ -408,7 +373,7 @@ std::vector<Transferred_label> Correspondence_finder::Impl::transferred_labels(c
   if (labels.size() != number_of_parts_)
     throw Invalid_input("transfer_labels: there are " + std::to_string(labels.size()) + " labels of " +
                         std::to_string(number_of_parts_) + " parts of the source");
-  const Matched_parts best = best_matching(target);
+  const Found best = matched_parts(target);
   std::vector<Transferred_label> result(structure(target.graph()).parts.size());
   if (best.done == 0) return result; // it was cancelled
   for (std::size_t j = 0; j < best.target->parts.size(); ++j) {
@@ -416,6 +381,31 @@ std::vector<Transferred_label> Correspondence_finder::Impl::transferred_labels(c
     result[best.target->original[j]] = {labels[source_->original[from.source]], from.confidence};
   }
   return result;
+}
+
+Correspondence Correspondence_finder::Impl::rated_backwards(Found found) const
+{
+  for (Part_correspondence& pair : found.matching.pairs)
+    pair = inverse(pair);
+  std::sort(found.matching.pairs.begin(), found.matching.pairs.end(), is_before);
+  std::swap(found.known.source_roles, found.known.target_roles);
+  const Shared_shape source = std::exchange(found.target, source_);
+  return rated(source, found);
+}
+
+std::array<Correspondence, 2> Correspondence_finder::Impl::both_orders(const Prepared_shape& target) const
+{
+  if (options_.method == Search_method::PARTS && takes_shapes_as_they_are()) {
+    const Found found = matched_parts(target);
+    if (found.way.turn == 0 && found.ways == 1) {
+      std::array<Correspondence, 2> result{rated(source_, found), rated_backwards(found)};
+      const std::size_t of_target = structure(target.graph()).parts.size();
+      collect_unmatched(number_of_parts_, of_target, result[0]);
+      collect_unmatched(of_target, number_of_parts_, result[1]);
+      return result;
+    }
+  }
+  return {std::move(ranked(target).front()), std::move(Impl(target, options_).ranked(prepared_source_).front())};
 }
 
 void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target,
@@ -557,6 +547,11 @@ Correspondence Correspondence_finder::operator()(const Structural_graph& target)
 Correspondence Correspondence_finder::operator()(const Prepared_shape& target) const
 {
   return std::move(ranked(target).front());
+}
+
+std::array<Correspondence, 2> Correspondence_finder::both_orders(const Prepared_shape& target) const
+{
+  return impl_->both_orders(target);
 }
 
 std::vector<Correspondence> Correspondence_finder::ranked(const Structural_graph& target) const

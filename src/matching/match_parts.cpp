@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
@@ -185,7 +184,7 @@ constexpr double forbidden_cost = 1e4;
 Eigen::MatrixXd costs_of(const Shape_features& a, const Shape_features& b, const Part_matching_options& options,
                          const Match_constraints& constraints)
 {
-  Eigen::MatrixXd costs = part_costs(a.normalized, a.shape, b.normalized, b.shape, options.weights);
+  Eigen::MatrixXd costs = part_costs(a.normalized, b.normalized, options.weights);
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < b.size(); ++j)
       if (!constraints.allows(i, j)) costs(Eigen::Index(i), Eigen::Index(j)) = forbidden_cost;
@@ -223,35 +222,31 @@ void constrain(const Match_constraints& constraints, Part_matching& matching)
   std::sort(pairs.begin(), pairs.end(), is_before);
 }
 
-bool comes_first(const Aligned_shape& a, const Aligned_shape& b)
-{
-  const auto key = [](const Aligned_shape& shape) {
-    double height = 0, off_axis = 0;
-    for (const Sampled_part& part : shape.parts) {
-      height += part.surface.row(1).mean();
-      off_axis += part.surface.row(0).cwiseAbs2().mean() + part.surface.row(2).cwiseAbs2().mean();
-    }
-    return std::make_tuple(shape.parts.size(), quantized(height), quantized(off_axis));
-  };
-  return key(a) < key(b);
-}
+bool comes_first(const Aligned_shape& a, const Aligned_shape& b) { return rank_of(a) < rank_of(b); }
 
 Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
                           const Part_matching_options& options, const Match_constraints& constraints)
 {
   check(options);
-  const Shape_features a(source, options), b(target, options);
+  return match_parts(Shape_features(source, options), Shape_features(target, options), options, constraints);
+}
+
+Part_matching match_parts(const Shape_features& a, const Shape_features& b, const Part_matching_options& options,
+                          const Match_constraints& constraints)
+{
+  check(options);
   if (a.has_chain() == b.has_chain())
     return matching_of(costs_of(a, b, options, constraints), a, b, options, constraints);
 
   // What has a chain hangs from it: one of the two is turned over, whichever costs less
-  const Aligned_shape source_over = turned_over(source), target_over = turned_over(target);
+  const Aligned_shape source_over = turned_over(a.shape), target_over = turned_over(b.shape);
   const Shape_features a_over(source_over, options), b_over(target_over, options);
   Eigen::MatrixXd target_turned = costs_of(a, b_over, options, constraints),
                   source_turned = costs_of(a_over, b, options, constraints);
   const long over_target = quantized(mean_least_cost(target_turned)),
              over_source = quantized(mean_least_cost(source_turned));
-  const bool turn_source = over_source < over_target || (over_source == over_target && comes_first(source, target));
+  const bool turn_source =
+      over_source < over_target || (over_source == over_target && a.normalized.rank < b.normalized.rank);
   Part_matching result = turn_source ? matching_of(std::move(source_turned), a_over, b, options, constraints)
                                      : matching_of(std::move(target_turned), a, b_over, options, constraints);
   result.upside_down = true;

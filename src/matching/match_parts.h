@@ -27,8 +27,7 @@ struct Part_matching
 /// slats of a bed in data/ against themselves.
 constexpr double same_part_cost = 1;
 
-/// An order of two shapes that does not depend on which of them is the source, nor on turns about the up axis; settles
-/// what else that would decide.
+/// An order of two shapes that does not depend on which of them is the source; settles what else that would decide.
 bool comes_first(const Aligned_shape& a, const Aligned_shape& b);
 
 /// Matches parts by their costs alone, without deforming a shape.
@@ -51,6 +50,14 @@ bool comes_first(const Aligned_shape& a, const Aligned_shape& b);
 Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
                           const Part_matching_options& options = {},
                           const internal::Match_constraints& constraints = {});
+
+namespace internal {
+struct Shape_features;
+}
+
+/// The same of shapes whose features are known, by the same options.
+Part_matching match_parts(const internal::Shape_features& source, const internal::Shape_features& target,
+                          const Part_matching_options& options, const internal::Match_constraints& constraints);
 
 /// Takes out the pairs that are not allowed and puts in those that are pinned.
 void constrain(const internal::Match_constraints& constraints, Part_matching& matching);

@@ -50,27 +50,13 @@ void append(std::vector<std::size_t>& to, const std::vector<std::size_t>& from)
   to.insert(to.end(), from.begin(), from.end());
 }
 
-// The costs within a shape of the parts of one-sided blocks, with each other and with all others. No more is needed:
-// one of two blocks that are joined is one-sided.
-Eigen::MatrixXd costs_of_one_sided(const std::vector<Block>& blocks, std::vector<std::size_t> Block::*side,
-                                   const Normalized_shape& shape, const Part_cost_weights& weights)
-{
-  std::vector<char> is_one_sided(shape.parts.size(), 0);
-  bool has_one_sided = false;
-  for (const Block& block : blocks)
-    if (block.is_one_sided())
-      for (std::size_t part : block.*side)
-        is_one_sided[part] = has_one_sided = true;
-  return has_one_sided ? costs_within_shape(shape, is_one_sided, weights) : Eigen::MatrixXd();
-}
-
 class One_sided_block_joiner
 {
 public:
-  One_sided_block_joiner(std::vector<Block> blocks, Eigen::MatrixXd source_costs, Eigen::MatrixXd target_costs)
+  One_sided_block_joiner(std::vector<Block> blocks, const Shape_features& source, const Shape_features& target)
       : blocks_(std::move(blocks)),
-        source_costs_(std::move(source_costs)),
-        target_costs_(std::move(target_costs)),
+        source_(source),
+        target_(target),
         costs_(blocks_.size(), std::vector<long>(blocks_.size(), never))
   {
     for (std::size_t k = 0; k < blocks_.size(); ++k)
@@ -91,8 +77,8 @@ private:
   long joining_cost(const Block& a, const Block& b) const
   {
     if (!a.is_one_sided() && !b.is_one_sided()) return never;
-    if (!a.source.empty() && !b.source.empty()) return quantized(set_cost(source_costs_, a.source, b.source));
-    if (!a.target.empty() && !b.target.empty()) return quantized(set_cost(target_costs_, a.target, b.target));
+    if (!a.source.empty() && !b.source.empty()) return quantized(set_cost(source_.costs_within(), a.source, b.source));
+    if (!a.target.empty() && !b.target.empty()) return quantized(set_cost(target_.costs_within(), a.target, b.target));
     return never;
   }
 
@@ -115,7 +101,7 @@ private:
   }
 
   std::vector<Block> blocks_; // empty where joined to another one
-  Eigen::MatrixXd source_costs_, target_costs_;
+  const Shape_features &source_, &target_;
   std::vector<std::vector<long>> costs_; // [k][l] for l < k
 };
 
@@ -127,10 +113,7 @@ std::vector<Block> joined_blocks(const Match_matrix& confident, const Shape_feat
   std::vector<Block> blocks = blocks_of(confident, source, target);
   if (std::none_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.is_one_sided(); }))
     return blocks;
-  Eigen::MatrixXd source_costs = costs_of_one_sided(blocks, &Block::source, source.normalized, options.weights);
-  Eigen::MatrixXd target_costs = costs_of_one_sided(blocks, &Block::target, target.normalized, options.weights);
-  return One_sided_block_joiner(std::move(blocks), std::move(source_costs), std::move(target_costs))
-      .run(options.shared_counterpart);
+  return One_sided_block_joiner(std::move(blocks), source, target).run(options.shared_counterpart);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -17,20 +17,11 @@ Point_distances room_for_distances(const Normalized_shape& from, const Normalize
 
 } // namespace
 
-std::vector<Point_lanes> lanes_of(const Normalized_shape& shape)
+double chamfer(const Point_lanes& p, const Point_lanes& q)
 {
-  return {shape.surfaces.begin(), shape.surfaces.end()};
-}
-
-void nearest_distances(const Point_lanes& p, const Point_lanes& q, Eigen::ArrayXd& p_from_q, Eigen::ArrayXd& q_from_p)
-{
-  p_from_q.resize(p.padded());
-  q_from_p.resize(q.padded());
+  Eigen::ArrayXd p_from_q(p.padded()), q_from_p(q.padded());
   nearest_squared_kernel().run(p, q, p_from_q.data(), q_from_p.data());
-  p_from_q.conservativeResize(p.count());
-  q_from_p.conservativeResize(q.count());
-  p_from_q = p_from_q.sqrt();
-  q_from_p = q_from_p.sqrt();
+  return (p_from_q.head(p.count()).sqrt().mean() + q_from_p.head(q.count()).sqrt().mean()) / 2;
 }
 
 void point_distances(const Normalized_shape& a, const Normalized_shape& b, Point_distances& a_from_b,
@@ -38,13 +29,15 @@ void point_distances(const Normalized_shape& a, const Normalized_shape& b, Point
 {
   a_from_b = room_for_distances(a, b);
   b_from_a = room_for_distances(b, a);
-  const std::vector<Point_lanes> a_lanes = lanes_of(a), b_lanes = lanes_of(b);
   Eigen::ArrayXd p_from_q, q_from_p;
-  for (std::size_t i = 0; i < a_lanes.size(); ++i)
-    for (std::size_t j = 0; j < b_lanes.size(); ++j) {
-      nearest_distances(a_lanes[i], b_lanes[j], p_from_q, q_from_p);
-      a_from_b[i].col(Eigen::Index(j)) = p_from_q;
-      b_from_a[j].col(Eigen::Index(i)) = q_from_p;
+  for (std::size_t i = 0; i < a.lanes.size(); ++i)
+    for (std::size_t j = 0; j < b.lanes.size(); ++j) {
+      const Point_lanes &p = a.lanes[i], &q = b.lanes[j];
+      p_from_q.resize(p.padded());
+      q_from_p.resize(q.padded());
+      nearest_squared_kernel().run(p, q, p_from_q.data(), q_from_p.data());
+      a_from_b[i].col(Eigen::Index(j)) = p_from_q.head(p.count()).sqrt();
+      b_from_a[j].col(Eigen::Index(i)) = q_from_p.head(q.count()).sqrt();
     }
 }
 

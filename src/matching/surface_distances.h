@@ -4,7 +4,6 @@
 #pragma once
 
 #include "matching/Normalized_shape.h"
-#include "matching/nearest_points_kernel.h"
 
 #include <vector>
 
@@ -13,10 +12,8 @@ namespace CGAL::Shape_correspondence::internal {
 // Distances of the points of the parts of one shape from the parts of another: [part](point, other part).
 using Point_distances = std::vector<Eigen::ArrayXXd>;
 
-std::vector<Point_lanes> lanes_of(const Normalized_shape& shape);
-
-// Distances of the points of either surface from the other.
-void nearest_distances(const Point_lanes& p, const Point_lanes& q, Eigen::ArrayXd& p_from_q, Eigen::ArrayXd& q_from_p);
+// The mean distance of the points of either surface from the other one.
+double chamfer(const Point_lanes& p, const Point_lanes& q);
 
 void point_distances(const Normalized_shape& a, const Normalized_shape& b, Point_distances& a_from_b,
                      Point_distances& b_from_a);

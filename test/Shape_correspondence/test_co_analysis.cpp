@@ -82,6 +82,19 @@ TEST_CASE("Chairs agree on what is a seat, a back and a leg")
   CHECK(result.labels[0][1] != result.labels[0][4]);
 }
 
+TEST_CASE("Pairs that agree with the whole set: of one cluster, and none of parts in no cluster")
+{
+  Co_analysis analysis;
+  analysis.labels = {{0, 1, Co_analysis::none}, {0, 0, 1, Co_analysis::none}};
+  const std::vector<Shape_pair_map> maps{
+      {0, 1, certain({{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 2}, {2, 3}})}, {1, 0, certain({{0, 1}, {2, 1}})}, {0, 1, {}}};
+  const std::vector<Shape_pair_map> agreeing = agreeing_maps(maps, analysis);
+  REQUIRE(agreeing.size() == 3);
+  CHECK(agreeing[0].map == certain({{0, 0}, {0, 1}, {1, 2}}));
+  CHECK(agreeing[1].map == certain({{2, 1}}));
+  CHECK(agreeing[2].map.pairs.empty());
+}
+
 TEST_CASE("Maps of what is not there are refused")
 {
   CHECK_THROWS_AS(co_analysis({1, 1}, {{0, 2, certain({{0, 0}})}}), Invalid_input);

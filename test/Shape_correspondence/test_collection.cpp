@@ -117,6 +117,35 @@ TEST_CASE("A folder of shapes: energies, medoid, tree, clusters, files")
   CHECK(seats["shape 0"] == seats["shape 4"]);
 }
 
+TEST_CASE("Matches of all pairs of shapes, and of them those that the clusters confirm")
+{
+  const Temporary_folder folder;
+  const std::string in = quoted(shape_folder(folder)) + " --roles none --json - ";
+  const json plain = json::parse(run(in).out), all = json::parse(run(in + "--matches").out),
+             agreeing = json::parse(run(in + "--matches --agreeing").out);
+  CHECK(plain.count("matches") == 0);
+  REQUIRE(all["matches"].size() == 30);
+  const Energy_matrix expected = energy_matrix(shapes());
+  CHECK(all["matches"][0]["source"] == "shape 0");
+  CHECK(all["matches"][0]["target"] == "shape 1");
+  CHECK(all["matches"][0]["pairs"].size() == expected.map(0, 1).pairs.size());
+  std::map<json, json> cluster; // of (shape, part)
+  for (const json& c : all["clusters"])
+    for (const json& part : c["parts"])
+      cluster[part] = c["label"];
+  for (std::size_t k = 0; k < 30; ++k) {
+    const json &match = all["matches"][k], &kept = agreeing["matches"][k];
+    json confirmed = json::array();
+    for (const json& pair : match["pairs"]) {
+      const auto source = cluster.find({match["source"], pair[0]}), target = cluster.find({match["target"], pair[1]});
+      if (source != cluster.end() && target != cluster.end() && source->second == target->second)
+        confirmed.push_back(pair);
+    }
+    CHECK(kept["pairs"] == confirmed);
+    CHECK(kept["confidences"].size() == confirmed.size());
+  }
+}
+
 TEST_CASE("The same bytes with any number of threads, tiles, shares and restarts")
 {
   const Temporary_folder folder;
@@ -249,12 +278,26 @@ TEST_CASE("Usage and inputs that make no sense")
 {
   const Temporary_folder folder;
   const std::string in = quoted(shape_folder(folder)), store = " --store " + quoted(folder.path("store"));
-  for (const std::string& arguments :
-       {std::string(), in + " --tile 1/2", in + " --merge", in + store + " --tile 0/2", in + store + " --tile 3/2",
-        in + store + " --tile 1", in + store + " --tile 1/2 --merge", in + store + " --tile 1/2 --json -",
-        in + " --tile-size 0", in + " --inflation 1", in + " --cycle-support 2", in + " --unmatched-energy -1",
-        in + " --neighbours 0", in + " --search exact --solutions 2", in + " --npy x --csv x", in + " --nearest x -k 0",
-        in + " --nearest x --npy y"}) {
+  for (const std::string& arguments : {std::string(),
+                                       in + " --tile 1/2",
+                                       in + " --merge",
+                                       in + store + " --tile 0/2",
+                                       in + store + " --tile 3/2",
+                                       in + store + " --tile 1",
+                                       in + store + " --tile 1/2 --merge",
+                                       in + store + " --tile 1/2 --json -",
+                                       in + " --tile-size 0",
+                                       in + " --inflation 1",
+                                       in + " --cycle-support 2",
+                                       in + " --unmatched-energy -1",
+                                       in + " --neighbours 0",
+                                       in + " --search exact --solutions 2",
+                                       in + " --npy x --csv x",
+                                       in + " --nearest x -k 0",
+                                       in + " --nearest x --npy y",
+                                       in + " --matches",
+                                       in + " --json - --agreeing",
+                                       in + " --nearest x --json - --matches"}) {
     INFO(arguments);
     const Run result = run(arguments);
     CHECK(result.status == 2);

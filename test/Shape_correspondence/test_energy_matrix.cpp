@@ -119,7 +119,7 @@ TEST_CASE("Work is told of, and ends when it is told to")
   options.progress = [](std::size_t done, std::size_t) { return done < 2; };
   const Energy_matrix cancelled = energy_matrix(shapes(), options);
   CHECK(!cancelled.complete);
-  CHECK(!std::isnan(cancelled.energies(0, 2)));
+  CHECK(!std::isnan(cancelled.energies(1, 0))); // with its reversed pair
   CHECK(std::isnan(cancelled.energies(0, 3)));
 }
 
@@ -133,4 +133,35 @@ TEST_CASE("Bad options and empty sets")
   CHECK_THROWS_AS(energy_matrix<CGAL::Parallel_if_available_tag>(shapes(), options), Invalid_input);
   CHECK(energy_matrix({}).energies.size() == 0);
   CHECK(match_pairs(shapes(), {}).empty());
+}
+
+TEST_CASE("Both orders of two shapes are what two matches find, by every method, whatever takes part")
+{
+  Search_options options, pinned, coarse, beam;
+  pinned.matching.pinned = {{0, 0}};
+  coarse.maximum_parts = 4;
+  beam.method = Search_method::BEAM;
+  for (const Search_options& o : {options, pinned, coarse, beam})
+    for (const Structural_graph& a : shapes())
+      for (const Structural_graph& b : shapes()) {
+        const std::array<Correspondence, 2> both = Correspondence_finder(a, o).both_orders(Prepared_shape(b));
+        const Correspondence there = find_correspondence(a, b, o), back = find_correspondence(b, a, o);
+        CHECK(part_map(both[0]) == part_map(there));
+        CHECK(part_map(both[1]) == part_map(back));
+        CHECK(both[0].energy == there.energy);
+        CHECK(both[1].energy == back.energy);
+        CHECK(both[1].unmatched_source == back.unmatched_source);
+        CHECK(both[1].contacts.size() == back.contacts.size());
+      }
+}
+
+TEST_CASE("Pairs in any order, alone, reversed, and twice")
+{
+  const std::vector<std::pair<std::size_t, std::size_t>> pairs{{2, 0}, {0, 1}, {1, 0}, {0, 1}, {3, 3}, {3, 3}};
+  const std::vector<Rated_map> rated = match_pairs(shapes(), pairs);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const Correspondence c = find_correspondence(shapes()[pairs[k].first], shapes()[pairs[k].second]);
+    CHECK(rated[k].map == part_map(c));
+    CHECK(rated[k].energy == distance_energy(c, .5));
+  }
 }

@@ -16,6 +16,7 @@
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 #include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -68,6 +69,9 @@ public:
   Correspondence operator()(const Structural_graph& target) const;
   /// Like `find_correspondence()`.
   Correspondence operator()(const Prepared_shape& target) const;
+  /// The correspondence of the source and the target, and that of the target and the source with the same options.
+  /// `Search_method::PARTS`, which treats both shapes alike, matches them once for both.
+  std::array<Correspondence, 2> both_orders(const Prepared_shape& target) const;
   /// Like `find_correspondences()`.
   std::vector<Correspondence> ranked(const Structural_graph& target) const;
   /// Like `find_correspondences()`.

@@ -56,6 +56,7 @@ struct Collection
   std::size_t bridge_count = 0;            ///< how many such pairs there are in all
   Co_analysis co_analysis;                 ///< labels of parts
   std::size_t co_analysis_shape_pairs = 0; ///< unordered, whose maps it is made of
+  std::vector<Shape_pair_map> matches;     ///< of ordered pairs of shapes, as far as they are to be written
   std::vector<std::string> warnings;       ///< what was approximated or ended early, in whole sentences
 };
 

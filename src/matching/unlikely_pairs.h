@@ -1,0 +1,16 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Correspondence.h>
+
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+// Takes out the pairs of lower confidence than `least`, and returns them. Parts that are in no other pair become
+// unmatched. Pairs without a confidence stay.
+std::vector<Part_correspondence> remove_unlikely_pairs(Correspondence& correspondence, double least);
+
+} // namespace CGAL::Shape_correspondence::internal
