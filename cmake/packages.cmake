@@ -24,7 +24,7 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The CGAL package Shape_corresponden
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libshape-correspondence-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "shape-correspondence (= ${PROJECT_VERSION}), libcgal-dev (>= 5.5), libeigen3-dev (>= 3.4), libboost-dev (>= 1.74), libtbb-dev, libassimp-dev")
+    "shape-correspondence (= ${PROJECT_VERSION}), libcgal-dev (>= 5.5), libeigen3-dev (>= 3.4), libboost-dev (>= 1.74), libtbb-dev, libassimp-dev, libpng-dev, libjpeg-dev")
 
 if(SHAPE_CORRESPONDENCE_PYTHON)
   math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")

@@ -9,6 +9,7 @@
 #include "generator/benchmark/degrade.h"
 #include "generator/benchmark/random_designs.h"
 #include "generator/models.h"
+#include "generator/textures.h"
 #include "generator/writer.h"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ constexpr int bad_input = 1, bad_usage = 2;
 
 struct Options
 {
-  bool help = false, list = false, single_file = false, raw = false, benchmark = false;
+  bool help = false, list = false, single_file = false, raw = false, textured = false, benchmark = false;
   bool degrades = false, random_styles = false;
   gen::Degradation degradation;
   std::uint64_t seed = 1;
@@ -38,7 +39,7 @@ struct Options
 };
 
 const char* const help_text =
-    R"(Usage: generate_models [--single-file | --raw] OUTPUT_FOLDER
+    R"(Usage: generate_models [--single-file | --raw | --textured] OUTPUT_FOLDER
        generate_models --benchmark [--random-styles] [--degrade WAYS] [--seed N] OUTPUT_FOLDER
        generate_models [--benchmark] --list
 
@@ -50,6 +51,8 @@ Writes labelled models of man-made shapes; the same bytes every time.
   --single-file  write OUTPUT_FOLDER/NAME.obj instead, one `o` a part
   --raw          write OUTPUT_FOLDER/NAME.obj instead, z up, one `o` for all parts of a coarse label, as models from
                  catalogues often are
+  --textured     write OUTPUT_FOLDER/NAME.obj instead, one `o` a part, with NAME.mtl and a texture on which seams and
+                 flips show
   --benchmark    make the shapes that methods are compared on instead, fifteen of each of six categories, in
                  OUTPUT_FOLDER/CATEGORY/NAME
   --random-styles  draw their styles, too: shapes that no method was set on
@@ -92,6 +95,8 @@ Options parsed(int argc, char** argv)
       options.single_file = true;
     else if (word == "--raw")
       options.raw = true;
+    else if (word == "--textured")
+      options.textured = true;
     else if (word == "--benchmark")
       options.benchmark = true;
     else if (word == "--degrade") {
@@ -107,7 +112,8 @@ Options parsed(int argc, char** argv)
       options.folder = word;
     }
   }
-  if (options.raw && options.single_file) throw std::invalid_argument("--raw and --single-file do not go together");
+  if (options.raw + options.single_file + options.textured > 1)
+    throw std::invalid_argument("of --raw, --single-file and --textured, only one may be given");
   if (options.degrades && !options.benchmark) throw std::invalid_argument("--degrade is of --benchmark");
   if (options.random_styles && !options.benchmark) throw std::invalid_argument("--random-styles is of --benchmark");
   if (!options.help && !options.list && options.folder.empty()) throw std::invalid_argument("no output folder");
@@ -135,6 +141,7 @@ std::vector<gen::Assembly> shapes(const Options& options)
 
 gen::Files files_of(const gen::Assembly& shape, const Options& options)
 {
+  if (options.textured) return gen::textured_file(shape);
   return options.raw ? gen::raw_file(shape) : options.single_file ? gen::single_file(shape) : gen::folder_files(shape);
 }
 

@@ -26,6 +26,7 @@
 #include <CGAL/Shape_correspondence/parameters.h>
 #include <CGAL/Shape_correspondence/split_parts.h>
 #include <CGAL/Shape_correspondence/topological_medoid.h>
+#include <CGAL/Shape_correspondence/transfer_appearance.h>
 #include <CGAL/Shape_correspondence/transitive_correspondence.h>
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_H

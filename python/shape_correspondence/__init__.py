@@ -44,16 +44,20 @@ from ._matches import (
     SearchSummary,
     Seconds,
     Solution,
+    TransferredLooks,
+    TransferredPart,
     match,
     paper_options,
     transfer,
+    transfer_looks,
 )
 from ._shapes import Graph, Part, PartAbstraction, PartGroup, Shape, build_graph, read
 
 __all__ = [
     "Blend", "BlendTask", "Bridge", "Cluster", "CoAnalysis", "Collection", "CollectionShape", "ContactEnergy",
     "EnergyTerms", "Estimate", "Evaluation", "Graph", "GroupMatch", "InvalidInput", "Match", "MeanScore", "Medoid",
-    "NearShape", "Nearest", "PairMatch", "PairRoles", "Part", "PartAbstraction", "PartGroup", "Score",
-    "SearchSummary", "Seconds", "Shape", "Solution", "TreeEdge", "blend", "build_graph", "collection", "evaluate",
-    "match", "nearest", "paper_options", "read", "roles", "schedule_names", "transfer",
+    "Nearest", "NearShape", "PairMatch", "PairRoles", "Part", "PartAbstraction", "PartGroup", "Score",
+    "SearchSummary", "Seconds", "Shape", "Solution", "TransferredLooks", "TransferredPart", "TreeEdge", "blend",
+    "build_graph", "collection", "evaluate", "match", "nearest", "paper_options", "read", "roles", "schedule_names",
+    "transfer", "transfer_looks",
 ]

@@ -261,6 +261,50 @@ def transfer(
     return result
 
 
+@dataclass
+class TransferredPart(Record):
+    """What a part of the target got."""
+
+    name: str  #: the target part
+    looks: str  #: whose looks it has: source, target (its own), or neutral (grey)
+    sources: List[str]  #: the source parts that it is mapped to
+    label: Optional[str] = None  #: the label of most of its faces, where labels were transferred
+
+
+@dataclass
+class TransferredLooks(Record):
+    """What `transfer_looks()` did. `to_dict()` is what ``shape_correspondence transfer --json`` writes."""
+
+    _header: ClassVar[Dict[str, Any]] = {"format": "shape_correspondence/transfer", "version": 1}
+
+    source: str  #: file or name of the source
+    target: str  #: file or name of the target
+    output: str  #: the file that was written
+    texture_size: int  #: width and height of the texture in pixels
+    texture_coordinates: str  #: given (those of the target) or new
+    labels: Optional[List[str]] = None  #: names of labels by number, where labels were transferred
+    parts: List[TransferredPart] = field(default_factory=list)  #: by target part
+    warnings: List[str] = field(default_factory=list)  #: what is missing or damaged, in whole sentences
+
+
+def transfer_looks(
+    match: Match, output: Path, *, size: int = 1024, labels: Optional[Path] = None, new_coordinates: bool = False
+) -> TransferredLooks:
+    """Transfers materials, textures and colours, or labels, from the source to the target along a match, and writes the
+    target with them, baked into a texture. Shapes must be files; those made of arrays have no looks, but labels.
+
+    :param match: what `match()` found
+    :param output: ``.glb``, ``.obj`` (with ``.mtl`` and ``.png`` beside it) or ``.ply``
+    :param size: width and height of the texture in pixels
+    :param labels: None, ``"parts"`` (the names of the source's parts) or a file of labels of the source
+    :param new_coordinates: lay out new texture coordinates even if those of the target can be used
+    :raises InvalidInput: if the source has no looks, or a file cannot be read or written
+    """
+    text = match._handle.transfer_looks(os.fspath(output), size, "" if labels is None else os.fspath(labels),
+                                        new_coordinates)
+    return TransferredLooks.from_dict(json.loads(text))
+
+
 def _interpolated(values: np.ndarray, corners: np.ndarray, weights: np.ndarray, are_labels: bool) -> np.ndarray:
     if are_labels:
         return values[corners[np.arange(len(corners)), weights.argmax(axis=1)]]

@@ -85,8 +85,15 @@ std::string json_of(const Blend& blend, const std::string& output, int frames)
 void save_glb(const Blend& blend, const std::string& path, int frames)
 {
   check_frames(frames);
-  SC::IO::write_atomically(
-      path, [&](std::ostream& out) { SC::IO::write_blend_glb(out, blend.blend, blend.match->best(), frames); });
+  SC::cli::Loaded_shape source = blend.match->source->shape, target = blend.match->target->shape;
+  SC::cli::read_appearance(blend.match->source->file, source);
+  SC::cli::read_appearance(blend.match->target->file, target);
+  SC::IO::write_atomically(path, [&](std::ostream& out) {
+    if (source.appearance.empty() && target.appearance.empty())
+      SC::IO::write_blend_glb(out, blend.blend, blend.match->best(), frames);
+    else
+      SC::IO::write_blend_glb(out, blend.blend, {source.appearance, target.appearance}, frames);
+  });
 }
 
 } // namespace

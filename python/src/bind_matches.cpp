@@ -7,6 +7,7 @@
 #include "work.h"
 
 #include "cli/thread_limit.h"
+#include "cli/transfer_looks.h"
 #include "io/atomic_file.h"
 #include "io/input_file.h"
 #include "viewer/match_page.h"
@@ -75,7 +76,11 @@ std::string json_of(const Match& match)
 void save(const Match& match, const std::string& path)
 {
   const std::string extension = SC::IO::lower_extension(path);
-  const SC::cli::Loaded_shape &source = match.source->shape, &target = match.target->shape;
+  SC::cli::Loaded_shape source = match.source->shape, target = match.target->shape;
+  if (extension == ".glb") {
+    SC::cli::read_appearance(match.source->file, source);
+    SC::cli::read_appearance(match.target->file, target);
+  }
   if (extension != ".json" && extension != ".glb" && extension != ".html")
     throw SC::Invalid_input(path + ": a match is saved as .json, .glb or .html");
   SC::IO::write_atomically(path, [&](std::ostream& out) {
@@ -83,7 +88,7 @@ void save(const Match& match, const std::string& path)
       out << json_of(match);
     else if (extension == ".glb")
       SC::IO::write_correspondence_glb(out, match.best(), source.graph, target.graph, source.model_pointer(),
-                                       target.model_pointer());
+                                       target.model_pointer(), &source.appearance, &target.appearance);
     else
       SC::IO::write_page(out, SC::IO::match_page(match.matched.ranked, source.graph, target.graph,
                                                  source.model_pointer(), target.model_pointer(), match.source->file,
@@ -127,6 +132,25 @@ py::list surface_places(const Match& match, const py::object& progress)
   return result;
 }
 
+/// Transfers looks or labels, and writes the target with them. \return what the program writes as JSON
+std::string transfer_looks(const Match& match, const std::string& output, int size, const std::string& labels,
+                           bool new_coordinates)
+{
+  SC::cli::Transfer_request request;
+  request.output = output;
+  request.labels = labels;
+  request.options.size = size;
+  request.options.new_coordinates = new_coordinates;
+  SC::cli::Loaded_shape source = match.source->shape, target = match.target->shape;
+  const std::string &source_file = match.source->file, &target_file = match.target->file;
+  SC::cli::Transferred_looks transferred =
+      SC::cli::transfer_looks(source_file, source, target_file, target, match.best(), request);
+  transferred.warnings.insert(transferred.warnings.begin(), match.best().warnings.begin(), match.best().warnings.end());
+  return text([&](std::ostream& out) {
+    SC::cli::write_transfer_json(out, source_file, source, target_file, target, request, transferred);
+  });
+}
+
 } // namespace
 
 void bind_matches(py::module_& module)
@@ -136,7 +160,8 @@ void bind_matches(py::module_& module)
       .def_property_readonly("target", [](const Match& match) { return std::const_pointer_cast<Graph>(match.target); })
       .def("json", json_of)
       .def("save", save, py::call_guard<py::gil_scoped_release>())
-      .def("surface_places", surface_places);
+      .def("surface_places", surface_places)
+      .def("transfer_looks", transfer_looks, py::call_guard<py::gil_scoped_release>());
   module.def("match", match);
   module.def("read_match", read_match);
 }

@@ -134,11 +134,19 @@ std::string json_of(const Graph& graph)
 void save_graph(const Graph& graph, const std::string& path)
 {
   const SC::Structural_graph& g = graph.shape.graph;
+  SC::cli::Loaded_shape shape;
+  if (SC::IO::lower_extension(path) == ".glb") {
+    shape = graph.shape;
+    SC::cli::read_appearance(graph.file, shape);
+  }
   const std::map<std::string, std::function<void(std::ostream&)>> formats{
       {".json", [&](std::ostream& out) { SC::IO::write_structural_graph_json(out, g); }},
       {".graphml", [&](std::ostream& out) { SC::IO::write_structural_graph_graphml(out, g); }},
       {".dot", [&](std::ostream& out) { SC::IO::write_structural_graph_dot(out, g); }},
-      {".glb", [&](std::ostream& out) { SC::IO::write_structural_graph_glb(out, g, graph.shape.model_pointer()); }},
+      {".glb",
+       [&](std::ostream& out) {
+         SC::IO::write_structural_graph_glb(out, g, graph.shape.model_pointer(), &shape.appearance);
+       }},
       {".html", [&](std::ostream& out) { SC::IO::write_structural_graph_html(out, g, graph.shape.model_pointer()); }}};
   const auto format = formats.find(SC::IO::lower_extension(path));
   if (format == formats.end())

@@ -41,6 +41,17 @@ def test_match(json_of_program, cache, arguments, options):
     assert as_text(sc.Match.from_dict(expected).to_dict()) == as_text(expected)
 
 
+def test_transfer_looks(json_of_program, cache, tmp_path):
+    paths = [str(tmp_path / name) for name in ("program.ply", "module.ply")]
+    expected = json_of_program("transfer", TABLE, OTHER, "--cache", cache, "--labels", "parts", "--size", 64, "-o",
+                               paths[0])
+    found = sc.transfer_looks(sc.match(TABLE, OTHER, cache=cache), paths[1], labels="parts", size=64).to_dict()
+    assert as_text({**found, "output": ""}) == as_text({**expected, "output": ""})
+    assert open(paths[0], "rb").read() == open(paths[1], "rb").read()
+    with pytest.raises(sc.InvalidInput, match="--labels parts"):
+        sc.transfer_looks(sc.match(TABLE, OTHER, cache=cache), paths[1])
+
+
 def test_chosen_parts(json_of_program, cache):
     expected = json_of_program("match", TABLE, OTHER, "--cache", cache, "--source-parts",
                                ",".join(sc.build_graph(TABLE, cache=cache).part_names[:3]))

@@ -72,7 +72,7 @@ inline std::vector<Eigen::Matrix3d> candidate_motions(const Mesh_signature& from
   const auto diagonal = [](double x, double y, double z) { return Matrix3d(Point(x, y, z).asDiagonal()); };
   const auto turn = [](double angle) { return Eigen::AngleAxisd(angle, Point::UnitY()).toRotationMatrix(); };
   std::vector<Matrix3d> result{diagonal(1, 1, 1), diagonal(-1, 1, 1), diagonal(1, 1, -1), diagonal(-1, 1, -1)};
-  const double quarter = 0.5 * EIGEN_PI;
+  const auto quarter = double(0.5 * EIGEN_PI);
   for (const double sign : {1., -1.}) {
     result.push_back(turn(quarter) * diagonal(sign, 1, 1));
     result.push_back(turn(-quarter) * diagonal(sign, 1, 1));

@@ -69,7 +69,7 @@ inline std::optional<Revolution_axis> revolution_axis(const Points& surface, dou
   const double tolerance = 0.16; // how far turning carries points off the surface, over the largest radius
   const double clearly = 1e-3;   // the same of what makes a later axis better
   const double gap = 0.6;        // between points spread over the same surface, over their spacing
-  const double turns[] = {2 * EIGEN_PI / 5, 2 * EIGEN_PI / 4};
+  const double turns[] = {double(2 * EIGEN_PI / 5), double(2 * EIGEN_PI / 4)};
   const Point centre = surface.rowwise().mean();
   const Points centred = surface.colwise() - centre;
   const Nearest_points points(centred);

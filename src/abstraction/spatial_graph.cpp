@@ -64,7 +64,8 @@ std::vector<std::pair<int, int>> Spatial_graph_view::edges() const
 {
   std::vector<std::pair<int, int>> result;
   for (int a = 0; a < size(); ++a) {
-    for (int b : neighbours(a)) {
+    for (const auto neighbour : neighbours(a)) {
+      const int b = static_cast<int>(neighbour);
       if (a < b) {
         result.emplace_back(a, b);
       }

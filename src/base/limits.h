@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -15,12 +16,22 @@ constexpr double largest_coordinate = 1e15;
 /// No other number in a document is greater: volumes, areas, ratios.
 constexpr double largest_number = 1e50;
 
-/// Parts of a shape. Detecting contacts and matching take time quadratic in them: ten seconds for so many.
-constexpr std::size_t most_parts = 1000;
+/// Parts of a shape. Detecting contacts and matching take time and memory quadratic in them: two shapes of so many are
+/// matched within ten seconds, with 2.4 GB.
+constexpr std::size_t most_parts = 2000;
+
+inline std::string too_many_parts(std::size_t parts)
+{
+  return std::to_string(parts) + " parts; a shape may have at most " + std::to_string(most_parts) +
+         ": join small parts, or leave them out";
+}
 
 /// Congruent pairs of parts, times the parts: what looking for rows of parts takes time in. About three seconds; any
 /// shape of 240 parts is below it.
 constexpr std::size_t most_symmetry_work = 15'000'000;
+
+/// Frames of a blend: at 25 a second, more than six minutes.
+constexpr int most_frames = 10000;
 
 /// Bytes of a JSON or XML document, and how deep its values may be nested.
 constexpr std::size_t largest_document = std::size_t(1) << 28;

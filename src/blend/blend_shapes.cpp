@@ -31,6 +31,18 @@ void choose(std::vector<Blend_schedule>& schedules, const std::string& name)
   if (schedules.empty()) throw Invalid_input("Shape_blend: there is no schedule '" + name + "'");
 }
 
+void check_options(const Blend_options& options)
+{
+  constexpr int most_samples = 1000;
+  if (options.samples < 1) throw Invalid_input("Shape_blend: at least one sample is needed to judge schedules");
+  if (options.samples > most_samples)
+    throw Invalid_input("Shape_blend: schedules are judged by at most " + std::to_string(most_samples) + " samples");
+  if (!(options.min_confidence >= 0 && options.min_confidence <= 1))
+    throw Invalid_input("Shape_blend: the least confidence must be between 0 and 1");
+  if (!(options.contact_tolerance >= 0 && options.contact_tolerance <= 1))
+    throw Invalid_input("Shape_blend: the contact tolerance must be between 0 and 1");
+}
+
 } // namespace
 
 Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& source_shape,
@@ -41,7 +53,7 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
   check_model(target, target_shape);
   const std::array<Blend_input, 2> inputs = {Blend_input{source, source_shape, 0},
                                              Blend_input{target, target_shape, correspondence.target_quarter_turns}};
-  if (options.samples < 1) throw Invalid_input("Shape_blend: at least one sample is needed to judge schedules");
+  check_options(options);
   Correspondence likely = correspondence;
   remove_unlikely_pairs(likely, options.min_confidence);
   blend_ = std::make_shared<const Blend_structure>(inputs, likely, options);

@@ -12,6 +12,10 @@ namespace CGAL::Shape_correspondence::cli {
 
 namespace {
 
+// More than any shape needs, and little memory
+constexpr int most_curve_points = 1000;
+constexpr int most_sheet_points = 200; // along a side
+
 void check_between(const std::string& option, double value, double least, double most)
 {
   if (value >= least && value <= most) return;
@@ -32,8 +36,8 @@ void check_abstraction(const Abstraction_options& options)
   check_positive("time-limit", options.time_limit);
   check_at_least("triangles", options.triangles, 100);
   check_at_least("max-iterations", options.maximum_iterations, 1);
-  check_at_least("curve-points", options.curve_points, 2);
-  check_at_least("sheet-points", options.sheet_points, 2);
+  check_from_to("curve-points", options.curve_points, 2, most_curve_points);
+  check_from_to("sheet-points", options.sheet_points, 2, most_sheet_points);
 }
 
 } // namespace
@@ -94,6 +98,13 @@ void check_word(const std::string& option, const std::string& value, const std::
 {
   if (std::find(known.begin(), known.end(), value) != known.end()) return;
   throw Usage_error("--" + option + " cannot be '" + value + "'; known are: " + boost::algorithm::join(known, ", "));
+}
+
+void check_from_to(const std::string& option, int value, int least, int most)
+{
+  check_at_least(option, value, least);
+  if (value > most)
+    throw Usage_error("--" + option + " must be at most " + std::to_string(most) + ", not " + std::to_string(value));
 }
 
 void check_at_least(const std::string& option, int value, int least)

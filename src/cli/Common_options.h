@@ -73,4 +73,7 @@ void check_word(const std::string& option, const std::string& value, const std::
 /// Throws `Usage_error` if `value` is less than `least`.
 void check_at_least(const std::string& option, int value, int least);
 
+/// Throws `Usage_error` if `value` is less than `least` or more than `most`.
+void check_from_to(const std::string& option, int value, int least, int most);
+
 } // namespace CGAL::Shape_correspondence::cli

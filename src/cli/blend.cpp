@@ -43,7 +43,7 @@ morph into each other, split or merge; parts without counterpart shrink or grow;
 first frame is the source, the last one the target.
 
 With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
-plays the blend; with --at T, one shape is written, FILE.obj or FILE.ply. Otherwise FOLDER is made, with one file for
+plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb. Otherwise FOLDER is made, with one file for
 each frame: frame_000 and so on. A part of a frame is named s~t where source part s becomes t, s~ where s vanishes, and
 ~t where t grows.
 
@@ -203,8 +203,16 @@ void run_blend(const std::vector<std::string>& arguments)
   options.min_confidence = 0; // unlikely pairs are out already
   const Shape_blend blend(source.graph, *source.model, target.graph, *target.model, correspondence,
                           with_progress(options, bar));
-  write_blend(output, blend, correspondence);
   std::vector<std::string> warnings = warnings_of(paths, shapes);
+  if (output.may_show_materials() && output.colours != "match")
+    for (std::size_t i : {0u, 1u}) {
+      read_appearance(paths[i], shapes[i]);
+      for (const std::string& warning : shapes[i].appearance.warnings)
+        warnings.push_back(paths[i] + ": " + warning);
+    }
+  const IO::Blend_appearance appearance{source.appearance, target.appearance};
+  const bool has_materials = !appearance.source.empty() || !appearance.target.empty();
+  write_blend(output, blend, correspondence, output.colours == "materials" || has_materials ? &appearance : nullptr);
   warnings.insert(warnings.begin(), warnings_of_up.begin(), warnings_of_up.end());
   warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
   warnings.insert(warnings.end(), unlikely.begin(), unlikely.end());

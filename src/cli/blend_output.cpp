@@ -3,6 +3,7 @@
 
 #include "cli/blend_output.h"
 #include "base/for_each_index.h"
+#include "base/limits.h"
 #include "io/atomic_file.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
@@ -67,7 +68,8 @@ void check_is_no_other_file(const std::string& folder)
 std::string file_format(const Blend_output& output)
 {
   if (!output.is_one_shape() || output.schedule == "all") return "";
-  return std::filesystem::path(output.path).extension() == ".ply" ? "ply" : "obj";
+  const std::string ending = std::filesystem::path(output.path).extension().string();
+  return ending == ".ply" ? "ply" : ending == ".glb" ? "glb" : "obj";
 }
 
 void check_path(const Blend_output& output)
@@ -76,8 +78,8 @@ void check_path(const Blend_output& output)
     throw Usage_error("-o is missing: a folder for the frames, an animation FILE.glb, or a web page FILE.html");
   const std::string ending = std::filesystem::path(output.path).extension().string();
   if (!file_format(output).empty()) {
-    if (ending != ".obj" && ending != ".ply")
-      throw Usage_error("with --at, one shape is written: -o must name a file that ends in .obj or .ply");
+    if (ending != ".obj" && ending != ".ply" && ending != ".glb")
+      throw Usage_error("with --at, one shape is written: -o must name a file that ends in .obj, .ply or .glb");
     return;
   }
   if ((is_glb(output.path) || output.is_page())) {
@@ -92,6 +94,12 @@ void check_path(const Blend_output& output)
 
 bool Blend_output::is_page() const { return ends_with(path, ".html"); }
 
+bool Blend_output::may_show_materials() const
+{
+  if (const std::string one = file_format(*this); !one.empty()) return one == "glb";
+  return is_glb(path) || (!is_page() && format == "glb");
+}
+
 bool Blend_output::is_file() const { return is_glb(path) || is_page() || !file_format(*this).empty(); }
 
 po::options_description output_options(Blend_output& output, Common_options& common)
@@ -103,7 +111,8 @@ po::options_description output_options(Blend_output& output, Common_options& com
   add("frames", number(output.frames)->value_name("N"),
       "number of frames at equal time steps, including source and target");
   add("format", po::value(&output.format)->value_name("FORMAT")->default_value(output.format),
-      "format of the frames in a folder: obj (one object per part) or ply (binary, with the part of each face)");
+      "format of the frames in a folder: obj (one object per part), ply (binary, with the part of each face) or glb "
+      "(with materials and textures)");
   add("match", po::value(&output.match)->value_name("R.json"),
       "read the correspondence from a result that `match --json` wrote for these shapes");
   add("schedule", po::value(&output.schedule)->value_name("NAME")->default_value(output.schedule),
@@ -111,10 +120,14 @@ po::options_description output_options(Blend_output& output, Common_options& com
        "; best takes the one in which shapes hold together best, all makes a folder for each one that differs from "
        "better ones")
           .c_str());
-  add("at", number(output.at)->value_name("T")->default_value(output.at, "the whole blend"),
-      "make one shape only, that at time T between 0, the source, and 1, the target");
+  add("at", po::value<double>()->value_name("T")->notifier([&output](double t) { output.at = t; }),
+      "make one shape only, that at time T between 0, the source, and 1, the target. Default: the whole blend");
   add("size", po::value(&output.size)->value_name("SIZE")->default_value(output.size),
       "size of the frames: blend (from the source's to the target's), source, target, or same (height 1)");
+  add("colours", po::value(&output.colours)->value_name("COLOURS")->default_value(output.colours),
+      "colours of a .glb animation: materials (those of the models, with textures), match (one for corresponding "
+      "parts) "
+      "or auto (materials if a model has them)");
   add("json", po::value(&common.json)->value_name("FILE"),
       "write the schedule of the parts and the quality of every frame as JSON; - is standard output");
   return result;
@@ -122,11 +135,12 @@ po::options_description output_options(Blend_output& output, Common_options& com
 
 void check(const Blend_output& output)
 {
-  check_at_least("frames", output.frames, 2);
-  check_word("format", output.format, {"obj", "ply"});
+  check_from_to("frames", output.frames, 2, internal::most_frames);
+  check_word("format", output.format, {"obj", "ply", "glb"});
+  check_word("colours", output.colours, {"auto", "materials", "match"});
   check_word("size", output.size, {"blend", "source", "target", "same"});
   check_word("schedule", output.schedule, schedule_words());
-  if (output.is_one_shape() && !(output.at >= 0 && output.at <= 1)) throw Usage_error("--at must be between 0 and 1");
+  if (output.is_one_shape() && !(*output.at >= 0 && *output.at <= 1)) throw Usage_error("--at must be between 0 and 1");
   check_path(output);
 }
 
@@ -151,53 +165,65 @@ std::string frame_name(const Blend_output& output, int frame)
   return "frame_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number + '.' + output.format;
 }
 
-void write_shape(const std::string& path, const std::string& format, const Segmented_shape& shape)
+/// Writes the shape at a time.
+void write_shape(const std::string& path, const std::string& format, const Shape_blend& blend,
+                 const IO::Blend_appearance& appearance, double t)
 {
   IO::write_atomically(path, [&](std::ostream& out) {
-    if (format == "ply")
-      IO::write_segmented_shape_ply(out, shape);
+    if (format == "glb")
+      IO::write_blend_frame_glb(out, blend, appearance, t);
+    else if (format == "ply")
+      IO::write_segmented_shape_ply(out, blend(t));
     else
-      IO::write_segmented_shape_obj(out, shape);
+      IO::write_segmented_shape_obj(out, blend(t));
   });
 }
 
-void write_frames(const std::string& folder, const Blend_output& output, const Shape_blend& blend)
+void write_frames(const std::string& folder, const Blend_output& output, const Shape_blend& blend,
+                  const IO::Blend_appearance& appearance)
 {
   internal::for_each_index<CGAL::Parallel_if_available_tag>(std::size_t(output.frames), [&](std::size_t frame) {
-    write_shape(folder + '/' + frame_name(output, int(frame)), output.format,
-                blend(double(frame) / (output.frames - 1)));
+    write_shape(folder + '/' + frame_name(output, int(frame)), output.format, blend, appearance,
+                double(frame) / (output.frames - 1));
   });
 }
 
 /// A folder, or a file, of every one of some blends, numbered, the best first.
-void write_all(const std::string& folder, const Blend_output& output, const std::vector<Shape_blend>& blends)
+void write_all(const std::string& folder, const Blend_output& output, const std::vector<Shape_blend>& blends,
+               const IO::Blend_appearance& appearance)
 {
   for (std::size_t i = 0; i < blends.size(); ++i) {
     const std::string path = folder + '/' + std::to_string(i + 1) + '_' + schedule_word(blends[i].schedules()[0].name);
     if (output.is_one_shape()) {
-      write_shape(path + '.' + output.format, output.format, blends[i](output.at));
+      write_shape(path + '.' + output.format, output.format, blends[i], appearance, *output.at);
       continue;
     }
     std::filesystem::create_directory(path);
-    write_frames(path, output, blends[i]);
+    write_frames(path, output, blends[i], appearance);
   }
 }
 
 } // namespace
 
-void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence)
+void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence,
+                 const IO::Blend_appearance* appearance)
 {
+  const IO::Blend_appearance none, &looks = appearance ? *appearance : none;
   if (const std::string format = file_format(output); !format.empty())
-    write_shape(output.path, format, blend(output.at));
+    write_shape(output.path, format, blend, looks, *output.at);
   else if (is_glb(output.path))
-    IO::write_atomically(output.path,
-                         [&](std::ostream& out) { IO::write_blend_glb(out, blend, correspondence, output.frames); });
+    IO::write_atomically(output.path, [&](std::ostream& out) {
+      if (appearance)
+        IO::write_blend_glb(out, blend, *appearance, output.frames);
+      else
+        IO::write_blend_glb(out, blend, correspondence, output.frames);
+    });
   else if (!output.is_page())
     IO::write_folder_atomically(output.path, [&](const std::string& folder) {
       if (output.schedule == "all")
-        write_all(folder, output, blend.different_blends());
+        write_all(folder, output, blend.different_blends(), looks);
       else
-        write_frames(folder, output, blend);
+        write_frames(folder, output, blend, looks);
     });
 }
 

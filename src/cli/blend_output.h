@@ -5,8 +5,10 @@
 
 #include "cli/command_line.h"
 
+#include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
+#include <optional>
 #include <string>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -19,14 +21,16 @@ struct Blend_output
   std::string match; ///< a result file, or empty
   std::string schedule = "best";
   std::string size = "blend";
+  std::string colours = "auto"; ///< auto, materials or match
   int frames = 25;
-  double at = whole_blend;
+  std::optional<double> at; ///< the time of the one shape that is made; empty: the whole blend
 
-  static constexpr double whole_blend = -1;
-  bool is_one_shape() const { return at != whole_blend; }
+  bool is_one_shape() const { return at.has_value(); }
   bool is_page() const;
   /// Whether the output is a file, not a folder.
   bool is_file() const;
+  /// Whether something is written that may have the models' own materials.
+  bool may_show_materials() const;
 };
 
 boost::program_options::options_description output_options(Blend_output& output, Common_options& common);
@@ -36,7 +40,8 @@ void check(const Blend_output& output);
 
 Blend_options blend_options(const Blend_output& output);
 
-/// Writes the shapes in between, but for those of a page.
-void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence);
+/// Writes the blend. \param appearance of the models; null: corresponding parts have one colour
+void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence,
+                 const IO::Blend_appearance* appearance);
 
 } // namespace CGAL::Shape_correspondence::cli

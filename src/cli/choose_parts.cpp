@@ -32,7 +32,7 @@ std::size_t part_of(const std::string& name, const Named_graph& shape, const std
   const std::size_t index = index_of(name, names);
   if (index == names.size())
     throw Usage_error("--" + option + ": '" + shape.path + "' has no part '" + name + "'" + suggestion(name, names) +
-                      " `shape_correspondence graph` lists its parts");
+                      "; `shape_correspondence graph` lists its parts");
   return index;
 }
 

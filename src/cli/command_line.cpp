@@ -7,6 +7,7 @@
 #include "cli/text_table.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -17,6 +18,7 @@ namespace {
 
 constexpr const char* inputs_key = "INPUT"; // of positional arguments
 constexpr const char* abstraction_title = "Options on part abstraction";
+constexpr int most_threads = 4096; // each needs memory of its own
 
 Abstraction_kind parse_kind(const std::string& option, const std::string& word)
 {
@@ -88,6 +90,20 @@ po::options_description abstraction_options(Abstraction_options& abstraction)
   return result;
 }
 
+/// What is wrong for any option: an empty word, such as a variable that a script did not set, and a negative count,
+/// which is read as a huge one.
+void check_values(const po::variables_map& values)
+{
+  for (const auto& [name, value] : values) {
+    if (value.defaulted()) continue;
+    const auto* word = boost::any_cast<std::string>(&value.value());
+    if (word && word->empty()) throw Usage_error("--" + name + " is empty");
+    const auto* count = boost::any_cast<std::size_t>(&value.value());
+    if (count && *count > std::numeric_limits<std::size_t>::max() / 2)
+      throw Usage_error("--" + name + " must not be negative");
+  }
+}
+
 std::vector<std::string> long_names(const po::options_description& options)
 {
   std::vector<std::string> result;
@@ -117,7 +133,9 @@ po::options_description common_options(Common_options& options)
 {
   po::options_description result = option_group("Options of all commands");
   auto add = result.add_options();
-  add("threads", po::value(&options.threads)->value_name("N")->notifier([](int n) { check_at_least("threads", n, 1); }),
+  add("threads", po::value(&options.threads)->value_name("N")->notifier([](int n) {
+    check_from_to("threads", n, 1, most_threads);
+  }),
       "number of threads; default: all of the machine. The result does not depend on it");
   add("seed", po::value(&options.seed)->value_name("N"),
       "seed of random choices, which evaluate and roles make; default: 0. Results are reproducible");
@@ -193,7 +211,10 @@ Arguments parse(const std::vector<std::string>& arguments, const po::options_des
   }
   if (is_given(result.values, "quiet") && is_given(result.values, "verbose"))
     throw Usage_error("--quiet and --verbose do not go together");
+  check_values(result.values);
   if (result.values.count(inputs_key)) result.inputs = result.values[inputs_key].as<std::vector<std::string>>();
+  if (std::count(result.inputs.begin(), result.inputs.end(), "") > 0)
+    throw Usage_error("the name of an input is empty");
   if (result.inputs.size() < least || result.inputs.size() > most)
     throw Usage_error("it takes " + std::to_string(least) +
                       (most == any_number ? " or more"

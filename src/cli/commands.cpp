@@ -37,6 +37,7 @@ const std::vector<Command>& commands()
       {"graph", "builds the structural graph of a shape", run_graph, help_of_graph},
       {"match", "finds the part correspondence of two shapes", run_match, help_of_match},
       {"blend", "makes the in-between shapes of two shapes", run_blend, help_of_blend},
+      {"transfer", "carries colours, textures or labels from one shape to the other", run_transfer, help_of_transfer},
       {"collection", "matches all pairs of a set of shapes and analyses the set", run_collection, help_of_collection},
       {"evaluate", "scores correspondences against labelled parts", run_evaluate, help_of_evaluate},
       {"roles", "learns the roles of parts from labelled shapes and predicts them", run_roles, help_of_roles},

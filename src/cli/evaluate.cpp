@@ -28,6 +28,8 @@ namespace po = boost::program_options;
 
 namespace {
 
+constexpr int most_resamples = 1'000'000; // all are kept
+
 const char* const help_text =
     R"(Usage: shape_correspondence evaluate RESULT... --ground-truth LABELS [options]
 
@@ -83,7 +85,7 @@ po::options_description evaluate_options(Evaluate_options& evaluate, Common_opti
 
 void check(const Evaluate_options& options)
 {
-  check_at_least("resamples", options.evaluation.resamples, 1);
+  check_from_to("resamples", options.evaluation.resamples, 1, most_resamples);
   if (!(options.evaluation.confidence > 0 && options.evaluation.confidence < 1))
     throw Usage_error("--confidence must be between 0 and 1");
 }

@@ -133,10 +133,15 @@ void run_graph(const std::vector<std::string>& arguments)
   const Thread_limit limit(common.threads);
   if (!files.parts.empty() && is_graph_file(parsed.inputs[0]))
     throw Usage_error("--parts-json is for models; a graph has no pieces");
-  const Loaded_shape shape = load_shape(parsed.inputs[0], common);
+  Loaded_shape shape = load_shape(parsed.inputs[0], common);
+  if (!common.glb.empty()) {
+    read_appearance(parsed.inputs[0], shape);
+    warn_of_appearance(parsed.inputs[0], shape, common);
+  }
   write_output(common.json, [&](std::ostream& out) { IO::write_structural_graph_json(out, shape.graph); });
-  write_output(common.glb,
-               [&](std::ostream& out) { IO::write_structural_graph_glb(out, shape.graph, shape.model_pointer()); });
+  write_output(common.glb, [&](std::ostream& out) {
+    IO::write_structural_graph_glb(out, shape.graph, shape.model_pointer(), &shape.appearance);
+  });
   write_output(common.html,
                [&](std::ostream& out) { IO::write_structural_graph_html(out, shape.graph, shape.model_pointer()); });
   write_output(files.graphml, [&](std::ostream& out) { IO::write_structural_graph_graphml(out, shape.graph); });

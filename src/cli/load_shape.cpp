@@ -9,6 +9,7 @@
 #include "cli/read_model.h"
 #include "io/input_file.h"
 
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -187,6 +188,24 @@ void complete_surfaces(const std::string& path, Loaded_shape& shape)
   if (!shape.model)
     throw Invalid_input(path + ": it is a structural graph without surfaces, which a blend is made of; give the model "
                                "that it was built from, or name the parts' meshes in it (key \"mesh\")");
+}
+
+void read_appearance(const std::string& path, Loaded_shape& shape)
+{
+  shape.appearance = {};
+  if (!shape.model || is_graph_file(path) || shape.split.pieces.empty() || !fs::exists(path)) return;
+  Shape_appearance of_objects;
+  const Segmented_shape objects = IO::read_segmented_shape(path, Point::UnitY(), nullptr, &of_objects);
+  for (const Model_piece& piece : shape.split.pieces)
+    if (piece.object >= objects.parts().size())
+      throw Invalid_input(path + ": the file has changed since it was read; try again");
+  shape.appearance = appearance_of_parts(objects, of_objects, shape.split);
+}
+
+void warn_of_appearance(const std::string& path, const Loaded_shape& shape, const Common_options& options)
+{
+  for (const std::string& warning : shape.appearance.warnings)
+    warn(options, path + ": " + warning);
 }
 
 std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes)

@@ -6,6 +6,7 @@
 #include "cli/Common_options.h"
 #include "cli/read_model.h"
 
+#include <CGAL/Shape_correspondence/Shape_appearance.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 #include <CGAL/Shape_correspondence/split_parts.h>
 
@@ -20,7 +21,8 @@ struct Loaded_shape
 {
   Structural_graph graph;
   std::optional<Segmented_shape> model;
-  Part_split split; ///< how the model got its parts; of a graph file empty
+  Part_split split;                 ///< how the model got its parts; of a graph file empty
+  Shape_appearance appearance = {}; ///< of the model's parts, where it was read
   double read_seconds = 0;
   double abstraction_seconds = 0;
   double structure_seconds = 0;
@@ -40,6 +42,13 @@ std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, con
 
 /// Reads the meshes that a graph names, where it has no model. \throw Invalid_input if it names none
 void complete_surfaces(const std::string& path, Loaded_shape& shape);
+
+/// Reads what the parts of a model look like, which `load_shape()` leaves out. Graph files have no looks.
+/// \throw Invalid_input if the file has become another one
+void read_appearance(const std::string& path, Loaded_shape& shape);
+
+/// Warns of what is missing or damaged in it on standard error.
+void warn_of_appearance(const std::string& path, const Loaded_shape& shape, const Common_options& options);
 
 /// What the graphs of inputs warn of; every line names its input.
 std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes);

@@ -8,8 +8,10 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/version.h>
 
+#include <fcntl.h>
 #include <filesystem>
 #include <iostream>
+#include <unistd.h>
 
 namespace CGAL::Shape_correspondence::cli {
 namespace {
@@ -22,14 +24,19 @@ int complain(const std::string& message, Exit_status status)
   return status;
 }
 
+int flushed()
+{
+  std::cout.flush();
+  return std::cout ? done : complain("standard output: it cannot be written", unusable_input);
+}
+
 int run_command(const std::string& name, const std::vector<std::string>& arguments)
 {
   const Command* command = nullptr;
   try {
     command = &command_of(name);
     command->run(arguments);
-    std::cout.flush();
-    return std::cout ? done : complain("standard output: it cannot be written", unusable_input);
+    return flushed();
   } catch (const Usage_error& error) {
     const std::string what = error.what(), end = what.back() == '?' ? " Try" : "; try";
     if (!command) return complain(what + end + " 'shape_correspondence --help'", bad_usage);
@@ -59,7 +66,15 @@ int run(const std::vector<std::string>& arguments)
     std::cout << "shape_correspondence " CGAL_SHAPE_CORRESPONDENCE_VERSION "\n";
   else
     return run_command(arguments[0], {arguments.begin() + 1, arguments.end()});
-  return done;
+  return flushed();
+}
+
+/// Opens the standard streams that are closed, such that their use fails; else the next files would be opened in
+/// their place, and what is printed would get into them.
+void reserve_standard_streams()
+{
+  for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) == -1) open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 } // namespace
@@ -67,5 +82,6 @@ int run(const std::vector<std::string>& arguments)
 
 int main(int argc, char* argv[])
 {
+  CGAL::Shape_correspondence::cli::reserve_standard_streams();
   return CGAL::Shape_correspondence::cli::run(std::vector<std::string>(argv + 1, argv + argc));
 }

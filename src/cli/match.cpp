@@ -55,7 +55,8 @@ po::options_description output_options(Common_options& common)
   auto add = result.add_options();
   add("json", po::value(&common.json)->value_name("FILE"), "write the result as JSON; - is standard output");
   add("glb", po::value(&common.glb)->value_name("FILE"),
-      "write both shapes side by side as binary glTF; corresponding parts have one colour, unmatched parts are grey");
+      "write both shapes side by side as binary glTF; corresponding parts have one colour, unmatched parts are grey; a "
+      "further scene, 'materials', has the materials of the models");
   add("html", po::value(&common.html)->value_name("FILE"),
       "write the same as a web page with a table of corresponding parts; it needs no network");
   return result;
@@ -101,7 +102,7 @@ void run_match(const std::vector<std::string>& arguments)
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
   const std::vector<std::string> warnings_of_up = find_up_of_pair(paths, common);
-  const std::vector<Loaded_shape> shapes = load_shapes(paths, common);
+  std::vector<Loaded_shape> shapes = load_shapes(paths, common);
   const Loaded_shape &source = shapes[0], &target = shapes[1];
   add_examples(match, common, search_with);
   choose_parts(match, {source.graph, paths[0]}, {target.graph, paths[1]}, search_with);
@@ -113,13 +114,18 @@ void run_match(const std::vector<std::string>& arguments)
   write_output(common.json, [&](std::ostream& out) {
     IO::write_correspondences_json(out, ranked, source.graph, target.graph, paths[0], paths[1], matched.seconds);
   });
+  for (std::size_t i = 0; !(common.glb.empty() && common.html.empty()) && i < 2; ++i) {
+    read_appearance(paths[i], shapes[i]);
+    warn_of_appearance(paths[i], shapes[i], common);
+  }
   write_output(common.glb, [&](std::ostream& out) {
     IO::write_correspondence_glb(out, ranked[0], source.graph, target.graph, source.model_pointer(),
-                                 target.model_pointer());
+                                 target.model_pointer(), &source.appearance, &target.appearance);
   });
   write_output(common.html, [&](std::ostream& out) {
-    IO::write_page(out, IO::match_page(ranked, source.graph, target.graph, source.model_pointer(),
-                                       target.model_pointer(), paths[0], paths[1], matched.seconds));
+    IO::write_page(out,
+                   IO::match_page(ranked, source.graph, target.graph, source.model_pointer(), target.model_pointer(),
+                                  paths[0], paths[1], matched.seconds, &source.appearance, &target.appearance));
   });
   if (!common.prints_table()) return;
   write_match_table(std::cout, ranked[0], source.graph, target.graph);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/match_options.h"
+#include "base/limits.h"
 #include "cli/command_line.h"
 #include "cli/labelled_models.h"
 
@@ -36,8 +37,8 @@ Number parse_number(const std::string& option, const std::string& text)
 double parse_weight(const std::string& text)
 {
   const double weight = parse_number<double>("weights", text);
-  if (!(weight >= 0) || std::isinf(weight))
-    throw Usage_error("--weights must be finite and not negative, not '" + text + "'");
+  if (!(weight >= 0 && weight <= internal::largest_number))
+    throw Usage_error("--weights must be between 0 and 1e50, not '" + text + "'");
   return weight;
 }
 

@@ -68,6 +68,9 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_row(const Sample_lanes& from,
                                                        const Sample_lanes& to, int count, Rod_block* rods,
                                                        Row_totals& totals)
 {
+#ifdef __clang__
+#pragma STDC FP_CONTRACT OFF
+#endif
   const float x = from.coordinates[0][sample], y = from.coordinates[1][sample], z = from.coordinates[2][sample];
   for (int begin = 0; begin < count; begin += block_lanes, ++rods) {
     alignas(64) float squared[block_lanes];

@@ -195,6 +195,7 @@ void write_atomically(const std::string& path, const std::function<void(std::ost
   std::ofstream out(temporary.name(), std::ios::binary);
   write_directly(path, out, write);
   out.close();
+  if (!out) fail(path, std::strerror(errno));
   temporary.rename_to(file);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/colours.h"
+#include "base/srgb.h"
 
 #include <algorithm>
 #include <array>
@@ -100,6 +101,10 @@ std::vector<Seen_colour> candidates()
 }
 
 } // namespace
+
+Colour linear_colour(const Colour& srgb) { return srgb.unaryExpr(&internal::linear_of_srgb); }
+
+Colour srgb_colour(const Colour& linear) { return linear.unaryExpr(&internal::srgb_of_linear); }
 
 std::vector<Colour> distinct_colours(std::size_t n)
 {

@@ -16,6 +16,10 @@ using Colour = Eigen::Vector3d;
 /// grey.
 std::vector<Colour> distinct_colours(std::size_t n);
 
+/// Linear light of a colour as screens and files have it (sRGB), cut to [0, 1], and back.
+Colour linear_colour(const Colour& srgb);
+Colour srgb_colour(const Colour& linear);
+
 /// The colour of what corresponds to nothing.
 inline Colour grey() { return Colour(0.45, 0.45, 0.45); }
 

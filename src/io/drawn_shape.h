@@ -16,7 +16,8 @@
 namespace CGAL::Shape_correspondence::IO {
 
 /// The layers of pictures.
-constexpr const char *surface_layer = "surfaces", *abstraction_layer = "curves and sheets", *contact_layer = "contacts";
+constexpr const char *surface_layer = "surfaces", *abstraction_layer = "curves and sheets", *contact_layer = "contacts",
+                     *material_layer = "materials";
 
 /// A shape in the frame in which it is drawn.
 class Drawn_shape

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/glb_builder.h"
+#include "io/image_file.h"
 
 #include <CGAL/Shape_correspondence/version.h>
 
@@ -16,7 +17,8 @@ namespace {
 // Numbers of the glTF 2.0 specification
 constexpr int component_uint32 = 5125, component_float = 5126;
 constexpr int target_vertices = 34962, target_indices = 34963, no_target = 0;
-constexpr int mode_lines = 1; // triangles need none
+constexpr int mode_lines = 1;                         // triangles need none
+constexpr int wrap_numbers[] = {10497, 33648, 33071}; // of Texture_wrap
 constexpr std::uint32_t magic = 0x46546C67, chunk_json = 0x4E4F534A, chunk_binary = 0x004E4942;
 
 void append_uint32(std::string& bytes, std::uint32_t value)
@@ -49,7 +51,8 @@ Glb_builder::Glb_builder()
 {
   document_["asset"] = {{"version", "2.0"}, {"generator", "Shape_correspondence " CGAL_SHAPE_CORRESPONDENCE_VERSION}};
   document_["scene"] = 0;
-  for (const char* list : {"scenes", "nodes", "meshes", "materials", "accessors", "bufferViews"})
+  for (const char* list :
+       {"scenes", "nodes", "meshes", "materials", "textures", "images", "samplers", "accessors", "bufferViews"})
     document_[list] = Json::array();
 }
 
@@ -64,6 +67,30 @@ int Glb_builder::add_material(const std::string& name, const Eigen::Vector3d& co
   if (alpha < 1) material["alphaMode"] = "BLEND";
   document_["materials"].push_back(material);
   return static_cast<int>(document_["materials"].size()) - 1;
+}
+
+int Glb_builder::add_texture(const Texture& texture)
+{
+  const Json view = {{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", texture.bytes.size()}};
+  const int image = static_cast<int>(document_["images"].size()),
+            sampler = static_cast<int>(document_["samplers"].size());
+  document_["images"].push_back(Json{{"name", texture.name},
+                                     {"mimeType", is_png(texture.bytes) ? "image/png" : "image/jpeg"},
+                                     {"bufferView", document_["bufferViews"].size()}});
+  document_["bufferViews"].push_back(view);
+  buffer_ += texture.bytes;
+  pad(buffer_, '\0');
+  document_["samplers"].push_back(
+      Json{{"wrapS", wrap_numbers[int(texture.wrap_u)]}, {"wrapT", wrap_numbers[int(texture.wrap_v)]}});
+  document_["textures"].push_back(Json{{"source", image}, {"sampler", sampler}});
+  return static_cast<int>(document_["textures"].size()) - 1;
+}
+
+int Glb_builder::add_material(const Surface_material& material, int texture)
+{
+  const int result = add_material(material.name, material.colour.head<3>(), material.colour[3]);
+  if (texture >= 0) document_["materials"].back()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", texture}};
+  return result;
 }
 
 int Glb_builder::add_node(const std::string& name, const std::vector<std::pair<Drawn_mesh, int>>& meshes)
@@ -90,20 +117,19 @@ int Glb_builder::add_node(const std::string& name, const std::vector<int>& child
   return static_cast<int>(document_["nodes"].size()) - 1;
 }
 
-int Glb_builder::add_morphing_node(const std::string& name, const std::vector<Points>& shapes,
-                                   const Eigen::Matrix3Xi& triangles, int material)
+int Glb_builder::add_morphing_node(const std::string& name, const std::vector<Morphing_mesh>& meshes)
 {
-  Json moving = {{"attributes", {{"POSITION", add_vectors(shapes[0], true)}}},
-                 {"indices", add_indices(triangles.data(), triangles.size())},
-                 {"material", material}};
-  std::vector<double> weights;
-  for (std::size_t i = 1; i < shapes.size(); ++i) {
-    moving["targets"].push_back(Json{{"POSITION", add_vectors(shapes[i] - shapes[0], true)}});
-    weights.push_back(0);
+  Json primitives = Json::array();
+  for (const Morphing_mesh& mesh : meshes) {
+    primitives.push_back(
+        primitive({mesh.shapes[0], {}, mesh.triangles, {}, {}, mesh.coordinates, mesh.colours}, mesh.material));
+    for (std::size_t i = 1; i < mesh.shapes.size(); ++i)
+      primitives.back()["targets"].push_back(Json{{"POSITION", add_vectors(mesh.shapes[i] - mesh.shapes[0], true)}});
   }
+  const std::vector<double> weights(meshes[0].shapes.size() - 1, 0.);
   const int node = add_node(name, {});
   document_["nodes"].back()["mesh"] = document_["meshes"].size();
-  document_["meshes"].push_back(Json{{"name", name}, {"primitives", {moving}}});
+  document_["meshes"].push_back(Json{{"name", name}, {"primitives", primitives}});
   if (!weights.empty()) document_["meshes"].back()["weights"] = weights;
   return node;
 }
@@ -146,6 +172,8 @@ Json Glb_builder::primitive(const Drawn_mesh& mesh, int material)
   Json result;
   result["attributes"]["POSITION"] = add_vectors(mesh.points, true);
   if (mesh.normals.cols() > 0) result["attributes"]["NORMAL"] = add_vectors(mesh.normals, false);
+  if (!mesh.coordinates.empty()) result["attributes"]["TEXCOORD_0"] = add_attribute(mesh.coordinates, "VEC2");
+  if (!mesh.colours.empty()) result["attributes"]["COLOR_0"] = add_attribute(mesh.colours, "VEC3");
   result["indices"] = has_triangles ? add_indices(mesh.triangles.data(), mesh.triangles.size())
                                     : add_indices(mesh.lines.data(), mesh.lines.size());
   result["material"] = material;
@@ -166,6 +194,17 @@ int Glb_builder::add_vectors(const Points& vectors, bool with_bounds)
     accessor["max"] = components(values.rowwise().maxCoeff());
   }
   return add_accessor(bytes, target_vertices, accessor);
+}
+
+template <typename Vectors>
+int Glb_builder::add_attribute(const Vectors& vectors, const char* type)
+{
+  std::string bytes;
+  for (const auto& vector : vectors)
+    for (float value : vector)
+      append_float(bytes, value);
+  return add_accessor(bytes, target_vertices,
+                      {{"componentType", component_float}, {"count", vectors.size()}, {"type", type}});
 }
 
 int Glb_builder::add_indices(const int* indices, Eigen::Index count)
@@ -219,14 +258,14 @@ void Glb_builder::write(std::ostream& out, const std::vector<Glb_scene>& scenes)
   for (const Glb_scene& scene : scenes)
     document["scenes"].push_back(Json{{"name", scene.name}, {"nodes", scene.roots}});
   if (!buffer_.empty()) document["buffers"] = Json::array({Json{{"byteLength", buffer_.size()}}});
-  for (const char* list : {"meshes", "materials", "accessors", "bufferViews"}) {
+  for (const char* list : {"meshes", "materials", "textures", "images", "samplers", "accessors", "bufferViews"}) {
     if (document[list].empty()) document.erase(list); // empty lists are not allowed
   }
   std::string json = document.line();
   pad(json, ' ');
   std::string chunks;
   append_chunk(chunks, chunk_json, json);
-  if (!buffer_.empty()) append_chunk(chunks, chunk_binary, buffer_); // all of 4-byte numbers: needs no padding
+  if (!buffer_.empty()) append_chunk(chunks, chunk_binary, buffer_); // padded
   std::string header;
   append_uint32(header, magic);
   append_uint32(header, 2);

@@ -6,6 +6,7 @@
 #include "io/Json.h"
 
 #include <CGAL/Shape_correspondence/Points.h>
+#include <CGAL/Shape_correspondence/Shape_appearance.h>
 
 #include <Eigen/Core>
 
@@ -23,6 +24,8 @@ struct Drawn_mesh
   Eigen::Matrix3Xi triangles;
   Eigen::Matrix2Xi lines = {}; ///< drawn where there are no triangles
   std::string layer = {};      ///< what it shows: viewers may switch layers on and off; empty: no layer
+  std::vector<Eigen::Vector2f> coordinates = {}; ///< of a texture, one for each point; or empty
+  std::vector<Eigen::Vector3f> colours = {};     ///< factors of the material's colour, one for each point; or empty
 
   bool empty() const { return triangles.cols() == 0 && lines.cols() == 0; }
 };
@@ -43,16 +46,31 @@ public:
   /// \param colour linear red, green, blue in [0, 1] \param alpha below 1: see-through
   int add_material(const std::string& name, const Eigen::Vector3d& colour, double alpha = 1);
 
+  /// Puts a texture into the file. \pre it has bytes
+  int add_texture(const Texture& texture);
+
+  /// \param texture what `add_texture()` returned; -1: none
+  int add_material(const Surface_material& material, int texture);
+
   /// A node with a mesh; each drawn mesh with its material. Empty drawn meshes are left out.
   int add_node(const std::string& name, const std::vector<std::pair<Drawn_mesh, int>>& meshes);
 
   /// A node with children, moved along by `translation`.
   int add_node(const std::string& name, const std::vector<int>& children, const Point& translation);
 
-  /// A node whose mesh goes through `shapes`, the points of the same triangles at different times; the first is the one
-  /// at rest. Shaded flat. \pre not empty
-  int add_morphing_node(const std::string& name, const std::vector<Points>& shapes, const Eigen::Matrix3Xi& triangles,
-                        int material);
+  /// A mesh that goes through `shapes`, the points of the same triangles at different times; the first is the one at
+  /// rest. Shaded flat.
+  struct Morphing_mesh
+  {
+    std::vector<Points> shapes; ///< at least one
+    Eigen::Matrix3Xi triangles;
+    int material = 0;
+    std::vector<Eigen::Vector2f> coordinates = {}; ///< as of a `Drawn_mesh`
+    std::vector<Eigen::Vector3f> colours = {};
+  };
+
+  /// A node of meshes that go through as many shapes. \pre not empty
+  int add_morphing_node(const std::string& name, const std::vector<Morphing_mesh>& meshes);
 
   /// Lets the mesh of a morphing node go through its shapes, at these times in seconds.
   void animate_shapes(int node, const std::vector<double>& times);
@@ -69,6 +87,8 @@ public:
 private:
   Json primitive(const Drawn_mesh& mesh, int material);
   int add_vectors(const Points& vectors, bool with_bounds);
+  template <typename Vectors>
+  int add_attribute(const Vectors& vectors, const char* type);
   int add_indices(const int* indices, Eigen::Index count);
   int add_numbers(const std::vector<double>& numbers, const char* type, int components, bool with_bounds);
   int add_accessor(const std::string& bytes, int target, Json accessor);

@@ -41,14 +41,14 @@ bool is_convex(const std::vector<Point>& polygon, const Point& normal, double to
   return true;
 }
 
-/// Whether corner i can be cut off: it bends outwards and no other corner lies in its triangle.
-bool is_ear(const std::vector<Point>& polygon, std::size_t i, const Point& normal)
+/// Whether corner i of `rest` can be cut off: it bends outwards and no other corner lies in its triangle.
+bool is_ear(const std::vector<Point>& polygon, const std::vector<std::size_t>& rest, std::size_t i, const Point& normal)
 {
-  const std::size_t n = polygon.size();
-  const Point &a = polygon[(i + n - 1) % n], &b = polygon[i], &c = polygon[(i + 1) % n];
+  const std::size_t n = rest.size();
+  const Point &a = polygon[rest[(i + n - 1) % n]], &b = polygon[rest[i]], &c = polygon[rest[(i + 1) % n]];
   if (signed_area(a, b, c, normal) <= 0) return false;
   for (std::size_t j = 0; j < n; ++j) {
-    const Point& p = polygon[j];
+    const Point& p = polygon[rest[j]];
     if (p == a || p == b || p == c) continue;
     if (signed_area(a, b, p, normal) >= 0 && signed_area(b, c, p, normal) >= 0 && signed_area(c, a, p, normal) >= 0)
       return false;
@@ -56,17 +56,10 @@ bool is_ear(const std::vector<Point>& polygon, std::size_t i, const Point& norma
   return true;
 }
 
-void add_triangle(const Point& a, const Point& b, const Point& c, std::vector<Point>& corners)
-{
-  corners.push_back(a);
-  corners.push_back(b);
-  corners.push_back(c);
-}
-
-void add_fan(const std::vector<Point>& polygon, std::vector<Point>& corners)
+void add_fan(const std::vector<std::size_t>& polygon, std::vector<std::size_t>& triangles)
 {
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    add_triangle(polygon[0], polygon[i], polygon[i + 1], corners);
+    triangles.insert(triangles.end(), {polygon[0], polygon[i], polygon[i + 1]});
 }
 
 bool lexicographically_less(const Point& p, const Point& q)
@@ -91,28 +84,34 @@ std::vector<int> first_at_same_place(const std::vector<Point>& corners)
 
 } // namespace
 
-void add_polygon(const std::vector<Point>& polygon, std::vector<Point>& corners)
+std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
 {
+  std::vector<std::size_t> result, rest(polygon.size());
+  std::iota(rest.begin(), rest.end(), std::size_t(0));
   const Point area = area_vector(polygon);
   const Point normal = area.normalized();
-  if (polygon.size() < 4 || polygon.size() > most_corners || is_convex(polygon, normal, straight * area.norm())) {
-    add_fan(polygon, corners);
-    return;
-  }
-  std::vector<Point> rest = polygon;
-  while (rest.size() > 3) {
+  const bool is_fan =
+      polygon.size() < 4 || polygon.size() > most_corners || is_convex(polygon, normal, straight * area.norm());
+  while (!is_fan && rest.size() > 3) {
     std::size_t ear = 0;
-    while (ear < rest.size() && !is_ear(rest, ear, normal))
+    while (ear < rest.size() && !is_ear(polygon, rest, ear, normal))
       ++ear;
     if (ear == rest.size()) break; // a polygon that crosses itself: any triangles do
     const std::size_t n = rest.size();
-    add_triangle(rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n], corners);
-    rest.erase(rest.begin() + ear);
+    result.insert(result.end(), {rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]});
+    rest.erase(rest.begin() + std::ptrdiff_t(ear));
   }
-  add_fan(rest, corners);
+  add_fan(rest, result);
+  return result;
 }
 
-Part_mesh weld(const std::vector<Point>& corners)
+void add_polygon(const std::vector<Point>& polygon, std::vector<Point>& corners)
+{
+  for (std::size_t corner : triangles_of_polygon(polygon))
+    corners.push_back(polygon[corner]);
+}
+
+Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept)
 {
   const std::vector<int> first = first_at_same_place(corners);
   std::vector<int> vertex(corners.size(), -1);
@@ -121,6 +120,7 @@ Part_mesh weld(const std::vector<Point>& corners)
   for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
     const Eigen::Vector3i c(first[t], first[t + 1], first[t + 2]);
     if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
+    if (kept) kept->push_back(t / 3);
     for (int corner : c) {
       if (vertex[corner] < 0) {
         vertex[corner] = static_cast<int>(used.size());

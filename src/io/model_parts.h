@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/Shape_appearance.h>
 
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@ struct Model_part
 {
   std::string name;
   std::vector<Point> corners;
+  Part_appearance appearance = {}; ///< of the triangles; materials are those of the model
 };
 
 /// What a model file holds.
@@ -23,6 +25,10 @@ struct Model_content
 {
   std::vector<Model_part> parts;
   std::size_t faces_left_out = 0; ///< those of fewer than three corners
+  std::vector<Surface_material> materials = {};
+  std::vector<Texture> textures = {};      ///< those without bytes are files of that name
+  bool materials_are_names = false;        ///< they are defined in libraries
+  std::vector<std::string> libraries = {}; ///< files of materials
 };
 
 /// The readers of the formats. They throw `Invalid_input`, and name the file. Names may be empty, equal, and of any
@@ -39,12 +45,17 @@ Model_content read_parts_with_assimp(const std::string& file);
 /// Whether there is a reader for files of a name like this, by its extension.
 bool is_model_file(const std::string& path);
 
-/// Adds the triangles of a polygon, concave ones included, to `corners`. Polygons of fewer than 3 corners add nothing.
+/// The triangles of a polygon, concave ones included, as the numbers of its corners, three a triangle; none if it has
+/// fewer than 3 corners.
+std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon);
+
+/// Adds the triangles of a polygon to `corners`.
 void add_polygon(const std::vector<Point>& polygon, std::vector<Point>& corners);
 
 /// The indexed mesh of triangles given by their corners: corners at the same place become one vertex, vertices are
 /// numbered as they first appear, triangles with two corners at the same place are left out.
+/// \param kept where not null, gets the numbers of the triangles that are left
 /// \pre all coordinates are finite
-Part_mesh weld(const std::vector<Point>& corners);
+Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept = nullptr);
 
 } // namespace CGAL::Shape_correspondence::IO

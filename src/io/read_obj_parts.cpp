@@ -21,13 +21,20 @@ namespace {
 // by materials above it, and none below; the pieces have at most .70 or at least .93.
 constexpr double mostly_one_piece = 0.8;
 
+/// A face as it is written.
+struct Obj_polygon
+{
+  std::vector<std::size_t> vertices;
+  std::vector<int> coordinates; ///< of the corners, -1: none; empty: none of any
+  int material = -1;            ///< by number of its name
+};
+
 /// A part under construction: an `o` statement, or a `g` statement inside one.
 struct Section
 {
   std::string object;
   std::string group;
-  std::vector<std::vector<std::size_t>> polygons;
-  std::vector<std::string> materials; ///< of the polygons
+  std::vector<Obj_polygon> polygons;
 };
 
 class Obj_reader
@@ -89,11 +96,30 @@ private:
     else if (keyword == "f" || keyword == "fo")
       read_face(statement);
     else if (keyword == "o")
-      sections_.push_back({name_of(statement, "object"), "", {}, {}});
+      sections_.push_back({name_of(statement, "object"), "", {}});
     else if (keyword == "g")
-      sections_.push_back({sections_.back().object, name_of(statement, "default"), {}, {}});
+      sections_.push_back({sections_.back().object, name_of(statement, "default"), {}});
     else if (keyword == "usemtl")
-      material_ = trimmed(statement);
+      use_material(std::string(trimmed(statement)));
+    else if (keyword == "vt")
+      read_texture_coordinates(statement);
+    else if (keyword == "mtllib")
+      libraries_.emplace_back(trimmed(statement));
+  }
+
+  void use_material(const std::string& name)
+  {
+    material_ = material_numbers_.emplace(name, int(materials_.size())).first->second;
+    if (std::size_t(material_) == materials_.size()) materials_.push_back(name);
+  }
+
+  /// What is no number is 0: looks do not decide whether a model is read.
+  void read_texture_coordinates(std::string_view statement)
+  {
+    Eigen::Vector2f at(0, 0);
+    for (float& coordinate : at)
+      if (!parse(next_word(statement), coordinate)) coordinate = 0;
+    coordinates_.emplace_back(at.x(), 1 - at.y());
   }
 
   static std::string name_of(std::string_view statement, const std::string& otherwise)
@@ -114,15 +140,28 @@ private:
 
   void read_face(std::string_view statement)
   {
-    std::vector<std::size_t> polygon;
-    for (std::string_view word = next_word(statement); !word.empty(); word = next_word(statement))
-      polygon.push_back(vertex_index(word.substr(0, word.find('/'))));
-    if (polygon.size() < 3) {
+    Obj_polygon polygon;
+    polygon.material = material_;
+    for (std::string_view word = next_word(statement); !word.empty(); word = next_word(statement)) {
+      const std::size_t slash = std::min(word.find('/'), word.size());
+      polygon.vertices.push_back(vertex_index(word.substr(0, slash)));
+      if (!coordinates_.empty()) polygon.coordinates.push_back(coordinate_index(word.substr(slash)));
+    }
+    if (polygon.vertices.size() < 3) {
       ++faces_left_out_;
       return;
     }
     sections_.back().polygons.push_back(std::move(polygon));
-    sections_.back().materials.push_back(material_);
+  }
+
+  /// \param rest of a corner, from the first slash on
+  int coordinate_index(std::string_view rest) const
+  {
+    long long index = 0;
+    const long long count = static_cast<long long>(coordinates_.size());
+    if (rest.empty() || !parse(rest.substr(1, rest.find('/', 1) - 1), index)) return -1;
+    if (index == 0 || index > count || index < -count) return -1;
+    return int(index > 0 ? index - 1 : count + index);
   }
 
   std::size_t vertex_index(std::string_view word) const
@@ -146,7 +185,7 @@ private:
   /// Whether loose pieces do not tell the parts of an object: one is most of its surface, or they are too many.
   bool needs_materials(const Section& section) const
   {
-    const std::vector<Part_mesh> pieces = internal::loose_pieces(weld(corners_of(section)));
+    const std::vector<Part_mesh> pieces = internal::loose_pieces(weld(part_of(section, "").corners));
     double largest = 0, all = 0;
     for (const Part_mesh& piece : pieces) {
       const double area = internal::loose_piece(0, piece).area;
@@ -156,14 +195,24 @@ private:
     return pieces.size() > internal::most_parts || largest > mostly_one_piece * all;
   }
 
-  std::vector<Point> corners_of(const Section& section) const
+  Model_part part_of(const Section& section, const std::string& name) const
   {
-    std::vector<Point> result, polygon;
-    for (const std::vector<std::size_t>& indices : section.polygons) {
+    Model_part result{name, {}};
+    std::vector<Point> polygon;
+    for (const Obj_polygon& of_file : section.polygons) {
       polygon.clear();
-      for (std::size_t i : indices)
+      for (std::size_t i : of_file.vertices)
         polygon.push_back(points_[i]);
-      add_polygon(polygon, result);
+      const std::vector<std::size_t> corners = triangles_of_polygon(polygon);
+      for (std::size_t corner : corners) {
+        result.corners.push_back(polygon[corner]);
+        const int number = of_file.coordinates.empty() ? -1 : of_file.coordinates[corner];
+        if (!coordinates_.empty())
+          result.appearance.coordinates.push_back(number < 0 ? Eigen::Vector2f(0, 0)
+                                                             : coordinates_[std::size_t(number)]);
+      }
+      if (!materials_.empty())
+        result.appearance.materials.insert(result.appearance.materials.end(), corners.size() / 3, of_file.material);
     }
     return result;
   }
@@ -176,11 +225,11 @@ private:
     const Section whole = *std::find_if(sections_.begin(), sections_.end(), has_faces);
     std::map<std::string, std::size_t> number;
     std::vector<Section> divided;
-    for (std::size_t i = 0; i < whole.polygons.size(); ++i) {
-      const std::string& material = whole.materials[i];
+    for (const Obj_polygon& polygon : whole.polygons) {
+      const std::string material = polygon.material < 0 ? "" : materials_[std::size_t(polygon.material)];
       if (number.emplace(material, divided.size()).second)
-        divided.push_back({material.empty() ? whole.object : material, "", {}, {}});
-      divided[number[material]].polygons.push_back(whole.polygons[i]);
+        divided.push_back({material.empty() ? whole.object : material, "", {}});
+      divided[number[material]].polygons.push_back(polygon);
     }
     if (divided.size() > 1 && needs_materials(whole)) sections_ = std::move(divided);
   }
@@ -209,7 +258,11 @@ private:
     Model_content result;
     result.faces_left_out = faces_left_out_;
     for (const Section& section : sections_)
-      if (!section.polygons.empty()) result.parts.push_back({part_name(section), corners_of(section)});
+      if (!section.polygons.empty()) result.parts.push_back(part_of(section, part_name(section)));
+    for (const std::string& material : materials_)
+      result.materials.push_back({material, Eigen::Vector4d::Ones(), -1});
+    result.materials_are_names = true;
+    result.libraries = libraries_;
     if (result.parts.empty())
       throw Invalid_input(file_ + ": there is no face in it; it is not a Wavefront OBJ model, or an empty one");
     return result;
@@ -222,7 +275,10 @@ private:
   std::size_t faces_left_out_ = 0;
   std::vector<Point> points_;
   std::vector<Section> sections_;
-  std::string material_; ///< of the faces that come next
+  std::vector<Eigen::Vector2f> coordinates_;
+  std::vector<std::string> materials_, libraries_; ///< names
+  std::map<std::string, int> material_numbers_;
+  int material_ = -1; ///< of the faces that come next
 };
 
 } // namespace

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/colours.h"
+#include "io/input_file.h"
 #include "io/isolated.h"
 #include "io/model_parts.h"
 
@@ -8,11 +10,15 @@
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
+#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 // What is left as it is in the file: the tree of nodes with their names. Steps of assimp that merge nodes or meshes
 // would lose the parts. COLLADA files say which way is up; assimp's root node turns them to y up.
@@ -35,13 +41,67 @@ class Scene_reader
 public:
   Scene_reader(const std::string& file, const aiScene& scene) : file_(file), scene_(scene) {}
 
-  Model_content read()
+  /// \param are_linear whether colours are linear light, not as screens have them
+  Model_content read(bool are_linear)
   {
+    for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
+      add_material(*scene_.mMaterials[i], are_linear);
     visit(*scene_.mRootNode, Transform::Identity());
+    if (!are_linear)
+      for (Model_part& part : content_.parts)
+        for (Eigen::Vector3f& colour : part.appearance.colours)
+          colour = linear_colour(colour.cast<double>()).cast<float>();
     return std::move(content_);
   }
 
 private:
+  void add_material(const aiMaterial& of_file, bool is_linear)
+  {
+    Surface_material material;
+    aiString name;
+    if (of_file.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) material.name = name.C_Str();
+    aiColor4D colour;
+    if (of_file.Get(AI_MATKEY_BASE_COLOR, colour) == AI_SUCCESS ||
+        of_file.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS) {
+      const Colour rgb(colour.r, colour.g, colour.b);
+      material.colour.head<3>() = is_linear ? rgb : linear_colour(rgb);
+      material.colour[3] = colour.a;
+    }
+    float opacity = 1;
+    if (!is_linear && of_file.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS) material.colour[3] = opacity;
+    for (aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+      aiString path;
+      if (of_file.GetTexture(type, 0, &path) != AI_SUCCESS || path.length == 0) continue;
+      material.texture = add_texture(of_file, type, path);
+      if (!is_linear) material.colour.head<3>().setOnes(); // as programs for modelling take it
+      break;
+    }
+    content_.materials.push_back(material);
+  }
+
+  int add_texture(const aiMaterial& material, aiTextureType type, const aiString& path)
+  {
+    Texture texture{path.C_Str(), "", {}};
+    if (const aiTexture* inside = scene_.GetEmbeddedTexture(path.C_Str()); inside && inside->mHeight == 0)
+      texture.bytes.assign(reinterpret_cast<const char*>(inside->pcData), inside->mWidth);
+    const auto wrap = [&](const char* key) {
+      int mode = aiTextureMapMode_Wrap;
+      material.Get(key, type, 0, mode);
+      return mode == aiTextureMapMode_Mirror  ? Texture_wrap::MIRROR
+             : mode == aiTextureMapMode_Clamp ? Texture_wrap::CLAMP
+                                              : Texture_wrap::REPEAT;
+    };
+    texture.wrap_u = wrap(_AI_MATKEY_MAPPINGMODE_U_BASE);
+    texture.wrap_v = wrap(_AI_MATKEY_MAPPINGMODE_V_BASE);
+    const auto is_same = [&](const Texture& other) {
+      return other.name == texture.name && other.wrap_u == texture.wrap_u && other.wrap_v == texture.wrap_v;
+    };
+    const auto found = std::find_if(content_.textures.begin(), content_.textures.end(), is_same);
+    if (found != content_.textures.end()) return int(found - content_.textures.begin());
+    content_.textures.push_back(std::move(texture));
+    return int(content_.textures.size()) - 1;
+  }
+
   void visit(const aiNode& node, const Transform& parent)
   {
     const Transform to_world = parent * transform_of(node);
@@ -63,6 +123,31 @@ private:
       }
       for (unsigned k = 0; k < 3; ++k)
         part.corners.push_back(vertex(mesh, face.mIndices[k], to_world, part.name));
+      add_looks(mesh, face, part);
+    }
+  }
+
+  /// Of the last triangle; those before it that have none get some where it is the first that has.
+  void add_looks(const aiMesh& mesh, const aiFace& face, Model_part& part) const
+  {
+    Part_appearance& looks = part.appearance;
+    const std::size_t before = part.corners.size() - 3;
+    const bool has_material = mesh.mMaterialIndex < content_.materials.size() &&
+                              content_.materials[mesh.mMaterialIndex].name != AI_DEFAULT_MATERIAL_NAME;
+    looks.materials.push_back(has_material ? int(mesh.mMaterialIndex) : -1);
+    if (mesh.HasTextureCoords(0) || !looks.coordinates.empty()) {
+      looks.coordinates.resize(before, Eigen::Vector2f(0, 0));
+      for (unsigned k = 0; k < 3; ++k) {
+        const aiVector3D at = mesh.HasTextureCoords(0) ? mesh.mTextureCoords[0][face.mIndices[k]] : aiVector3D();
+        looks.coordinates.emplace_back(at.x, 1 - at.y);
+      }
+    }
+    if (mesh.HasVertexColors(0) || !looks.colours.empty()) {
+      looks.colours.resize(before, Eigen::Vector3f(1, 1, 1));
+      for (unsigned k = 0; k < 3; ++k) {
+        const aiColor4D colour = mesh.HasVertexColors(0) ? mesh.mColors[0][face.mIndices[k]] : aiColor4D(1, 1, 1, 1);
+        looks.colours.emplace_back(colour.r, colour.g, colour.b);
+      }
     }
   }
 
@@ -89,7 +174,8 @@ Model_content read_scene(const std::string& file)
   if (!scene || !scene->mRootNode)
     throw Invalid_input(file + ": it cannot be read as a model of the format that its extension says (" +
                         importer.GetErrorString() + ")");
-  Model_content content = Scene_reader(file, *scene).read();
+  const std::string extension = lower_extension(file);
+  Model_content content = Scene_reader(file, *scene).read(extension == ".gltf" || extension == ".glb");
   if (content.parts.empty())
     throw Invalid_input(file + ": there is no triangle in it; a model needs a mesh for every part");
   return content;
@@ -102,15 +188,37 @@ void append(std::uint64_t number, std::string& bytes)
   bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
+template <typename Values>
+void append_values(const Values& values, std::string& bytes)
+{
+  append(values.size(), bytes);
+  bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(*values.data()));
+}
+
 std::string encoded(const Model_content& content)
 {
   std::string bytes;
   append(content.faces_left_out, bytes);
+  append(content.materials.size(), bytes);
+  for (const Surface_material& material : content.materials) {
+    append_values(material.name, bytes);
+    append_values(std::array<double, 4>{material.colour[0], material.colour[1], material.colour[2], material.colour[3]},
+                  bytes);
+    append(std::uint64_t(material.texture + 1), bytes);
+  }
+  append(content.textures.size(), bytes);
+  for (const Texture& texture : content.textures) {
+    append_values(texture.name, bytes);
+    append_values(texture.bytes, bytes);
+    append(std::uint64_t(texture.wrap_u), bytes);
+    append(std::uint64_t(texture.wrap_v), bytes);
+  }
   for (const Model_part& part : content.parts) {
-    append(part.name.size(), bytes);
-    append(part.corners.size(), bytes);
-    bytes += part.name;
-    bytes.append(reinterpret_cast<const char*>(part.corners.data()), part.corners.size() * sizeof(Point));
+    append_values(part.name, bytes);
+    append_values(part.corners, bytes);
+    append_values(part.appearance.materials, bytes);
+    append_values(part.appearance.coordinates, bytes);
+    append_values(part.appearance.colours, bytes);
   }
   return bytes;
 }
@@ -125,14 +233,29 @@ public:
   {
     Model_content content;
     content.faces_left_out = number();
+    content.materials.resize(number());
+    for (Surface_material& material : content.materials) {
+      std::vector<double> colour;
+      take(material.name);
+      take(colour);
+      if (colour.size() != 4) fail();
+      material.colour = Eigen::Vector4d(colour.data());
+      material.texture = int(number()) - 1;
+    }
+    content.textures.resize(number());
+    for (Texture& texture : content.textures) {
+      take(texture.name);
+      take(texture.bytes);
+      texture.wrap_u = wrap();
+      texture.wrap_v = wrap();
+    }
     while (at_ < bytes_.size()) {
       Model_part part;
-      part.name.resize(number());
-      const std::uint64_t corners = number();
-      take(part.name.data(), part.name.size());
-      if (corners > (bytes_.size() - at_) / sizeof(Point)) fail();
-      part.corners.resize(corners);
-      take(part.corners.data(), corners * sizeof(Point));
+      take(part.name);
+      take(part.corners);
+      take(part.appearance.materials);
+      take(part.appearance.coordinates);
+      take(part.appearance.colours);
       content.parts.push_back(std::move(part));
     }
     return content;
@@ -147,6 +270,23 @@ private:
     take(&result, sizeof result);
     if (result > bytes_.size()) fail();
     return result;
+  }
+
+  Texture_wrap wrap()
+  {
+    const std::uint64_t result = number();
+    if (result > std::uint64_t(Texture_wrap::CLAMP)) fail();
+    return Texture_wrap(result);
+  }
+
+  template <typename Values>
+  void take(Values& values)
+  {
+    using Value = std::remove_reference_t<decltype(*values.data())>;
+    const std::uint64_t size = number();
+    if (size > (bytes_.size() - at_) / sizeof(Value)) fail();
+    values.resize(size);
+    take(values.data(), size * sizeof(Value));
   }
 
   void take(void* place, std::size_t size)

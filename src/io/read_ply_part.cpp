@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/colours.h"
 #include "io/model_parts.h"
 #include "io/text_words.h"
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <map>
 
 // An own reader for PLY, of all its encodings and number types: CGAL's and assimp's trust the counts in the file.
 
@@ -24,7 +26,19 @@ struct Ply_property
   Ply_type type = Ply_type::INT8;
   bool is_list = false;
   Ply_type count_type = Ply_type::INT8; ///< of a list
+  int look = -1;                        ///< red, green, blue or a texture coordinate: which of them
 };
+
+/// Which look a property of a name is: 0 to 2 the channels of a colour, 3 and 4 texture coordinates; -1: none.
+int look_of(const std::string& name)
+{
+  static const std::map<std::string, int> looks{
+      {"red", 0},          {"green", 1},     {"blue", 2},      {"diffuse_red", 0}, {"diffuse_green", 1},
+      {"diffuse_blue", 2}, {"s", 3},         {"t", 4},         {"u", 3},           {"v", 4},
+      {"texture_u", 3},    {"texture_v", 4}, {"texture_s", 3}, {"texture_t", 4}};
+  const auto found = looks.find(name);
+  return found == looks.end() ? -1 : found->second;
+}
 
 struct Ply_element
 {
@@ -55,11 +69,20 @@ public:
       fail("there is no face in it; a model needs a mesh for every part");
     Model_part part;
     std::vector<Point> polygon;
-    for (const std::vector<double>& face : faces_) {
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const std::vector<double>& face = faces_[i];
       polygon.clear();
       for (double index : face)
         polygon.push_back(points_[checked_index(index)]);
-      add_polygon(polygon, part.corners);
+      for (std::size_t corner : triangles_of_polygon(polygon)) {
+        part.corners.push_back(polygon[corner]);
+        add_looks(i, corner, std::size_t(face[corner]), part.appearance);
+      }
+    }
+    if (!texture_.empty() && !part.appearance.coordinates.empty()) {
+      result_.textures.push_back({texture_, "", {}});
+      result_.materials.push_back({texture_, Eigen::Vector4d::Ones(), 0});
+      part.appearance.materials.assign(part.corners.size() / 3, 0);
     }
     result_.parts.push_back(std::move(part));
     return std::move(result_);
@@ -67,6 +90,45 @@ public:
 
 private:
   [[noreturn]] void fail(const std::string& what) const { throw Invalid_input(file_ + ": " + what); }
+
+  /// What the header tells of looks.
+  struct Looks
+  {
+    bool has_colours = false, has_coordinates = false;
+    Eigen::Vector3d colour = Eigen::Vector3d::Ones();
+    Eigen::Vector2f at = Eigen::Vector2f::Zero();
+    std::vector<double> corners; ///< of a face, texture coordinates
+
+    void set(const Ply_property& property, double number)
+    {
+      if (property.look < 0) return;
+      if (property.look < 3) {
+        has_colours = true;
+        colour[property.look] = property.type == Ply_type::UINT8 ? number / 255 : number;
+      } else {
+        has_coordinates = true;
+        at[property.look - 3] = float(property.look == 3 ? number : 1 - number);
+      }
+    }
+  };
+
+  void add_looks(std::size_t face, std::size_t corner, std::size_t vertex, Part_appearance& appearance) const
+  {
+    const auto colour = [](const Looks& looks) -> Eigen::Vector3f { return linear_colour(looks.colour).cast<float>(); };
+    const Looks* of_vertex = vertex < vertices_.size() ? &vertices_[vertex] : nullptr;
+    const Looks* of_face = face < face_looks_.size() ? &face_looks_[face] : nullptr;
+    if (of_vertex && of_vertex->has_colours)
+      appearance.colours.push_back(colour(*of_vertex));
+    else if (of_face && of_face->has_colours)
+      appearance.colours.push_back(colour(*of_face));
+    if (faces_have_coordinates_) {
+      const std::vector<double>& at = face_looks_[face].corners;
+      const bool is_there = at.size() >= 2 * corner + 2;
+      appearance.coordinates.push_back(is_there ? Eigen::Vector2f(float(at[2 * corner]), float(1 - at[2 * corner + 1]))
+                                                : Eigen::Vector2f(0, 0));
+    } else if (of_vertex && of_vertex->has_coordinates)
+      appearance.coordinates.push_back(of_vertex->at);
+  }
 
   void read_header()
   {
@@ -82,6 +144,8 @@ private:
         read_element_statement(line);
       else if (keyword == "property")
         read_property(line);
+      else if (keyword == "comment" && next_word(line) == "TextureFile")
+        texture_ = trimmed(line);
     }
   }
 
@@ -118,6 +182,7 @@ private:
     }
     property.type = type_of(type);
     property.name = next_word(line);
+    property.look = look_of(property.name);
     elements_.back().properties.push_back(std::move(property));
   }
 
@@ -151,25 +216,39 @@ private:
     for (std::size_t i = 0; i < element.count; ++i) {
       Point point = Point::Zero();
       int coordinates = 0;
+      Looks looks;
+      bool is_face = false;
       for (const Ply_property& property : element.properties) {
         if (property.is_list) {
-          read_list(element, property);
+          is_face = read_list(element, property, looks) || is_face;
           continue;
         }
         const double number = next(property.type);
+        looks.set(property, number);
         for (int k = 0; k < 3; ++k) {
           if (property.name.size() != 1 || property.name[0] != "xyz"[k]) continue;
           point[k] = number;
           ++coordinates;
         }
       }
+      const bool are_known = looks.has_colours || looks.has_coordinates || !looks.corners.empty();
+      if (is_face && (are_known || !face_looks_.empty())) {
+        faces_have_coordinates_ = faces_have_coordinates_ || !looks.corners.empty();
+        face_looks_.resize(faces_.size());
+        face_looks_.back() = std::move(looks);
+      }
       if (element.name != "vertex") continue;
+      if (are_known) {
+        vertices_.resize(points_.size() + 1);
+        vertices_.back() = std::move(looks);
+      }
       if (coordinates != 3) fail("its vertices do not have the properties x, y and z");
       points_.push_back(point);
     }
   }
 
-  void read_list(const Ply_element& element, const Ply_property& property)
+  /// \return whether it is the corners of a face that is kept
+  bool read_list(const Ply_element& element, const Ply_property& property, Looks& looks)
   {
     const double count = next(property.count_type);
     if (!(count >= 0) || count > double(text_.size()) || count != std::floor(count))
@@ -179,11 +258,15 @@ private:
     std::vector<double> list(static_cast<std::size_t>(count));
     for (double& number : list)
       number = next(property.type);
-    if (element.name != "face" || (property.name != "vertex_indices" && property.name != "vertex_index")) return;
-    if (list.size() < 3)
+    if (element.name != "face") return false;
+    if (property.name == "texcoord") looks.corners = std::move(list);
+    if (property.name != "vertex_indices" && property.name != "vertex_index") return false;
+    if (list.size() < 3) {
       ++result_.faces_left_out;
-    else
-      faces_.push_back(std::move(list));
+      return false;
+    }
+    faces_.push_back(std::move(list));
+    return true;
   }
 
   std::size_t checked_index(double index) const
@@ -253,6 +336,9 @@ private:
   std::vector<Ply_element> elements_;
   std::vector<Point> points_;
   std::vector<std::vector<double>> faces_;
+  std::vector<Looks> vertices_, face_looks_; ///< of `points_` and `faces_`, as far as they are known
+  bool faces_have_coordinates_ = false;
+  std::string texture_; ///< a file
   Model_content result_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "base/limits.h"
 #include "io/input_file.h"
+#include "io/model_appearance.h"
 #include "io/model_parts.h"
 #include "io/quoting.h"
 #include "shape/has_area.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -86,25 +88,40 @@ void complete_names(const std::string& shape, std::vector<Model_part>& parts)
   }
 }
 
+/// The looks of some triangles of a part.
+Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles)
+{
+  Part_appearance result;
+  for (std::size_t t : triangles) {
+    if (!all.materials.empty()) result.materials.push_back(all.materials[t]);
+    for (std::size_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
+      if (!all.coordinates.empty()) result.coordinates.push_back(all.coordinates[corner]);
+      if (!all.colours.empty()) result.colours.push_back(all.colours[corner]);
+    }
+  }
+  return result;
+}
+
 /// Adds a part to a shape. \return whether it has a surface; else it is left out
-bool add_part(const std::string& file, const Model_part& part, Segmented_shape& shape)
+/// \param appearance where not null, gets that of the part
+bool add_part(const std::string& file, const Model_part& part, Segmented_shape& shape, Shape_appearance* appearance)
 {
   for (const Point& corner : part.corners) {
     if (!(corner.cwiseAbs().maxCoeff() <= internal::largest_coordinate))
       throw Invalid_input(file + ": part '" + part.name +
                           "' has a coordinate that is not a finite number, or beyond 1e15; repair it");
   }
-  Part_mesh mesh = weld(part.corners);
+  std::vector<std::size_t> kept;
+  Part_mesh mesh = weld(part.corners, &kept);
   if (mesh.triangles.cols() == 0 || !internal::has_area(mesh)) return false;
   shape.add_part(part.name, std::move(mesh));
+  if (appearance) appearance->parts.push_back(looks_of(part.appearance, kept));
   return true;
 }
 
 void check_number_of_parts(const std::string& path, std::size_t parts)
 {
-  if (parts > internal::most_parts)
-    throw Invalid_input(path + ": it has " + std::to_string(parts) + " parts; a shape may have at most " +
-                        std::to_string(internal::most_parts));
+  if (parts > internal::most_parts) throw Invalid_input(path + ": it has " + internal::too_many_parts(parts));
 }
 
 void warn(std::size_t number, const std::string& of_what, std::vector<std::string>* warnings)
@@ -114,17 +131,24 @@ void warn(std::size_t number, const std::string& of_what, std::vector<std::strin
 
 constexpr const char* poor_faces = "Faces of fewer than three corners";
 
-Segmented_shape read_file(const fs::path& path, const Point& up, std::vector<std::string>* warnings)
+Segmented_shape read_file(const fs::path& path, const Point& up, std::vector<std::string>* warnings,
+                          Shape_appearance* appearance)
 {
   const std::string file = path.string(), name = utf8_text(path.stem().string());
   Model_content content = read_parts(file);
   check_number_of_parts(file, content.parts.size());
   complete_names(name, content.parts);
+  if (appearance) {
+    *appearance = {};
+    complete_appearance(file, content, appearance->warnings);
+    appearance->materials = std::move(content.materials);
+    appearance->textures = std::move(content.textures);
+  }
   Segmented_shape shape(name, up);
   std::string left_out;
   std::size_t number_left_out = 0;
   for (const Model_part& part : content.parts) {
-    if (add_part(file, part, shape)) continue;
+    if (add_part(file, part, shape, appearance)) continue;
     left_out = part.name;
     ++number_left_out;
   }
@@ -148,14 +172,45 @@ std::vector<fs::path> model_files(const fs::path& folder)
   return files;
 }
 
+/// Puts the looks of some triangles after those of others; what only one of them has gets its default.
+/// \param triangles how many there are of each \param material the number of the first material of the others
+void append_looks(const Part_appearance& more, std::size_t more_triangles, int material, std::size_t triangles,
+                  Part_appearance& all)
+{
+  const auto append = [](auto& to, std::size_t before, const auto& from, std::size_t count, const auto& none) {
+    if (to.empty() && from.empty()) return;
+    to.resize(before, none);
+    to.insert(to.end(), from.begin(), from.end());
+    to.resize(before + count, none);
+  };
+  std::vector<int> materials = more.materials;
+  for (int& number : materials)
+    if (number >= 0) number += material;
+  append(all.materials, triangles, materials, more_triangles, -1);
+  append(all.coordinates, 3 * triangles, more.coordinates, 3 * more_triangles, Eigen::Vector2f(0, 0));
+  append(all.colours, 3 * triangles, more.colours, 3 * more_triangles, Eigen::Vector3f(1, 1, 1));
+}
+
 /// One file, one part, whatever objects are in it.
-Model_part read_part(const fs::path& file, std::size_t& faces_left_out)
+/// \param appearance where not null, gets the materials and textures
+Model_part read_part(const fs::path& file, std::size_t& faces_left_out, Shape_appearance* appearance)
 {
   Model_part part{utf8_text(file.stem().string()), {}};
-  const Model_content content = read_parts(file.string());
-  for (const Model_part& piece : content.parts)
+  Model_content content = read_parts(file.string());
+  if (appearance) complete_appearance(file.string(), content, appearance->warnings);
+  for (const Model_part& piece : content.parts) {
+    if (appearance)
+      append_looks(piece.appearance, piece.corners.size() / 3, int(appearance->materials.size()),
+                   part.corners.size() / 3, part.appearance);
     part.corners.insert(part.corners.end(), piece.corners.begin(), piece.corners.end());
+  }
   faces_left_out += content.faces_left_out;
+  if (!appearance) return part;
+  for (Surface_material& material : content.materials) {
+    if (material.texture >= 0) material.texture += int(appearance->textures.size());
+    appearance->materials.push_back(std::move(material));
+  }
+  std::move(content.textures.begin(), content.textures.end(), std::back_inserter(appearance->textures));
   return part;
 }
 
@@ -168,7 +223,8 @@ std::string folder_name(const fs::path& folder)
   return utf8_text(path.filename().string());
 }
 
-Segmented_shape read_folder(const fs::path& path, const Point& up, std::vector<std::string>* warnings)
+Segmented_shape read_folder(const fs::path& path, const Point& up, std::vector<std::string>* warnings,
+                            Shape_appearance* appearance)
 {
   const fs::path folder = fs::is_directory(path / "parts") ? path / "parts" : path;
   const std::vector<fs::path> files = model_files(folder);
@@ -178,12 +234,13 @@ Segmented_shape read_folder(const fs::path& path, const Point& up, std::vector<s
   check_number_of_parts(folder.string(), files.size());
   std::vector<Model_part> parts;
   std::size_t faces_left_out = 0;
+  if (appearance) *appearance = {};
   for (const fs::path& file : files)
-    parts.push_back(read_part(file, faces_left_out));
+    parts.push_back(read_part(file, faces_left_out, appearance));
   complete_names(folder_name(path), parts);
   Segmented_shape shape(folder_name(path), up);
   for (std::size_t i = 0; i < files.size(); ++i)
-    if (!add_part(files[i].string(), parts[i], shape))
+    if (!add_part(files[i].string(), parts[i], shape, appearance))
       throw Invalid_input(files[i].string() + ": all triangles have zero area; remove the file or give it a surface");
   warn(faces_left_out, poor_faces, warnings);
   return shape;
@@ -197,12 +254,13 @@ bool is_model_file(const std::string& path)
   return text_reader_of(extension) || is_read_by_assimp(extension);
 }
 
-Segmented_shape read_segmented_shape(const std::string& path, const Point& up, std::vector<std::string>* warnings)
+Segmented_shape read_segmented_shape(const std::string& path, const Point& up, std::vector<std::string>* warnings,
+                                     Shape_appearance* appearance)
 {
   std::error_code error;
   if (!fs::exists(path, error)) throw Invalid_input(path + ": there is no such file or folder");
-  if (fs::is_directory(path, error)) return read_folder(path, up, warnings);
-  return read_file(path, up, warnings);
+  if (fs::is_directory(path, error)) return read_folder(path, up, warnings, appearance);
+  return read_file(path, up, warnings, appearance);
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -140,9 +140,7 @@ Part_abstraction read_part(const Json_field& field)
 
 std::vector<Part_abstraction> read_parts(const Json_field& list, Part_indices& indices)
 {
-  if (list.size() > internal::most_parts)
-    list.fail("has " + std::to_string(list.size()) + " parts; a shape has at most " +
-              std::to_string(internal::most_parts));
+  if (list.size() > internal::most_parts) list.fail("has " + internal::too_many_parts(list.size()));
   std::vector<Part_abstraction> parts;
   for (const Json_field& element : list.elements()) {
     Part_abstraction part = read_part(element);

@@ -231,7 +231,7 @@ Part_group make_group(const std::vector<std::size_t>& parts, const Shape_structu
     group.symmetry.direction = (first - last).normalized();
   } else if (parts.size() > 1) {
     group.symmetry.type = Symmetry_type::TRANSLATION;
-    group.symmetry.direction = (last - first) / (parts.size() - 1.0);
+    group.symmetry.direction = (last - first) / (double(parts.size()) - 1);
   }
   return group;
 }

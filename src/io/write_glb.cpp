@@ -3,6 +3,8 @@
 
 #include "io/colours.h"
 #include "io/drawn_shape.h"
+#include "io/dressed_mesh.h"
+#include "io/picture_geometry.h"
 
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
 
@@ -29,11 +31,33 @@ int add_contacts(Glb_builder& glb, const Drawn_shape& shape)
   return glb.add_node("contacts", {{shape.contacts(), glb.add_material("contacts", Colour(0.02, 0.02, 0.02))}});
 }
 
+/// The same with the shape's own materials.
+int add_dressed_shape(Glb_builder& glb, const Drawn_shape& shape, const Shape_appearance* appearance,
+                      const Point& translation)
+{
+  const Shape_appearance none;
+  const Shape_appearance& looks = appearance ? *appearance : none;
+  Glb_materials materials(glb, looks);
+  std::vector<int> nodes;
+  for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
+    const Part_appearance unknown;
+    const Part_appearance& of_part = part < looks.parts.size() ? looks.parts[part] : unknown;
+    Drawn_mesh mesh = shape.best_mesh(part);
+    mesh.layer = material_layer;
+    nodes.push_back(glb.add_node(shape.part(part).name, dressed(mesh, of_part, materials)));
+    glb.set_node_extras(nodes.back(), {{"part", part}});
+  }
+  return glb.add_node(shape.name(), nodes, translation);
+}
+
+bool is_dressed(const Shape_appearance* appearance) { return appearance && !appearance->empty(); }
+
 } // namespace
 
 void write_correspondence_glb(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                               const Structural_graph& target, const Segmented_shape* source_shape,
-                              const Segmented_shape* target_shape)
+                              const Segmented_shape* target_shape, const Shape_appearance* source_appearance,
+                              const Shape_appearance* target_appearance)
 {
   const Drawn_shape left(source, source_shape, 0);
   const Drawn_shape right(target, target_shape, correspondence.target_quarter_turns);
@@ -48,13 +72,18 @@ void write_correspondence_glb(std::ostream& out, const Correspondence& correspon
   };
   std::vector<Glb_scene> scenes{scene("correspondence", &Drawn_shape::best_mesh)};
   if (left.has_mesh() || right.has_mesh()) scenes.push_back(scene(abstraction_layer, &Drawn_shape::abstraction));
+  if (is_dressed(source_appearance) || is_dressed(target_appearance))
+    scenes.push_back({material_layer,
+                      {add_dressed_shape(glb, left, source_appearance, places[0]),
+                       add_dressed_shape(glb, right, target_appearance, places[1])}});
   scenes.push_back({contact_layer, {}});
   for (const auto& [shape, place] : {std::pair(&left, places[0]), std::pair(&right, places[1])})
     scenes.back().roots.push_back(glb.add_node(shape->name(), {add_contacts(glb, *shape)}, place));
   glb.write(out, scenes);
 }
 
-void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph, const Segmented_shape* shape)
+void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph, const Segmented_shape* shape,
+                                const Shape_appearance* appearance)
 {
   const Drawn_shape drawn(graph, shape, 0);
   const std::vector<std::size_t> group = group_of_parts(graph);
@@ -73,7 +102,25 @@ void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph
     glb.set_node_extras(nodes.back(), {{"part", part}});
   }
   if (!structure(graph).contacts.empty()) nodes.push_back(add_contacts(glb, drawn));
-  glb.write(out, {{"structural graph", {glb.add_node(drawn.name(), nodes, Point::Zero())}}});
+  std::vector<Glb_scene> scenes{{"structural graph", {glb.add_node(drawn.name(), nodes, Point::Zero())}}};
+  if (is_dressed(appearance))
+    scenes.push_back({material_layer, {add_dressed_shape(glb, drawn, appearance, Point::Zero())}});
+  glb.write(out, scenes);
+}
+
+void write_segmented_shape_glb(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance)
+{
+  Glb_builder glb;
+  Glb_materials materials(glb, appearance);
+  std::vector<int> nodes;
+  for (std::size_t part = 0; part < shape.parts().size(); ++part) {
+    const Part_appearance unknown;
+    const Part_mesh& mesh = shape.parts()[part].mesh;
+    const Part_appearance& looks = part < appearance.parts.size() ? appearance.parts[part] : unknown;
+    nodes.push_back(
+        glb.add_node(shape.parts()[part].name, dressed(shaded(mesh.points, mesh.triangles), looks, materials)));
+  }
+  glb.write(out, {{shape.name(), {glb.add_node(shape.name(), nodes, Point::Zero())}}});
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -53,7 +53,7 @@ Chart_outline::Section Chart_outline::section_around(const std::vector<Eigen::Ve
   const double least = std::max(least_radius, least_share * largest);
   const Planar_points hull = planar_hull(centred);
   for (int i = 0; i < angles; ++i) {
-    const double angle = 2 * EIGEN_PI * i / angles;
+    const auto angle = double(2 * EIGEN_PI * i / angles);
     const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
     result.radii[i] = std::max(least, reach_in_polygon(hull, direction));
   }
@@ -91,7 +91,7 @@ Chart_outline::Section Chart_outline::section(const Point& k) const
 
 double Chart_outline::radius(const Section& section, const Eigen::Vector2d& direction)
 {
-  const double turn = std::atan2(direction.y(), direction.x()) / (2 * EIGEN_PI);
+  const auto turn = double(std::atan2(direction.y(), direction.x()) / (2 * EIGEN_PI));
   const double at = (turn - std::floor(turn)) * angles;
   const int cell = std::min(int(at), angles - 1);
   return (1 - (at - cell)) * section.radii[cell] + (at - cell) * section.radii[(cell + 1) % angles];

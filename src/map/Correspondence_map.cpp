@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/quantized.h"
-#include "map/Charted_mesh.h"
-#include "map/Part_pair.h"
+#include "map/Surface_pair.h"
 #include "map/check_model.h"
-#include "map/piece_of.h"
 
 #include <CGAL/Shape_correspondence/Correspondence_map.h>
 
@@ -48,33 +46,6 @@ std::vector<const Points*> sampled_surfaces(const Structural_graph& graph)
   for (const Part_abstraction& part : structure(graph).parts)
     result.push_back(&part.surface);
   return result;
-}
-
-std::vector<const Points*> mesh_surfaces(const Segmented_shape& shape)
-{
-  std::vector<const Points*> result;
-  for (const Shape_part& part : shape.parts())
-    result.push_back(&part.mesh.points);
-  return result;
-}
-
-/// The surfaces of both parts of a pair, all of them, in the charts that their pieces are mapped by.
-std::array<Charted_mesh, 2> in_charts_of_pieces(const Part_pair& pair, const std::array<Charted_shape, 2>& shapes,
-                                                const std::array<const Part_mesh*, 2>& meshes)
-{
-  constexpr double longest_edge = 0.3; // in chart coordinates
-  const std::array<std::size_t, 2> part = {pair.source, pair.target};
-  const std::array<Chart_box, 2> boxes = {pair.source_piece, pair.target_piece};
-  std::array<Part_mesh, 2> wholes, pieces;
-  for (std::size_t s = 0; s < 2; ++s) {
-    wholes[s] = {shapes[s].surfaces[part[s]], meshes[s]->triangles};
-    pieces[s] = piece_of(wholes[s].points, wholes[s].triangles, shapes[s].charts[part[s]], boxes[s]);
-  }
-  Pair_charts charts = pair_charts(pair, shapes[0], shapes[1], pieces[0].points, pieces[1].points);
-  finely_charted(pieces[0], charts.source, longest_edge);
-  finely_charted(pieces[1], charts.target, longest_edge);
-  const double any_length = std::numeric_limits<double>::infinity();
-  return {charted_mesh(wholes[0], charts.source, any_length), charted_mesh(wholes[1], charts.target, any_length)};
 }
 
 } // namespace
@@ -184,7 +155,7 @@ Surface_map::Surface_map(const Structural_graph& source, const Segmented_shape& 
     const std::array<std::size_t, 2> part = {pair.source, pair.target};
     const std::array<Chart_box, 2> boxes = {pair.source_piece, pair.target_piece};
     const auto mesh = [&](std::size_t s) -> const Part_mesh& { return shapes[s]->parts()[part[s]].mesh; };
-    const std::array<Charted_mesh, 2> whole = in_charts_of_pieces(pair, charted, {&mesh(0), &mesh(1)});
+    const std::array<Charted_mesh, 2> whole = surface_pair(pair, charted, {&mesh(0), &mesh(1)}).meshes;
     const std::array<Points, 2> normals = {chart_normals(whole[0]), chart_normals(whole[1])};
     for (std::size_t s = 0; s < 2; ++s) {
       const std::size_t other = 1 - s;

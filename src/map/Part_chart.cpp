@@ -57,7 +57,7 @@ double least_rectangle_angle(const Planar_points& points)
     return box.sizes().prod();
   };
   const Eigen::Vector2d direction = least_rectangle_direction(hull);
-  const double angle = std::remainder(std::atan2(direction.y(), direction.x()), EIGEN_PI / 2);
+  const auto angle = double(std::remainder(std::atan2(direction.y(), direction.x()), EIGEN_PI / 2));
   return area(0) <= nearly * area(angle) ? 0 : angle;
 }
 

@@ -84,7 +84,7 @@ double Role_distances::mean_distance(const Role_features& parts, std::size_t cat
     }
     sum += least;
   }
-  return sum / (double(queries.rows()) * ROLE_FEATURE_COUNT * steps_per_deviation);
+  return sum / (double(queries.rows()) * int(ROLE_FEATURE_COUNT) * steps_per_deviation);
 }
 
 Role_evidence role_evidence(const Structural_graph& graph, int quarter_turns)

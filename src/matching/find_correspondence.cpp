@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/limits.h"
 #include "base/quantized.h"
 #include "matching/Alignments.h"
 #include "matching/Search_run.h"
@@ -27,10 +28,11 @@ namespace {
 void check(const Search_options& options)
 {
   const Energy_weights& weights = options.matching.weights;
-  if (weights.distortion < 0 || weights.connectedness < 0 || weights.split < 0)
-    throw Invalid_input("find_correspondence: the weights of E_d, E_c and E_s must not be negative");
-  if (!(weights.roles >= 0) || !std::isfinite(weights.roles))
-    throw Invalid_input("find_correspondence: the weight of roles must be finite and not negative");
+  for (double weight : {weights.distortion, weights.connectedness, weights.split})
+    if (!(weight >= 0 && weight <= largest_number))
+      throw Invalid_input("find_correspondence: the weights of E_d, E_c and E_s must not be negative or beyond 1e50");
+  if (!(weights.roles >= 0 && weights.roles <= largest_number))
+    throw Invalid_input("find_correspondence: the weight of roles must not be negative or beyond 1e50");
   if (!(options.matching.unmatched_cost >= 0))
     throw Invalid_input("find_correspondence: the cost of leaving a part unmatched must not be negative");
   if (options.maximum_parts < 0 || options.alignments < 0)
@@ -166,7 +168,7 @@ public:
     check_role_costs(options_.matching.role_costs, number_of_parts_, structure(target.graph()).parts.size());
     std::vector<Correspondence> result;
     if (options_.method == Search_method::PARTS)
-      result.push_back(rated(source_, matched_parts(target)));
+      result.push_back(rated(source_, without_unsure(matched_parts(target))));
     else
       result = least_energy(target);
     for (Correspondence& correspondence : result)
@@ -174,9 +176,9 @@ public:
     return result;
   }
 
+  std::array<Correspondence, 2> both_orders(const Prepared_shape& target) const;
   std::vector<Transferred_label> transferred_labels(const std::vector<Part_label>& labels,
                                                     const Prepared_shape& target) const;
-  std::array<Correspondence, 2> both_orders(const Prepared_shape& target) const;
 
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
@@ -209,6 +211,8 @@ private:
     std::size_t done = 0, ways = 0; // alignments
   };
   Found matched_parts(const Prepared_shape& target) const;
+  // Without the pairs of less than the least confidence.
+  Found without_unsure(Found found) const;
   // The correspondence by which the source is deformed.
   Correspondence rated(const Shared_shape& source, const Found& found) const;
   // The correspondence by which the target is deformed. \pre it is not turned
@@ -216,7 +220,8 @@ private:
   bool takes_shapes_as_they_are() const
   {
     return options_.maximum_parts == 0 && options_.source_parts.empty() && options_.target_parts.empty() &&
-           options_.matching.pinned.empty() && options_.matching.forbidden.empty();
+           options_.matching.pinned.empty() && options_.matching.forbidden.empty() &&
+           options_.matching.role_costs.size() == 0;
   }
 
   std::shared_ptr<const Shape_features> features(const Prepared_shape& of, const Shared_shape& shape, int turn) const
@@ -348,6 +353,11 @@ Correspondence_finder::Impl::Found Correspondence_finder::Impl::matched_parts(co
   if (found.done == 0) found.target = aligned(target, found.way.turn);
   if (options_.roles && found.done > 0)
     join_roles(target, *found.target, category, found.way, found.matching, found.known);
+  return found;
+}
+
+Correspondence_finder::Impl::Found Correspondence_finder::Impl::without_unsure(Found found) const
+{
   const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
   std::vector<Part_correspondence>& pairs = found.matching.pairs;
   pairs.erase(std::remove_if(pairs.begin(), pairs.end(), unsure), pairs.end());
@@ -396,7 +406,7 @@ Correspondence Correspondence_finder::Impl::rated_backwards(Found found) const
 std::array<Correspondence, 2> Correspondence_finder::Impl::both_orders(const Prepared_shape& target) const
 {
   if (options_.method == Search_method::PARTS && takes_shapes_as_they_are()) {
-    const Found found = matched_parts(target);
+    const Found found = without_unsure(matched_parts(target));
     if (found.way.turn == 0 && found.ways == 1) {
       std::array<Correspondence, 2> result{rated(source_, found), rated_backwards(found)};
       const std::size_t of_target = structure(target.graph()).parts.size();

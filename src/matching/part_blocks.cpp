@@ -57,11 +57,14 @@ public:
       : blocks_(std::move(blocks)),
         source_(source),
         target_(target),
-        costs_(blocks_.size(), std::vector<long>(blocks_.size(), never))
+        costs_(blocks_.size()),
+        nearest_(blocks_.size(), 0)
   {
-    for (std::size_t k = 0; k < blocks_.size(); ++k)
+    for (std::size_t k = 0; k < blocks_.size(); ++k) {
       for (std::size_t l = 0; l < k; ++l)
-        costs_[k][l] = joining_cost(blocks_[k], blocks_[l]);
+        costs_[k].push_back(joining_cost(blocks_[k], blocks_[l]));
+      find_nearest(k);
+    }
   }
 
   std::vector<Block> run(double bound)
@@ -82,27 +85,48 @@ private:
     return never;
   }
 
+  void find_nearest(std::size_t k)
+  {
+    nearest_[k] = std::size_t(std::min_element(costs_[k].begin(), costs_[k].end()) - costs_[k].begin());
+  }
+
   bool join_cheapest(long bound)
   {
-    std::size_t best_k = 0, best_l = 0;
-    for (std::size_t k = 0; k < blocks_.size(); ++k)
-      for (std::size_t l = 0; l < k; ++l)
-        if (costs_[k][l] < bound) bound = costs_[k][l], best_k = k, best_l = l;
-    if (best_k == best_l) return false;
+    std::size_t joined = 0;
+    for (std::size_t k = 1; k < blocks_.size(); ++k)
+      if (costs_[k][nearest_[k]] < bound) bound = costs_[k][nearest_[k]], joined = k;
+    if (joined == 0) return false;
 
-    append(blocks_[best_l].source, blocks_[best_k].source);
-    append(blocks_[best_l].target, blocks_[best_k].target);
-    blocks_[best_k] = {};
-    for (std::size_t k = 0; k < blocks_.size(); ++k) {
-      if (k != best_l) costs_[std::max(k, best_l)][std::min(k, best_l)] = joining_cost(blocks_[k], blocks_[best_l]);
-      if (k != best_k) costs_[std::max(k, best_k)][std::min(k, best_k)] = never;
-    }
+    const std::size_t kept = nearest_[joined];
+    append(blocks_[kept].source, blocks_[joined].source);
+    append(blocks_[kept].target, blocks_[joined].target);
+    blocks_[joined] = {};
+    std::fill(costs_[joined].begin(), costs_[joined].end(), never);
+    for (std::size_t l = 0; l < kept; ++l)
+      costs_[kept][l] = joining_cost(blocks_[kept], blocks_[l]);
+    find_nearest(kept);
+    for (std::size_t k = kept + 1; k < blocks_.size(); ++k)
+      update_row(k, kept, joined);
     return true;
+  }
+
+  // After `joined` became part of `kept`, which comes before it and before k.
+  void update_row(std::size_t k, std::size_t kept, std::size_t joined)
+  {
+    std::vector<long>& costs = costs_[k];
+    const std::size_t nearest = nearest_[k];
+    costs[kept] = joining_cost(blocks_[k], blocks_[kept]);
+    if (joined < k) costs[joined] = never;
+    if (nearest == kept || nearest == joined)
+      find_nearest(k);
+    else if (std::make_pair(costs[kept], kept) < std::make_pair(costs[nearest], nearest))
+      nearest_[k] = kept;
   }
 
   std::vector<Block> blocks_; // empty where joined to another one
   const Shape_features &source_, &target_;
   std::vector<std::vector<long>> costs_; // [k][l] for l < k
+  std::vector<std::size_t> nearest_;     // the first l of least cost for each k > 0
 };
 
 } // namespace

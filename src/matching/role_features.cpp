@@ -85,7 +85,7 @@ public:
 private:
   static std::uint8_t byte(double value)
   {
-    return std::uint8_t(std::lround(254 * std::clamp(quantized(value) * comparison_grid, 0., 1.)));
+    return std::uint8_t(std::lround(254 * std::clamp(double(quantized(value)) * comparison_grid, 0., 1.)));
   }
 
   std::uint8_t* row_;

@@ -189,7 +189,7 @@ private:
   Mirror_plane tightest_alternative(const Mirror_plane& plane) const
   {
     const double as_good = 1.3, tighter = 0.99, clearly = 0.8;
-    const Mirror_plane diagonal = score(Eigen::Rotation2Dd(0.25 * EIGEN_PI) * plane.normal);
+    const Mirror_plane diagonal = score(Eigen::Rotation2Dd(double(0.25 * EIGEN_PI)) * plane.normal);
     if (!is_mirror(plane) || !(diagonal.residual < as_good * plane.residual)) {
       return plane;
     }

@@ -64,7 +64,7 @@ inline double link_residual(const Part_relations& parts, const Explanation& expl
   double sum = 0;
   for (const Explanation::Link& link : explanation.links)
     sum += parts.deviation(explanation.members[link.from], explanation.members[link.to], link.map);
-  return explanation.links.empty() ? 0 : sum / explanation.links.size();
+  return explanation.links.empty() ? 0 : sum / double(explanation.links.size());
 }
 
 /// Whether two bodies are as wide as one another.

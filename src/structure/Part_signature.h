@@ -82,7 +82,7 @@ inline double spacing(const Points& points)
     squared[i] = std::numeric_limits<double>::infinity();
     sum += std::sqrt(squared.minCoeff());
   }
-  return points.cols() > 1 ? sum / points.cols() : 0;
+  return points.cols() > 1 ? sum / double(points.cols()) : 0;
 }
 
 /// How far points reach in each of some directions.

@@ -297,10 +297,10 @@ int given_quarter_turns(const Shape_frame& frame) { return int(std::lround(given
 std::vector<int> alignment_turns(const Shape_frame& source, const Shape_frame& target)
 {
   // Either frame is off by a turn of its own and by quarter turns that its finding left open
-  const double from = given_turn(source), to = given_turn(target), quarter = EIGEN_PI / 2;
+  const double from = given_turn(source), to = given_turn(target), quarter = double(EIGEN_PI / 2);
   const double given = quarter * (given_quarter_turns(target) - given_quarter_turns(source));
   const auto off = [&](double angle, int q) {
-    return quantized(std::abs(std::remainder(angle - q * quarter, 2 * EIGEN_PI)));
+    return quantized(double(std::abs(std::remainder(angle - q * quarter, 2 * EIGEN_PI))));
   };
   const bool half_turns = source.mirror_x != source.mirror_z && target.mirror_x != target.mirror_z;
   std::vector<std::tuple<long, long, int>> turns;

@@ -32,9 +32,7 @@ void check_number_of_parts(const std::string& name, std::size_t parts)
   if (parts < 2)
     throw Invalid_input("shape '" + name + "': has " + (parts == 0 ? "no part" : "only one part") +
                         "; correspondences need a shape that is segmented into two parts or more");
-  if (parts > most_parts)
-    throw Invalid_input("shape '" + name + "': has " + std::to_string(parts) + " parts; a shape may have at most " +
-                        std::to_string(most_parts));
+  if (parts > most_parts) throw Invalid_input("shape '" + name + "': has " + too_many_parts(parts));
 }
 
 /// Of what others have abstracted.

@@ -9,7 +9,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
-constexpr double full_turn = 2 * EIGEN_PI;
+constexpr auto full_turn = double(2 * EIGEN_PI);
 constexpr double uneven_angle = 0.15;    ///< how far a ring's angle may be from the even one, over the latter
 constexpr double star_core = 0.4;        ///< a star's members reach inwards to this fraction of their outer radius
 constexpr double horizontal_limit = 0.1; ///< the largest vertical component of an axis that is taken to be horizontal
@@ -47,7 +47,7 @@ inline std::vector<Ring_place> places_about(const Part_relations& parts, const s
 
 inline bool is_evenly_turned(const std::vector<Ring_place>& ring)
 {
-  const double even = full_turn / ring.size();
+  const double even = full_turn / double(ring.size());
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const bool wraps = i + 1 == ring.size();
     const double angle = ring[wraps ? 0 : i + 1].angle - ring[i].angle + (wraps ? full_turn : 0);
@@ -79,7 +79,7 @@ inline std::optional<Explanation> make_ring(const Part_relations& parts, const s
   const bool vertical = std::abs(axis.direction.y()) > 0.5;
   if (!vertical && n < least_horizontal_ring && !star) return std::nullopt;
   Explanation ring;
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(full_turn / n, axis.direction).toRotationMatrix();
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(full_turn / double(n), axis.direction).toRotationMatrix();
   for (std::size_t i = 0; i < n; ++i) {
     ring.members.push_back(places[i].part);
     ring.links.push_back({i, (i + 1) % n, turn, true});

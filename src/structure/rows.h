@@ -40,7 +40,7 @@ inline bool is_even_and_straight(const Part_relations& parts, const std::vector<
   for (std::size_t member : row) {
     const Point d = parts[member].centre - parts[row.front()].centre;
     const double off = (d - d.dot(direction) * direction).norm();
-    if (off > std::max(crookedness * gap * (row.size() - 1.0), parts.position_tolerance(member))) return false;
+    if (off > std::max(crookedness * gap * (double(row.size()) - 1), parts.position_tolerance(member))) return false;
   }
   return true;
 }
@@ -51,7 +51,7 @@ inline std::vector<std::size_t> follow_row(const Part_relations& parts, std::siz
 {
   std::vector<std::size_t> row = {first, second};
   while (true) {
-    const Point mean_step = (parts[row.back()].centre - parts[first].centre) / (row.size() - 1.0);
+    const Point mean_step = (parts[row.back()].centre - parts[first].centre) / (double(row.size()) - 1);
     const auto next = next_in_row(parts, row.back(), mean_step, free);
     if (!next || std::find(row.begin(), row.end(), *next) != row.end()) return row;
     row.push_back(*next);
@@ -75,7 +75,7 @@ inline void add_rows(const Part_relations& parts, const std::vector<std::size_t>
       row.members = follow_row(parts, i, j, free);
       if (row.members.size() < 3 || !seen.insert(row.members).second) continue;
       const Point step =
-          (parts[row.members.back()].centre - parts[row.members.front()].centre) / (row.members.size() - 1.0);
+          (parts[row.members.back()].centre - parts[row.members.front()].centre) / (double(row.members.size()) - 1);
       if (!is_even_and_straight(parts, row.members, step)) continue;
       row.preference = Preference::ROW;
       row.symmetry.type = Symmetry_type::TRANSLATION;

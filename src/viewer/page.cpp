@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "viewer/page.h"
+#include "io/quoting.h"
 #include "viewer/shipped_viewer.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -49,7 +50,7 @@ void write_documents(std::ostream& out, const Page& page)
 
 void write_title(std::ostream& out, const std::string& title)
 {
-  for (char c : title)
+  for (char c : utf8_text(title))
     c == '<' ? out << "&lt;" : c == '&' ? out << "&amp;" : out << c;
 }
 

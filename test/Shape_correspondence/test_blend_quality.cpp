@@ -10,7 +10,9 @@
 #include "blend/in_between_steps.h"
 #include "box_shapes.h"
 #include "map/Chart_outline.h"
+#include "model_files.h"
 
+#include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
@@ -21,12 +23,15 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
 // What one sees of shapes in between, what motions may do to parts, sizes, schedules, and pairs that are not believed.
 
 using namespace CGAL::Shape_correspondence;
+using Catch::Matchers::Contains;
 
 namespace {
 
@@ -95,6 +100,31 @@ bool is_told(const std::vector<std::string>& faults, const std::string& words, c
 }
 
 } // namespace
+
+TEST_CASE("Options and numbers of frames that make no sense are refused")
+{
+  const Box_model model = model_of(stand());
+  const Correspondence same = same_parts(stand().size());
+  const auto refused = [&](const auto& set) {
+    Blend_options options;
+    set(options);
+    return model_files::complaint(
+        [&] { Shape_blend(model.graph, model.shape, model.graph, model.shape, same, options); });
+  };
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int samples : {0, -1, 2000000000})
+    CHECK_THAT(refused([&](Blend_options& o) { o.samples = samples; }), Contains("sample"));
+  for (double value : {nan, -0.1, 1.1}) {
+    CHECK_THAT(refused([&](Blend_options& o) { o.min_confidence = value; }), Contains("confidence"));
+    CHECK_THAT(refused([&](Blend_options& o) { o.contact_tolerance = value; }), Contains("contact tolerance"));
+  }
+  const Shape_blend blend = blend_of(model, model, same);
+  for (int frames : {-1, 0, 1, 10001}) {
+    std::ostringstream out;
+    CHECK_THAT(model_files::complaint([&] { IO::write_blend_glb(out, blend, same, frames); }), Contains("10000"));
+    CHECK(out.str().empty());
+  }
+}
 
 TEST_CASE("Motions that close gaps stretch a part within bounds, all of them together")
 {

@@ -118,6 +118,7 @@ TEST_CASE("Counts beyond the size of the file are refused before anything is mad
   CHECK_THAT(refused("a.ply", ply("ascii", "1", "uint int", "1") + "0 0 0 -1 0"), Contains("list of -1"));
   CHECK_THAT(refused("a.off", "OFF\n2000000000 1 0\n0 0 0\n"), Contains("2000000000"));
   CHECK_THAT(refused("a.off", "OFF\n1 1 0\n0 0 0\n1000000000 0\n"), Contains("1000000000"));
+  CHECK_THAT(refused("a.off", std::string("OFF BINARY\n\0\0\0\1\0\0\0\1\0\0\0\0", 23)), Contains("is binary"));
   CHECK_THAT(refused("a.stl", std::string(80, ' ') + std::string(4, '\x7F') + std::string(50, '\0')),
              Contains("more than the file holds"));
 }

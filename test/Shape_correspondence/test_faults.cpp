@@ -12,6 +12,7 @@
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 
 #include <csignal>
+#include <map>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -119,6 +120,177 @@ TEST_CASE("A file that memory does not suffice for is named")
   CHECK_THAT(text_of(folder.path("error")), Contains(file) && Contains("memory"));
 }
 #endif
+
+TEST_CASE("Closed standard streams are no reason to print into the files that are opened")
+{
+  const Temporary_folder folder;
+  const std::string graph = folder.write("g.json", graph_text(hand_made::chair(), "a")), output = folder.path("o.json");
+  const std::string command =
+      quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " graph " + quoted(graph) + " --json " + quoted(output);
+  for (const std::string closed : {">&-", "2>&-", "<&-", "<&- >&- 2>&-"}) {
+    INFO(closed);
+    const int status = std::system((command + " >/dev/null 2>&1 " + closed).c_str());
+    CHECK(WEXITSTATUS(status) == (closed.find(">&-") != std::string::npos && closed[0] != '2' ? 1 : 0));
+    CHECK(text_of(output) == text_of(graph));
+  }
+}
+
+TEST_CASE("Standard output that is full is an error of every command")
+{
+  const Temporary_folder folder;
+  const std::string graph = quoted(folder.write("g.json", graph_text(hand_made::chair(), "a")));
+  for (const std::string& arguments :
+       {std::string("--version"), std::string("--help"), std::string("help match"), "graph " + graph,
+        "graph " + graph + " --json -", "match " + graph + " " + graph}) {
+    INFO(arguments);
+    const std::string command = quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " " + arguments + " >/dev/full 2>/dev/null";
+    CHECK(WEXITSTATUS(std::system(command.c_str())) == 1);
+  }
+}
+
+#if defined(SHAPE_CORRESPONDENCE_FAILING_CALLS) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+namespace {
+
+/// Runs the program while one of its calls on written files fails.
+int run_failing(int call, const std::string& arguments, const std::string& error)
+{
+  const int status = std::system(("LD_PRELOAD=" + quoted(SHAPE_CORRESPONDENCE_FAILING_CALLS) +
+                                  " FAILING_CALL=" + std::to_string(call) + " " + quoted(SHAPE_CORRESPONDENCE_PROGRAM) +
+                                  " " + arguments + " >/dev/null 2>" + quoted(error))
+                                     .c_str());
+  REQUIRE(WIFEXITED(status));
+  return WEXITSTATUS(status);
+}
+
+/// What is in a folder: names and contents.
+std::map<std::string, std::string> contents(const std::string& folder)
+{
+  std::map<std::string, std::string> result;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) result[fs::relative(entry.path(), folder).string()] = text_of(entry.path().string());
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("Whichever call on a file fails, an output is whole or as it was before, and the failure is told")
+{
+  constexpr int calls = 40; // more than there are
+  const char* const formats[] = {"json", "csv", "npy", "html"};
+  const Temporary_folder folder;
+  folder.write("shapes/a.json", graph_text(hand_made::chair(), "a"));
+  folder.write("shapes/b.json", graph_text(hand_made::slatted_chair(), "b"));
+  const std::string error = folder.path("error"), outputs = folder.path("outputs");
+  std::string arguments = "collection " + quoted(folder.path("shapes")) + " -q";
+  for (const char* format : formats)
+    arguments += " --" + std::string(format) + " " + quoted(outputs + "/o." + format);
+  const auto begin_anew = [&] {
+    fs::remove_all(outputs);
+    for (const char* format : formats)
+      folder.write(std::string("outputs/o.") + format, "old");
+  };
+  begin_anew();
+  REQUIRE(run_failing(0, arguments, error) == 0);
+  const std::map<std::string, std::string> whole = contents(outputs);
+  int failures = 0, status = 0;
+  for (int call = 1; call <= calls; ++call) {
+    INFO("call " << call);
+    begin_anew();
+    status = run_failing(call, arguments, error);
+    const std::map<std::string, std::string> found = contents(outputs);
+    CHECK(found.size() == whole.size());
+    for (const auto& [name, text] : found) {
+      INFO(name);
+      CHECK((text == "old" || text == whole.at(name)));
+    }
+    if (status == 0) {
+      CHECK(found == whole);
+      continue;
+    }
+    ++failures;
+    CHECK(status == 1);
+    CHECK_THAT(text_of(error), Contains(outputs) && Contains("cannot be written"));
+  }
+  CHECK(failures > 10);
+  CHECK(status == 0);
+}
+
+TEST_CASE("Whichever call on a file of a cache or store fails, the result is the same")
+{
+  constexpr int calls = 40; // more than there are
+  const Temporary_folder folder;
+  folder.write("shapes/a.json", graph_text(hand_made::chair(), "a"));
+  folder.write("shapes/b.json", graph_text(hand_made::slatted_chair(), "b"));
+  const std::string shapes = quoted(folder.path("shapes")), store = folder.path("store"), error = folder.path("error");
+  const std::string expected = run("collection " + shapes + " --json -").out;
+  int failures = 0, status = 0;
+  for (int call = 1; call <= calls; ++call) {
+    INFO("call " << call);
+    fs::remove_all(store);
+    status = run_failing(call, "collection " + shapes + " --store " + quoted(store), error);
+    failures += !text_of(error).empty();
+    if (status != 0) CHECK_THAT(text_of(error), Contains(store));
+    const Run again = run("collection " + shapes + " --json - --store " + quoted(store));
+    CHECK(again.status == 0);
+    CHECK(again.out == expected);
+  }
+  CHECK(failures > 5);
+  CHECK(status == 0);
+}
+#endif
+
+TEST_CASE("A disk of a few kilobytes gets whole files or none")
+{
+  const Temporary_folder folder;
+  const std::string graph = quoted(folder.write("g.json", graph_text(hand_made::slatted_chair(), "a"))),
+                    disk = quoted(folder.path("disk")), program = quoted(SHAPE_CORRESPONDENCE_PROGRAM);
+  fs::create_directories(folder.path("disk"));
+  // In a space of names of its own, where a disk may be mounted; what is there at the end is listed
+  const std::string in_own_space = "unshare -rm sh -c ";
+  if (std::system((in_own_space + "'mount -t tmpfs -o size=16k none '" + disk + " 2>/dev/null").c_str()) != 0) {
+    WARN("no disk can be mounted here");
+    return;
+  }
+  const std::string script =
+      folder.write("try", "mount -t tmpfs -o size=16k none " + disk + " || exit 9\n" + program + " match " + graph +
+                              " " + graph + " -q --html " + disk + "/o.html\necho $?\nls " + disk + "\n" + program +
+                              " graph " + graph + " -q --json " + disk + "/o.json\necho $?\nls " + disk + "\n");
+  REQUIRE(std::system(("unshare -rm sh " + quoted(script) + " >" + quoted(folder.path("out")) + " 2>" +
+                       quoted(folder.path("error")))
+                          .c_str()) == 0);
+  CHECK(text_of(folder.path("out")) == "1\n0\no.json\n");
+  CHECK_THAT(text_of(folder.path("error")), Contains("o.html") && Contains("No space left"));
+}
+
+TEST_CASE("A collection that is killed again and again, and run once more, gives the same result")
+{
+  const Temporary_folder folder;
+  for (int i = 0; i < 6; ++i)
+    folder.write("shapes/" + std::to_string(i) + ".json",
+                 graph_text(i % 2 == 0 ? hand_made::chair() : hand_made::slatted_chair(), std::to_string(i)));
+  const std::string shapes = folder.path("shapes"), store = folder.path("store"), json = folder.path("c.json");
+  const std::string command = "collection " + quoted(shapes) + " -q --json " + quoted(json);
+  REQUIRE(run(command).status == 0);
+  const std::string expected = text_of(json);
+  for (useconds_t lifetime = 2000; lifetime < 100000; lifetime += 4000) {
+    const pid_t child = fork();
+    if (child == 0) {
+      execl(SHAPE_CORRESPONDENCE_PROGRAM, "shape_correspondence", "collection", shapes.c_str(), "-q", "--json",
+            json.c_str(), "--store", store.c_str(), "--tile-size", "1", static_cast<char*>(nullptr));
+      _exit(127);
+    }
+    usleep(lifetime);
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    CHECK(text_of(json) == expected);
+  }
+  const Run last = run(command + " --store " + quoted(store) + " --tile-size 1");
+  CHECK(last.status == 0);
+  CHECK(last.error.empty());
+  CHECK(text_of(json) == expected);
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path("")))
+    CHECK(entry.path().string().find(".tmp-") == std::string::npos);
+}
 
 TEST_CASE("A damaged graph or tile of a store is made again, with a warning")
 {

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <set>
 #include <utility>
@@ -242,8 +243,10 @@ TEST_CASE("A group is merged into a part only if that is symmetric by itself, or
 TEST_CASE("Options out of range are refused")
 {
   Search_options options = least_energy();
-  options.matching.weights.split = -1;
-  CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);
+  for (double weight : {-1., 1e51, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    options.matching.weights.split = weight;
+    CHECK_THROWS_WITH(find_correspondence(chair(), chair(), options), Catch::Matchers::Contains("weights"));
+  }
   options = {};
   options.alignments = -1;
   CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);

@@ -10,9 +10,12 @@
 #include "io/quoting.h"
 #include "page_documents.h"
 #include "program.h"
+#include "viewer/match_page.h"
+#include "viewer/parts_sheet.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>
+#include <CGAL/Shape_correspondence/IO/parts_json.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -26,6 +29,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;
@@ -311,6 +315,56 @@ TEST_CASE("GLB and web pages hold the names in their JSON")
     INFO(name);
     CHECK(nodes.find(nlohmann::json(name).dump()) != std::string::npos);
     CHECK(data.find(nlohmann::json(name).dump()) != std::string::npos);
+  }
+}
+
+TEST_CASE("Lists of pieces and their parts read back")
+{
+  const Temporary_folder folder;
+  Segmented_shape objects("<b>");
+  for (const std::string& name : in_utf8(hostile_names())) // as readers of files give them
+    objects.add_part(name, box_shapes::box(Point(2. * double(objects.parts().size()), 0, 0), Point::Ones()));
+  const Part_split split = split_parts(objects);
+  const std::string file =
+      folder.write("p.json", text_of_output([&](std::ostream& out) { IO::write_parts_json(out, split); }));
+  CHECK(part_names(IO::split_parts_by_json(objects, file).shape) == in_utf8(hostile_names()));
+}
+
+TEST_CASE("Pages of matches and of parts hold the names in their JSON, and nothing else")
+{
+  const auto page_of_match = [](const Structural_graph& graph, const std::string& file) {
+    const Correspondence c = find_correspondence(graph, graph);
+    return text_of_output([&](std::ostream& out) {
+      IO::write_page(out, IO::match_page({c}, graph, graph, nullptr, nullptr, file, file, {}));
+    });
+  };
+  const auto page_of_parts = [](const Segmented_shape& objects, const std::string& title) {
+    IO::Parts_sheet sheet(2);
+    sheet.add(title, objects, split_parts(objects), title);
+    sheet.add(title, title);
+    return text_of_output([&](std::ostream& out) { sheet.write(out); });
+  };
+  const std::string evil = "</script><b>\x1B\xFC\"";
+  Structural_graph graph = chain(), harmless = graph;
+  structure(graph).name = evil;
+  Segmented_shape harmless_boxes("shape");
+  for (std::size_t i = 0; i < 50; ++i) {
+    structure(harmless).parts[i].name = "part " + std::to_string(i);
+    harmless_boxes.add_part("part " + std::to_string(i), boxes().parts()[i].mesh);
+  }
+  structure(harmless).name = "shape";
+  const std::tuple<const char*, std::string, std::string> pages[] = {
+      {"match", page_of_match(graph, evil), page_of_match(harmless, "file")},
+      {"parts", page_of_parts(boxes(), evil), page_of_parts(harmless_boxes, "file")}};
+  for (const auto& [document, page, other] : pages) {
+    INFO(document);
+    CHECK(count(page, "<") == count(other, "<"));
+    CHECK((IO::utf8_text(page) == page));
+    const std::string data = nlohmann::json::parse(page_documents::document_of(page, document)).dump();
+    for (const std::string& name : in_utf8(hostile_names())) {
+      INFO(name);
+      CHECK(data.find(nlohmann::json(name).dump()) != std::string::npos);
+    }
   }
 }
 

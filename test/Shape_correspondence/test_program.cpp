@@ -148,6 +148,33 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
   }
 }
 
+TEST_CASE("Numbers beyond all sense and empty words are refused, and the message says why")
+{
+  const Temporary_folder folder;
+  const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair())), two = a + " " + a + " ",
+                    blend = "blend " + two + "-o " + quoted(folder.path("b.obj")) + " ",
+                    table = quoted(folder.write("table.obj", obj_table()));
+  for (const auto& [arguments, reason] : std::initializer_list<std::pair<std::string, std::string>>{
+           {blend + "--at -1", "between 0 and 1"},
+           {blend + "--at nan", "between 0 and 1"},
+           {blend + "--at .5 --frames 2000000000", "at most 10000"},
+           {"graph " + table + " --curve-points 2000000000", "at most 1000"},
+           {"graph " + table + " --sheet-points 100000", "at most 200"},
+           {"match " + two + "--threads 1000000000", "at most 4096"},
+           {"match " + two + "--search exact --weights 1e308,1", "1e50"},
+           {"match " + two + "--json ''", "--json is empty"},
+           {"match " + a + " ''", "input is empty"},
+           {"match " + two + "--pin chair=x", "; `shape_correspondence graph` lists"},
+           {"collection " + two + "--neighbours -1", "not be negative"},
+           {"evaluate " + a + " --ground-truth " + a + " --resamples 2000000000", "at most 1000000"},
+           {"evaluate " + a + " --ground-truth " + a + " --worst -1", "not be negative"}}) {
+    INFO(arguments);
+    const Run result = run(arguments);
+    CHECK(result.status == 2);
+    CHECK_THAT(result.error, Contains(reason));
+  }
+}
+
 TEST_CASE("A word that is spelt nearly right is suggested")
 {
   CHECK_THAT(run("macth a b").error, Contains("did you mean 'match'? Try"));

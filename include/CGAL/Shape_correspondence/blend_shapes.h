@@ -43,7 +43,7 @@ struct Blend_options
 {
   /// Largest gap of parts in contact in the source or target, as a fraction of the height.
   double contact_tolerance = 0.02;
-  int samples = 5;             ///< number of in-between shapes by which a schedule is rated, at least 1
+  int samples = 5;             ///< number of in-between shapes by which a schedule is rated, 1 to 1000
   double min_confidence = 0.3; ///< pairs of lower confidence, in [0, 1], are left out: their parts shrink and grow
   Blend_size size = Blend_size::BLEND; ///< size of the in-between shapes
   std::string schedule;                ///< name of the schedule to use; empty: the best one
@@ -161,7 +161,8 @@ public:
   /// \param source_shape,target_shape the models that the graphs were built from
   /// \param correspondence of the graphs
   /// \param options the tolerance of contacts, and how schedules are judged
-  /// \throw Invalid_input if a model does not have the parts of its graph, or there is no such schedule
+  /// \throw Invalid_input if a model does not have the parts of its graph, there is no such schedule, or an option is
+  /// out of range
   Shape_blend(const Structural_graph& source, const Segmented_shape& source_shape, const Structural_graph& target,
               const Segmented_shape& target_shape, const Correspondence& correspondence,
               const Blend_options& options = {});

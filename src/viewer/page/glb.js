@@ -1,7 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Reads binary glTF 2.0 as far as the package writes it: triangles and lines, colours, morph targets, animations.
+// Reads binary glTF 2.0 as far as the package writes it: triangles and lines, colours, textures, morph targets,
+// animations.
 
 /** The bytes of a text in base64. */
 export function bytesOfBase64(text) {
@@ -12,6 +13,7 @@ const numberOfComponents = {SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4};
 const arrayOfType = {5121: Uint8Array, 5123: Uint16Array, 5125: Uint32Array, 5126: Float32Array};
 const white = [1, 1, 1, 1];
 const lines = 1; // mode of a primitive
+const wrapOfNumber = {33071: 'clamp', 33648: 'mirror', 10497: 'repeat'};
 
 function chunks(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -27,7 +29,8 @@ function chunks(bytes) {
 
 /**
  * The scenes of a file: [{name, nodes: [node]}]. A node is {name, extras, translation, children, meshes, animation}; a
- * mesh {extras, colour: [r, g, b, a] in linear light, points, normals (may be null), indices, isLines, targets};
+ * mesh {extras, colour: [r, g, b, a] in linear light, points, normals (may be null), indices, isLines, targets,
+ * coordinates, colours, texture}, the last three null where there are none; a texture {bytes, type, wrap: [u, v]};
  * `animation` is null or {weights, scale}, each null or {times, values, isStep}. `animation` of the result: {extras,
  * seconds}.
  */
@@ -48,11 +51,25 @@ export function readGlb(bytes) {
     tracks[node] = tracks[node] || {weights: null, scale: null};
     tracks[node][channel.target.path] = track;
   }
+  const textures = (json.textures || []).map(({source, sampler}) => {
+    const image = json.images[source], view = json.bufferViews[image.bufferView], wrap = json.samplers[sampler];
+    return {bytes: binary.subarray(view.byteOffset, view.byteOffset + view.byteLength), type: image.mimeType,
+            wrap: [wrap.wrapS, wrap.wrapT].map(number => wrapOfNumber[number])};
+  });
+  const textureOf = material => {
+    const texture = json.materials[material].pbrMetallicRoughness.baseColorTexture;
+    return texture ? textures[texture.index] : null;
+  };
+  const attribute = (primitive, name) =>
+      primitive.attributes[name] === undefined ? null : numbers(primitive.attributes[name]);
   const mesh = primitive => ({
     extras: primitive.extras || {},
     colour: json.materials[primitive.material].pbrMetallicRoughness.baseColorFactor || white,
     points: numbers(primitive.attributes.POSITION),
-    normals: primitive.attributes.NORMAL === undefined ? null : numbers(primitive.attributes.NORMAL),
+    normals: attribute(primitive, 'NORMAL'),
+    coordinates: attribute(primitive, 'TEXCOORD_0'),
+    colours: attribute(primitive, 'COLOR_0'),
+    texture: textureOf(primitive.material),
     indices: primitive.indices === undefined ? null : numbers(primitive.indices),
     isLines: primitive.mode === lines,
     targets: (primitive.targets || []).map(target => numbers(target.POSITION)),

@@ -22,12 +22,15 @@ function addShapes(stage, glb, views) {
       for (const node of shape.children)
         stage.addNode(views[side], node, node.extras.part === undefined ? -1 : node.extras.part);
     });
+  // The same surfaces in their own materials cover those in the colours of the match
+  const hasMaterials = stage.items.some(item => item.layer === 'materials');
+  for (const item of stage.items) item.hasMaterials = hasMaterials;
   views.forEach(view => stage.centre(view));
 }
 
 /** Switches for the layers that the stage has. */
 export function addLayerSwitches(stage, parent, shown) {
-  for (const layer of ['surfaces', 'curves and sheets', 'contacts']) {
+  for (const layer of ['surfaces', 'materials', 'curves and sheets', 'contacts']) {
     if (!stage.items.some(item => item.layer === layer)) continue;
     stage.setLayer(layer, shown.includes(layer));
     addSwitch(parent, layer, shown.includes(layer), isSet => stage.setLayer(layer, isSet));

@@ -98,7 +98,7 @@ export class MatchView {
       if (n >= 0 && !first.has(n) && this.blockOf[side][part] >= 0) first.set(n, this.own[side][part]);
     }));
     for (const item of this.stage.items) {
-      if (item.part < 0) continue;
+      if (item.part < 0 || item.layer === 'materials') continue;
       const [side, part] = this.placeOfItem(item), group = (this.match.groups[side] || [])[part];
       const isGroup = this.hasGroups && first.has(group) && this.blockOf[side][part] >= 0;
       item.colour.setRGB(...(isGroup ? first.get(group) : this.own[side][part]).slice(0, 3));

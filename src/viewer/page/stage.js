@@ -14,20 +14,40 @@ function geometryOf(mesh) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute('position', new THREE.BufferAttribute(mesh.points, 3));
   if (mesh.normals) geometry.setAttribute('normal', new THREE.BufferAttribute(mesh.normals, 3));
+  if (mesh.coordinates) geometry.setAttribute('uv', new THREE.BufferAttribute(mesh.coordinates, 2));
+  if (mesh.colours) geometry.setAttribute('color', new THREE.BufferAttribute(mesh.colours, 3));
   if (mesh.indices) geometry.setIndex(new THREE.BufferAttribute(mesh.indices, 1));
   return geometry;
 }
 
-/** What is drawn of a mesh of a GLB. Without normals it is shaded flat. */
-export function objectOf(mesh) {
+const wraps = {clamp: 'ClampToEdgeWrapping', mirror: 'MirroredRepeatWrapping', repeat: 'RepeatWrapping'};
+
+/** Puts a texture on a material as soon as its picture is decoded, once for all materials that have it. */
+function addTexture(material, texture, onLoad) {
+  texture.picture = texture.picture || createImageBitmap(new Blob([texture.bytes], {type: texture.type}));
+  texture.picture.then(picture => {
+    material.map = new THREE.Texture(picture);
+    [material.map.wrapS, material.map.wrapT] = texture.wrap.map(wrap => THREE[wraps[wrap]]);
+    material.map.encoding = THREE.sRGBEncoding;
+    material.map.flipY = false;
+    material.map.needsUpdate = material.needsUpdate = true;
+    onLoad();
+  }, () => {}); // a damaged picture: the colour alone
+}
+
+/** What is drawn of a mesh of a GLB. Without normals it is shaded flat. `onLoad` is called when its texture is there. */
+export function objectOf(mesh, onLoad = () => {}) {
   const colour = new THREE.Color(...mesh.colour.slice(0, 3)), geometry = geometryOf(mesh);
   if (mesh.isLines) {
     const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({color: colour, depthTest: false}));
     lines.renderOrder = 1; // over all else
     return lines;
   }
-  return new THREE.Mesh(geometry, new THREE.MeshPhongMaterial(
-      {color: colour, side: THREE.DoubleSide, flatShading: !mesh.normals, shininess: 8, specular: 0x111111}));
+  const material = new THREE.MeshPhongMaterial(
+      {color: colour, side: THREE.DoubleSide, flatShading: !mesh.normals, shininess: 8, specular: 0x111111,
+       vertexColors: mesh.colours ? THREE.VertexColors : THREE.NoColors});
+  if (mesh.texture && mesh.coordinates) addTexture(material, mesh.texture, onLoad);
+  return new THREE.Mesh(geometry, material);
 }
 
 /** A scene with its light, which comes from behind the eye. */
@@ -117,7 +137,7 @@ export class Stage {
   /** Adds the meshes of a node of a GLB to a view. */
   addNode(view, node, part, moved = [0, 0, 0]) {
     return node.meshes.map(mesh => {
-      const object = objectOf(mesh), layer = mesh.extras.layer || 'surfaces';
+      const object = objectOf(mesh, () => this.redraw()), layer = mesh.extras.layer || 'surfaces';
       object.position.set(...moved);
       view.shape.add(object);
       const item = {view, part, layer, object, mesh, node, colour: object.material.color.clone()};
@@ -183,8 +203,9 @@ export class Stage {
 
   dress(item) {
     const material = item.object.material;
-    item.object.visible = this.layers.has(item.layer) && !item.isHidden;
-    const isOverlaid = item.layer === 'surfaces' && this.layers.has('curves and sheets');
+    const isCovered = item.layer === 'surfaces' && this.layers.has('materials') && item.hasMaterials;
+    item.object.visible = this.layers.has(item.layer) && !item.isHidden && !isCovered;
+    const isOverlaid = ['surfaces', 'materials'].includes(item.layer) && this.layers.has('curves and sheets');
     const isFaded = this.isLit !== null && !this.isLit(item);
     const opacity = (isOverlaid ? overlaidOpacity : 1) * (isFaded ? fadedOpacity : 1) * (item.opacity || 1);
     material.color.copy(item.colour);

@@ -12,6 +12,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_IO_READ_SEGMENTED_SHAPE_H
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/Shape_appearance.h>
 
 #include <string>
 #include <vector>
@@ -38,11 +39,15 @@ namespace IO {
 /// \param path the file or folder
 /// \param up the upright direction
 /// \param warnings where not null, is told what was left out
+/// \param appearance where not null, gets the materials (base colours of MTL libraries and of the formats of assimp),
+/// textures (PNG and JPEG of up to 64 MB, inside the model, relative to it or beside it), texture coordinates and
+/// colours of vertices and faces; what is missing or damaged of them is left out, with a warning
 /// \throw Invalid_input if the file is missing, empty, of an unknown format, damaged or beyond the limits, if it has no
 /// parts or more than 1000, or a part that `Segmented_shape::add_part()` refuses; the message names the file and the
 /// part
 Segmented_shape read_segmented_shape(const std::string& path, const Point& up = Point::UnitY(),
-                                     std::vector<std::string>* warnings = nullptr);
+                                     std::vector<std::string>* warnings = nullptr,
+                                     Shape_appearance* appearance = nullptr);
 
 } // namespace IO
 } // namespace Shape_correspondence

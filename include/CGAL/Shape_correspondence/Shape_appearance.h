@@ -1,0 +1,105 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Shape_correspondence developers
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SHAPE_APPEARANCE_H
+#define CGAL_SHAPE_CORRESPONDENCE_SHAPE_APPEARANCE_H
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/split_parts.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// A picture: red, green, blue, alpha of each pixel in bytes, sRGB, row by row from the top.
+struct Image
+{
+  int width = 0;                    ///< pixels in a row
+  int height = 0;                   ///< rows
+  std::vector<std::uint8_t> pixels; ///< four bytes a pixel
+
+  /// Whether there is no pixel.
+  bool empty() const { return pixels.empty(); }
+};
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// How a texture goes on outside of [0, 1].
+enum class Texture_wrap { REPEAT, MIRROR, CLAMP };
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// A texture as a model has it.
+struct Texture
+{
+  std::string name;                           ///< file name, or a name inside the model
+  std::string bytes;                          ///< of a PNG or JPEG file
+  Image image;                                ///< the same decoded; empty: not decoded
+  Texture_wrap wrap_u = Texture_wrap::REPEAT; ///< along the first coordinate
+  Texture_wrap wrap_v = Texture_wrap::REPEAT; ///< along the second coordinate
+};
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// A material, as far as it is carried along: its base colour, times a texture.
+struct Surface_material
+{
+  std::string name;                                 ///< as in the model
+  Eigen::Vector4d colour = Eigen::Vector4d::Ones(); ///< linear red, green, blue, and alpha, in [0, 1]
+  int texture = -1;                                 ///< index of the texture; -1: none
+};
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// What the triangles of a part look like; a table beside its `Part_mesh`. What is empty is not known.
+struct Part_appearance
+{
+  std::vector<int> materials; ///< by triangle, index of its material; -1: none
+  std::vector<Eigen::Vector2f>
+      coordinates;                      ///< three a triangle, by corner: texture coordinates, v downwards as in glTF
+  std::vector<Eigen::Vector3f> colours; ///< three a triangle, by corner: linear factors of the base colour, in [0, 1]
+
+  /// Whether nothing is known.
+  bool empty() const { return materials.empty() && coordinates.empty() && colours.empty(); }
+};
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// Materials, textures and colours of a shape. They are kept beside its `Segmented_shape`: no result of matching
+/// depends on them.
+struct Shape_appearance
+{
+  std::vector<Surface_material> materials; ///< of all parts
+  std::vector<Texture> textures;           ///< of all materials
+  std::vector<Part_appearance> parts;      ///< by part of the shape
+  std::vector<std::string> warnings;       ///< what the model names and is missing or damaged, in whole sentences
+
+  /// Whether no part has a material or colours.
+  bool empty() const;
+};
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// What the triangles of a mesh look like that lies on the surface of another one, such as a piece of it, or the same
+/// subdivided: a triangle has the material of the one that its centroid is nearest to, and is within its texture
+/// coordinates. O(n log n).
+/// \param mesh, appearance the surface, and what it looks like
+/// \param on_it the mesh that lies on it
+Part_appearance appearance_on(const Part_mesh& mesh, const Part_appearance& appearance, const Part_mesh& on_it);
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// What parts look like that `split_parts()` made of objects.
+/// \param objects, appearance the model, and what it looks like
+/// \param split its parts
+Shape_appearance appearance_of_parts(const Segmented_shape& objects, const Shape_appearance& appearance,
+                                     const Part_split& split);
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SHAPE_APPEARANCE_H

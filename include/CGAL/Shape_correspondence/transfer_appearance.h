@@ -1,0 +1,101 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Shape_correspondence developers
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_TRANSFER_APPEARANCE_H
+#define CGAL_SHAPE_CORRESPONDENCE_TRANSFER_APPEARANCE_H
+
+#include <CGAL/Shape_correspondence/Correspondence.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/Shape_appearance.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// \ingroup PkgShapeCorrespondenceOptions
+/// Options of `transfer_appearance()` and `transfer_labels()`.
+struct Transfer_options
+{
+  int size = 1024; ///< width and height of the texture in pixels, at least 16, at most 8192
+  int margin = 4;  ///< pixels by which the colours of a chart go on past its border, at least 1, at most 64
+  int samples = 2; ///< the colour of a pixel is the mean of so many times so many points, at most 8
+  bool new_coordinates = false; ///< lay out texture coordinates anew, also where those of the target can be used
+  Eigen::Vector3d neutral = {0.45, 0.45, 0.45}; ///< linear colour of what has no looks
+};
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// Where the looks of a target part are from.
+enum class Looks_origin {
+  SOURCE, ///< the parts of the source that it corresponds to
+  TARGET, ///< the target: it has no counterpart
+  NEUTRAL ///< nothing is known: it is grey
+};
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// What a target part got.
+struct Transferred_part
+{
+  Looks_origin origin = Looks_origin::NEUTRAL; ///< where its looks are from
+  std::vector<std::size_t> sources;            ///< the source parts that it is mapped to
+  std::vector<int> labels;                     ///< by triangle, of `transfer_labels()`; -1: none
+};
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// The result of `transfer_appearance()` and `transfer_labels()`.
+struct Transferred_appearance
+{
+  Shape_appearance appearance;         ///< of the target: one material with one texture, which is decoded only
+  std::vector<Transferred_part> parts; ///< by target part
+  bool has_given_coordinates = false;  ///< whether the texture coordinates are those of the target
+};
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// Carries colours and textures from the source to the target along a correspondence: they are baked, pixel by pixel,
+/// into one texture of the target. A point of the target looks like the point of the source that the surfaces are
+/// mapped to each other by, as in `Surface_map`. Where a part corresponds to several, the one goes over into the next
+/// in a band of .15 of their extent on both sides of their border, so that there is no seam. Parts without counterpart
+/// keep their own looks, or are grey.
+///
+/// The texture has the texture coordinates of the target if all of its parts have them, within [0, 1], and no two
+/// triangles overlap. Otherwise they are laid out anew: a part is cut into charts of triangles that face alike, which
+/// are projected in parallel and packed at one scale. O(p log n) for p pixels and n triangles.
+/// \param source,target the structural graphs
+/// \param source_shape,target_shape the models that the graphs were built from
+/// \param source_appearance,target_appearance the looks of the models, textures decoded
+/// \param correspondence of the graphs
+/// \param options the texture
+/// \throw Invalid_input if a model does not have the parts of its graph, the source has no looks, or an option is out
+/// of its range
+Transferred_appearance transfer_appearance(const Structural_graph& source, const Segmented_shape& source_shape,
+                                           const Shape_appearance& source_appearance, const Structural_graph& target,
+                                           const Segmented_shape& target_shape,
+                                           const Shape_appearance& target_appearance,
+                                           const Correspondence& correspondence, const Transfer_options& options = {});
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// The same for labels of the source's parts, each of which has a colour. The label of a triangle is the one that most
+/// of it is mapped to, then, three times, that of most of its neighbours in the part, so that borders of labels are
+/// smooth.
+/// \param labels by source part
+/// \param colours linear, by label
+Transferred_appearance transfer_labels(const Structural_graph& source, const Segmented_shape& source_shape,
+                                       const std::vector<int>& labels, const std::vector<Eigen::Vector3d>& colours,
+                                       const Structural_graph& target, const Segmented_shape& target_shape,
+                                       const Shape_appearance& target_appearance, const Correspondence& correspondence,
+                                       const Transfer_options& options = {});
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_TRANSFER_APPEARANCE_H

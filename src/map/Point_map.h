@@ -1,0 +1,57 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "map/Surface_pair.h"
+
+#include <CGAL/Shape_correspondence/Correspondence.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <memory>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// A place on the surface of a source part, and how much it counts.
+struct Weighted_place
+{
+  std::size_t part = 0;
+  Eigen::Index triangle = 0;
+  Eigen::Vector3d weights = Eigen::Vector3d::Zero(); ///< barycentric coordinates
+  double share = 1;                                  ///< the shares of a point's places add up to 1
+};
+
+/// The map of a `Surface_map`, from any points of the target's surface, exact in between the vertices. Where a part is
+/// divided among several, it goes over from the one to the other in a band about their border, so that there is no
+/// seam.
+class Point_map
+{
+public:
+  Point_map(const Structural_graph& source, const Segmented_shape& source_shape, const Structural_graph& target,
+            const Segmented_shape& target_shape, const Correspondence& correspondence);
+
+  /// The places of a point of a part's triangle, that with the greatest share first; none if the part has no
+  /// counterpart. O(log n)
+  std::vector<Weighted_place> operator()(std::size_t target_part, Eigen::Index triangle,
+                                         const Eigen::Vector3d& weights) const;
+
+  /// The source parts that a target part is mapped to.
+  std::vector<std::size_t> sources(std::size_t target_part) const;
+
+private:
+  struct Piece
+  {
+    std::size_t source;
+    Chart_box box; ///< in the coordinates of the target part's chart
+    Surface_pair surfaces;
+    std::array<Points, 2> normals;
+    std::unique_ptr<Place_finder> finder; ///< on the source
+  };
+
+  Charted_shape target_;
+  const Segmented_shape& target_shape_;
+  std::vector<std::vector<std::unique_ptr<Piece>>> pieces_; ///< by target part
+};
+
+} // namespace CGAL::Shape_correspondence::internal

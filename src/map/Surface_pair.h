@@ -1,0 +1,29 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "map/Charted_mesh.h"
+#include "map/Part_pair.h"
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// The points that stand for the surfaces of a shape's parts.
+std::vector<const Points*> mesh_surfaces(const Segmented_shape& shape);
+
+/// The surfaces of both parts of a pair, all of them, in the charts that their pieces are mapped by.
+struct Surface_pair
+{
+  Pair_charts charts;
+  std::array<Charted_mesh, 2> meshes; ///< triangles and vertices are those of the parts
+};
+
+Surface_pair surface_pair(const Part_pair& pair, const std::array<Charted_shape, 2>& shapes,
+                          const std::array<const Part_mesh*, 2>& meshes);
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,186 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "shape/Triangle_tree.h"
+
+#include <CGAL/Shape_correspondence/Shape_appearance.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace CGAL::Shape_correspondence {
+namespace {
+
+using Corners = std::array<double, 9>;
+
+/// The corners of a triangle, the least first, in their order: equal for equal triangles of one orientation.
+Corners corners_of(const Part_mesh& mesh, Eigen::Index t, int& first)
+{
+  const auto point = [&](int k) { return mesh.points.col(mesh.triangles(k % 3, t)); };
+  const auto is_less = [&](int a, int b) {
+    const auto p = point(a), q = point(b);
+    return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
+  };
+  first = 0;
+  for (int k : {1, 2})
+    if (is_less(k, first)) first = k;
+  Corners result;
+  for (int k = 0; k < 3; ++k)
+    std::copy_n(point(first + k).data(), 3, result.data() + 3 * k);
+  return result;
+}
+
+/// Barycentric coordinates in the plane of a triangle, also outside of it.
+Eigen::Vector3d plane_coordinates(const Point& p, const Point& a, const Point& b, const Point& c)
+{
+  const Point normal = (b - a).cross(c - a);
+  const double squared = normal.squaredNorm();
+  if (!(squared > 0)) return {1, 0, 0};
+  const double of_a = (c - b).cross(p - b).dot(normal) / squared, of_b = (a - c).cross(p - c).dot(normal) / squared;
+  return {of_a, of_b, 1 - of_a - of_b};
+}
+
+template <typename Vector>
+Vector mean_of(const std::vector<Vector>& values, std::size_t triangle, const Eigen::Vector3d& weights)
+{
+  Vector result = Vector::Zero();
+  for (std::size_t k = 0; k < 3; ++k)
+    result += float(weights[Eigen::Index(k)]) * values[3 * triangle + k];
+  return result;
+}
+
+/// Finds the triangle of a mesh that another one lies on: itself, or the nearest one.
+class Triangle_finder
+{
+public:
+  explicit Triangle_finder(const Part_mesh& mesh) : mesh_(mesh), tree_(triangles_of(mesh))
+  {
+    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+      int first = 0;
+      const Corners corners = corners_of(mesh, t, first);
+      known_.emplace(corners, t);
+    }
+  }
+
+  Eigen::Index operator()(const Part_mesh& other, Eigen::Index t) const
+  {
+    int first = 0;
+    const auto found = known_.find(corners_of(other, t, first));
+    if (found != known_.end()) return found->second;
+    const Point middle = (other.points.col(other.triangles(0, t)) + other.points.col(other.triangles(1, t)) +
+                          other.points.col(other.triangles(2, t))) /
+                         3;
+    Point nearest = middle;
+    double squared = std::numeric_limits<double>::infinity();
+    std::size_t triangle = 0;
+    tree_.improve_nearest(middle, nearest, squared, triangle);
+    return Eigen::Index(tree_.given_number(triangle));
+  }
+
+private:
+  static std::vector<internal::contacts::Triangle> triangles_of(const Part_mesh& mesh)
+  {
+    std::vector<internal::contacts::Triangle> result;
+    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+      result.push_back({mesh.points.col(mesh.triangles(0, t)), mesh.points.col(mesh.triangles(1, t)),
+                        mesh.points.col(mesh.triangles(2, t))});
+    return result;
+  }
+
+  const Part_mesh& mesh_;
+  internal::contacts::Triangle_tree tree_;
+  std::map<Corners, Eigen::Index> known_;
+};
+
+/// Some parts of a shape as one mesh, and what it looks like.
+std::pair<Part_mesh, Part_appearance> joined_objects(const Segmented_shape& shape, const Shape_appearance& appearance,
+                                                     const std::set<std::size_t>& objects)
+{
+  std::pair<Part_mesh, Part_appearance> result;
+  bool has_coordinates = false, has_colours = false;
+  Eigen::Index points = 0, triangles = 0;
+  for (std::size_t i : objects) {
+    points += shape.parts()[i].mesh.points.cols();
+    triangles += shape.parts()[i].mesh.triangles.cols();
+    has_coordinates = has_coordinates || !appearance.parts[i].coordinates.empty();
+    has_colours = has_colours || !appearance.parts[i].colours.empty();
+  }
+  Part_mesh& mesh = result.first;
+  mesh.points.resize(3, points);
+  mesh.triangles.resize(3, triangles);
+  points = triangles = 0;
+  for (std::size_t i : objects) {
+    const Part_mesh& object = shape.parts()[i].mesh;
+    const Part_appearance& looks = appearance.parts[i];
+    mesh.points.middleCols(points, object.points.cols()) = object.points;
+    mesh.triangles.middleCols(triangles, object.triangles.cols()) = object.triangles.array() + int(points);
+    points += object.points.cols();
+    triangles += object.triangles.cols();
+    const auto n = std::size_t(object.triangles.cols());
+    const auto append = [](auto& all, const auto& some, std::size_t count, const auto& none) {
+      all.insert(all.end(), some.begin(), some.end());
+      all.resize(all.size() + count - some.size(), none);
+    };
+    append(result.second.materials, looks.materials, n, -1);
+    if (has_coordinates) append(result.second.coordinates, looks.coordinates, 3 * n, Eigen::Vector2f(0, 0));
+    if (has_colours) append(result.second.colours, looks.colours, 3 * n, Eigen::Vector3f(1, 1, 1));
+  }
+  return result;
+}
+
+} // namespace
+
+bool Shape_appearance::empty() const
+{
+  return std::all_of(parts.begin(), parts.end(), [](const Part_appearance& part) {
+    return part.colours.empty() &&
+           std::all_of(part.materials.begin(), part.materials.end(), [](int material) { return material < 0; });
+  });
+}
+
+Part_appearance appearance_on(const Part_mesh& mesh, const Part_appearance& appearance, const Part_mesh& on_it)
+{
+  Part_appearance result;
+  if (appearance.empty() || mesh.triangles.cols() == 0) return result;
+  const Triangle_finder finder(mesh);
+  for (Eigen::Index t = 0; t < on_it.triangles.cols(); ++t) {
+    const Eigen::Index found = finder(on_it, t);
+    const auto triangle = std::size_t(found);
+    if (!appearance.materials.empty()) result.materials.push_back(appearance.materials[triangle]);
+    for (int k = 0; k < 3; ++k) {
+      const auto corner = [&](int i) -> Point { return mesh.points.col(mesh.triangles(i, found)); };
+      const Eigen::Vector3d weights =
+          plane_coordinates(on_it.points.col(on_it.triangles(k, t)), corner(0), corner(1), corner(2));
+      if (!appearance.coordinates.empty())
+        result.coordinates.push_back(mean_of(appearance.coordinates, triangle, weights));
+      if (appearance.colours.empty()) continue;
+      const Eigen::Vector3d inside = weights.cwiseMax(0) / weights.cwiseMax(0).sum();
+      result.colours.push_back(mean_of(appearance.colours, triangle, inside));
+    }
+  }
+  return result;
+}
+
+Shape_appearance appearance_of_parts(const Segmented_shape& objects, const Shape_appearance& appearance,
+                                     const Part_split& split)
+{
+  Shape_appearance result{appearance.materials, appearance.textures, {}, appearance.warnings};
+  result.parts.resize(split.shape.parts().size());
+  if (appearance.parts.empty()) return result;
+  std::vector<std::set<std::size_t>> objects_of(result.parts.size());
+  for (const Model_piece& piece : split.pieces)
+    if (piece.part != no_part) objects_of[piece.part].insert(piece.object);
+  for (std::size_t part = 0; part < result.parts.size(); ++part) {
+    const auto [mesh, looks] = joined_objects(objects, appearance, objects_of[part]);
+    result.parts[part] = appearance_on(mesh, looks, split.shape.parts()[part].mesh);
+  }
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence

@@ -1,0 +1,31 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// The triangles on the other sides of a mesh's edges, by triangle; of edges of more than two triangles none.
+inline std::vector<std::vector<int>> neighbours_of(const Part_mesh& mesh)
+{
+  std::map<std::pair<int, int>, std::vector<int>> edges;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    for (int k = 0; k < 3; ++k)
+      edges[std::minmax(mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t))].push_back(int(t));
+  std::vector<std::vector<int>> result(std::size_t(mesh.triangles.cols()));
+  for (const auto& [edge, triangles] : edges) {
+    if (triangles.size() != 2) continue;
+    result[std::size_t(triangles[0])].push_back(triangles[1]);
+    result[std::size_t(triangles[1])].push_back(triangles[0]);
+  }
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::internal
