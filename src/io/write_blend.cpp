@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
+#include "base/limits.h"
 #include "io/Json.h"
 #include "io/little_endian.h"
 #include "io/quoting.h"
