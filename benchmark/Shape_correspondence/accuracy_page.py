@@ -123,7 +123,8 @@ def roles(results):
 
 def of_means(results, title, head):
     rows = results.rows(title)
-    return table([head, "F1", "gain", "95 %", "labels"], [[row[key] for key in (head, "mean", "gain", "95 %", "labels")] for row in rows])
+    heads = [key for key in (head, "mean", "gain", "95 %", "labels") if key in rows[0]]
+    return table(["F1" if key == "mean" else key for key in heads], [[row[key] for key in heads] for row in rows])
 
 
 def confidence(results):

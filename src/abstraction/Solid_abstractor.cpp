@@ -3,6 +3,7 @@
 
 #include "abstraction/Solid_abstractor.h"
 #include "abstraction/bounding_box.h"
+#include "abstraction/remesh.h"
 #include "abstraction/repair.h"
 #include "abstraction/surface_samples.h"
 
@@ -82,14 +83,14 @@ Part_abstraction Solid_abstractor::bounding_box(const std::string& failure, bool
   return result;
 }
 
-void Solid_abstractor::use_curve(const Fitted_curve& fitted)
+void Solid_abstractor::use_curve(const Fitted_curve& fitted, Method method)
 {
   const double shortest = 0.2; // over the part's diagonal
   if (fitted.curve.points.cols() < 2 || arc_lengths(fitted.curve).back() < shortest * diagonal_) {
     throw Flow_failure("its skeleton is a point");
   }
   result_.geometry = fitted.curve;
-  report().method = Method::SKELETON;
+  report().method = method;
   report().coverage = fitted.coverage;
   report().branching = fitted.coverage < least_coverage;
   report().residual = fitted.residual / diagonal_;

@@ -29,7 +29,7 @@ protected:
   virtual void find_geometry(const Part_mesh& solid) = 0;
 
   /// \throw Flow_failure if the curve is hardly more than a point
-  void use_curve(const Fitted_curve& fitted);
+  void use_curve(const Fitted_curve& fitted, Method method);
   void use_axis(const Curve& axis);
   void use_sheet(const Fitted_sheet& fitted, Method method);
 

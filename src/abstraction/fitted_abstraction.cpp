@@ -9,6 +9,7 @@
 #include "abstraction/medial_poles.h"
 #include "abstraction/revolution_axis.h"
 #include "abstraction/skeletonize.h"
+#include "abstraction/straight_curve.h"
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
 
@@ -41,7 +42,7 @@ Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, 
   const double least_width = 0.21;        // of a sheet, over its length
   const double least_depth = 0.5;         // of what is compact, over its width
   const double least_blade_width = 0.075; // over its length
-  const double blade_thickness = 0.26;    // over its width at most; a blade is 7.7 times as wide as thick
+  const double blade_thickness = 0.225;   // over its width at most; a blade is 8.9 times as wide as thick
   const double least_thickness = 0.3;     // of a block, over its length
   const double least_height = 0.32, plate_height = 0.45; // of a block's box, over its length and its width
   const Eigen::Vector3d& extents = layout.extents;
@@ -85,14 +86,15 @@ Eigen::Index euler_characteristic(const Part_mesh& closed)
   return closed.points.cols() - closed.triangles.cols() / 2;
 }
 
-/// Finds the curve or sheet of one part: sheets on the medial axis, curves on the skeleton.
+/// Finds the curve or sheet of one part: sheets and straight rods on the medial axis, other curves on the skeleton.
 class Fitter : public Solid_abstractor
 {
   using Solid_abstractor::Solid_abstractor;
 
   void find_geometry(const Part_mesh& solid) override
   {
-    const Spatial_graph axis = medial_graph(solid);
+    const Points poles = medial_poles(solid);
+    const Spatial_graph axis = medial_graph(solid, poles);
     const double thickness = (axis.points - solid.points).colwise().norm().mean();
     const Intrinsic_layout layout = layout_of(axis);
     const Oriented_box box = oriented_box(mesh().points);
@@ -134,7 +136,13 @@ class Fitter : public Solid_abstractor
         return;
       }
     }
-    const Fitted_curve fitted = contracted_curve(solid, axis.points);
+    if (kind == Intrinsic_kind::ELONGATED && !has_handle) {
+      if (const std::optional<Fitted_curve> straight = straight_curve(axis.points, solid, options().curve_points)) {
+        use_curve(*straight, Method::MEDIAL_AXIS);
+        return;
+      }
+    }
+    const Fitted_curve fitted = contracted_curve(solid, poles, axis.points);
     const bool is_net = fitted.residual > (fitted.curve.closed ? 0.5 : 1.) * most; // a ring is its whole skeleton
     if (wanted_kind() == Abstraction_kind::AUTOMATIC &&
         (report().tube || (is_net && is_flat(box.extents)) || (kind == Intrinsic_kind::FLAT && !fitted.curve.closed))) {
@@ -143,16 +151,16 @@ class Fitter : public Solid_abstractor
       use_axis(medial_curve(box, options().curve_points, distinct_axis(box))); // of a cage
     } else {
       report().blob = (kind == Intrinsic_kind::COMPACT || kind == Intrinsic_kind::BLOCK) && !fitted.curve.closed;
-      use_curve(fitted);
+      use_curve(fitted, Method::SKELETON);
     }
   }
 
 private:
   /// The curve that the flow finds. Whether the part is a tube shows on the way.
-  Fitted_curve contracted_curve(const Part_mesh& solid, const Points& axis)
+  Fitted_curve contracted_curve(const Part_mesh& solid, const Points& poles, const Points& axis)
   {
     const double tube_area = 0.5; // share of the area that a tube has left when its volume is gone
-    Stepwise_flow flow(solid, Contraction::NEAREST_POLES, options().maximum_iterations, deadline());
+    Stepwise_flow flow(solid, poles, options().maximum_iterations, deadline());
     flow.run_to_volume(options().stop_volume);
     const double area_kept = flow.area_kept();
     flow.run_to_convergence();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -30,9 +31,16 @@ public:
       counts_[d] = static_cast<int>(std::clamp(extent[d] / side, 1., most_cells_a_side));
       cell_[d] = extent[d] / counts_[d];
     }
-    bins_.resize(static_cast<std::size_t>(counts_[0]) * static_cast<std::size_t>(counts_[1]));
+    std::vector<std::size_t> ends(static_cast<std::size_t>(counts_[0]) * static_cast<std::size_t>(counts_[1]), 0);
     for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-      insert(t);
+      for_each_bin(t, [&](std::size_t b) { ++ends[b]; });
+    }
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    starts_ = ends;
+    starts_.insert(starts_.begin(), 0);
+    in_bins_.resize(starts_.back());
+    for (Eigen::Index t = mesh.triangles.cols(); t-- > 0;) {
+      for_each_bin(t, [&](std::size_t b) { in_bins_[--ends[b]] = t; });
     }
   }
 
@@ -43,8 +51,9 @@ public:
         cell_of(p.y(), 1) != clamped_cell_of(p.y(), 1)) {
       return false;
     }
-    for (Eigen::Index t : bins_[bin(clamped_cell_of(p.x(), 0), clamped_cell_of(p.y(), 1))]) {
-      inside ^= is_below(p, t);
+    const std::size_t b = bin(clamped_cell_of(p.x(), 0), clamped_cell_of(p.y(), 1));
+    for (std::size_t i = starts_[b]; i < starts_[b + 1]; ++i) {
+      inside ^= is_below(p, in_bins_[i]);
     }
     return inside;
   }
@@ -62,13 +71,15 @@ private:
 
   Point corner(Eigen::Index t, int k) const { return mesh_.points.col(mesh_.triangles(k, t)); }
 
-  void insert(Eigen::Index t)
+  /// The cells that the projection of a triangle may meet.
+  template <typename Function>
+  void for_each_bin(Eigen::Index t, const Function& f) const
   {
     const Point low = corner(t, 0).cwiseMin(corner(t, 1)).cwiseMin(corner(t, 2));
     const Point high = corner(t, 0).cwiseMax(corner(t, 1)).cwiseMax(corner(t, 2));
     for (int i = clamped_cell_of(low.x(), 0); i <= clamped_cell_of(high.x(), 0); ++i) {
       for (int j = clamped_cell_of(low.y(), 1); j <= clamped_cell_of(high.y(), 1); ++j) {
-        bins_[bin(i, j)].push_back(t);
+        f(bin(i, j));
       }
     }
   }
@@ -99,7 +110,8 @@ private:
   const Part_mesh& mesh_;
   Eigen::Vector2d low_, cell_;
   int counts_[2];
-  std::vector<std::vector<Eigen::Index>> bins_;
+  std::vector<std::size_t> starts_;   ///< of the cells in `in_bins_`, and its end
+  std::vector<Eigen::Index> in_bins_; ///< triangles, cell by cell
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -43,7 +43,7 @@ class Mean_curvature_abstractor : public Solid_abstractor
 
   void find_geometry(const Part_mesh& solid) override
   {
-    Stepwise_flow flow(solid, Contraction::CGAL, options().maximum_iterations, deadline());
+    Stepwise_flow flow(solid, options().maximum_iterations, deadline());
     flow.run_to_volume(options().stop_volume);
     const Part_mesh meso_skeleton = flow.meso_skeleton();
     const Meso_kind kind = meso_kind(extents_of(meso_skeleton), flow.area_kept());
@@ -58,7 +58,7 @@ class Mean_curvature_abstractor : public Solid_abstractor
     } else if (kind == Meso_kind::BLOB && !is_ring) {
       use_axis(medial_curve(oriented_box(mesh().points), options().curve_points));
     } else {
-      use_curve(curve);
+      use_curve(curve, Method::SKELETON);
     }
   }
 

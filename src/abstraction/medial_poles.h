@@ -42,8 +42,8 @@ inline Point medial_pole(const Nearest_points& vertices, const Points& points, E
   double radius = largest_radius;
   for (int round = 0; round < most_rounds; ++round) {
     const Point centre = p - radius * normal;
-    const Eigen::Index nearest = vertices.nearest(centre, v);
-    if (nearest < 0 || (points.col(nearest) - centre).norm() >= radius * (1 - clearly)) {
+    const Eigen::Index nearest = vertices.nearest_within(centre, radius * (1 - clearly), v);
+    if (nearest < 0) {
       break;
     }
     const Point offset = p - points.col(nearest);
@@ -67,11 +67,11 @@ inline Points medial_poles(const Part_mesh& mesh)
 
 /// The medial axis as far as the vertices see it: each moved to its pole, the mesh's edges in between. A vertex whose
 /// pole is not inside stays where it is.
-inline Spatial_graph medial_graph(const Part_mesh& mesh)
+inline Spatial_graph medial_graph(const Part_mesh& mesh, const Points& poles)
 {
   const Inside_test is_inside(mesh);
   Spatial_graph result = edge_graph(mesh);
-  result.points = medial_poles(mesh);
+  result.points = poles;
   for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
     if (!is_inside(result.points.col(v))) {
       result.points.col(v) = mesh.points.col(v);

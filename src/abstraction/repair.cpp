@@ -12,21 +12,16 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/alpha_wrap_3.h>
-#include <CGAL/boost/graph/Euler_operations.h>
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iterator>
 #include <numeric>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -242,94 +237,6 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
   result.mesh = to_part_mesh(outer);
   result.repair = Repair::WRAP;
   return result;
-}
-
-namespace {
-
-double squared_length(const Halfedge_mesh& mesh, Halfedge_mesh::Halfedge_index h)
-{
-  return CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
-}
-
-/// Whether the surface hardly changes when the source of a halfedge moves to its target: it stays near the planes of
-/// its faces, and none of them turns much.
-bool hardly_changes(const Halfedge_mesh& mesh, Halfedge_mesh::Halfedge_index h, double tolerance)
-{
-  const double least_cosine = 0.5;
-  const Point from = to_point(mesh.point(mesh.source(h))), to = to_point(mesh.point(mesh.target(h)));
-  for (auto around : CGAL::halfedges_around_source(mesh.source(h), mesh)) {
-    const Halfedge_mesh::Vertex_index u = mesh.target(around), v = mesh.target(mesh.next(around));
-    if (u == mesh.target(h) || v == mesh.target(h)) {
-      continue; // its face vanishes
-    }
-    const Point a = to_point(mesh.point(u)), b = to_point(mesh.point(v));
-    const Point before = (a - from).cross(b - from), after = (a - to).cross(b - to);
-    if (!(std::abs(before.dot(to - from)) <= tolerance * before.norm()) ||
-        !(before.dot(after) > least_cosine * before.norm() * after.norm())) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// Collapses the edges of a closed mesh that are shorter than a length, the shortest first, where that changes neither
-/// topology nor, by much, the surface. The remeshing does it, too, but after it has split the needles that such edges
-/// are the short sides of.
-/// \throw Out_of_time
-void collapse_edges_shorter_than(double length, Halfedge_mesh& mesh, const Deadline& deadline)
-{
-  const double thickness = 2 * std::abs(PMP::volume(mesh)) / PMP::area(mesh); // of a plate
-  const double tolerance = 0.1 * std::min(length, thickness);
-  using Entry = std::pair<double, Halfedge_mesh::Edge_index>;
-  std::set<Entry> queue;
-  const auto push = [&](Halfedge_mesh::Edge_index e) {
-    const double squared = squared_length(mesh, mesh.halfedge(e));
-    if (squared < length * length) {
-      queue.emplace(squared, e);
-    }
-  };
-  for (auto e : mesh.edges()) {
-    push(e);
-  }
-  while (!queue.empty()) {
-    deadline.check();
-    const auto [squared, e] = *queue.begin();
-    queue.erase(queue.begin());
-    if (mesh.is_removed(e) || squared_length(mesh, mesh.halfedge(e)) != squared ||
-        !CGAL::Euler::does_satisfy_link_condition(e, mesh)) {
-      continue;
-    }
-    Halfedge_mesh::Halfedge_index h = mesh.halfedge(e);
-    if (!hardly_changes(mesh, h, tolerance)) {
-      h = mesh.opposite(h);
-      if (!hardly_changes(mesh, h, tolerance)) {
-        continue;
-      }
-    }
-    const Mesh_point kept = mesh.point(mesh.target(h));
-    const Halfedge_mesh::Vertex_index v = CGAL::Euler::collapse_edge(e, mesh);
-    mesh.point(v) = kept;
-    for (auto around : CGAL::halfedges_around_target(v, mesh)) {
-      push(mesh.edge(around));
-    }
-  }
-  mesh.collect_garbage();
-}
-
-} // namespace
-
-Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& deadline)
-{
-  const int rounds = 3;
-  const double short_edge = 0.6;
-  Halfedge_mesh mesh = to_halfedge_mesh(solid);
-  collapse_edges_shorter_than(short_edge * edge_length, mesh, deadline);
-  for (int round = 0; round < rounds; ++round) {
-    deadline.check();
-    PMP::isotropic_remeshing(faces(mesh), edge_length, mesh, CGAL::parameters::number_of_iterations(1));
-    mesh.collect_garbage();
-  }
-  return to_part_mesh(mesh);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

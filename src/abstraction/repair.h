@@ -23,8 +23,4 @@ struct Repaired_part
 /// \throw Flow_failure
 Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline);
 
-/// Triangles of one size, as the flow needs them: a leg of eight vertices would collapse to a point.
-/// \throw Flow_failure
-Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& deadline);
-
 } // namespace CGAL::Shape_correspondence::internal

@@ -67,7 +67,7 @@ inline std::vector<Point> axis_candidates(const Points& centred)
 inline std::optional<Revolution_axis> revolution_axis(const Points& surface, double spacing)
 {
   const double tolerance = 0.16; // how far turning carries points off the surface, over the largest radius
-  const double clearly = 1e-3;   // the same of what makes a later axis better
+  const double clearly = 0.02;   // the same of what makes a later axis better
   const double gap = 0.6;        // between points spread over the same surface, over their spacing
   const double turns[] = {double(2 * EIGEN_PI / 5), double(2 * EIGEN_PI / 4)};
   const Point centre = surface.rowwise().mean();
@@ -82,8 +82,12 @@ inline std::optional<Revolution_axis> revolution_axis(const Points& surface, dou
     double deviation = 0;
     for (double turn : turns) {
       const Eigen::Matrix3d rotation = Eigen::AngleAxisd(turn, direction).toRotationMatrix();
-      for (Eigen::Index i = 0; i < centred.cols() && deviation <= most; ++i) {
-        deviation = std::max(deviation, points.distance(rotation * centred.col(i)));
+      // Far apart one after the other, so that what is not round shows soon
+      const Eigen::Index strides = 16;
+      for (Eigen::Index first = 0; first < strides; ++first) {
+        for (Eigen::Index i = first; i < centred.cols() && deviation <= most; i += strides) {
+          deviation = std::max(deviation, points.distance(rotation * centred.col(i)));
+        }
       }
     }
     if (deviation <= most) {

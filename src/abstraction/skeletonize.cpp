@@ -3,15 +3,14 @@
 
 #include "abstraction/skeletonize.h"
 #include "abstraction/contraction.h"
-#include "abstraction/medial_poles.h"
 #include "abstraction/reproducible_flow.h"
 #include "shape/meshes.h"
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -42,8 +41,9 @@ Area_and_volume measure(const Part_mesh& mesh)
 class Stepwise_flow::State
 {
 public:
-  State(const Part_mesh& mesh, Contraction contraction, int iterations, const Deadline& deadline)
-      : contraction_(contraction),
+  /// \param poles of the vertices; null: as CGAL finds them
+  State(const Part_mesh& mesh, const Points* poles, int iterations, const Deadline& deadline)
+      : has_poles_(poles != nullptr),
         most_iterations_(iterations),
         deadline_(&deadline),
         flow_(to_halfedge_mesh(mesh)),
@@ -51,10 +51,9 @@ public:
         original_(measure(mesh)),
         current_(original_)
   {
-    if (contraction_ == Contraction::NEAREST_POLES) {
-      const Points poles = medial_poles(mesh);
+    if (has_poles_) {
       for (auto v : vertices(flow_mesh())) {
-        v->pole = to_mesh_point(poles.col(static_cast<Eigen::Index>(v->vertices.front().idx())));
+        v->pole = to_mesh_point(poles->col(static_cast<Eigen::Index>(v->vertices.front().idx())));
       }
     }
   }
@@ -65,10 +64,10 @@ public:
       throw Flow_failure("the flow needs more iterations than allowed");
     }
     ++iterations_;
-    if (contraction_ == Contraction::CGAL) {
-      flow_.contract_geometry();
+    if (has_poles_) {
+      contract_to_poles();
     } else {
-      contract_to_nearest_poles();
+      flow_.contract_geometry();
     }
     deadline_->check();
     flow_.collapse_edges();
@@ -100,17 +99,18 @@ public:
     Part_mesh result;
     result.points.resize(3, static_cast<Eigen::Index>(flow_mesh().size_of_vertices()));
     result.triangles.resize(3, static_cast<Eigen::Index>(flow_mesh().size_of_facets()));
-    std::unordered_map<std::size_t, int> index;
+    std::vector<int> index;
+    int count = 0;
     for (auto v : vertices(flow_mesh())) {
-      const int i = static_cast<int>(index.size());
-      index[v->id()] = i;
-      result.points.col(i) = to_point(v->point());
+      index.resize(std::max(index.size(), v->id() + 1));
+      index[v->id()] = count;
+      result.points.col(count++) = to_point(v->point());
     }
     Eigen::Index t = 0;
     for (auto f : faces(flow_mesh())) {
       int k = 0;
       for (auto v : CGAL::vertices_around_face(halfedge(f, flow_mesh()), flow_mesh())) {
-        result.triangles(k++, t) = index.at(v->id());
+        result.triangles(k++, t) = index[v->id()];
       }
       ++t;
     }
@@ -154,7 +154,7 @@ private:
     return result;
   }
 
-  void contract_to_nearest_poles()
+  void contract_to_poles()
   {
     const Points moved = contracted(contracting_mesh(), Flow_weights());
     Eigen::Index i = 0;
@@ -163,7 +163,7 @@ private:
     }
   }
 
-  Contraction contraction_;
+  bool has_poles_;
   int most_iterations_;
   const Deadline* deadline_;
   Flow flow_;
@@ -174,8 +174,12 @@ private:
   bool converged_ = false;
 };
 
-Stepwise_flow::Stepwise_flow(const Part_mesh& mesh, Contraction contraction, int iterations, const Deadline& deadline)
-    : state_(std::make_unique<State>(mesh, contraction, iterations, deadline))
+Stepwise_flow::Stepwise_flow(const Part_mesh& mesh, int iterations, const Deadline& deadline)
+    : state_(std::make_unique<State>(mesh, nullptr, iterations, deadline))
+{}
+
+Stepwise_flow::Stepwise_flow(const Part_mesh& mesh, const Points& poles, int iterations, const Deadline& deadline)
+    : state_(std::make_unique<State>(mesh, &poles, iterations, deadline))
 {}
 
 Stepwise_flow::~Stepwise_flow() = default;

@@ -13,18 +13,15 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// What moves the vertices in a step of the flow.
-enum class Contraction {
-  CGAL,         ///< `CGAL::Mean_curvature_flow_skeletonization`, as it is
-  NEAREST_POLES ///< `contracted()`: the same equations, poles found by shrinking balls, which is faster
-};
-
 /// The mean curvature flow of one closed mesh (Tagliasacchi et al. 2012), run step by step.
 class Stepwise_flow
 {
 public:
+  /// `CGAL::Mean_curvature_flow_skeletonization`, as it is.
   /// \param iterations the flow fails that needs more
-  Stepwise_flow(const Part_mesh& mesh, Contraction contraction, int iterations, const Deadline& deadline);
+  Stepwise_flow(const Part_mesh& mesh, int iterations, const Deadline& deadline);
+  /// The same equations, solved by `contracted()`, with given poles of the vertices, which is faster.
+  Stepwise_flow(const Part_mesh& mesh, const Points& poles, int iterations, const Deadline& deadline);
   ~Stepwise_flow();
   Stepwise_flow(const Stepwise_flow&) = delete;
   Stepwise_flow& operator=(const Stepwise_flow&) = delete;

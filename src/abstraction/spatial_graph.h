@@ -70,7 +70,8 @@ private:
   };
 
   void add_edge(int a, int b);
-  Shortest_paths shortest_paths(int source, const Edge_length& edge_length) const;
+  template <typename Length>
+  Shortest_paths shortest_paths(int source, const Length& length_of) const;
 
   const Points* points_;
   boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> graph_;

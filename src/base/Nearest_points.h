@@ -20,11 +20,15 @@ namespace CGAL::Shape_correspondence::internal {
 class Nearest_points
 {
 public:
-  explicit Nearest_points(const Points& points) : points_(points), order_(static_cast<std::size_t>(points.cols()))
+  explicit Nearest_points(const Points& points) : order_(static_cast<std::size_t>(points.cols()))
   {
     std::iota(order_.begin(), order_.end(), Eigen::Index(0));
     split_axes_.resize(order_.size());
-    build(0, order_.size());
+    build(points, 0, order_.size());
+    points_.resize(3, points.cols());
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      points_.col(static_cast<Eigen::Index>(i)) = points.col(order_[i]);
+    }
   }
 
   /// Distance to the nearest point but the one of index `ignored`.
@@ -35,6 +39,14 @@ public:
 
   /// Index of the nearest point but the one of index `ignored`; -1 if there is none.
   Eigen::Index nearest(const Point& query, Eigen::Index ignored = -1) const { return found(query, ignored).index; }
+
+  /// The same of those that are nearer than a radius; faster where there are few.
+  Eigen::Index nearest_within(const Point& query, double radius, Eigen::Index ignored = -1) const
+  {
+    Candidate best{radius * radius, -1};
+    search(0, order_.size(), query, ignored, best);
+    return best.index;
+  }
 
 private:
   static constexpr std::size_t leaf_size = 8;
@@ -52,15 +64,15 @@ private:
     return best;
   }
 
-  void build(std::size_t begin, std::size_t end)
+  void build(const Points& points, std::size_t begin, std::size_t end)
   {
     if (end - begin <= leaf_size) {
       return;
     }
-    Point low = points_.col(order_[begin]), high = low;
+    Point low = points.col(order_[begin]), high = low;
     for (std::size_t i = begin; i < end; ++i) {
-      low = low.cwiseMin(points_.col(order_[i]));
-      high = high.cwiseMax(points_.col(order_[i]));
+      low = low.cwiseMin(points.col(order_[i]));
+      high = high.cwiseMax(points.col(order_[i]));
     }
     int axis = 0;
     (high - low).maxCoeff(&axis);
@@ -68,16 +80,16 @@ private:
     using Difference = std::vector<Eigen::Index>::difference_type;
     std::nth_element(order_.begin() + static_cast<Difference>(begin), order_.begin() + static_cast<Difference>(middle),
                      order_.begin() + static_cast<Difference>(end), [&](Eigen::Index a, Eigen::Index b) {
-                       return points_(axis, a) != points_(axis, b) ? points_(axis, a) < points_(axis, b) : a < b;
+                       return points(axis, a) != points(axis, b) ? points(axis, a) < points(axis, b) : a < b;
                      });
     split_axes_[middle] = axis;
-    build(begin, middle);
-    build(middle + 1, end);
+    build(points, begin, middle);
+    build(points, middle + 1, end);
   }
 
   void visit(std::size_t position, const Point& query, Eigen::Index ignored, Candidate& best) const
   {
-    const double squared = (points_.col(order_[position]) - query).squaredNorm();
+    const double squared = (points_.col(static_cast<Eigen::Index>(position)) - query).squaredNorm();
     if (order_[position] != ignored && squared < best.squared) {
       best = {squared, order_[position]};
     }
@@ -93,7 +105,7 @@ private:
     }
     const std::size_t middle = (begin + end) / 2;
     const int axis = split_axes_[middle];
-    const double offset = query[axis] - points_(axis, order_[middle]);
+    const double offset = query[axis] - points_(axis, static_cast<Eigen::Index>(middle));
     visit(middle, query, ignored, best);
     if (offset < 0) {
       search(begin, middle, query, ignored, best);
@@ -109,7 +121,7 @@ private:
     }
   }
 
-  Points points_;
+  Points points_; ///< in the order of the tree
   std::vector<Eigen::Index> order_;
   std::vector<int> split_axes_;
 };

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
 #include <cstddef>
 #include <string>
 
@@ -32,6 +34,13 @@ constexpr std::size_t most_symmetry_work = 15'000'000;
 
 /// Frames of a blend: at 25 a second, more than six minutes.
 constexpr int most_frames = 10000;
+
+inline void check_number_of_frames(int frames)
+{
+  if (frames < 2 || frames > most_frames)
+    throw Invalid_input("a blend has between 2 and " + std::to_string(most_frames) + " frames, not " +
+                        std::to_string(frames));
+}
 
 /// Bytes of a JSON or XML document, and how deep its values may be nested.
 constexpr std::size_t largest_document = std::size_t(1) << 28;

@@ -153,7 +153,7 @@ std::string quote_graphml(const std::string& name)
 
 std::string quote_csv(const std::string& field)
 {
-  const std::string text = utf8_text(field);
+  std::string text = utf8_text(field);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string result = "\"";
   for (char c : text)

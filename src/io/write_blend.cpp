@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
+#include "base/limits.h"
 #include "io/Json.h"
-#include "io/check_number_of_frames.h"
 #include "io/little_endian.h"
 #include "io/quoting.h"
 
@@ -92,7 +92,7 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
                       const Structural_graph& target, const std::string& source_file, const std::string& target_file,
                       const std::string& output, int frames, const std::vector<std::string>& warnings)
 {
-  check_number_of_frames(frames);
+  internal::check_number_of_frames(frames);
   Json result;
   result["format"] = "shape_correspondence/blend";
   result["version"] = 1;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
+#include "base/limits.h"
 #include "io/Json.h"
-#include "io/check_number_of_frames.h"
 #include "io/drawn_shape.h"
 #include "io/dressed_mesh.h"
 #include "io/picture_geometry.h"
@@ -233,7 +233,7 @@ std::vector<std::vector<Points>> points_of_frames(const Shape_blend& blend, int 
 void write_animation(std::ostream& out, const Shape_blend& blend, int frames, Glb_builder& glb,
                      Surface_painter& painter)
 {
-  check_number_of_frames(frames);
+  internal::check_number_of_frames(frames);
   const Segmented_shape source = blend(0), target = blend(1);
   std::vector<int> roots = {add_end(glb, source, 0, painter)};
   glb.animate_visibility(roots[0], 0, hold_seconds);

@@ -1,4 +1,5 @@
-#include "abstraction/repair.h"
+#include "abstraction/medial_poles.h"
+#include "abstraction/remesh.h"
 #include "abstraction/reproducible_flow.h"
 #include "abstraction/skeletonize.h"
 #include "part_meshes.h"
@@ -51,7 +52,7 @@ TEST_CASE("Step by step, the flow leaves the skeleton that CGAL's leaves in one 
     expected_points.col(static_cast<Eigen::Index>(v)) = internal::to_point(expected[v].point);
   }
 
-  internal::Stepwise_flow stepwise(solid, internal::Contraction::CGAL, 300, deadline);
+  internal::Stepwise_flow stepwise(solid, 300, deadline);
   stepwise.run_to_volume(0.02);
   const Part_mesh meso_skeleton = stepwise.meso_skeleton();
   CHECK(meso_skeleton.triangles.cols() > 0);
@@ -59,7 +60,7 @@ TEST_CASE("Step by step, the flow leaves the skeleton that CGAL's leaves in one 
   stepwise.run_to_convergence();
   CHECK(sorted(stepwise.curve_skeleton().points) == sorted(expected_points));
   // The medial poles of the package are near to CGAL's, but not the same
-  internal::Stepwise_flow nearest(solid, internal::Contraction::NEAREST_POLES, 300, deadline);
+  internal::Stepwise_flow nearest(solid, internal::medial_poles(solid), 300, deadline);
   nearest.run_to_convergence();
   CHECK(sorted(nearest.curve_skeleton().points) != sorted(expected_points));
 }

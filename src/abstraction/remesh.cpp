@@ -1,0 +1,292 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "abstraction/remesh.h"
+#include "abstraction/Closed_triangulation.h"
+#include "abstraction/surface_samples.h"
+#include "shape/Triangle_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+double enclosed_volume(const Part_mesh& mesh)
+{
+  double result = 0;
+  const Point origin = mesh.points.rowwise().mean();
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Point a = mesh.points.col(mesh.triangles(0, t)) - origin, b = mesh.points.col(mesh.triangles(1, t)) - origin,
+                c = mesh.points.col(mesh.triangles(2, t)) - origin;
+    result += a.dot(b.cross(c)) / 6;
+  }
+  return std::abs(result);
+}
+
+std::vector<contacts::Triangle> triangles_of_solid(const Part_mesh& mesh)
+{
+  std::vector<contacts::Triangle> result;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    result.push_back({mesh.points.col(mesh.triangles(0, t)), mesh.points.col(mesh.triangles(1, t)),
+                      mesh.points.col(mesh.triangles(2, t))});
+  }
+  return result;
+}
+
+class Remesher
+{
+public:
+  Remesher(const Part_mesh& solid, double edge_length, const Deadline& deadline)
+      : mesh_(solid),
+        surface_(triangles_of_solid(solid)),
+        hints_(static_cast<std::size_t>(solid.points.cols()), 0),
+        edge_length_(edge_length),
+        thickness_(2 * enclosed_volume(solid) / surface_area(solid)),
+        deadline_(&deadline)
+  {}
+
+  Part_mesh run()
+  {
+    const int rounds = 3;
+    collapse_needles();
+    for (int round = 0; round < rounds; ++round) {
+      split_long_edges();
+      collapse_short_edges();
+      flip_edges();
+      spread_vertices();
+    }
+    return mesh_.mesh();
+  }
+
+private:
+  // Over the wanted length
+  static constexpr double needle_edge = 0.6, short_edge = 4. / 5., long_edge = 4. / 3.;
+
+  using Entry = std::pair<double, int>; // squared length, halfedge
+
+  void split_long_edges()
+  {
+    const double most = square(long_edge * edge_length_);
+    std::priority_queue<Entry> queue;
+    const auto push = [&](int h) {
+      if (mesh_.squared_length(h) > most) {
+        queue.emplace(mesh_.squared_length(h), h);
+      }
+    };
+    for (int h = 0; h < mesh_.number_of_halfedges(); ++h) {
+      if (is_edge(h)) {
+        push(h);
+      }
+    }
+    while (!queue.empty()) {
+      deadline_->check();
+      const auto [squared, h] = queue.top();
+      queue.pop();
+      if (mesh_.squared_length(h) == squared) {
+        const std::size_t hint = hints_[static_cast<std::size_t>(mesh_.source(h))];
+        const int middle = mesh_.split(h);
+        hints_.push_back(hint);
+        mesh_.for_each_out(middle, [&](int around) {
+          push(around);
+          push(mesh_.next(around)); // its halfedges may have other numbers now
+          return true;
+        });
+      }
+    }
+  }
+
+  /// Collapses edges, the shortest first, where that changes the surface hardly. The rounds collapse them, too, but
+  /// only after they have split the needles that such edges are the short sides of.
+  void collapse_needles()
+  {
+    const double length = needle_edge * edge_length_;
+    const double tolerance = 0.1 * std::min(length, thickness_);
+    collapse_edges(length, [&](int h) { return hardly_changes(h, tolerance); });
+  }
+
+  void collapse_short_edges()
+  {
+    collapse_edges(short_edge * edge_length_, [&](int h) { return turns_no_face(h) && makes_no_long_edge(h); });
+  }
+
+  /// Collapses edges that are shorter than a length, the shortest first, in the direction that is allowed.
+  template <typename Test>
+  void collapse_edges(double length, const Test& is_allowed)
+  {
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    const auto push = [&](int h) {
+      if (mesh_.squared_length(h) < length * length) {
+        queue.emplace(mesh_.squared_length(h), h);
+      }
+    };
+    for (int h = 0; h < mesh_.number_of_halfedges(); ++h) {
+      if (is_edge(h)) {
+        push(h);
+      }
+    }
+    while (!queue.empty()) {
+      deadline_->check();
+      auto [squared, h] = queue.top();
+      queue.pop();
+      if (mesh_.is_removed(h) || mesh_.squared_length(h) != squared) {
+        continue;
+      }
+      if (!is_allowed(h)) {
+        h = mesh_.opposite(h);
+        if (!is_allowed(h)) {
+          continue;
+        }
+      }
+      if (!mesh_.can_collapse(h)) {
+        continue;
+      }
+      const int kept = mesh_.target(h);
+      mesh_.collapse(h);
+      mesh_.for_each_out(kept, [&](int around) {
+        push(around);
+        return true;
+      });
+    }
+  }
+
+  /// Whether the surface hardly changes when the source of a halfedge moves to its target: it stays near the planes of
+  /// its faces, and none of them turns much.
+  bool hardly_changes(int h, double tolerance) const
+  {
+    const double least_cosine = 0.5;
+    const Point step = mesh_.point(mesh_.target(h)) - mesh_.point(mesh_.source(h));
+    return for_each_moved_face(h, [&](const Point& before, const Point& after) {
+      return std::abs(before.dot(step)) <= tolerance * before.norm() &&
+             before.dot(after) > least_cosine * before.norm() * after.norm();
+    });
+  }
+
+  bool turns_no_face(int h) const
+  {
+    const double least_cosine = 0.7; // 45 degrees
+    return for_each_moved_face(h, [&](const Point& before, const Point& after) {
+      return before.dot(after) > least_cosine * before.norm() * after.norm();
+    });
+  }
+
+  bool makes_no_long_edge(int h) const
+  {
+    const Point& to = mesh_.point(mesh_.target(h));
+    return mesh_.for_each_out(mesh_.source(h), [&](int around) {
+      return (mesh_.point(mesh_.target(around)) - to).squaredNorm() <= square(long_edge * edge_length_);
+    });
+  }
+
+  /// Tests the normals, before and after, of the faces that stay when the source of a halfedge moves to its target.
+  template <typename Test>
+  bool for_each_moved_face(int h, const Test& test) const
+  {
+    const int kept = mesh_.target(h);
+    const Point &from = mesh_.point(mesh_.source(h)), &to = mesh_.point(kept);
+    return mesh_.for_each_out(mesh_.source(h), [&](int around) {
+      const int u = mesh_.target(around), v = mesh_.apex(around);
+      if (u == kept || v == kept) {
+        return true;
+      }
+      const Point &a = mesh_.point(u), &b = mesh_.point(v);
+      return test((a - from).cross(b - from), (a - to).cross(b - to));
+    });
+  }
+
+  /// Flips edges towards six edges a vertex, where the surface is about flat.
+  void flip_edges()
+  {
+    deadline_->check();
+    for (int h = 0; h < mesh_.number_of_halfedges(); ++h) {
+      if (is_edge(h) && evens_degrees(h) && mesh_.can_flip(h) && stays_flat(h)) {
+        mesh_.flip(h);
+      }
+    }
+  }
+
+  bool evens_degrees(int h) const
+  {
+    const int wanted = 6;
+    const int o = mesh_.opposite(h);
+    const auto excess = [&](int v, int change) { return std::abs(mesh_.degree(v) + change - wanted); };
+    const auto sum = [&](int change) {
+      return excess(mesh_.source(h), -change) + excess(mesh_.target(h), -change) + excess(mesh_.apex(h), change) +
+             excess(mesh_.apex(o), change);
+    };
+    return sum(1) < sum(0);
+  }
+
+  bool stays_flat(int h) const
+  {
+    const double least_cosine = 0.5;
+    const int o = mesh_.opposite(h);
+    const Point &a = mesh_.point(mesh_.source(h)), &b = mesh_.point(mesh_.target(h)), &c = mesh_.point(mesh_.apex(h)),
+                &d = mesh_.point(mesh_.apex(o));
+    const Point before[] = {mesh_.normal(h), mesh_.normal(o)};
+    const Point after[] = {(a - d).cross(c - d), (b - c).cross(d - c)};
+    for (const Point& n : before) {
+      for (const Point& m : after) {
+        if (!(n.dot(m) > least_cosine * n.norm() * m.norm())) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// Moves every vertex to the middle of its neighbours, along the surface.
+  void spread_vertices()
+  {
+    deadline_->check();
+    std::vector<Point> moved(static_cast<std::size_t>(mesh_.number_of_vertices()));
+    for (int v = 0; v < mesh_.number_of_vertices(); ++v) {
+      if (!mesh_.is_removed_vertex(v)) {
+        moved[static_cast<std::size_t>(v)] = spread(v);
+      }
+    }
+    for (int v = 0; v < mesh_.number_of_vertices(); ++v) {
+      if (!mesh_.is_removed_vertex(v)) {
+        mesh_.point(v) = moved[static_cast<std::size_t>(v)];
+      }
+    }
+  }
+
+  Point spread(int v)
+  {
+    Point sum = Point::Zero(), normal = Point::Zero();
+    mesh_.for_each_out(v, [&](int h) {
+      sum += mesh_.point(mesh_.target(h));
+      normal += mesh_.normal(h);
+      return true;
+    });
+    normal.normalize();
+    const Point step = sum / mesh_.degree(v) - mesh_.point(v);
+    return surface_.nearest(mesh_.point(v) + step - normal.dot(step) * normal, hints_[static_cast<std::size_t>(v)]);
+  }
+
+  /// One of the two halfedges of every edge.
+  bool is_edge(int h) const { return !mesh_.is_removed(h) && h < mesh_.opposite(h); }
+
+  static double square(double x) { return x * x; }
+
+  Closed_triangulation mesh_;
+  contacts::Triangle_tree surface_;
+  std::vector<std::size_t> hints_; ///< by vertex, the triangle of the surface that it was on
+  double edge_length_;
+  double thickness_; ///< of a plate
+  const Deadline* deadline_;
+};
+
+} // namespace
+
+Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& deadline)
+{
+  return Remesher(solid, edge_length, deadline).run();
+}
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,18 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "base/deadline.h"
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// Triangles of one size, as the flow needs them: a leg of eight vertices would collapse to a point. Edges are split,
+/// collapsed and flipped, vertices spread over the surface (Botsch and Kobbelt 2004).
+/// \pre `solid` is a closed manifold
+/// \throw Flow_failure
+Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& deadline);
+
+} // namespace CGAL::Shape_correspondence::internal
