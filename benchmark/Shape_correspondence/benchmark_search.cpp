@@ -6,7 +6,8 @@
 // Times the search on pairs of saved structural graphs, single-threaded: matching by parts, tables and exact search,
 // and the paper's beam, the searches with both directions. Prints medians and 95th percentiles in milliseconds, how far
 // the beam is from the optimum, the speed of the rod kernel against the machine's best loop, and synthetic problems.
-//   benchmark_search GRAPH.json GRAPH.json ...     all pairs of the graphs given that are in one folder
+//   benchmark_search [--pairs] GRAPH.json GRAPH.json ...     all pairs of the graphs given that are in one folder
+// --pairs prints a line a pair instead: numbers of parts, and milliseconds of matching by parts, exact search and beam.
 #include "energy/Structural_rods.h"
 #include "energy/rod_cosines.h"
 #include "matching/match_parts.h"
@@ -118,8 +119,10 @@ void print_synthetic_problems(int groups, int labels, int width)
 
 int main(int argc, char** argv)
 {
+  const bool print_pairs = argc > 1 && std::string(argv[1]) == "--pairs";
+  if (print_pairs) --argc, ++argv;
   if (argc < 3) {
-    std::cerr << "usage: benchmark_search GRAPH.json GRAPH.json ...\n";
+    std::cerr << "usage: benchmark_search [--pairs] GRAPH.json GRAPH.json ...\n";
     return 2;
   }
   std::vector<SC::Structural_graph> graphs;
@@ -164,7 +167,11 @@ int main(int argc, char** argv)
       }
       align.push_back(align_time), tables.push_back(tables_time), exact.push_back(exact_time),
           both.push_back(tables_time + exact_time), beam.push_back(tables_time + beam_time);
+      if (print_pairs)
+        std::printf("pair %zu %zu %.4f %.4f %.4f\n", structure(graphs[i]).parts.size(),
+                    structure(graphs[j]).parts.size(), parts.back(), both.back(), beam.back());
     }
+  if (print_pairs) return 0;
 
   std::printf("%zu pairs of %zu graphs, both directions; milliseconds a pair\n", align.size(), graphs.size());
   print("alignment", align);

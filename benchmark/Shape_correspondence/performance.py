@@ -1,0 +1,189 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measures abstraction and search, and writes the manual's page on performance.
+
+  performance.py BUILD_FOLDER doc/Shape_correspondence/Performance.txt [--shapes 8] [--note TEXT]
+
+Some shapes of every category of `generate_models --benchmark` are abstracted by the program and matched by `benchmark_search`; both must be
+built. With the usual eight shapes a category it takes two to five minutes. The note stands beside the machine's name, such as "other
+programs ran at the same time".
+"""
+import argparse
+import datetime
+import glob
+import math
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+PAGE = """/*!
+\\page sc_performance Performance
+
+This page is written by `benchmark/Shape_correspondence/performance.py`, which measures what it states: on {machine}, {date}. {note}
+
+The shapes are generated ones, {shapes} of each category (`generate_models --benchmark`). Everything runs in one thread, except where threads are named.
+
+\\section sc_pf_abstraction Abstraction
+
+Processor seconds of the command `graph` for one shape: reading, repair, remeshing, curves and sheets, symmetry groups and contacts. Of parts that are
+copies of each other, one is abstracted. Graphs are kept with `--cache`, so that a shape is abstracted once.
+
+{abstraction}
+\\section sc_pf_search Search
+
+Milliseconds for one pair of shapes whose graphs are known: the default method, and the least energy by exact search and by the beam search of the paper,
+both in both directions and with their tables. All pairs within a category.
+
+{search}
+\\section sc_pf_growth Growth
+
+Milliseconds grow with the number n of parts about as n to the power of
+
+{growth}
+The exponents are those of a least squares line through the logarithms, with the geometric mean of the two shapes' numbers of parts.
+
+\\section sc_pf_pair A Pair from Files
+
+Seconds on the clock of the command `match` for the chairs {pair}, in as many threads as the machine has cores: {cold} the first time, and {warm} with
+`--cache` once their graphs are known.
+
+\\section sc_pf_compare Comparing Builds
+
+`paired_times.py BEFORE AFTER MODEL...` runs two builds of the program in turn on the same models, and prints medians of the ratios of their processor
+seconds. Such ratios can be trusted on a machine that does other work, too; seconds cannot.
+*/
+"""
+METHODS = ["default", "exact search", "beam search"]
+
+
+def run(command):
+    """The output of a command that must succeed, and its processor seconds."""
+    with tempfile.TemporaryFile("w+") as output:
+        process = subprocess.Popen(command, stdout=output, stderr=subprocess.PIPE)
+        errors = process.stderr.read()
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        if process.returncode != 0:
+            sys.exit(f"performance.py: {' '.join(command)}: {errors.decode()}")
+        output.seek(0)
+        return output.read(), usage.ru_utime + usage.ru_stime
+
+
+def machine():
+    """The processor's name and the number of cores."""
+    name = "an unknown processor"
+    if os.path.exists("/proc/cpuinfo"):
+        with open("/proc/cpuinfo") as file:
+            name = next((line.split(":")[1].strip() for line in file if line.startswith("model name")), name)
+    return f"{name}, {os.cpu_count()} cores"
+
+
+def quantile(values, share):
+    values = sorted(values)
+    return values[min(len(values) - 1, int(share * len(values)))]
+
+
+def text(value):
+    return f"{value:.3g}" if value < 100 else f"{value:.0f}"
+
+
+def table(heads, rows):
+    lines = [heads, ["---"] * len(heads), *rows]
+    return "".join("| " + " | ".join(row) + " |\n" for row in lines)
+
+
+def measure_abstraction(program, shapes, graphs):
+    """Writes graphs; the table, and the graphs' files by category."""
+    rows, files = [], {}
+    for category, folders in shapes.items():
+        seconds, parts = [], []
+        os.makedirs(os.path.join(graphs, category))
+        for folder in folders:
+            file = os.path.join(graphs, category, os.path.basename(folder) + ".json")
+            _, used = run([program, "graph", os.path.join(folder, "parts"), "--threads", "1", "-o", file])
+            seconds.append(used)
+            parts.append(len(os.listdir(os.path.join(folder, "parts"))))
+            files.setdefault(category, []).append(file)
+        rows.append([category, text(statistics.median(parts)), text(statistics.median(seconds)), text(max(seconds))])
+    return table(["category", "parts, median", "seconds, median", "most"], rows), files
+
+
+def measure_search(benchmark, files):
+    """By category, a list of pairs: numbers of parts and milliseconds of each method."""
+    result = {}
+    for category, graphs in files.items():
+        lines = [line.split() for line in run([benchmark, "--pairs", *graphs])[0].splitlines()]
+        result[category] = [[float(cell) for cell in line[1:]] for line in lines if line[:1] == ["pair"]]
+    return result
+
+
+def search_table(pairs):
+    rows = []
+    for category, found in [*pairs.items(), ("all", [pair for found in pairs.values() for pair in found])]:
+        cells = [category, str(len(found))]
+        for method in range(len(METHODS)):
+            times = [pair[2 + method] for pair in found]
+            cells += [text(statistics.median(times)), text(quantile(times, 0.95))]
+        rows.append(cells)
+    heads = ["category", "pairs"]
+    for method in METHODS:
+        heads += [f"{method}, median", "95 %"]
+    return table(heads, rows)
+
+
+def exponent(sizes, times):
+    """The slope of a least squares line through the logarithms."""
+    x, y = [math.log(size) for size in sizes], [math.log(time) for time in times]
+    mean_x, mean_y = statistics.mean(x), statistics.mean(y)
+    return sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y)) / sum((a - mean_x) ** 2 for a in x)
+
+
+def growth_table(pairs):
+    found = [pair for of_category in pairs.values() for pair in of_category]
+    sizes = [math.sqrt(pair[0] * pair[1]) for pair in found]
+    return table(METHODS, [[f"{exponent(sizes, [pair[2 + method] for pair in found]):.1f}"
+                            for method in range(len(METHODS))]])
+
+
+def pair_seconds(program, chairs, cache):
+    """On the clock, without and with known graphs."""
+    result = []
+    for _ in range(2):
+        begin = time.monotonic()
+        run([program, "match", *[os.path.join(chair, "parts") for chair in chairs], "--cache", cache])
+        result.append(time.monotonic() - begin)
+    return result
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build")
+    parser.add_argument("page")
+    parser.add_argument("--shapes", type=int, default=8, help="of each category, at least 2")
+    parser.add_argument("--note", default="", help="a sentence on what else the machine did")
+    args = parser.parse_args()
+    program = os.path.join(args.build, "shape_correspondence")
+    benchmarks = os.path.join(args.build, "benchmark", "Shape_correspondence")
+    with tempfile.TemporaryDirectory() as work:
+        models = os.path.join(work, "models")
+        run([os.path.join(benchmarks, "generate_models"), "--benchmark", models])
+        shapes = {category: sorted(glob.glob(os.path.join(models, category, "*")))[:args.shapes]
+                  for category in sorted(os.listdir(models))}
+        abstraction, files = measure_abstraction(program, shapes, os.path.join(work, "graphs"))
+        pairs = measure_search(os.path.join(benchmarks, "benchmark_search"), files)
+        chairs = shapes["chair"][:2]
+        cold, warm = pair_seconds(program, chairs, os.path.join(work, "cache"))
+    page = PAGE.format(machine=machine(), date=datetime.date.today().strftime("%B %Y"), note=args.note,
+                       shapes=args.shapes, abstraction=abstraction, search=search_table(pairs),
+                       growth=growth_table(pairs), pair=" and ".join(f"`{os.path.basename(c)}`" for c in chairs),
+                       cold=text(cold), warm=text(warm))
+    with open(args.page, "w") as file:
+        file.write(page)
+
+
+if __name__ == "__main__":
+    main()
