@@ -269,7 +269,8 @@ TEST_CASE("Size goes over by equal factors in equal times; either shape may be g
   const Shape_blend moving = blend_of(source, away, same_parts(3));
   const Point fixed = -Point(13, 5, 0) / (scale - 1); // of the map from the source to the target
   const auto foot = [&](double t) {
-    const Points& points = moving(t).parts()[0].mesh.points;
+    const Segmented_shape shape = moving(t);
+    const Points& points = shape.parts()[0].mesh.points;
     return Point((points.rowwise().minCoeff() + points.rowwise().maxCoeff()) / 2);
   };
   CHECK((foot(0.5) - fixed).norm() == Approx(std::sqrt(scale) * (foot(0) - fixed).norm()).epsilon(1e-3));
