@@ -3,11 +3,13 @@
 
 #include "abstraction/spatial_graph.h"
 
+#include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
 #include <algorithm>
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -89,27 +91,27 @@ Spatial_graph_view::Shortest_paths Spatial_graph_view::shortest_paths(int source
 {
   // Of vertices equally far away the one of the lower index goes first: a distance is a length and the vertex's index
   using Distance = std::pair<double, int>;
-  const double infinity = std::numeric_limits<double>::infinity();
-  Shortest_paths result{Eigen::VectorXd::Constant(size(), infinity),
-                        std::vector<int>(static_cast<std::size_t>(size()))};
-  std::iota(result.predecessors.begin(), result.predecessors.end(), 0);
-  result.distances[source] = 0;
-  std::priority_queue<Distance, std::vector<Distance>, std::greater<Distance>> queue;
-  queue.emplace(0., source);
-  while (!queue.empty()) {
-    const auto [distance, a] = queue.top();
-    queue.pop();
-    if (distance > result.distances[a]) {
-      continue;
-    }
-    for (int b : neighbours(a)) {
-      const double through = distance + length_of(a, b);
-      if (through < result.distances[b]) {
-        result.distances[b] = through;
-        result.predecessors[static_cast<std::size_t>(b)] = a;
-        queue.emplace(through, b);
-      }
-    }
+  const auto n = static_cast<std::size_t>(size());
+  std::vector<Distance> distances(n);
+  Shortest_paths result{Eigen::VectorXd(size()), std::vector<int>(n)};
+  const auto index = boost::get(boost::vertex_index, graph_);
+  const auto length_and_target = [&](auto edge) {
+    const int a = static_cast<int>(boost::source(edge, graph_)), b = static_cast<int>(boost::target(edge, graph_));
+    return Distance(length_of(a, b), b);
+  };
+  using Edge = boost::graph_traits<decltype(graph_)>::edge_descriptor;
+  boost::dijkstra_shortest_paths(
+      graph_, source,
+      boost::weight_map(boost::make_function_property_map<Edge>(length_and_target))
+          .distance_map(boost::make_iterator_property_map(distances.begin(), index))
+          .predecessor_map(boost::make_iterator_property_map(result.predecessors.begin(), index))
+          .distance_compare(std::less<Distance>())
+          .distance_combine(
+              [](const Distance& d, const Distance& step) { return Distance(d.first + step.first, step.second); })
+          .distance_inf(Distance(std::numeric_limits<double>::infinity(), -1))
+          .distance_zero(Distance(0, -1)));
+  for (int v = 0; v < size(); ++v) {
+    result.distances[v] = distances[static_cast<std::size_t>(v)].first;
   }
   return result;
 }

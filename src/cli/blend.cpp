@@ -66,14 +66,6 @@ Examples: shape_correspondence blend chair.obj swivel_chair.obj -o blend.glb
 
 )";
 
-/// \throw Usage_error if an option of the search is given along with a correspondence
-void check_needs_no_search(const po::options_description& search, const po::variables_map& given)
-{
-  for (const auto& option : search.options())
-    if (is_given(given, option->long_name()) && option->long_name() != "min-confidence")
-      throw Usage_error("--match says what corresponds; leave --" + option->long_name() + " out");
-}
-
 /// Leaves out pairs that are less probable than `least`, and says which.
 std::vector<std::string> remove_unlikely(Correspondence& correspondence, double least, const Loaded_shape& source,
                                          const Loaded_shape& target)
@@ -175,7 +167,7 @@ void run_blend(const std::vector<std::string>& arguments)
   refuse_abstraction_of_graphs(parsed);
   Search_options search = search_options(match, parsed.values);
   search.min_confidence = 0; // what is less probable is left out here, and told
-  if (!output.match.empty()) check_needs_no_search(match_options(match), parsed.values);
+  if (!output.match.empty()) refuse_search_options(parsed.values);
   check(common);
   check(output);
   std::vector<std::string> inputs = parsed.inputs;

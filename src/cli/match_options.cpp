@@ -218,6 +218,14 @@ po::options_description match_options(Match_options& match)
   return result;
 }
 
+void refuse_search_options(const po::variables_map& given)
+{
+  Match_options names; // for their names alone
+  for (const auto& option : match_options(names).options())
+    if (is_given(given, option->long_name()) && option->long_name() != "min-confidence")
+      throw Usage_error("--match says what corresponds; leave --" + option->long_name() + " out");
+}
+
 Search_options search_options(const Match_options& match, const po::variables_map& values)
 {
   check_word("search", match.method, {"auto", "parts", "beam", "exact"});

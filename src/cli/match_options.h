@@ -38,6 +38,10 @@ boost::program_options::options_description match_options(Match_options& match);
 /// The search that the options ask for, but for `choose_parts()`. \throw Usage_error
 Search_options search_options(const Match_options& match, const boost::program_options::variables_map& values);
 
+/// For commands that take a correspondence in place of a search. `min-confidence` is of both.
+/// \throw Usage_error if an option of the search is given
+void refuse_search_options(const boost::program_options::variables_map& given);
+
 /// Adds the labelled shapes of `--examples`, if any, to the roles of a search.
 void add_examples(const Match_options& match, const Common_options& common, Search_options& search);
 

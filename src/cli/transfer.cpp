@@ -13,6 +13,7 @@
 #include "cli/transfer_looks.h"
 #include "io/input_file.h"
 #include "io/quoting.h"
+#include "matching/unlikely_pairs.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
@@ -104,14 +105,6 @@ std::vector<std::string> output_files(const Transfer_request& request)
   return result;
 }
 
-/// \throw Usage_error if an option of the search is given along with a correspondence
-void refuse_search(const po::options_description& search, const po::variables_map& given)
-{
-  for (const auto& option : search.options())
-    if (is_given(given, option->long_name()))
-      throw Usage_error("--match says what corresponds; leave --" + option->long_name() + " out");
-}
-
 } // namespace
 
 Command_help help_of_transfer()
@@ -130,7 +123,7 @@ void run_transfer(const std::vector<std::string>& arguments)
   const Run_report report(common);
   refuse_abstraction_of_graphs(parsed);
   Search_options search = search_options(variables.match, parsed.values);
-  if (!variables.result.empty()) refuse_search(match_options(variables.match), parsed.values);
+  if (!variables.result.empty()) refuse_search_options(parsed.values);
   check(common);
   check(request);
   const std::vector<std::string>& paths = parsed.inputs;
@@ -142,10 +135,11 @@ void run_transfer(const std::vector<std::string>& arguments)
   std::vector<Loaded_shape> shapes = load_shapes(paths, common);
   Loaded_shape &source = shapes[0], &target = shapes[1];
   choose_parts(variables.match, {source.graph, paths[0]}, {target.graph, paths[1]}, search);
-  const Correspondence correspondence = variables.result.empty()
-                                            ? find_correspondence(source.graph, target.graph, search)
-                                            : IO::correspondence_of(IO::read_correspondence_json(variables.result),
-                                                                    source.graph, target.graph, variables.result);
+  Correspondence correspondence = variables.result.empty()
+                                      ? find_correspondence(source.graph, target.graph, search)
+                                      : IO::correspondence_of(IO::read_correspondence_json(variables.result),
+                                                              source.graph, target.graph, variables.result);
+  internal::remove_unlikely_pairs(correspondence, search.min_confidence);
   Transferred_looks transferred = transfer_looks(paths[0], source, paths[1], target, correspondence, request);
   for (const std::vector<std::string>& more : {warnings_of(paths, shapes), correspondence.warnings})
     warnings.insert(warnings.end(), more.begin(), more.end());
