@@ -44,7 +44,7 @@ double distance_energy(const Correspondence& correspondence, double unmatched_en
   return (correspondence.energy + charged) / double(std::max<std::size_t>(1, counted));
 }
 
-namespace {
+namespace internal {
 
 // A pair of shapes, and where the pair and the same two in the other order are in a list.
 struct Both_orders
@@ -53,6 +53,10 @@ struct Both_orders
 
   std::size_t first, second, place, reversed = none;
 };
+
+} // namespace internal
+
+namespace {
 
 // The pairs of a list, those of the same two shapes as one.
 std::vector<Both_orders> both_orders(const std::vector<std::pair<std::size_t, std::size_t>>& pairs)
