@@ -220,8 +220,9 @@ po::options_description match_options(Match_options& match)
 
 void refuse_search_options(const po::variables_map& given)
 {
-  Match_options names; // for their names alone
-  for (const auto& option : match_options(names).options())
+  Match_options unused;
+  const po::options_description search = match_options(unused);
+  for (const auto& option : search.options())
     if (is_given(given, option->long_name()) && option->long_name() != "min-confidence")
       throw Usage_error("--match says what corresponds; leave --" + option->long_name() + " out");
 }
