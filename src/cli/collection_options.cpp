@@ -123,9 +123,8 @@ void check(Collection_options& options, const Common_options& common, const po::
     throw Usage_error("--nearest goes with --json and --store, not with shares of the work or files of all pairs");
   if (!options.labels_to.empty() && options.labels_from.empty())
     throw Usage_error("--labels-to has no effect without --labels-from");
-  if (!options.labels_from.empty() &&
-      (in_parts || options.merge || options.matches || options.agreeing ||
-       !(options.nearest + common.html + options.npy + options.csv).empty()))
+  if (!options.labels_from.empty() && (in_parts || options.merge || options.matches || options.agreeing ||
+                                       !(options.nearest + common.html + options.npy + options.csv).empty()))
     throw Usage_error("--labels-from goes with --labels-to, --json and --store, not with --nearest, shares of the work "
                       "or files of all pairs");
   if (options.nearest_count < 1) throw Usage_error("-k must be at least 1");

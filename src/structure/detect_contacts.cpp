@@ -247,8 +247,8 @@ double area(const Sheet& sheet)
 /// of a plate.
 double half_thickness(const Part_abstraction& part)
 {
-  const double extent =
-      part.is_sheet() ? 2 * area(std::get<Sheet>(part.geometry)) : double(EIGEN_PI * length(std::get<Curve>(part.geometry)));
+  const double extent = part.is_sheet() ? 2 * area(std::get<Sheet>(part.geometry))
+                                        : double(EIGEN_PI * length(std::get<Curve>(part.geometry)));
   if (!(extent > 0) || !(part.volume > 0)) return 0;
   return part.is_sheet() ? part.volume / extent : std::sqrt(part.volume / extent);
 }

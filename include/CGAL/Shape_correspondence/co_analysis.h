@@ -52,8 +52,8 @@ Co_analysis co_analysis(const std::vector<std::size_t>& part_counts, const std::
                         const Co_analysis_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The pairs of parts that are in one cluster: those that the whole set confirms. Fewer of the pairs of two shapes, which
-/// are right more often.
+/// The pairs of parts that are in one cluster: those that the whole set confirms. Fewer of the pairs of two shapes,
+/// which are right more often.
 std::vector<Shape_pair_map> agreeing_maps(std::vector<Shape_pair_map> maps, const Co_analysis& analysis);
 
 } // namespace Shape_correspondence
