@@ -13,6 +13,8 @@
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <filesystem>
 #include <ostream>
@@ -61,16 +63,14 @@ std::string material_library(const std::string& texture)
 void write_coloured_ply(std::ostream& out, const Segmented_shape& shape, const Transferred_appearance& transferred,
                         const std::vector<std::string>& labels)
 {
-  Point low = Point::Constant(1e300), high = -low;
-  for (const Shape_part& part : shape.parts()) {
-    low = low.cwiseMin(part.mesh.points.rowwise().minCoeff());
-    high = high.cwiseMax(part.mesh.points.rowwise().maxCoeff());
-  }
+  Eigen::AlignedBox3d box;
+  for (const Shape_part& part : shape.parts())
+    box.extend(Eigen::AlignedBox3d(part.mesh.points.rowwise().minCoeff(), part.mesh.points.rowwise().maxCoeff()));
   std::string vertices, faces;
   std::int32_t points = 0, triangles = 0;
   for (std::size_t i = 0; i < shape.parts().size(); ++i) {
     const internal::Coloured_mesh coloured = internal::coloured_mesh(shape.parts()[i].mesh, transferred.appearance, i,
-                                                                     grey(), (high - low).norm() / edges_across);
+                                                                     grey(), box.diagonal().norm() / edges_across);
     for (Eigen::Index v = 0; v < coloured.mesh.points.cols(); ++v) {
       for (double coordinate : coloured.mesh.points.col(v))
         append_little_endian<double, std::uint64_t>(vertices, coordinate);

@@ -38,8 +38,8 @@ constexpr unsigned most_pixels_in_row = 8192; // and in a column; 256 MB of them
 void check_size(unsigned width, unsigned height)
 {
   if (width == 0 || height == 0 || width > most_pixels_in_row || height > most_pixels_in_row)
-    throw Invalid_input("has " + std::to_string(width) + " x " + std::to_string(height) +
-                        " pixels; at most 8192 in each direction are read");
+    throw Invalid_input("has " + std::to_string(width) + " x " + std::to_string(height) + " pixels; at most " +
+                        std::to_string(most_pixels_in_row) + " in each direction are read");
 }
 
 Image decoded_png(const std::string& bytes)

@@ -38,6 +38,15 @@ struct Chart
   Eigen::Vector2d extent = Eigen::Vector2d::Zero();
 };
 
+Eigen::AlignedBox2d bounds(const std::vector<Flat_triangle>& triangles)
+{
+  Eigen::AlignedBox2d result;
+  for (const Flat_triangle& triangle : triangles)
+    for (const Eigen::Vector2d& corner : triangle)
+      result.extend(corner);
+  return result;
+}
+
 /// Cuts a part into charts.
 class Chart_maker
 {
@@ -120,16 +129,10 @@ private:
       }
     Chart chart;
     chart.part = part_;
-    Eigen::Vector2d low = Eigen::Vector2d::Constant(1e300), high = -low;
     std::vector<Flat_triangle> flat;
-    for (int t : found) {
+    for (int t : found)
       flat.push_back(projected(t));
-      for (const Eigen::Vector2d& corner : flat.back()) {
-        low = low.cwiseMin(corner);
-        high = high.cwiseMax(corner);
-      }
-    }
-    const std::vector<bool> fits = without_overlap(flat, low, high);
+    const std::vector<bool> fits = without_overlap(flat);
     for (std::size_t i = 0; i < found.size(); ++i) {
       if (!fits[i]) continue;
       done[std::size_t(found[i])] = true;
@@ -141,19 +144,19 @@ private:
   }
 
   /// Which triangles are not on top of earlier ones, as pixels of a coarse picture tell. The first one never is.
-  static std::vector<bool> without_overlap(const std::vector<Flat_triangle>& flat, const Eigen::Vector2d& low,
-                                           const Eigen::Vector2d& high)
+  static std::vector<bool> without_overlap(const std::vector<Flat_triangle>& flat)
   {
     constexpr int size = 256;
     constexpr int few = 2; // pixels on edges
-    const double extent = (high - low).maxCoeff();
+    const Eigen::AlignedBox2d box = bounds(flat);
+    const double extent = box.sizes().maxCoeff();
     std::vector<bool> result(flat.size(), true);
     if (!(extent > 0) || flat.size() == 1) return result;
     std::vector<bool> taken(std::size_t(size) * size, false);
     for (std::size_t i = 0; i < flat.size(); ++i) {
       Flat_triangle scaled = flat[i];
       for (Eigen::Vector2d& corner : scaled)
-        corner = (corner - low) * (size - 1) / extent;
+        corner = (corner - box.min()) * (size - 1) / extent;
       std::vector<std::size_t> pixels;
       int overlapping = 0;
       for_each_pixel(
@@ -175,25 +178,15 @@ private:
   /// Moves a chart to (0, 0), its longer side along x.
   static void lay_down(Chart& chart)
   {
-    const auto bounds = [&] {
-      Eigen::Vector2d low = Eigen::Vector2d::Constant(1e300), high = -low;
-      for (const Flat_triangle& triangle : chart.flat)
-        for (const Eigen::Vector2d& corner : triangle) {
-          low = low.cwiseMin(corner);
-          high = high.cwiseMax(corner);
-        }
-      return std::pair(low, high);
-    };
-    auto [low, high] = bounds();
-    if ((high - low).y() > (high - low).x())
+    if (const Eigen::Vector2d sizes = bounds(chart.flat).sizes(); sizes.y() > sizes.x())
       for (Flat_triangle& triangle : chart.flat)
         for (Eigen::Vector2d& corner : triangle)
           corner = Eigen::Vector2d(-corner.y(), corner.x());
-    std::tie(low, high) = bounds();
+    const Eigen::AlignedBox2d box = bounds(chart.flat);
     for (Flat_triangle& triangle : chart.flat)
       for (Eigen::Vector2d& corner : triangle)
-        corner -= low;
-    chart.extent = high - low;
+        corner -= box.min();
+    chart.extent = box.sizes();
   }
 
   std::size_t part_;
