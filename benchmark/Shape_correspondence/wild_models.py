@@ -22,6 +22,7 @@ import argparse
 import collections
 import concurrent.futures
 import csv
+import glob
 import json
 import os
 import resource
