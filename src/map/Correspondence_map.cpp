@@ -69,7 +69,7 @@ Correspondence_map::Correspondence_map(const Structural_graph& source, const Str
     }
     return result;
   };
-  for (const Part_pair& pair : piece_pairs(from, to, correspondence)) {
+  for (const Piece_pair& pair : piece_pairs(from, to, correspondence)) {
     const Part_abstraction &s = *from.parts[pair.source], &t = *to.parts[pair.target];
     Piece_map map;
     map.source = side(from, pair.source, pair.source_piece);
@@ -151,7 +151,7 @@ Surface_map::Surface_map(const Structural_graph& source, const Segmented_shape& 
       if (s == 0) triangles_.push_back(part.mesh.triangles);
     }
 
-  for (const Part_pair& pair : piece_pairs(charted[0], charted[1], correspondence)) {
+  for (const Piece_pair& pair : piece_pairs(charted[0], charted[1], correspondence)) {
     const std::array<std::size_t, 2> part = {pair.source, pair.target};
     const std::array<Chart_box, 2> boxes = {pair.source_piece, pair.target_piece};
     const auto mesh = [&](std::size_t s) -> const Part_mesh& { return shapes[s]->parts()[part[s]].mesh; };
