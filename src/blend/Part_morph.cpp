@@ -4,7 +4,7 @@
 #include "blend/Part_morph.h"
 
 #include "map/Charted_mesh.h"
-#include "map/Part_pair.h"
+#include "map/Piece_pair.h"
 
 #include <algorithm>
 #include <cmath>

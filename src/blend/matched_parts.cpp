@@ -104,12 +104,12 @@ private:
   }
 
   /// Images need pieces that are images, too: all pairs of a part in the mirror or none.
-  bool has_images(const Part_pair& pair) const
+  bool has_images(const Piece_pair& pair) const
   {
     return uses_[0][pair.source].all_have_images && uses_[1][pair.target].all_have_images;
   }
 
-  Blend_task task_of(const Part_pair& pair) const
+  Blend_task task_of(const Piece_pair& pair) const
   {
     Blend_task task;
     task.source = pair.source;
@@ -123,13 +123,13 @@ private:
   /// \param forward whether the source's surface moves first; if not said, what is better
   Blend_part part(std::size_t number, const std::optional<bool>& forward) const
   {
-    const Part_pair& pair = pairs_[number];
+    const Piece_pair& pair = pairs_[number];
     Blend_part result;
     result.name = ends_.charted[0].parts[pair.source]->name + '~' + ends_.charted[1].parts[pair.target]->name;
     result.task = task_of(pair);
     result.image = images_[number];
     result.is_reflected = result.image < number && has_images(pair) && has_images(pairs_[result.image]);
-    const Part_pair& charted_as = result.is_reflected ? pairs_[result.image] : pair;
+    const Piece_pair& charted_as = result.is_reflected ? pairs_[result.image] : pair;
     const std::array<Part_mesh, 2> pieces = {
         piece(0, pair.source, charted_as.source, charted_as.source_piece, result.is_reflected),
         piece(1, pair.target, charted_as.target, charted_as.target_piece, result.is_reflected)};
@@ -140,7 +140,7 @@ private:
     return result;
   }
 
-  Pair_charts charts(const Part_pair& pair, bool is_upright, const std::array<Part_mesh, 2>& pieces) const
+  Pair_charts charts(const Piece_pair& pair, bool is_upright, const std::array<Part_mesh, 2>& pieces) const
   {
     return is_upright ? upright_charts(pieces[0].points, pieces[1].points)
                       : pair_charts(pair, ends_.charted[0], ends_.charted[1], pieces[0].points, pieces[1].points);
@@ -165,7 +165,7 @@ private:
   }
 
   const Blend_ends& ends_;
-  std::vector<Part_pair> pairs_;
+  std::vector<Piece_pair> pairs_;
   std::vector<std::size_t> images_;      ///< by pair, its mirror image
   std::vector<char> is_upright_;         ///< by pair
   std::array<std::vector<Use>, 2> uses_; ///< by end and part

@@ -173,7 +173,7 @@ Pair_charts upright_charts(const Points& source, const Points& target)
   return {Part_chart::box(source, upright), Part_chart::box(target, upright)};
 }
 
-std::optional<Eigen::Matrix3d> mirrored_turn(const Part_pair& pair, const Charted_shape& source,
+std::optional<Eigen::Matrix3d> mirrored_turn(const Piece_pair& pair, const Charted_shape& source,
                                              const Charted_shape& target)
 {
   const auto [from, to] = piece_charts(pair, source, target);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "map/Charted_mesh.h"
-#include "map/Part_pair.h"
+#include "map/Piece_pair.h"
 
 #include <cstddef>
 #include <optional>
@@ -59,7 +59,7 @@ Pair_charts upright_charts(const Points& source, const Points& target);
 
 /// The turn by which a pair that is its own mirror image keeps the mirror plane where it is, on the way, too; none if
 /// its charts do not allow one.
-std::optional<Eigen::Matrix3d> mirrored_turn(const Part_pair& pair, const Charted_shape& source,
+std::optional<Eigen::Matrix3d> mirrored_turn(const Piece_pair& pair, const Charted_shape& source,
                                              const Charted_shape& target);
 
 } // namespace CGAL::Shape_correspondence::internal

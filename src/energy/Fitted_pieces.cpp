@@ -29,7 +29,7 @@ Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape
     label_begin_.push_back(image_begin_.size());
     for (const Group_label& label : labels[group]) {
       image_begin_.push_back(images_.size());
-      for (const Image& image : label.images[member])
+      for (const Piece_image& image : label.images[member])
         images_.push_back(fit(image));
     }
   }
@@ -38,7 +38,7 @@ Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape
 }
 
 // The index of a fitted piece among those of its part, the last part that has any.
-std::uint32_t Fitted_pieces::fit(const Image& image)
+std::uint32_t Fitted_pieces::fit(const Piece_image& image)
 {
   const std::size_t from = source_pieces_.index(image.source), to = target_pieces_.index(image.target);
   for (std::size_t known = fitted_begin_.back(); known < fitted_.size(); ++known)

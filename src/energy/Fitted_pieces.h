@@ -75,7 +75,7 @@ public:
   }
 
 private:
-  std::uint32_t fit(const Image& image);
+  std::uint32_t fit(const Piece_image& image);
   std::size_t lanes_of(std::size_t target_piece, const std::vector<int>& order);
 
   Piece_list source_pieces_, target_pieces_;

@@ -171,9 +171,9 @@ void Matching_problem::fill_role_costs()
   for (std::size_t g = 0; g < labels_.size(); ++g) {
     role_costs_.emplace_back(labels_[g].size(), 0.);
     for (std::size_t l = 0; has_costs && l < labels_[g].size(); ++l)
-      for (const std::vector<Image>& images : labels_[g][l].images) {
+      for (const std::vector<Piece_image>& images : labels_[g][l].images) {
         double sum = 0;
-        for (const Image& image : images)
+        for (const Piece_image& image : images)
           sum += options_.role_costs(Eigen::Index(source().original[image.source.part]),
                                      Eigen::Index(target().original[image.target.part]));
         if (images.empty()) continue;

@@ -64,10 +64,10 @@ Group_label cut_curves(const Aligned_shape& source, std::size_t source_group, co
   };
   const Unit_box from_box(source.boxes[source_group]), to_box(target.boxes[label.target_group]);
 
-  for (std::vector<Image>& images : result.images) {
+  for (std::vector<Piece_image>& images : result.images) {
     const std::size_t part = images[0].source.part;
     std::vector<std::size_t> parts;
-    for (const Image& image : images)
+    for (const Piece_image& image : images)
       parts.push_back(image.target.part);
     if (parts.size() < 2 || !is_open_curve(source.parts[part]) || !all_curves(target, parts)) continue;
     const auto segments = matching_segments(source.parts[part], from_box, centroids(target, parts), to_box);

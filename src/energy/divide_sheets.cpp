@@ -48,11 +48,11 @@ std::vector<Eigen::AlignedBox3d> rectangles(const Sampled_part& sheet, const std
 }
 
 // Divides a sheet among the parts that some images have on the other side.
-void divide_among(const Sampled_part& sheet, const std::vector<Sampled_part>& others, const std::vector<Image*>& images,
-                  Piece Image::*divided, Piece Image::*other)
+void divide_among(const Sampled_part& sheet, const std::vector<Sampled_part>& others,
+                  const std::vector<Piece_image*>& images, Piece Piece_image::*divided, Piece Piece_image::*other)
 {
   std::vector<const Sampled_part*> parts;
-  for (const Image* image : images)
+  for (const Piece_image* image : images)
     parts.push_back(&others[(image->*other).part]);
   const std::vector<Eigen::AlignedBox3d> boxes = rectangles(sheet, parts);
   for (std::size_t i = 0; i < images.size(); ++i) {
@@ -91,24 +91,26 @@ Sampled_part rectangle(const Sampled_part& sheet, const std::array<double, 2>& l
 void divide_sheets(const Aligned_shape& source, const Aligned_shape& target, Group_label& label)
 {
   std::vector<std::size_t> targets;
-  for (std::vector<Image>& images : label.images) {
-    std::vector<Image*> of_part;
-    for (Image& image : images) {
+  for (std::vector<Piece_image>& images : label.images) {
+    std::vector<Piece_image*> of_part;
+    for (Piece_image& image : images) {
       of_part.push_back(&image);
       targets.push_back(image.target.part);
     }
     if (of_part.size() > 1 && is_sheet(source.parts[images[0].source.part]))
-      divide_among(source.parts[images[0].source.part], target.parts, of_part, &Image::source, &Image::target);
+      divide_among(source.parts[images[0].source.part], target.parts, of_part, &Piece_image::source,
+                   &Piece_image::target);
   }
   std::sort(targets.begin(), targets.end());
   targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
   for (std::size_t part : targets) {
     if (!is_sheet(target.parts[part])) continue;
-    std::vector<Image*> of_part;
-    for (std::vector<Image>& images : label.images)
-      for (Image& image : images)
+    std::vector<Piece_image*> of_part;
+    for (std::vector<Piece_image>& images : label.images)
+      for (Piece_image& image : images)
         if (image.target.part == part) of_part.push_back(&image);
-    if (of_part.size() > 1) divide_among(target.parts[part], source.parts, of_part, &Image::target, &Image::source);
+    if (of_part.size() > 1)
+      divide_among(target.parts[part], source.parts, of_part, &Piece_image::target, &Piece_image::source);
   }
 }
 

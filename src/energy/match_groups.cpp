@@ -126,8 +126,8 @@ Group_label match_groups(const Aligned_shape& source, std::size_t source_group, 
 
 bool is_allowed(const Group_label& label, const Match_constraints& constraints)
 {
-  for (const std::vector<Image>& images : label.images)
-    for (const Image& image : images)
+  for (const std::vector<Piece_image>& images : label.images)
+    for (const Piece_image& image : images)
       if (!constraints.allows(image.source.part, image.target.part)) return false;
   return true;
 }

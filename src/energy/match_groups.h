@@ -34,7 +34,7 @@ struct Piece
 bool overlap(const Piece& a, const Piece& b);
 
 /// What a piece of a source part turns into.
-struct Image
+struct Piece_image
 {
   Piece source, target;
 };
@@ -46,8 +46,8 @@ struct Group_label
 
   std::size_t target_group = no_group; ///< `no_group` leaves the group unmatched
   Operation operation = Operation::NONE;
-  std::vector<std::vector<Image>> images; ///< by member of the source group; at least one each, or none at all
-  double solidity_ratio = 1;              ///< S_i of Eq. 5
+  std::vector<std::vector<Piece_image>> images; ///< by member of the source group; at least one each, or none at all
+  double solidity_ratio = 1;                    ///< S_i of Eq. 5
 };
 
 /// What becomes of a group of so many parts that turns into a group of so many: match, split, duplicate or merge.

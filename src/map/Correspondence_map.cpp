@@ -96,7 +96,7 @@ Correspondence_map::Correspondence_map(const Structural_graph& source, const Str
     }
     return result;
   };
-  for (const Part_pair& pair : piece_pairs(from, to, correspondence)) {
+  for (const Piece_pair& pair : piece_pairs(from, to, correspondence)) {
     const Part_abstraction &s = *from.parts[pair.source], &t = *to.parts[pair.target];
     Pieces::Piece_map map;
     map.source = side(from, pair.source, pair.source_piece);

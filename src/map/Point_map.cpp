@@ -38,7 +38,7 @@ Point_map::Point_map(const Structural_graph& source, const Segmented_shape& sour
   check_model(source, source_shape);
   check_model(target, target_shape);
   const std::array<Charted_shape, 2> charted = {charted_shape(source, 0, mesh_surfaces(source_shape)), target_};
-  for (const Part_pair& pair : piece_pairs(charted[0], charted[1], correspondence)) {
+  for (const Piece_pair& pair : piece_pairs(charted[0], charted[1], correspondence)) {
     auto piece = std::make_unique<Piece>(Piece{
         pair.source,
         pair.target_piece,

@@ -30,7 +30,7 @@ Surface_map::Surface_map(const Structural_graph& source, const Segmented_shape& 
       if (s == 0) triangles_.push_back(part.mesh.triangles);
     }
 
-  for (const Part_pair& pair : piece_pairs(charted[0], charted[1], correspondence)) {
+  for (const Piece_pair& pair : piece_pairs(charted[0], charted[1], correspondence)) {
     const std::array<std::size_t, 2> part = {pair.source, pair.target};
     const std::array<Chart_box, 2> boxes = {pair.source_piece, pair.target_piece};
     const auto mesh = [&](std::size_t s) -> const Part_mesh& { return shapes[s]->parts()[part[s]].mesh; };

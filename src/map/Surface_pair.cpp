@@ -16,7 +16,7 @@ std::vector<const Points*> mesh_surfaces(const Segmented_shape& shape)
   return result;
 }
 
-Surface_pair surface_pair(const Part_pair& pair, const std::array<Charted_shape, 2>& shapes,
+Surface_pair surface_pair(const Piece_pair& pair, const std::array<Charted_shape, 2>& shapes,
                           const std::array<const Part_mesh*, 2>& meshes)
 {
   constexpr double longest_edge = 0.3; // in chart coordinates

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "map/Charted_mesh.h"
-#include "map/Part_pair.h"
+#include "map/Piece_pair.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
@@ -23,7 +23,7 @@ struct Surface_pair
   std::array<Charted_mesh, 2> meshes; ///< triangles and vertices are those of the parts
 };
 
-Surface_pair surface_pair(const Part_pair& pair, const std::array<Charted_shape, 2>& shapes,
+Surface_pair surface_pair(const Piece_pair& pair, const std::array<Charted_shape, 2>& shapes,
                           const std::array<const Part_mesh*, 2>& meshes);
 
 } // namespace CGAL::Shape_correspondence::internal

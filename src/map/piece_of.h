@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "map/Part_pair.h"
+#include "map/Piece_pair.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 

@@ -62,7 +62,7 @@ std::vector<std::size_t> image_parts(const Group_label& label)
 {
   std::vector<std::size_t> parts;
   for (const auto& images : label.images)
-    for (const Image& image : images)
+    for (const Piece_image& image : images)
       parts.push_back(image.target.part);
   std::sort(parts.begin(), parts.end());
   parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
@@ -128,7 +128,7 @@ void collect_pairs(const Group_label& label, const Aligned_shape& shape, const A
                    Correspondence& correspondence)
 {
   for (const auto& images : label.images)
-    for (const Image& image : images) {
+    for (const Piece_image& image : images) {
       Part_correspondence pair{shape.original[image.source.part], other.original[image.target.part]};
       pair.source_segment = segment_of(image.source);
       pair.target_segment = segment_of(image.target);

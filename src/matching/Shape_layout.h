@@ -22,7 +22,7 @@ struct Axis_box
   double middle() const { return (low.y() + high.y()) / 2; }
 };
 
-inline Axis_box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
+inline Axis_box axis_box(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
 
 inline Axis_box joined(const Axis_box& a, const Axis_box& b) { return {a.low.min(b.low), a.high.max(b.high)}; }
 
@@ -52,7 +52,7 @@ struct Shape_layout
   explicit Shape_layout(const Aligned_shape& shape) : neighbours(touching_parts(shape))
   {
     for (const Sampled_part& part : shape.parts)
-      boxes.push_back(box_of(part.surface));
+      boxes.push_back(axis_box(part.surface));
     bounds = boxes.front();
     for (const Axis_box& box : boxes)
       bounds = joined(bounds, box);

@@ -67,6 +67,17 @@ std::vector<int> tried_turns(const Shape_frame& source, const Shape_frame& targe
   return turns;
 }
 
+// Before the work: `method` would deform more groups than it can within seconds.
+void check_size(const Aligned_shape& deformed, const std::string& name, Search_method method)
+{
+  const bool is_beam = method == Search_method::BEAM;
+  const std::size_t most = is_beam ? most_beam_groups : most_exact_groups;
+  if (deformed.number_of_groups() <= most) return;
+  throw Invalid_input("find_correspondence: shape '" + name + "' has " + std::to_string(deformed.number_of_groups()) +
+                      " groups of parts, and " + (is_beam ? "beam" : "exact") + " search takes at most " +
+                      std::to_string(most) + ": match its largest parts only, or use the default method");
+}
+
 void mark_cancelled(std::size_t done, std::size_t runs, Correspondence& correspondence)
 {
   correspondence.complete = correspondence.optimal = false;
@@ -466,6 +477,7 @@ Search_options Correspondence_finder::Impl::with_role_costs(const Prepared_shape
 
 std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prepared_shape& target) const
 {
+  check_size(*source_, structure(prepared_source_.graph()).name, options_.method);
   const std::vector<int> turns = tried_turns(source_frame_, structure(target.graph()).frame, options_.alignments);
   Correspondence known;
   const Search_options options = with_role_costs(target, known);
@@ -478,6 +490,7 @@ std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prep
   bool cancelled = false;
   for (std::size_t t = 0; t < turns.size() && !cancelled; ++t) {
     const Shared_shape shape = aligned(target, turns[t]);
+    if (options.both_directions) check_size(*shape, structure(target.graph()).name, options.method);
     for (Direction direction : directions) {
       cancelled = cancelled || (options_.progress && !options_.progress(double(done) / double(run_count)));
       if (cancelled) break;

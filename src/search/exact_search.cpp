@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/quantized.h"
+#include "search/Local_energy.h"
 #include "search/Tangents.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -33,6 +34,7 @@ class Exact_search::Impl
 public:
   Impl(const Pairwise_energy& energy, const Exact_options& options)
       : energy_(energy),
+        local_energy_(energy),
         options_(options),
         order_(elimination_order(energy)),
         table_limit_(options.table_limit),
@@ -196,17 +198,13 @@ private:
   // Changes labels one at a time while the energy falls.
   void improve()
   {
-    double least = energy_(assignment_);
     for (bool changed = true; changed;) {
       changed = false;
       for (std::size_t v = 0; v < assignment_.size(); ++v) {
-        int best = assignment_[v];
-        for (int l = 0; l < int(energy_.number_of_labels(v)); ++l) {
-          assignment_[v] = l;
-          const double energy = energy_(assignment_);
-          if (energy < least - energy_tolerance) least = energy, best = l, changed = true;
-        }
-        assignment_[v] = best;
+        const std::vector<double> rises = local_energy_.rises(v, assignment_);
+        double least = 0;
+        for (std::size_t l = 0; l < rises.size(); ++l)
+          if (rises[l] < least - energy_tolerance) least = rises[l], assignment_[v] = int(l), changed = true;
       }
     }
   }
@@ -232,6 +230,7 @@ private:
   }
 
   const Pairwise_energy& energy_;
+  const Local_energy local_energy_;
   const Exact_options options_;
   const std::vector<std::size_t> order_;
   std::size_t table_limit_;

@@ -59,7 +59,7 @@ Vector mean_of(const std::vector<Vector>& values, std::size_t triangle, const Ei
 class Triangle_finder
 {
 public:
-  explicit Triangle_finder(const Part_mesh& mesh) : mesh_(mesh), tree_(triangles_of(mesh))
+  explicit Triangle_finder(const Part_mesh& mesh) : tree_(triangles_of(mesh))
   {
     for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
       int first = 0;
@@ -93,7 +93,6 @@ private:
     return result;
   }
 
-  const Part_mesh& mesh_;
   internal::contacts::Triangle_tree tree_;
   std::map<Corners, Eigen::Index> known_;
 };

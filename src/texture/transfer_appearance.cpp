@@ -35,7 +35,6 @@ public:
            const Segmented_shape& target_shape, const Shape_appearance& target_appearance,
            const Correspondence& correspondence, const Transfer_options& options)
       : map_(source, source_shape, target, target_shape, correspondence),
-        target_shape_(target_shape),
         target_looks_(target_appearance, options.neutral),
         options_(options)
   {
@@ -95,7 +94,6 @@ public:
 
 private:
   Point_map map_;
-  const Segmented_shape& target_shape_;
   Looks_sampler target_looks_;
   const Transfer_options& options_;
   Texture_layout layout_;

@@ -75,7 +75,7 @@ TEST_CASE("Roles: each contact is charged the mean of what its parts disagree wi
       const std::size_t g = source.group_of[part];
       double sum = 0, count = 0;
       for (const auto& images : problem.label(g, std::size_t(assignment[g])).images)
-        for (const Image& image : images)
+        for (const Piece_image& image : images)
           if (image.source.part == part) {
             sum += options.role_costs(Eigen::Index(source.original[part]),
                                       Eigen::Index(target.original[image.target.part]));

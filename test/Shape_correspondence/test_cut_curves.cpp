@@ -58,7 +58,7 @@ TEST_CASE("Cutting: a post turns into the pieces of another by their places, how
     const Group_label cut = cut_curves(whole, from, pieces, split);
     CHECK(cut.operation == Operation::CUT);
     REQUIRE(cut.images[0].size() == 3);
-    for (const Image& image : cut.images[0]) {
+    for (const Piece_image& image : cut.images[0]) {
       CHECK(image.source.count == 3);
       CHECK(image.target.count == 1);
       // Fitted, a segment is the piece itself
@@ -87,6 +87,6 @@ TEST_CASE("Cutting: curves need not lie in a row")
   const Group_label cut = cut_curves(plain, leg_group, slats, duplicate);
   CHECK(cut.operation == Operation::CUT);
   for (const auto& images : cut.images)
-    for (const Image& image : images)
+    for (const Piece_image& image : images)
       CHECK(image.source.count == int(images.size()));
 }

@@ -110,7 +110,8 @@ TEST_CASE("Degenerate shapes are graphs that match themselves, or errors that sa
   }
 }
 
-TEST_CASE("A thousand identical parts are a graph, and more than two thousand are refused before any work")
+TEST_CASE(
+    "A thousand identical parts are matched by default, and refused before any work by search; two thousand are most")
 {
   Segmented_shape shape;
   for (int i = 0; i < 1000; ++i)
@@ -122,6 +123,15 @@ TEST_CASE("A thousand identical parts are a graph, and more than two thousand ar
   REQUIRE(!structure(graph).warnings.empty());
   CHECK_THAT(structure(graph).warnings.back(), Contains("Too many"));
   CHECK(find_correspondence(graph, graph).pairs.size() >= 1000);
+  for (const auto& [method, limit] : {std::pair(Search_method::BEAM, "beam search takes at most 180"),
+                                      std::pair(Search_method::EXACT, "exact search takes at most 500")}) {
+    Search_options search;
+    search.method = method;
+    CHECK_THAT(model_files::complaint([&] { find_correspondence(graph, graph, search); }),
+               Contains("1000 groups") && Contains(limit) && Contains("largest parts"));
+    search.maximum_parts = 4;
+    CHECK(find_correspondence(graph, graph, search).groups.size() == 4);
+  }
   for (int i = 0; i <= 1000; ++i)
     shape.add_part("more " + std::to_string(i), box(Point(0, -1, 0), Point::Ones()));
   CHECK_THAT(model_files::complaint([&] { build_structural_graph(shape, options); }),

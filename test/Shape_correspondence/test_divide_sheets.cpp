@@ -88,7 +88,7 @@ TEST_CASE("A panel and bars: each bar has its third of the panel, which costs no
     const double width = third.samples.row(0).maxCoeff() - third.samples.row(0).minCoeff();
     CHECK(width == Approx(1 / 3.));
   };
-  for (const Image& image : split.images[0]) {
+  for (const Piece_image& image : split.images[0]) {
     check_third(image.source, image.target.part);
     CHECK(image.target.is_whole());
   }

@@ -7,6 +7,7 @@
 #include "brute_force.h"
 #include "hand_made_graphs.h"
 #include "random_tables.h"
+#include "search/Local_energy.h"
 #include "search/beam_search.h"
 #include "search/message_passing.h"
 
@@ -114,6 +115,28 @@ TEST_CASE("Min-marginals: the least energy without the label, by brute force")
     for (std::size_t v = 0; v < 5; ++v) {
       const auto others = brute_force(energy, [&](const Assignment& a) { return a[v] != result.best().assignment[v]; });
       CHECK(rises[v] == Approx(others[0] - result.best().energy).margin(1e-9));
+    }
+  }
+}
+
+TEST_CASE("What a change of one label makes the energy rise by is the difference of the energies")
+{
+  std::mt19937 random(6);
+  for (int i = 0; i < 50; ++i) {
+    Pairwise_energy energy = random_tables(random, 6, 3, 2);
+    energy.root_terms.push_back(energy.root_terms[0]);
+    for (const Pairwise_energy::Edge& edge : energy.edges) // a root term of edges, like a pooled E_d
+      energy.root_terms.back().edge.push_back(edge.cost / 4);
+    Assignment assignment(6);
+    for (int& label : assignment)
+      label = int(random() % 3);
+    const std::size_t v = random() % 6;
+    const std::vector<double> rises = internal::Local_energy(energy).rises(v, assignment);
+    const double before = energy(assignment);
+    REQUIRE(rises.size() == 3);
+    for (int label = 0; label < 3; ++label) {
+      assignment[v] = label;
+      CHECK(rises[std::size_t(label)] == Approx(energy(assignment) - before).margin(1e-12));
     }
   }
 }

@@ -195,3 +195,29 @@ TEST_CASE("No constant of a source has the name of one of a header, which it wou
     CHECK_FALSE(of_headers.count(name));
   }
 }
+
+TEST_CASE("No type of a private header has the name of a public one, with which it would be ambiguous")
+{
+  const std::regex definition("(?:struct|class|enum class) (\\w+)(?: final)?(?: : .*)?(?: \\{.*)?");
+  std::set<std::string> of_package;
+  std::map<std::string, std::string> of_rooms; // files by name of a type
+  for (const auto& [file, path] : package_files()) {
+    if (path.extension() != ".h") continue;
+    const bool is_public = file.compare(0, public_prefix.size(), public_prefix) == 0;
+    std::ifstream in(path);
+    std::smatch found;
+    for (std::string line; std::getline(in, line);) {
+      if (!std::regex_match(line, found, definition)) continue;
+      if (is_public)
+        of_package.insert(found[1]);
+      else
+        of_rooms.emplace(found[1], file);
+    }
+  }
+  REQUIRE(of_package.count("Part_pair"));
+  REQUIRE(of_rooms.count("Piece_pair"));
+  for (const auto& [name, file] : of_rooms) {
+    INFO(name << " in " << file);
+    CHECK_FALSE(of_package.count(name));
+  }
+}

@@ -42,7 +42,7 @@ TEST_CASE("Groups: members one to one by place, then the left-over ones to the n
   CHECK(duplicate.operation == Operation::DUPLICATE);
   std::set<std::size_t> taken;
   for (const auto& images : duplicate.images)
-    for (const Image& image : images)
+    for (const Piece_image& image : images)
       taken.insert(image.target.part);
   CHECK(taken.size() == 3); // every target part is somebody's image
 }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "map/Part_pair.h"
+#include "map/Piece_pair.h"
 
 #include "base/divide_box.h"
 #include "base/quantized.h"
@@ -85,7 +85,7 @@ struct Division
 
 } // namespace
 
-std::array<Part_chart, 2> piece_charts(const Part_pair& pair, const Charted_shape& source, const Charted_shape& target)
+std::array<Part_chart, 2> piece_charts(const Piece_pair& pair, const Charted_shape& source, const Charted_shape& target)
 {
   const auto piece = [](const Part_chart& chart, const Chart_box& box) {
     return is_whole(box) ? chart : chart.restricted(box.min(), box.max());
@@ -93,7 +93,7 @@ std::array<Part_chart, 2> piece_charts(const Part_pair& pair, const Charted_shap
   return {piece(source.charts[pair.source], pair.source_piece), piece(target.charts[pair.target], pair.target_piece)};
 }
 
-Pair_kind pair_kind(const Part_pair& pair, const Charted_shape& source, const Charted_shape& target)
+Pair_kind pair_kind(const Piece_pair& pair, const Charted_shape& source, const Charted_shape& target)
 {
   if (source.parts[pair.source]->is_closed_curve() || target.parts[pair.target]->is_closed_curve())
     return Pair_kind::BOXES;
@@ -101,12 +101,12 @@ Pair_kind pair_kind(const Part_pair& pair, const Charted_shape& source, const Ch
   return are_alike ? Pair_kind::SAME : Pair_kind::LENGTHWISE;
 }
 
-std::vector<Part_pair> piece_pairs(const Charted_shape& source, const Charted_shape& target, const Part_pairs& paired)
+std::vector<Piece_pair> piece_pairs(const Charted_shape& source, const Charted_shape& target, const Part_pairs& paired)
 {
-  std::vector<Part_pair> result(paired.size());
+  std::vector<Piece_pair> result(paired.size());
   std::vector<Division> of_source(source.charts.size()), of_target(target.charts.size());
   for (std::size_t i = 0; i < paired.size(); ++i) {
-    Part_pair& pair = result[i];
+    Piece_pair& pair = result[i];
     std::tie(pair.source, pair.target) = paired[i];
     const Part_chart &from = source.charts[pair.source], &to = target.charts[pair.target];
     of_source[pair.source].add(share_of(from, to), pair.source_piece);
@@ -115,20 +115,20 @@ std::vector<Part_pair> piece_pairs(const Charted_shape& source, const Charted_sh
   for (const auto* divisions : {&of_source, &of_target})
     for (const Division& division : *divisions)
       division.divide();
-  for (Part_pair& pair : result) {
+  for (Piece_pair& pair : result) {
     const auto [from, to] = piece_charts(pair, source, target);
     pair.turn = best_turn(from, to, pair_kind(pair, source, target));
   }
   return result;
 }
 
-std::vector<Part_pair> piece_pairs(const Charted_shape& source, const Charted_shape& target,
-                                   const Correspondence& correspondence)
+std::vector<Piece_pair> piece_pairs(const Charted_shape& source, const Charted_shape& target,
+                                    const Correspondence& correspondence)
 {
   return piece_pairs(source, target, matched_members(source, target, part_pairs(correspondence.pairs)));
 }
 
-Pair_charts pair_charts(const Part_pair& pair, const Charted_shape& source, const Charted_shape& target,
+Pair_charts pair_charts(const Piece_pair& pair, const Charted_shape& source, const Charted_shape& target,
                         const Points& source_piece, const Points& target_piece)
 {
   const auto [source_chart, target_chart] = piece_charts(pair, source, target);

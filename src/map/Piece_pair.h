@@ -23,7 +23,7 @@ inline Chart_box whole_chart() { return Chart_box(Point::Constant(-1), Point::Co
 inline bool is_whole(const Chart_box& box) { return box.contains(whole_chart()); }
 
 /// Two parts, or pieces of parts, that become each other, and how.
-struct Part_pair
+struct Piece_pair
 {
   std::size_t source = 0, target = 0;
   Chart_box source_piece = whole_chart(), target_piece = whole_chart(); ///< in the parts' chart coordinates
@@ -47,17 +47,18 @@ std::optional<Eigen::Matrix3d> best_turn(const Part_chart& source, const Part_ch
                                          const std::function<bool(const Eigen::Matrix3d&)>& is_allowed);
 
 /// The charts of the pieces of a pair.
-std::array<Part_chart, 2> piece_charts(const Part_pair& pair, const Charted_shape& source, const Charted_shape& target);
+std::array<Part_chart, 2> piece_charts(const Piece_pair& pair, const Charted_shape& source,
+                                       const Charted_shape& target);
 
 /// By the charts: a part may have that of its mirror image, which need not be of the part's kind.
-Pair_kind pair_kind(const Part_pair& pair, const Charted_shape& source, const Charted_shape& target);
+Pair_kind pair_kind(const Piece_pair& pair, const Charted_shape& source, const Charted_shape& target);
 
 /// The pairs of pieces that pairs of parts consist of, in the same order.
-std::vector<Part_pair> piece_pairs(const Charted_shape& source, const Charted_shape& target, const Part_pairs& paired);
+std::vector<Piece_pair> piece_pairs(const Charted_shape& source, const Charted_shape& target, const Part_pairs& paired);
 
 /// The pairs of pieces that a correspondence consists of, by source part, then target part.
-std::vector<Part_pair> piece_pairs(const Charted_shape& source, const Charted_shape& target,
-                                   const Correspondence& correspondence);
+std::vector<Piece_pair> piece_pairs(const Charted_shape& source, const Charted_shape& target,
+                                    const Correspondence& correspondence);
 
 /// The charts that a pair of pieces is mapped by: both of one kind, with the same coordinates.
 struct Pair_charts
@@ -65,7 +66,7 @@ struct Pair_charts
   Part_chart source, target;
 };
 
-Pair_charts pair_charts(const Part_pair& pair, const Charted_shape& source, const Charted_shape& target,
+Pair_charts pair_charts(const Piece_pair& pair, const Charted_shape& source, const Charted_shape& target,
                         const Points& source_piece, const Points& target_piece);
 
 } // namespace CGAL::Shape_correspondence::internal
