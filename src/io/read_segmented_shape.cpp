@@ -63,7 +63,9 @@ Model_content read_parts(const std::string& file)
     throw Invalid_input(file + ": models are read from files of type " + known_formats + ", not '" + extension + "'");
   const std::string text = content_of(file);
   const std::string mark = text.substr(0, 2);
-  if (mark == "\xFF\xFE" || mark == "\xFE\xFF") throw Invalid_input(file + ": it is text in UTF-16; save it as UTF-8");
+  const bool is_wide = mark == "\xFF\xFE" || mark == "\xFE\xFF";
+  if (is_wide && extension != ".stl") // a binary STL file may begin with any bytes
+    throw Invalid_input(file + ": it is text in UTF-16; save it as UTF-8");
   Model_content content = reader ? reader(text, file) : read_parts_with_assimp(file);
   for (Model_part& part : content.parts)
     part.name = utf8_text(part.name);
