@@ -14,6 +14,7 @@
 #include "search/beam_search.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+#include <CGAL/Shape_correspondence/exact_search.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <algorithm>

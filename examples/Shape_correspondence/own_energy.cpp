@@ -7,6 +7,7 @@
 // nearest in relative place and size, and parts in contact prefer parts in contact.
 #include <CGAL/Shape_correspondence.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/exact_search.h>
 
 #include <cmath>
 #include <iostream>
