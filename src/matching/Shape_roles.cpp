@@ -17,9 +17,10 @@ namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 // Two shapes are of a category if their distance from its labelled parts is at most so much of that from those of any
-// other one, or the mean of theirs is at most so many standard deviations of a feature. Set by leaving out shapes and
-// whole categories: with a share of 0.8, chairs that nothing is known of lose .02 of F1.
-constexpr double clearly_nearest = 0.78, near = 0.25;
+// other one, or the mean of theirs is at most so many standard deviations of a feature; more where the model has no
+// other one. Set by leaving out shapes and whole categories: with a share of 0.8, chairs that nothing is known of lose
+// .02 of F1.
+constexpr double clearly_nearest = 0.78, near = 0.25, near_alone = 0.34;
 
 // Where at least half of the fine labels of a role are taken by an earlier part, as the front legs of a table with four
 // legs in front, they do not tell its parts apart.
@@ -128,7 +129,8 @@ Pair_category nearest_category(const Role_model_data& model, const Distance& dis
     categories.emplace_back(distance(category), category);
   std::sort(categories.begin(), categories.end());
   const auto [least, nearest] = categories[0];
-  if (least <= 2 * near || (none > 1 && least <= clearly_nearest * categories[1].first)) return {nearest, ""};
+  const bool is_clear = none > 1 && least <= clearly_nearest * categories[1].first;
+  if (is_clear || least <= 2 * (none > 1 ? near : near_alone)) return {nearest, ""};
   return {none, "The shapes are not clearly of a category that the role model knows (the nearest is " +
                     model.categories[nearest].name + "); the parts were matched by geometry alone."};
 }

@@ -656,7 +656,7 @@ TEST_CASE("The command label writes what the command roles predicts")
   CHECK(as_table["category"] == "table");
   CHECK_THAT(run("label " + shape + " --category boat").error, Contains("does not have the category"));
   CHECK(run("label " + shape + " " + shape).status == 2);
-  CHECK(run("label " + shape + " --output " + shape).status == 1);
+  CHECK(run("label " + shape + " --output " + shape).status == 2);
 }
 
 TEST_CASE("The command roles")
