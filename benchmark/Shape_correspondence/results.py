@@ -42,7 +42,7 @@ ROLES = [("shapes", "the training sees neither shape of a pair"), ("sources", "t
          ("category", "the training sees nothing of the category")]
 ROLES_NOTE = ("The category is not told. The weights of the terms, and of confidences, follow from other categories, and from pairs of the same one that share no "
               "shape with the one\nat hand. Geometry is the same method without roles; its rules were set on some of these shapes, and others removed by all "
-              "of them. The four terms, the charge and the limits of categories and fronts were chosen on these pairs, too. `stated`: mean confidence; "
+              "of them. The terms, the charge and the limits of categories and fronts were chosen on these pairs, too. `stated`: mean confidence; "
               "`right`: share of the pairs\nof parts that are right; AUC: how often a right pair has more confidence than a wrong one; `P sure`, `share`: "
               "precision and share of the pairs\nof a confidence of .7 or more; `front`, `sure front`: how often the front of a shape is among the ways that roles leave possible, or the only "
               "one, with\nthe category told (so none where it is left out); `labels`, `with roles`: the share of the parts of the second shape that get their label "
