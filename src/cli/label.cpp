@@ -81,6 +81,21 @@ std::string percentage(double probability)
 
 } // namespace
 
+Part_roles predicted_roles(const std::string& path, const Structural_graph& graph, const Role_model& model,
+                           const std::string& category)
+{
+  Part_roles found = part_roles(graph, model, category);
+  if (found.category.empty())
+    throw Invalid_input(path +
+                        ": the shape is not clearly of a category that the role model knows; name one with --category");
+  return found;
+}
+
+void write_labels_json(std::ostream& out, const Structural_graph& graph, const Part_roles& found)
+{
+  labels_json(part_names(graph), found.category, likeliest_labels(found)).write(out);
+}
+
 void label_shape(const std::string& path, const Label_options& options, const std::string& output,
                  const Common_options& common)
 {
@@ -90,13 +105,10 @@ void label_shape(const std::string& path, const Label_options& options, const st
                                      : std::make_shared<const Role_model>(IO::read_role_model(options.roles));
   std::string category = options.category;
   if (!options.examples.empty()) add_examples(options.examples, common, model, category);
-  const Part_roles found = part_roles(shape.graph, *model, category);
-  if (found.category.empty())
-    throw Invalid_input(path +
-                        ": the shape is not clearly of a category that the role model knows; name one with --category");
+  const Part_roles found = predicted_roles(path, shape.graph, *model, category);
   const std::vector<Transferred_label> labels = likeliest_labels(found);
   const std::vector<std::string> parts = part_names(shape.graph);
-  write_output(output, [&](std::ostream& out) { labels_json(parts, found.category, labels).write(out); });
+  write_output(output, [&](std::ostream& out) { write_labels_json(out, shape.graph, found); });
   if (!common.prints_table() || output == "-") return;
   std::vector<std::vector<std::string>> rows{{"part", "role", "fine label", "probability"}};
   for (std::size_t part = 0; part < parts.size(); ++part)

@@ -5,9 +5,20 @@
 
 #include "cli/Common_options.h"
 
+#include <CGAL/Shape_correspondence/Role_model.h>
+
+#include <iosfwd>
 #include <string>
 
 namespace CGAL::Shape_correspondence::cli {
+
+/// The roles of a shape's parts. \param path names the shape in messages \param category empty: the likeliest
+/// \throw Invalid_input if the shape is of no category of the model
+Part_roles predicted_roles(const std::string& path, const Structural_graph& graph, const Role_model& model,
+                           const std::string& category);
+
+/// Writes the likeliest label of every part, in the form of `labels.json`.
+void write_labels_json(std::ostream& out, const Structural_graph& graph, const Part_roles& found);
 
 /// What labels are predicted by.
 struct Label_options
