@@ -6,7 +6,7 @@
 #include "work.h"
 
 #include "cli/commands.h"
-#include "cli/predicted_roles.h"
+#include "cli/predicted_labels.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>

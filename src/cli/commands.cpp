@@ -41,6 +41,7 @@ const std::vector<Command>& commands()
       {"collection", "matches all pairs of a set of shapes and analyses the set", run_collection, help_of_collection},
       {"evaluate", "scores correspondences against labelled parts", run_evaluate, help_of_evaluate},
       {"roles", "learns the roles of parts from labelled shapes and predicts them", run_roles, help_of_roles},
+      {"label", "labels the parts of a shape by their roles", run_label, help_of_label},
       {"demo", "matches and blends two chairs that come with the program", run_demo, help_of_demo},
       {"completion", "prints a script that completes commands and options in bash or zsh", run_completion,
        help_of_completion},

@@ -5,15 +5,12 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/labelled_models.h"
-#include "cli/labels_json.h"
-#include "cli/load_shape.h"
 #include "cli/outputs.h"
-#include "cli/predicted_roles.h"
+#include "cli/predicted_labels.h"
 #include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/Json.h"
-#include "io/quoting.h"
 #include "matching/cross_validate_roles.h"
 #include "matching/mean_differences.h"
 
@@ -44,7 +41,7 @@ Learns the roles of parts, such as the legs and the seat of a chair, from labell
   train     learns a model. The weights of predicted labels and of the geometric match are fitted to pairs of shapes
             that were left out of the training; this needs 50 pairs of shapes or more
   evaluate  measures by how much roles improve the matching of shapes that were left out of the training
-  predict   prints the roles of the parts of a shape; --json writes them as a labels.json
+  predict   prints the roles of the parts of a shape, as the command label does
 
 FOLDER has CATEGORY/SHAPE/labels.json and CATEGORY/SHAPE/parts, one mesh file for each part. labels.json gives the coarse
 label of every part, which is its role:
@@ -62,6 +59,7 @@ struct Roles_options
 {
   std::vector<std::string> generated;
   std::string output, manifest, date, model, category;
+  bool turned = false;
   std::string leave_out = "shapes";
   int shown_examples = 0;
   std::string examples;
@@ -93,6 +91,10 @@ po::options_description roles_options(Roles_options& roles, Common_options& comm
       "pair; "
       "with --leave-out category, these of all the category. Default: all that are not left out");
   add("told", po::bool_switch(&roles.told), "evaluate: the matcher is told the category, as by --category");
+  add("turned", po::bool_switch(&roles.turned),
+      "evaluate: turn every shape about the up axis by an angle drawn for the pair, and let the matcher find the "
+      "fronts, "
+      "as by --front auto");
   add("role-weight", number(roles.role_weight)->value_name("W"),
       "evaluate: compare the correspondences of least energy, by exact search, without roles and with roles of this "
       "weight in the energy, in place of matching by parts; 0: do not");
@@ -122,6 +124,7 @@ Validation_options validation_options(const Roles_options& roles)
   if (roles.shown_examples > 0) result.examples = std::size_t(roles.shown_examples);
   result.category_is_told = roles.told;
   result.role_weight = roles.role_weight;
+  result.is_turned = roles.turned;
   return result;
 }
 
@@ -318,10 +321,20 @@ IO::Json json_of(const Pair_weights& weights)
 {
   IO::Json result;
   result["same_label"] = weights[SAME_LABEL];
+  result["same_role"] = weights[SAME_ROLE];
   result["votes_agree"] = weights[VOTES_AGREE];
   result["geometric_pair"] = weights[GEOMETRIC_PAIR];
   result["excess"] = weights[EXCESS];
   result["constant"] = weights[CONSTANT];
+  return result;
+}
+
+// Of the confidence of a pair, see `Confidence_term`.
+IO::Json json_of(const Confidence_weights& weights)
+{
+  IO::Json result;
+  result["slope"] = weights[SLOPE];
+  result["offset"] = weights[OFFSET];
   return result;
 }
 
@@ -412,8 +425,9 @@ IO::Json manifest(const Training_set& set, const Role_validation& validation, co
     IO::Json entry;
     entry["category"] = category;
     entry["roles"] = IO::Json(model.roles(category));
-    const Pair_weights& weights = model.data().categories[model.data().index(category)].weights;
-    entry["weights"] = json_of(weights);
+    const Category_roles& learned = model.data().categories[model.data().index(category)];
+    entry["weights"] = json_of(learned.weights);
+    entry["confidence"] = json_of(learned.confidence);
     result["categories"].push_back(std::move(entry));
   }
   result["weights"] = json_of(validation.weights());
@@ -445,39 +459,6 @@ void train(const std::vector<std::string>& folders, const Roles_options& roles, 
   if (common.prints_table() && roles.manifest != "-" && !set.pairs.empty()) print(set, validation, common);
 }
 
-// The probability of a part's likeliest role.
-double probability_of(std::size_t part, const Part_roles& found)
-{
-  return found.probabilities.row(Eigen::Index(part)).maxCoeff();
-}
-
-std::string percentage(double probability)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0f %%", 100 * probability);
-  return text;
-}
-
-void predict(const std::string& path, const Roles_options& roles, const Common_options& common)
-{
-  check_outputs({common.json}, {path, roles.model, roles.examples});
-  const Loaded_shape shape = load_shape(path, common);
-  auto model = roles.model.empty() ? IO::shipped_role_model()
-                                   : std::make_shared<const Role_model>(IO::read_role_model(roles.model));
-  std::string category = roles.category;
-  if (!roles.examples.empty()) add_examples(roles.examples, common, model, category);
-  const Part_roles found = predicted_roles(path, shape.graph, *model, category);
-  const auto& parts = structure(shape.graph).parts;
-  std::vector<std::vector<std::string>> rows{{"part", "role", "fine label", "probability"}};
-  for (std::size_t part = 0; part < parts.size(); ++part)
-    rows.push_back({parts[part].name, found.labels[part].coarse, found.labels[part].fine,
-                    percentage(probability_of(part, found))});
-  write_output(common.json, [&](std::ostream& out) { write_labels_json(out, shape.graph, found); });
-  if (!common.prints_table()) return;
-  std::cout << IO::quote_terminal(path + ": " + found.category) << "\n\n";
-  write_table(std::cout, rows);
-}
-
 /// Options that only some of the actions have.
 void refuse_options_of_other_actions(const std::string& action, const po::variables_map& values)
 {
@@ -489,6 +470,7 @@ void refuse_options_of_other_actions(const std::string& action, const po::variab
                                                                          {"number-of-examples", {"evaluate"}},
                                                                          {"examples", {"predict"}},
                                                                          {"told", {"evaluate"}},
+                                                                         {"turned", {"evaluate"}},
                                                                          {"role-weight", {"evaluate"}},
                                                                          {"pairs", {"train", "evaluate"}},
                                                                          {"trees", {"train", "evaluate"}},
@@ -499,27 +481,6 @@ void refuse_options_of_other_actions(const std::string& action, const po::variab
     if (is_given(values, option) && std::find(actions.begin(), actions.end(), action) == actions.end())
       throw Usage_error("--" + std::string(option) + " has no effect on 'roles " + action + "'");
 }
-
-} // namespace
-
-Part_roles predicted_roles(const std::string& path, const Structural_graph& graph, const Role_model& model,
-                           const std::string& category)
-{
-  Part_roles found = part_roles(graph, model, category);
-  if (found.category.empty())
-    throw Invalid_input(path + ": the shape is of no category that the role model knows; name one with --category");
-  return found;
-}
-
-void write_labels_json(std::ostream& out, const Structural_graph& graph, const Part_roles& found)
-{
-  std::vector<Transferred_label> labels;
-  for (std::size_t part = 0; part < found.labels.size(); ++part)
-    labels.push_back({found.labels[part], probability_of(part, found)});
-  labels_json(part_names(graph), found.category, labels).write(out);
-}
-
-namespace {
 
 struct Variables
 {
@@ -555,6 +516,7 @@ void run_roles(const std::vector<std::string>& arguments)
   check_at_least("pairs", roles.pairs, 1);
   if (!(roles.role_weight >= 0) || std::isinf(roles.role_weight))
     throw Usage_error("--role-weight must be finite and not negative");
+  if (roles.turned && roles.role_weight > 0) throw Usage_error("--turned has no effect with --role-weight");
   if (is_given(parsed.values, "number-of-examples")) check_at_least("number-of-examples", roles.shown_examples, 1);
   roles.training.seed = std::uint64_t(common.seed);
   const Thread_limit limit(common.threads);
@@ -569,7 +531,7 @@ void run_roles(const std::vector<std::string>& arguments)
   else if (action == "evaluate")
     evaluate(inputs, roles, common);
   else if (inputs.size() == 1)
-    predict(inputs[0], roles, common);
+    label_shape(inputs[0], {roles.model, roles.examples, roles.category}, common.json, common);
   else
     throw Usage_error("'roles predict' takes one shape");
 }

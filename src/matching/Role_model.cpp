@@ -118,6 +118,8 @@ const Category_roles& category_of(const Role_model_data& data, const std::string
                       (known.empty() ? "none" : known));
 }
 
+constexpr long most_weight_steps = 1000000000; // of a weight, either way
+
 // Numbers and texts one after the other, the least byte of a number first.
 class Binary_writer
 {
@@ -134,6 +136,14 @@ public:
   {
     number(std::uint32_t(value.size()));
     out_ << value;
+  }
+
+  template <typename Weights>
+  void weights(const Weights& values)
+  {
+    for (double weight : values)
+      number(std::uint32_t(std::clamp(std::lround(weight / pair_weight_unit), -most_weight_steps, most_weight_steps) +
+                           most_weight_steps));
   }
 
 private:
@@ -170,6 +180,13 @@ public:
     return value;
   }
 
+  template <typename Weights>
+  void weights(Weights& values)
+  {
+    for (double& weight : values)
+      weight = double(long(number(2 * most_weight_steps)) - most_weight_steps) * pair_weight_unit;
+  }
+
   std::uint8_t byte()
   {
     const int value = in_.sbumpc();
@@ -182,9 +199,8 @@ private:
   const std::string& name_;
 };
 
-constexpr const char* magic = "shape_correspondence roles 3";
+constexpr const char* magic = "shape_correspondence roles 4";
 constexpr std::uint32_t most_categories = 1000, most_examples = 1000000, most_example_weight = 1000000000;
-constexpr long most_weight_steps = 1000000000; // of the weight of a pair's term, either way
 
 } // namespace
 
@@ -207,6 +223,7 @@ void Role_model::write(std::ostream& out) const
   write.text(magic);
   write.number(ROLE_FEATURE_COUNT);
   write.number(std::uint32_t(data_->trees));
+  write.weights(data_->geometric_confidence);
   write.number(std::uint32_t(data_->categories.size()));
   for (const Category_roles& category : data_->categories) {
     write.text(category.name);
@@ -219,10 +236,8 @@ void Role_model::write(std::ostream& out) const
       write.text(known.fine);
       write.number(known.has_side);
     }
-    for (double weight : category.weights)
-      write.number(
-          std::uint32_t(std::clamp(std::lround(weight / pair_weight_unit), -most_weight_steps, most_weight_steps) +
-                        most_weight_steps));
+    write.weights(category.weights);
+    write.weights(category.confidence);
     category.forest.write(out);
     write.number(std::uint32_t(category.examples.size()));
     for (const Role_example& example : category.examples) {
@@ -241,6 +256,7 @@ Role_model Role_model::read(std::istream& in, const std::string& name)
   if (read.number(ROLE_FEATURE_COUNT) != ROLE_FEATURE_COUNT) read.fail();
   Role_model_data data;
   data.trees = int(read.number(maximum_trees));
+  read.weights(data.geometric_confidence);
   data.categories.resize(read.number(most_categories));
   for (Category_roles& category : data.categories) {
     category.name = read.text();
@@ -254,8 +270,8 @@ Role_model Role_model::read(std::istream& in, const std::string& name)
       known.fine = read.text();
       known.has_side = read.number(1) == 1;
     }
-    for (double& weight : category.weights)
-      weight = double(long(read.number(2 * most_weight_steps)) - most_weight_steps) * pair_weight_unit;
+    read.weights(category.weights);
+    read.weights(category.confidence);
     if (!category.forest.read(bytes, data.trees, int(category.classes.size()))) read.fail();
     const std::uint32_t count = read.number(most_examples);
     for (std::uint32_t i = 0; i < count; ++i) { // not reserved: a damaged file may promise more than it has

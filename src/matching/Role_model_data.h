@@ -37,6 +37,7 @@ struct Category_roles
   std::vector<Role_class> classes; // sorted, at most `maximum_classes`
   Role_forest forest;
   Pair_weights weights = usual_pair_weights();
+  Confidence_weights confidence = usual_confidence_weights();
   std::vector<Role_example> examples; // the labelled parts, by class; sorted
 };
 
@@ -45,8 +46,9 @@ constexpr int maximum_trees = 1000; // of a forest
 
 struct Role_model_data
 {
-  std::vector<Category_roles> categories; // by name
-  int trees = 0;                          // of every forest
+  std::vector<Category_roles> categories;                               // by name
+  int trees = 0;                                                        // of every forest
+  Confidence_weights geometric_confidence = usual_confidence_weights(); // of pairs where no category is found
 
   // The index of a category; `categories.size()` if there is none of the name.
   std::size_t index(const std::string& category) const;

@@ -147,6 +147,7 @@ Category_roles Role_trainer::category(const std::string& name, const std::vector
   const std::size_t known = known_.index(name);
   if (known < known_.categories.size()) {
     result.weights = known_.categories[known].weights;
+    result.confidence = known_.categories[known].confidence;
     parts = known_parts(known_.categories[known]);
   }
   result.name = name;
@@ -183,6 +184,7 @@ Role_model_data Role_trainer::model() const
                  [&](std::size_t i) { categories[i] = category(names[i], std::vector<char>(shapes_.size(), 0)); });
   Role_model_data result;
   result.trees = options_.trees;
+  result.geometric_confidence = known_.geometric_confidence;
   for (const Category_roles& known : known_.categories)
     if (taught.count(known.name) == 0) categories.push_back(known);
   std::sort(categories.begin(), categories.end(),

@@ -56,7 +56,7 @@ struct Pair_category
   std::string note;      // why there is none, a whole sentence
 };
 
-// The nearest category, or none where one of the shapes is far from its labelled parts.
+// The nearest category, or none where the shapes are not much nearer to its labelled parts than to those of others.
 Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model);
 
 // A shape by how often it was turned by 90° from the orientation that it was given in.
@@ -83,5 +83,8 @@ Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& 
 // part by part. Pinned pairs are certain, others of their parts impossible.
 Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weights, Part_matching geometric,
                              const Match_constraints& constraints = {});
+
+// Puts how likely the pairs are right in the place of their probabilities.
+void state_confidences(const Confidence_weights& weights, Part_matching& matching);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -9,13 +9,17 @@
 
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <random>
 #include <set>
 #include <utility>
+#include <variant>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -106,6 +110,45 @@ std::vector<Judged_pair> judged(const std::vector<Part_correspondence>& pairs, c
   return result;
 }
 
+Judged_confidences judged_confidences(const Part_matching& matching, const Ground_truth& truth)
+{
+  const std::vector<Judged_pair> pairs = judged(matching.pairs, truth);
+  Judged_confidences result;
+  result.terms.resize(Eigen::Index(pairs.size()), CONFIDENCE_TERM_COUNT);
+  result.is_right.resize(Eigen::Index(pairs.size()));
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    result.terms.row(Eigen::Index(k)) = confidence_terms(pairs[k].confidence);
+    result.is_right[Eigen::Index(k)] = pairs[k].is_right;
+  }
+  return result;
+}
+
+// The graph turned about the up axis, as if its meshes had been.
+Structural_graph turned(Structural_graph graph, double angle)
+{
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Point::UnitY()).toRotationMatrix();
+  Shape_structure& shape = structure(graph);
+  for (Part_abstraction& part : shape.parts) {
+    part.surface = (turn * part.surface).eval();
+    std::visit([&](auto& geometry) { geometry.points = (turn * geometry.points).eval(); }, part.geometry);
+  }
+  shape.frame.axes = turn * shape.frame.axes;
+  shape.frame.origin = turn * shape.frame.origin;
+  for (std::size_t group = 0; group < num_vertices(graph); ++group) {
+    Symmetry& symmetry = graph[group].symmetry;
+    symmetry.point = (turn * symmetry.point).eval();
+    symmetry.direction = (turn * symmetry.direction).eval();
+  }
+  return graph;
+}
+
+// What the matcher finds of shapes that were turned.
+struct Turned_match
+{
+  std::vector<Part_correspondence> without_roles, with_roles;
+  std::string category;
+};
+
 // The share of the target's parts that get their coarse label from the source.
 double transferred_share(const Part_matching& matching, const Validation_shape& source, const Validation_shape& target)
 {
@@ -161,7 +204,46 @@ public:
     return result;
   }
 
+  // Both shapes turned by angles that are drawn by the number of the pair. \param weights, confidence of the category
+  Turned_match turned_match(const Validation_pair& pair, std::size_t number, const Validation_options& options,
+                            const Pair_weights& weights, const Confidence_weights& confidence) const
+  {
+    auto [told, data] = left_out_model(pair, number, options);
+    for (Category_roles& category : data.categories) {
+      category.weights = weights;
+      category.confidence = confidence;
+    }
+    std::mt19937_64 random(number); // the same numbers on all machines
+    const auto any = [&](std::size_t shape) {
+      const double angle = 2 * double(EIGEN_PI) * double(random() >> 11) / double(1ull << 53);
+      return turned(*shapes_[shape].labelled.graph, angle);
+    };
+    const Structural_graph source = any(pair[0]), target = any(pair[1]);
+    Search_options search;
+    search.alignments = 0;
+    Turned_match result;
+    result.without_roles = find_correspondence(source, target, search).pairs;
+    if (options.category_is_told && told < data.categories.size()) search.category = data.categories[told].name;
+    search.roles = std::make_shared<const Role_model>(std::move(data));
+    const Correspondence found = find_correspondence(source, target, search);
+    result.with_roles = found.pairs;
+    result.category = found.category;
+    return result;
+  }
+
 private:
+  // What the training teaches without what is left out for a pair; the pair's category is the first result.
+  std::pair<std::size_t, Role_model_data> left_out_model(const Validation_pair& pair, std::size_t number,
+                                                         const Validation_options& options) const
+  {
+    Role_model_data data = all_;
+    const std::string& category = shapes_[pair[0]].labelled.category;
+    const std::size_t own = data.index(category);
+    data.categories[own] = trainer_.category(category, left_out_shapes(shapes_, pair, number, options));
+    if (data.categories[own].roles.empty()) data.categories.erase(data.categories.begin() + std::ptrdiff_t(own));
+    return {data.index(category), std::move(data)};
+  }
+
   Turned_roles turned_roles(std::size_t shape, const Role_model& model) const
   {
     Turned_roles result;
@@ -173,13 +255,10 @@ private:
   Pair_evidence evidence(const Validation_pair& pair, std::size_t number, const Validation_options& options) const
   {
     const Labelled_graph &source = shapes_[pair[0]].labelled, &target = shapes_[pair[1]].labelled;
-    Role_model_data data = all_;
-    const std::size_t own = data.index(source.category);
-    data.categories[own] = trainer_.category(source.category, left_out_shapes(shapes_, pair, number, options));
-    if (data.categories[own].roles.empty()) data.categories.erase(data.categories.begin() + std::ptrdiff_t(own));
+    auto [told, data] = left_out_model(pair, number, options);
     const Role_model model(std::move(data));
     const Turned_roles a = turned_roles(pair[0], model), b = turned_roles(pair[1], model);
-    const std::size_t told = model.data().index(source.category), none = model.data().categories.size(),
+    const std::size_t none = model.data().categories.size(),
                       category = options.category_is_told ? told : category_of_pair(*a[0], *b[0], model.data()).index;
     Pair_evidence result;
     result.geometric = geometric_match(*source.graph, *target.graph);
@@ -242,26 +321,54 @@ Role_validation::Role_validation(const std::vector<Validation_shape>& shapes, co
   // What was learned with much left out tells nothing of how good what is learned of others is
   std::vector<Pair_evidence> with_others;
   if (options.left_out != Left_out::SHAPES && !options.examples) with_others = validator.run(pairs, {});
-  for (const Pair_evidence& pair : with_others.empty() ? evidence : with_others)
+  const std::vector<Pair_evidence>& seen = with_others.empty() ? evidence : with_others;
+  for (const Pair_evidence& pair : seen)
     examples_.push_back(pair.told);
 
+  const auto category_of = [&](std::size_t i) { return shapes[pairs[i][0]].labelled.category; };
+  const auto own_weights = [&](std::size_t i, const Pair_weights& of_others) {
+    return options.examples ? of_others : weights_of(category_of(i), of_others, {pairs[i][0], pairs[i][1]});
+  };
   std::map<std::string, Pair_weights> of_others;
-  for (const Validation_pair& pair : pairs) {
-    const std::string& category = shapes[pair[0]].labelled.category;
-    if (of_others.count(category) == 0) of_others[category] = weights_without(category);
-  }
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (of_others.count(category_of(i)) == 0) of_others[category_of(i)] = weights_without(category_of(i));
+  confidences_.resize(pairs.size());
+  geometric_confidences_.resize(pairs.size());
   for_each_index(pairs.size(), true, [&](std::size_t i) {
-    const std::string& category = shapes[pairs[i][0]].labelled.category;
+    if (seen[i].category.empty()) geometric_confidences_[i] = judged_confidences(seen[i].geometric, seen[i].truth);
+    if (seen[i].category != category_of(i)) return;
+    const Pair_weights weights = own_weights(i, of_others.at(category_of(i)));
+    confidences_[i] = judged_confidences(match_by_terms(seen[i].found, weights, seen[i].geometric), seen[i].truth);
+  });
+  std::map<std::string, Confidence_weights> confidence_of_others, geometric_confidence;
+  for (const auto& [category, weights] : of_others) {
+    confidence_of_others[category] = confidence_without(category, confidences_);
+    geometric_confidence[category] = confidence_without(category, geometric_confidences_);
+  }
+
+  for_each_index(pairs.size(), true, [&](std::size_t i) {
+    const std::string category = category_of(i);
     const Pair_evidence& pair = evidence[i];
-    Part_matching matched = pair.geometric;
-    if (!pair.category.empty()) {
-      Pair_weights weights = of_others.at(category);
-      if (pair.category == category && !options.examples)
-        weights = weights_of(category, weights, {pairs[i][0], pairs[i][1]});
-      matched = match_by_terms(pair.found, weights, pair.geometric);
+    Pair_weights weights = of_others.at(category);
+    Confidence_weights stated = confidence_of_others.at(category);
+    if (pair.told.terms.rows() > 0 && (pair.category == category || options.is_turned)) {
+      weights = own_weights(i, weights);
+      if (!options.examples) stated = confidence_of(category, stated, {pairs[i][0], pairs[i][1]});
     }
-    pairs_[i].category = pair.category;
+    Part_matching matched = pair.geometric;
     std::vector<Part_correspondence> without = pair.geometric.pairs;
+    pairs_[i].category = pair.category;
+    if (options.is_turned) {
+      const Turned_match found = validator.turned_match(pairs[i], i, options, weights, stated);
+      without = found.without_roles;
+      matched.pairs = found.with_roles;
+      pairs_[i].category = found.category;
+    } else if (!pair.category.empty()) {
+      matched = match_by_terms(pair.found, weights, pair.geometric);
+      state_confidences(stated, matched);
+    } else {
+      state_confidences(geometric_confidence.at(category), matched);
+    }
     if (options.role_weight > 0) {
       without = pair.least_energy[0];
       matched.pairs = pair.least_energy[1];
@@ -280,51 +387,96 @@ Pair_weights Role_validation::weights() const { return weights_without(""); }
 Role_model Role_validation::model() const
 {
   Role_model_data result = all_;
-  for (Category_roles& category : result.categories)
+  for (Category_roles& category : result.categories) {
     category.weights = weights_of(category.name, weights_without(category.name), {});
+    category.confidence = confidence_of(category.name, confidence_without(category.name, confidences_), {});
+  }
+  result.geometric_confidence = confidence_without("", geometric_confidences_);
   return Role_model(std::move(result));
 }
 
-// Every category weighs the same, and every pair of shapes within it.
-Pair_weights Role_validation::weights_without(const std::string& left_out) const
+namespace {
+
+// A fit, and how many pairs of shapes it is of.
+template <typename Weights>
+struct Fit
 {
-  std::map<std::string, std::vector<const Judged_terms*>> by_category;
+  Weights weights;
+  std::size_t pairs;
+};
+
+} // namespace
+
+// Every category weighs the same, and every pair of shapes within it.
+template <typename Examples>
+auto Role_validation::fitted_without(const std::string& left_out, const Examples& examples) const
+{
+  using Example = typename Examples::value_type;
+  constexpr int term_count = decltype(Example::terms)::ColsAtCompileTime;
+  using Weights = Eigen::Matrix<double, term_count, 1>;
+  std::map<std::string, std::vector<const Example*>> by_category;
   std::size_t count = 0;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const std::string& category = shapes_[pairs_[i].shapes[0]].labelled.category;
-    if (category == left_out || examples_[i].terms.rows() == 0) continue;
-    by_category[category].push_back(&examples_[i]);
+    if (category == left_out || examples[i].terms.rows() == 0) continue;
+    by_category[category].push_back(&examples[i]);
     ++count;
   }
-  if (count < least_pairs) return usual_pair_weights();
-  std::vector<Weighted_example> chosen;
-  for (const auto& [category, examples] : by_category)
-    for (const Judged_terms* example : examples)
-      chosen.push_back({example, 1 / double(examples.size())});
-  return fitted_pair_weights(chosen, Pair_weights::Zero(), slight_charge);
+  std::vector<Weighted<term_count>> chosen;
+  for (const auto& [category, of_category] : by_category)
+    for (const Example* example : of_category)
+      chosen.push_back({example, 1 / double(of_category.size())});
+  return Fit<Weights>{fitted_weights<term_count>(chosen, Weights::Zero(), slight_charge), count};
 }
 
 // Every shape weighs 1.
-Pair_weights Role_validation::weights_of(const std::string& category, const Pair_weights& expected,
-                                         const std::vector<std::size_t>& left_out) const
+template <typename Examples, typename Weights>
+Weights Role_validation::fitted_of(const std::string& category, const Examples& examples, const Weights& expected,
+                                   const std::vector<std::size_t>& left_out) const
 {
+  constexpr int term_count = Weights::RowsAtCompileTime;
   const auto is_left_out = [&](std::size_t shape) {
     return std::find(left_out.begin(), left_out.end(), shape) != left_out.end();
   };
-  std::vector<const Judged_terms*> examples;
+  std::vector<const typename Examples::value_type*> of_category;
   std::set<std::size_t> seen;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const Validation_pair& pair = pairs_[i].shapes;
-    if (shapes_[pair[0]].labelled.category != category || examples_[i].terms.rows() == 0 || is_left_out(pair[0]) ||
+    if (shapes_[pair[0]].labelled.category != category || examples[i].terms.rows() == 0 || is_left_out(pair[0]) ||
         is_left_out(pair[1]))
       continue;
-    examples.push_back(&examples_[i]);
+    of_category.push_back(&examples[i]);
     seen.insert(pair.begin(), pair.end());
   }
-  std::vector<Weighted_example> chosen;
-  for (const Judged_terms* example : examples)
-    chosen.push_back({example, double(seen.size()) / double(examples.size())});
-  return fitted_pair_weights(chosen, expected, charge_of_category);
+  std::vector<Weighted<term_count>> chosen;
+  for (const auto* example : of_category)
+    chosen.push_back({example, double(seen.size()) / double(of_category.size())});
+  return fitted_weights<term_count>(chosen, expected, charge_of_category);
+}
+
+Pair_weights Role_validation::weights_without(const std::string& left_out) const
+{
+  const auto [weights, pairs] = fitted_without(left_out, examples_);
+  return pairs < least_pairs ? usual_pair_weights() : weights;
+}
+
+Pair_weights Role_validation::weights_of(const std::string& category, const Pair_weights& expected,
+                                         const std::vector<std::size_t>& left_out) const
+{
+  return fitted_of(category, examples_, expected, left_out);
+}
+
+Confidence_weights Role_validation::confidence_without(const std::string& left_out,
+                                                       const std::vector<Judged_confidences>& examples) const
+{
+  const auto [weights, pairs] = fitted_without(left_out, examples);
+  return pairs < least_pairs ? usual_confidence_weights() : weights;
+}
+
+Confidence_weights Role_validation::confidence_of(const std::string& category, const Confidence_weights& expected,
+                                                  const std::vector<std::size_t>& left_out) const
+{
+  return fitted_of(category, confidences_, expected, left_out);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

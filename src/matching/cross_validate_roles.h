@@ -41,6 +41,9 @@ struct Validation_options
   // `Left_out::CATEGORY` it sees these of all the category.
   std::optional<std::size_t> examples;
   bool category_is_told = false; // to the matcher
+  // Every shape is turned about the up axis by an angle drawn for the pair, and the matcher finds the fronts, with and
+  // without roles; the confidences of pairs are of what it finds.
+  bool is_turned = false;
   // Not 0: the correspondences of least energy are compared, without roles and with roles of this weight in the energy.
   double role_weight = 0;
 };
@@ -69,9 +72,9 @@ struct Validated_pair
   std::vector<Judged_pair> judged; // of the matcher's pairs
 };
 
-// Matches of pairs of shapes that the training did not see. The weights of the terms follow from pairs of other
-// categories and from those of their own category that share no shape with the one at hand; where examples are limited,
-// from pairs of other categories that were matched with as few.
+// Matches of pairs of shapes that the training did not see. The weights of the terms, and of confidences, follow from
+// pairs of other categories and from those of their own category that share no shape with the one at hand; where
+// examples are limited, from pairs of other categories that were matched with as few.
 class Role_validation
 {
 public:
@@ -92,10 +95,25 @@ private:
   Pair_weights weights_of(const std::string& category, const Pair_weights& expected,
                           const std::vector<std::size_t>& left_out) const;
 
+  // The same, of confidences.
+  Confidence_weights confidence_without(const std::string& category,
+                                        const std::vector<Judged_confidences>& examples) const;
+  Confidence_weights confidence_of(const std::string& category, const Confidence_weights& expected,
+                                   const std::vector<std::size_t>& left_out) const;
+
+  // With shapes in the training or not, and weights of their own category or of others only.
+  template <typename Examples>
+  auto fitted_without(const std::string& category, const Examples& examples) const;
+  template <typename Examples, typename Weights>
+  Weights fitted_of(const std::string& category, const Examples& examples, const Weights& expected,
+                    const std::vector<std::size_t>& left_out) const;
+
   const std::vector<Validation_shape>& shapes_;
   Role_model_data all_;
   std::vector<Validated_pair> pairs_;
   std::vector<Judged_terms> examples_; // by pair, with the category told and neither shape in the training
+  // By pair, of the parts that are matched: by roles where the category is found, by geometry alone where none is
+  std::vector<Judged_confidences> confidences_, geometric_confidences_;
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -436,11 +436,17 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
 {
   const Role_model_data& model = options_.roles->data();
   const std::optional<Pair_votes> votes = votes_of(target, category, way, result);
-  if (!votes) return;
+  if (!votes) {
+    state_confidences(model.geometric_confidence, matching);
+    constrain(constraints(*source_, aligned_target), matching);
+    return;
+  }
   const auto& [source, of_target] = *votes;
   const Pair_terms terms = pair_terms(source, source_->original, of_target, aligned_target.original, matching);
   const Match_constraints constrained = constraints(*source_, aligned_target);
-  matching = match_by_terms(terms, model.categories[category.index].weights, std::move(matching), constrained);
+  const Category_roles& known = model.categories[category.index];
+  matching = match_by_terms(terms, known.weights, std::move(matching), constrained);
+  state_confidences(known.confidence, matching);
   constrain(constrained, matching);
 }
 

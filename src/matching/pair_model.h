@@ -15,6 +15,7 @@ namespace CGAL::Shape_correspondence::internal {
 // What is known of a pair of parts. All terms are the same with source and target swapped.
 enum Pair_term : int {
   SAME_LABEL,     // 1 or 0: the parts correspond by the likeliest labels of all parts, as by `ground_truth()`
+  SAME_ROLE,      // 1 or 0: the likeliest roles of the two parts are the same
   VOTES_AGREE,    // cosine of the votes for the roles of the two parts
   GEOMETRIC_PAIR, // 1 or 0: the geometric match has the pair
   EXCESS,         // how much more the pair costs than the best one of either part, added; at most `largest_excess` each
@@ -48,24 +49,43 @@ Eigen::ArrayXd probabilities(const Pair_terms& terms, const Pair_weights& weight
 // Without a parameter: many where the parts are told well, few where they are not. O(n log n).
 std::vector<char> pairs_of_greatest_expected_f1(const Eigen::ArrayXd& probabilities);
 
-// The pairs of parts of two shapes, and which are right.
-struct Judged_terms
+// How likely a pair that was matched is right: the logit of its probability times the slope, plus the offset. The pairs
+// that are matched are the most probable ones, so that fewer of them are right than their probabilities say.
+enum Confidence_term : int { SLOPE, OFFSET, CONFIDENCE_TERM_COUNT };
+using Confidence_weights = Eigen::Matrix<double, CONFIDENCE_TERM_COUNT, 1>;
+
+inline Confidence_weights usual_confidence_weights() { return {1, 0}; }
+
+// Row of a fit, of a pair of such a probability.
+Eigen::Matrix<double, 1, CONFIDENCE_TERM_COUNT> confidence_terms(double probability);
+
+// The same for 0 and 1.
+double confidence(double probability, const Confidence_weights& weights);
+
+// Pairs of parts of two shapes, and which are right.
+template <int term_count>
+struct Judged
 {
-  Pair_terms terms;
+  Eigen::Matrix<double, Eigen::Dynamic, term_count> terms;
   Eigen::ArrayXd is_right; // 1 or 0
 };
+using Judged_terms = Judged<PAIR_TERM_COUNT>;
+using Judged_confidences = Judged<CONFIDENCE_TERM_COUNT>;
 
 // The same, and what all its pairs together weigh.
-struct Weighted_example
+template <int term_count>
+struct Weighted
 {
-  const Judged_terms* judged;
+  const Judged<term_count>* judged;
   double weight;
 };
 
 // Logistic regression by Newton's method, with a charge for the square of how far each weight is from the expected one.
-// Rounded to what a file keeps.
-Pair_weights fitted_pair_weights(const std::vector<Weighted_example>& examples, const Pair_weights& expected,
-                                 double charge);
+// Rounded to what a file keeps. For the terms of pairs and for those of confidences.
+template <int term_count>
+Eigen::Matrix<double, term_count, 1> fitted_weights(const std::vector<Weighted<term_count>>& examples,
+                                                    const Eigen::Matrix<double, term_count, 1>& expected,
+                                                    double charge);
 
 constexpr double pair_weight_unit = 1e-6; // in a file
 

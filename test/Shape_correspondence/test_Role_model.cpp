@@ -482,6 +482,22 @@ TEST_CASE("Pairs of shapes that the training did not see")
     CHECK(category.weights[SAME_LABEL] >= usual_pair_weights()[SAME_LABEL]);
 }
 
+TEST_CASE("Shapes that are turned by any angle are matched as those that face the front")
+{
+  const std::vector<Validation_shape> shapes = validation_shapes(examples());
+  std::vector<Validation_pair> chairs;
+  for (const Validation_pair& pair : pairs_of_category(examples(), shapes.size()))
+    if (shapes[pair[0]].labelled.category == "chair") chairs.push_back(pair);
+  Validation_options options;
+  options.is_turned = true;
+  const Role_validation validation(shapes, chairs, options, {});
+  for (const Validated_pair& pair : validation.pairs())
+    if (!pair.category.empty()) {
+      CHECK(pair.category == "chair");
+      CHECK(pair.joined.f1() == 1);
+    }
+}
+
 TEST_CASE("What was left out of the training is not known")
 {
   const std::vector<Validation_shape> shapes = validation_shapes(examples());
@@ -572,18 +588,75 @@ TEST_CASE("Weights of the terms are those that the examples are likeliest with")
   example.terms.col(SAME_LABEL).head(4).setOnes();
   example.is_right.resize(8);
   example.is_right << 1, 1, 1, 0, 1, 0, 0, 0;
-  const Pair_weights none = Pair_weights::Zero(), weights = fitted_pair_weights({{&example, 8}}, none, 1e-4);
+  const Pair_weights none = Pair_weights::Zero(),
+                     weights = fitted_weights<PAIR_TERM_COUNT>({{&example, 8}}, none, 1e-4);
   CHECK(weights[SAME_LABEL] == Approx(2 * std::log(3)).epsilon(0.01));
   CHECK(weights[CONSTANT] == Approx(-std::log(3)).epsilon(0.01));
   CHECK(weights[VOTES_AGREE] == 0);
   CHECK(probabilities(example.terms, weights)[0] == Approx(0.75).epsilon(0.01));
   // Examples that a term tells apart without fault have finite weights
   example.is_right << 1, 1, 1, 1, 0, 0, 0, 0;
-  CHECK(fitted_pair_weights({{&example, 8}}, none, 1e-4).allFinite());
+  CHECK(fitted_weights<PAIR_TERM_COUNT>({{&example, 8}}, none, 1e-4).allFinite());
   // A charge that outweighs the examples leaves what was expected
   const Pair_weights expected = usual_pair_weights();
-  CHECK((fitted_pair_weights({{&example, 8}}, expected, 1e6) - expected).norm() < 1e-4);
-  CHECK((fitted_pair_weights({}, expected, 1) - expected).norm() < pair_weight_unit);
+  CHECK((fitted_weights<PAIR_TERM_COUNT>({{&example, 8}}, expected, 1e6) - expected).norm() < 1e-4);
+  CHECK((fitted_weights<PAIR_TERM_COUNT>({}, expected, 1) - expected).norm() < pair_weight_unit);
+}
+
+TEST_CASE("Confidences are fitted to how often pairs of a probability are right")
+{
+  // Of pairs of a probability of .9, three quarters are right; of those of .5, a quarter
+  Judged_confidences judged;
+  judged.terms.resize(8, CONFIDENCE_TERM_COUNT);
+  for (int k = 0; k < 8; ++k)
+    judged.terms.row(k) = confidence_terms(k < 4 ? 0.9 : 0.5);
+  judged.is_right.resize(8);
+  judged.is_right << 1, 1, 1, 0, 1, 0, 0, 0;
+  const Confidence_weights none = Confidence_weights::Zero(),
+                           weights = fitted_weights<CONFIDENCE_TERM_COUNT>({{&judged, 8}}, none, 1e-4);
+  CHECK(confidence(0.9, weights) == Approx(0.75).epsilon(0.01));
+  CHECK(confidence(0.5, weights) == Approx(0.25).epsilon(0.01));
+  // What is certain or impossible stays so, and the usual weights change nothing
+  CHECK(confidence(0, weights) == 0);
+  CHECK(confidence(1, weights) == 1);
+  CHECK(confidence(0.3, usual_confidence_weights()) == Approx(0.3));
+}
+
+TEST_CASE("A shape between two categories is of neither, a shape like one of them is of that one")
+{
+  std::deque<Furniture> shapes = examples();
+  std::vector<Labelled_graph> twice = labelled(shapes);
+  const std::size_t count = twice.size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (twice[i].category == "chair") {
+      twice.push_back(twice[i]);
+      twice.back().category = "seat";
+    }
+  const Role_model model = train_role_model(twice);
+  const Furniture usual = chair(0.17, 1.9),
+                  odd = furniture("odd", {box("a", {-9, 0, 0}, {9, 0.1, 0.1}), box("b", {-9, 6, 0}, {-3, 6.1, 9})}, {});
+  CHECK(part_roles(usual.graph, model).category == "chair"); // the first of equals, since it is near
+  CHECK(part_roles(odd.graph, model).category.empty());      // it is as far from chairs as from seats
+}
+
+TEST_CASE("The command label writes what the command roles predicts")
+{
+  const Temporary_folder folder;
+  const std::string shape = std::string(SHAPE_CORRESPONDENCE_DATA_DIR) + "/chair_four_legged/parts";
+  const std::string file = folder.path("labels.json");
+  const Run labelled = run("label " + shape + " --output " + file);
+  REQUIRE(labelled.status == 0);
+  CHECK_THAT(labelled.out, Contains("seat"));
+  const auto labels = nlohmann::json::parse(text_of(file));
+  CHECK(labels["category"] == "chair");
+  CHECK(labels["parts"].size() == 12);
+  CHECK(labels == nlohmann::json::parse(run("roles predict " + shape + " --json - --quiet").out));
+  CHECK(labels == nlohmann::json::parse(run("label " + shape + " -o - ").out));
+  const auto as_table = nlohmann::json::parse(run("label " + shape + " -o - --category table").out);
+  CHECK(as_table["category"] == "table");
+  CHECK_THAT(run("label " + shape + " --category boat").error, Contains("does not have the category"));
+  CHECK(run("label " + shape + " " + shape).status == 2);
+  CHECK(run("label " + shape + " --output " + shape).status == 2);
 }
 
 TEST_CASE("The command roles")

@@ -134,6 +134,7 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
                                           "collection " + a + " " + a + " -k 3",
                                           "parts " + a + " --kind curve",
                                           "roles predict " + a + " --trees 3",
+                                          "label " + a + " --trees 3",
                                           "help match graph",
                                           "help --man match",
                                           "help paint",

@@ -83,7 +83,7 @@ struct Part_roles
 /// The roles of the parts of a shape that is upright and faces +z.
 /// \param graph the shape
 /// \param model the role model
-/// \param category of the shape; empty: the category whose labelled parts are nearest, or none where they are too far
+/// \param category of the shape; empty: the one whose labelled parts are clearly nearest, or none if none is
 /// \throw Invalid_input if the model does not have the category
 Part_roles part_roles(const Structural_graph& graph, const Role_model& model, const std::string& category = "");
 

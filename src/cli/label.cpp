@@ -1,0 +1,139 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cli/collection_shapes.h"
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/labelled_models.h"
+#include "cli/labels_json.h"
+#include "cli/load_shape.h"
+#include "cli/outputs.h"
+#include "cli/predicted_labels.h"
+#include "cli/run_report.h"
+#include "cli/text_table.h"
+#include "cli/thread_limit.h"
+#include "io/quoting.h"
+
+#include <CGAL/Shape_correspondence/IO/role_model.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::cli {
+
+namespace po = boost::program_options;
+
+namespace {
+
+const char* const help_text =
+    R"(Usage: shape_correspondence label SHAPE [--output labels.json] [options]
+
+Labels the parts of a shape: predicts the role of each, such as leg or seat, by a role model, and prints it with its
+probability. SHAPE is a model file or a folder of part meshes, as in `graph`; it must be upright and face +z. The labels
+are in the form that `roles train`, `evaluate` and `collection --labels-from` read.
+
+Examples: shape_correspondence label chair.obj --output labels.json
+          shape_correspondence label stool.glb --category chair
+
+)";
+
+struct Variables
+{
+  Common_options common;
+  Label_options label;
+  std::string output;
+};
+
+po::options_description all_options(Variables& v)
+{
+  po::options_description own = option_group("Options of label");
+  auto add = own.add_options();
+  add("output,o", po::value(&v.output)->value_name("FILE"), "write the labels as JSON; - is standard output");
+  add("roles", po::value(&v.label.roles)->value_name("MODEL"),
+      "role model, which `roles train` wrote; default: the one that comes with the program");
+  add("examples", po::value(&v.label.examples)->value_name("FOLDER"),
+      "labelled shapes of your own that are learned in addition, as of `match`");
+  add("category", po::value(&v.label.category)->value_name("NAME"),
+      "category of the shape, such as chair; default: the one whose labelled parts are most similar to its parts");
+  po::options_description result;
+  result.add(own).add(model_options(v.common)).add(common_options(v.common));
+  return result;
+}
+
+// The likeliest label of every part, with the probability of its role.
+std::vector<Transferred_label> likeliest_labels(const Part_roles& found)
+{
+  std::vector<Transferred_label> result;
+  for (std::size_t part = 0; part < found.labels.size(); ++part)
+    result.push_back({found.labels[part], found.probabilities.row(Eigen::Index(part)).maxCoeff()});
+  return result;
+}
+
+std::string percentage(double probability)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f %%", 100 * probability);
+  return text;
+}
+
+} // namespace
+
+Part_roles predicted_roles(const std::string& path, const Structural_graph& graph, const Role_model& model,
+                           const std::string& category)
+{
+  Part_roles found = part_roles(graph, model, category);
+  if (found.category.empty())
+    throw Invalid_input(path +
+                        ": the shape is not clearly of a category that the role model knows; name one with --category");
+  return found;
+}
+
+void write_labels_json(std::ostream& out, const Structural_graph& graph, const Part_roles& found)
+{
+  labels_json(part_names(graph), found.category, likeliest_labels(found)).write(out);
+}
+
+void label_shape(const std::string& path, const Label_options& options, const std::string& output,
+                 const Common_options& common)
+{
+  check_outputs({output}, {path, options.roles, options.examples});
+  const Loaded_shape shape = load_shape(path, common);
+  auto model = options.roles.empty() ? IO::shipped_role_model()
+                                     : std::make_shared<const Role_model>(IO::read_role_model(options.roles));
+  std::string category = options.category;
+  if (!options.examples.empty()) add_examples(options.examples, common, model, category);
+  const Part_roles found = predicted_roles(path, shape.graph, *model, category);
+  const std::vector<Transferred_label> labels = likeliest_labels(found);
+  const std::vector<std::string> parts = part_names(shape.graph);
+  write_output(output, [&](std::ostream& out) { write_labels_json(out, shape.graph, found); });
+  if (!common.prints_table() || output == "-") return;
+  std::vector<std::vector<std::string>> rows{{"part", "role", "fine label", "probability"}};
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    rows.push_back(
+        {parts[part], labels[part].label.coarse, labels[part].label.fine, percentage(labels[part].confidence)});
+  std::cout << IO::quote_terminal(path + ": " + found.category) << "\n\n";
+  write_table(std::cout, rows);
+}
+
+Command_help help_of_label()
+{
+  static Variables unused;
+  return {help_text, all_options(unused)};
+}
+
+void run_label(const std::vector<std::string>& arguments)
+{
+  Variables variables;
+  Common_options& common = variables.common;
+  const Arguments parsed = parse(arguments, all_options(variables), 1, 1);
+  if (parsed.help) return write_help(std::cout, command_of("label"));
+  const Run_report report(common);
+  check(common);
+  const Thread_limit limit(common.threads);
+  label_shape(parsed.inputs[0], variables.label, variables.output, common);
+}
+
+} // namespace CGAL::Shape_correspondence::cli
