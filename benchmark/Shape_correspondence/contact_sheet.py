@@ -19,7 +19,8 @@ FLAGS = ["--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swifts
 
 # Style of a page of which only the picture is shown
 PICTURE_ALONE = """#side, #tools { display: none; }
-body { grid-template: none; grid-template-areas: "stage"; }
+body { grid-template: "stage" 100vh / 100%; }
+#stage { height: 100vh; border: 0; }
 </style>"""
 
 

@@ -41,7 +41,7 @@ of shapes of a category are matched, or those of DATA/pairs.json: [[CATEGORY, SO
   figure13     correspondences by way of a third shape
   figure14     medoids of the categories
   figure15     what people say corresponds; FOLDER/figure15.html
-  figure16     the most prominent parts, beside Tevs et al. 2014
+  figure16     the most prominent parts, beside Tevs et al. 2014; FOLDER/figure16.html
   figure17     automatic segmentations in place of one shape of every pair
   figure18     FURTHER_DATA made worse (generate_models --degrade): scores on each
   figure19     FURTHER_DATA segmented otherwise: energy against the quality of the correspondence
@@ -81,7 +81,7 @@ Experiment experiment(const std::string& name)
                                                       {"figure13", of_data_alone(figure13)},
                                                       {"figure14", of_data_alone(figure14)},
                                                       {"figure15", figure15},
-                                                      {"figure16", of_data_alone(figure16)},
+                                                      {"figure16", figure16},
                                                       {"figure17", figure17},
                                                       {"figure18", figure18},
                                                       {"figure19", figure19},

@@ -189,8 +189,8 @@ def main():
                    f"(`generate_models --benchmark --random-styles --seed {DRAWN_SEED}`) are one:\nnothing was chosen on them, but "
                    "they are made of the same components as the generated shapes, and lamps and velocipedes differ\nmostly in "
                    "numbers and measures; the last rules were chosen with those of seed 102. Constants of the peers were set on\n"
-                   "the development set. Halves are by source family. Times are of a busy machine with two cores. "
-                   "WORST.md goes through the worst results, and says what\nwas tried.\n\n" + "\n".join(sections))
+                   "the development set. Halves are by source family. Times are by the clock on two cores that had other jobs: compare them within a\n"
+                   "table; the manual's page on performance has those of an idle machine. WORST.md goes through the worst results, and says what\nwas tried.\n\n" + "\n".join(sections))
 
 
 if __name__ == "__main__":

@@ -83,10 +83,15 @@ Part_abstraction Solid_abstractor::bounding_box(const std::string& failure, bool
   return result;
 }
 
-void Solid_abstractor::use_curve(const Fitted_curve& fitted, Method method)
+bool Solid_abstractor::is_point(const Fitted_curve& fitted) const
 {
   const double shortest = 0.2; // over the part's diagonal
-  if (fitted.curve.points.cols() < 2 || arc_lengths(fitted.curve).back() < shortest * diagonal_) {
+  return fitted.curve.points.cols() < 2 || arc_lengths(fitted.curve).back() < shortest * diagonal_;
+}
+
+void Solid_abstractor::use_curve(const Fitted_curve& fitted, Method method)
+{
+  if (is_point(fitted)) {
     throw Flow_failure("its skeleton is a point");
   }
   result_.geometry = fitted.curve;

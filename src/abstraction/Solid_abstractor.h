@@ -28,10 +28,13 @@ protected:
   /// Calls one of `use_curve()`, `use_axis()` and `use_sheet()`. \throw Flow_failure
   virtual void find_geometry(const Part_mesh& solid) = 0;
 
-  /// \throw Flow_failure if the curve is hardly more than a point
+  /// \throw Flow_failure if `is_point(fitted)`
   void use_curve(const Fitted_curve& fitted, Method method);
   void use_axis(const Curve& axis);
   void use_sheet(const Fitted_sheet& fitted, Method method);
+
+  /// Whether a curve is hardly more than a point
+  bool is_point(const Fitted_curve& fitted) const;
 
   const Part_mesh& mesh() const { return part_.mesh; }
   const Abstraction_options& options() const { return options_; }

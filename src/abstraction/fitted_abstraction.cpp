@@ -42,7 +42,7 @@ Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, 
   const double least_width = 0.21;        // of a sheet, over its length
   const double least_depth = 0.5;         // of what is compact, over its width
   const double least_blade_width = 0.075; // over its length
-  const double blade_thickness = 0.225;   // over its width at most; a blade is 8.9 times as wide as thick
+  const double blade_thickness = 0.253;   // over its width at most; a blade is 7.8 times as wide as thick
   const double least_thickness = 0.3;     // of a block, over its length
   const double least_height = 0.32, plate_height = 0.45; // of a block's box, over its length and its width
   const Eigen::Vector3d& extents = layout.extents;
@@ -147,8 +147,8 @@ class Fitter : public Solid_abstractor
     if (wanted_kind() == Abstraction_kind::AUTOMATIC &&
         (report().tube || (is_net && is_flat(box.extents)) || (kind == Intrinsic_kind::FLAT && !fitted.curve.closed))) {
       use_sheet(sheet(), Method::MEDIAL_AXIS); // also of a propeller or a pedal
-    } else if (is_net && fitted.curve.closed) {
-      use_axis(medial_curve(box, options().curve_points, distinct_axis(box))); // of a cage
+    } else if ((is_net && fitted.curve.closed) || (is_point(fitted) && !is_flat(box.extents))) {
+      use_axis(medial_curve(box, options().curve_points, distinct_axis(box))); // of a cage or an open box
     } else {
       report().blob = (kind == Intrinsic_kind::COMPACT || kind == Intrinsic_kind::BLOCK) && !fitted.curve.closed;
       use_curve(fitted, Method::SKELETON);

@@ -93,6 +93,63 @@ TEST_CASE("A long part is a sheet if it is a blade, a curve if it is a slat")
   CHECK_FALSE(abstraction_of(box({0, 0, 0}, {1, 0.003, 0.04})).is_sheet());
 }
 
+TEST_CASE("A wing is a sheet, also a thick one that gets narrower towards its tips")
+{
+  const double chord = 2, thickness = 0.26, tip = 0.6;
+  const int corners = 12;
+  Part_mesh wing;
+  wing.points.resize(3, 3 * corners + 2);
+  for (int section = 0; section < 3; ++section) {
+    const double scale = section == 1 ? 0.5 : 0.5 * tip;
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2 * EIGEN_PI * k / corners;
+      wing.points.col(section * corners + k) =
+          Point(5 * (section - 1), scale * thickness * std::sin(angle), scale * chord * std::cos(angle));
+    }
+  }
+  const int left = 3 * corners, right = left + 1; // middles of the tips
+  wing.points.col(left) = -5 * Point::UnitX();
+  wing.points.col(right) = 5 * Point::UnitX();
+  wing.triangles.resize(3, 6 * corners);
+  for (int k = 0; k < corners; ++k) {
+    const int l = (k + 1) % corners, m = corners, n = 2 * corners;
+    wing.triangles.middleCols(6 * k, 6) << left, k, k, k + m, k + m, right, //
+        l, l, l + m, l + m, l + n, k + n,                                   //
+        k, l + m, k + m, l + n, k + n, l + n;
+  }
+  CHECK(abstraction_of(wing).is_sheet());
+}
+
+TEST_CASE("A box that is open in front has an axis to the front, also where its skeleton is a point")
+{
+  const double wall = 1.3;
+  for (double depth : {30., 35., 41.}) {
+    CAPTURE(depth);
+    const auto without_front = [](const Part_mesh& mesh) {
+      Part_mesh result{mesh.points, mesh.triangles.leftCols(10)};
+      result.triangles.col(2) = mesh.triangles.col(10);
+      result.triangles.col(3) = mesh.triangles.col(11);
+      return result;
+    };
+    const Part_mesh outside = box({0, 0, 0}, {50, 48, depth}),
+                    inside = box({wall, wall, wall}, {50 - wall, 48 - wall, depth});
+    Part_mesh open_box =
+        joined(without_front(outside), without_front({inside.points, inside.triangles.colwise().reverse()}));
+    open_box.triangles.conservativeResize(3, 28);
+    const int front[] = {4, 5, 7, 6, 4};
+    for (int k = 0; k < 4; ++k) {
+      const int a = front[k], b = front[k + 1], b_inside = b + 8, a_inside = a + 8;
+      open_box.triangles.middleCols(20 + 2 * k, 2) << a, a, b, b_inside, b_inside, a_inside;
+    }
+    const Part_abstraction part = abstraction_of(open_box);
+    REQUIRE_FALSE(part.is_sheet());
+    CHECK(part.report.method == Method::AXIS);
+    const Points& points = part.control_points();
+    const Point direction = (points.rightCols(1) - points.leftCols(1)).normalized();
+    CHECK(std::abs(direction.z()) > 0.99);
+  }
+}
+
 TEST_CASE("A disc is a sheet across its axle, however long that is")
 {
   const double out = 0.055, in = 0.009;

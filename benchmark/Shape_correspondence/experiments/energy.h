@@ -11,8 +11,6 @@
 #include "options.h"
 #include "tables.h"
 
-#include <numeric>
-
 namespace CGAL {
 namespace Shape_correspondence {
 namespace experiments {
@@ -145,42 +143,6 @@ inline void figure11(const Dataset& dataset)
       const Mean_score& mean = of_parts.evaluation.mean;
       write_row({parts ? std::to_string(parts) : "all", name, text(mean.coarse_precision.mean),
                  text(mean.precision.mean), text(mean.recall.mean), text(of_parts.seconds, 4)});
-    }
-}
-
-/// Of the pairs of a method, those of the most prominent parts of the source, by volume.
-inline peers::Peer of_prominent_parts(const peers::Peer& method, std::size_t count)
-{
-  return [method, count](const std::vector<Structural_graph>& shapes, const std::vector<peers::Shape_pair>& pairs) {
-    std::vector<Part_pairs> result = method(shapes, pairs);
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const auto& parts = structure(shapes[pairs[k][0]]).parts;
-      std::vector<std::size_t> order(parts.size());
-      std::iota(order.begin(), order.end(), std::size_t(0));
-      std::stable_sort(order.begin(), order.end(),
-                       [&](std::size_t a, std::size_t b) { return parts[a].volume > parts[b].volume; });
-      order.resize(std::min(order.size(), count));
-      const auto is_lesser = [&](const auto& pair) {
-        return std::find(order.begin(), order.end(), pair.first) == order.end();
-      };
-      result[k].erase(std::remove_if(result[k].begin(), result[k].end(), is_lesser), result[k].end());
-    }
-    return result;
-  };
-}
-
-/// Figure 16: precision on the most prominent parts, beside Tevs et al. 2014.
-inline void figure16(const Dataset& dataset)
-{
-  write_heading({"most prominent parts of the source", "method", "P", "coarse P", "R of all parts"});
-  const std::pair<const char*, peers::Peer> methods[] = {{"Tevs et al. 2014", peers::pairwise(peers::match_tevs_2014)},
-                                                         {"the paper's method", ours(paper_options())},
-                                                         {"default", ours(default_options())}};
-  for (const std::size_t count : {2, 4, 8})
-    for (const auto& [name, method] : methods) {
-      const Mean_score mean = run(dataset, of_prominent_parts(method, count)).evaluation.mean;
-      write_row({std::to_string(count), name, text(mean.precision.mean), text(mean.coarse_precision.mean),
-                 text(mean.recall.mean)});
     }
 }
 

@@ -3,10 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The paper's galleries and what is made with correspondences: Figures 1 and 9, 13 to 15 and Table 1.
+// The paper's galleries and what is made with correspondences: Figures 1 and 9, 13 to 16 and Table 1.
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_GALLERY_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_GALLERY_H
 
+#include "../peers/peers.h"
 #include "methods.h"
 #include "options.h"
 
@@ -14,6 +15,9 @@
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 #include <CGAL/Shape_correspondence/topological_medoid.h>
 #include <CGAL/Shape_correspondence/transitive_correspondence.h>
+
+#include <algorithm>
+#include <numeric>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -156,6 +160,15 @@ inline void figure14(const Dataset& dataset)
   }
 }
 
+inline Correspondence correspondence_of(const Part_pairs& pairs)
+{
+  Correspondence result;
+  result.complete = true;
+  for (const auto& [i, j] : pairs)
+    result.pairs.push_back({i, j});
+  return result;
+}
+
 /// Figure 15: what people say corresponds, fine and coarse, on the pairs of the gallery.
 inline void figure15(const Dataset& dataset, const Options& options)
 {
@@ -165,15 +178,55 @@ inline void figure15(const Dataset& dataset, const Options& options)
     for (const peers::Shape_pair& pair : gallery_pairs(category)) {
       const Ground_truth truth = ground_truth(category.labels[pair[0]], category.labels[pair[1]]);
       for (const Part_pairs* pairs : {&truth.pairs, &truth.coarse_pairs}) {
-        Correspondence c;
-        c.complete = true;
-        for (const auto& [i, j] : *pairs)
-          c.pairs.push_back({i, j});
         const char* level = pairs == &truth.pairs ? ", fine" : ", coarse";
-        pages.add(pair_name(category, pair) + level, category, pair, c);
+        pages.add(pair_name(category, pair) + level, category, pair, correspondence_of(*pairs));
       }
       write_row(
           {pair_name(category, pair), std::to_string(truth.pairs.size()), std::to_string(truth.coarse_pairs.size())});
+    }
+}
+
+/// Of the pairs of a method, those of the most prominent parts of the source, by volume.
+inline peers::Peer of_prominent_parts(const peers::Peer& method, std::size_t count)
+{
+  return [method, count](const std::vector<Structural_graph>& shapes, const std::vector<peers::Shape_pair>& pairs) {
+    std::vector<Part_pairs> result = method(shapes, pairs);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto& parts = structure(shapes[pairs[k][0]]).parts;
+      std::vector<std::size_t> order(parts.size());
+      std::iota(order.begin(), order.end(), std::size_t(0));
+      std::stable_sort(order.begin(), order.end(),
+                       [&](std::size_t a, std::size_t b) { return parts[a].volume > parts[b].volume; });
+      order.resize(std::min(order.size(), count));
+      const auto is_lesser = [&](const auto& pair) {
+        return std::find(order.begin(), order.end(), pair.first) == order.end();
+      };
+      result[k].erase(std::remove_if(result[k].begin(), result[k].end(), is_lesser), result[k].end());
+    }
+    return result;
+  };
+}
+
+/// Figure 16: precision on the most prominent parts, beside Tevs et al. 2014, and pictures of the pairs of the gallery.
+inline void figure16(const Dataset& dataset, const Options& options)
+{
+  constexpr std::size_t counts[] = {2, 4, 8}, pictured = 4;
+  const std::pair<const char*, peers::Peer> methods[] = {{"Tevs et al. 2014", peers::pairwise(peers::match_tevs_2014)},
+                                                         {"the paper's method", ours(paper_options())},
+                                                         {"default", ours(default_options())}};
+  Picture_pages pages(options, "figure16", "The " + std::to_string(pictured) + " most prominent parts");
+  for (const Category& category : dataset)
+    for (const peers::Shape_pair& pair : gallery_pairs(category))
+      for (const auto& [name, method] : methods) {
+        const Part_pairs pairs = of_prominent_parts(method, pictured)(category.graphs, {pair}).front();
+        pages.add(pair_name(category, pair) + ", " + name, category, pair, correspondence_of(pairs));
+      }
+  write_heading({"most prominent parts of the source", "method", "P", "coarse P", "R of all parts"});
+  for (const std::size_t count : counts)
+    for (const auto& [name, method] : methods) {
+      const Mean_score mean = run(dataset, of_prominent_parts(method, count)).evaluation.mean;
+      write_row({std::to_string(count), name, text(mean.precision.mean), text(mean.coarse_precision.mean),
+                 text(mean.recall.mean)});
     }
 }
 

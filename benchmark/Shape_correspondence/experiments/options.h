@@ -42,7 +42,7 @@ inline std::ofstream picture(const Options& options, const std::string& name)
   const std::string path = (fs::path(options.out) / name).string();
   std::ofstream out(path, std::ios::binary);
   if (!out) throw Invalid_input(path + ": it cannot be written");
-  std::cout << '\n' << "Picture: " << name << '\n';
+  std::cout << '\n' << "Picture: " << name << "\n\n";
   return out;
 }
 
