@@ -7,7 +7,7 @@
   wild_models.py BUILD OUT FOLDER... --labelled DATA [--category chair,table] [--options "--roles none"] [--step N]
 
 BUILD is the build folder, FOLDERs hold models in sub-folders of any depth. With --install, OUT/installed is one of them:
-Debian's sweethome3d-furniture and flightgear-data-ai (apt-get, as root) and the glTF examples of three.js (npm).
+Debian's sweethome3d-furniture, flightgear-data-ai and assimp-testmodels, which has files of all types (apt-get, as root).
 
 The first form makes a structural graph of every N-th model, each in a process that may take S seconds of processor time and M megabytes, and
 writes OUT/models.csv: read or refused and why, objects, parts, seconds, megabytes; and a summary to standard output.
@@ -36,7 +36,7 @@ import zipfile
 
 MODEL_TYPES = (".obj", ".ac", ".gltf", ".glb", ".dae", ".fbx", ".3ds", ".dxf", ".ply", ".stl", ".off")
 WAITING = 10  # times as long as it may work a process may take, on a busy machine
-PACKAGES = ("sweethome3d-furniture", "flightgear-data-ai")
+PACKAGES = ("sweethome3d-furniture", "flightgear-data-ai", "assimp-testmodels")
 
 
 def install(folder):
@@ -50,11 +50,10 @@ def install(folder):
         if file.endswith(".sh3f"):
             with zipfile.ZipFile(file) as archive:
                 archive.extractall(os.path.join(folder, os.path.basename(file)[:-5]))
-        elif file.lower().endswith(".ac"):
-            shutil.copy(file, folder)
-    subprocess.run(["npm", "pack", "three"], cwd=folder, check=True, capture_output=True)
-    for archive in glob.glob(os.path.join(folder, "three-*.tgz")):
-        shutil.unpack_archive(archive, os.path.join(folder, "three"))
+        elif os.path.isfile(file) and not file.startswith("/usr/share/doc"):  # textures and buffers, too
+            target = os.path.join(folder, os.path.relpath(file, "/usr/share"))
+            os.makedirs(os.path.dirname(target), exist_ok=True)
+            os.symlink(file, target)
 
 
 def models_in(folders):

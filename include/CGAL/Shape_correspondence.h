@@ -12,9 +12,11 @@
 #define CGAL_SHAPE_CORRESPONDENCE_H
 
 /// \file Shape_correspondence.h
-/// The whole package, but for reading and writing files (`Shape_correspondence/IO/`).
+/// What one does with shapes: all of the package but reading and writing files (`Shape_correspondence/IO/`) and the
+/// solvers by themselves (`exact_search.h`, `markov_clustering.h`, `part_matrix.h`).
 
 #include <CGAL/Shape_correspondence/Correspondence_map.h>
+#include <CGAL/Shape_correspondence/Surface_map.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/co_analysis.h>

@@ -33,6 +33,7 @@ from ._collections import (
     collection,
     evaluate,
     nearest,
+    transfer_labels,
 )
 from ._core import InvalidInput, __version__
 from ._matches import (
@@ -57,7 +58,7 @@ __all__ = [
     "Blend", "BlendTask", "Bridge", "Cluster", "CoAnalysis", "Collection", "CollectionShape", "ContactEnergy",
     "EnergyTerms", "Estimate", "Evaluation", "Graph", "GroupMatch", "InvalidInput", "Match", "MeanScore", "Medoid",
     "Nearest", "NearShape", "PairMatch", "PairRoles", "Part", "PartAbstraction", "PartGroup", "Score",
-    "SearchSummary", "Seconds", "Shape", "Solution", "TransferredLooks", "TransferredPart", "TreeEdge", "blend",
-    "build_graph", "collection", "evaluate", "match", "nearest", "paper_options", "read", "roles", "schedule_names",
-    "transfer", "transfer_looks",
+    "SearchSummary", "Seconds", "Shape", "Solution", "TransferredLooks",
+    "TransferredPart", "TreeEdge", "blend", "build_graph", "collection", "evaluate", "match", "nearest",
+    "paper_options", "read", "roles", "schedule_names", "transfer", "transfer_labels", "transfer_looks",
 ]

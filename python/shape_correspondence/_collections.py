@@ -15,7 +15,7 @@ from . import _core
 from ._matches import Match, _checked_search_options
 from ._records import Record
 from ._shapes import Graph, Input, Path, Progress, _graphs, _reading_options
-from .roles import _model_of
+from .roles import LabelledShape, PartRole, PartRoles, _examples, _model_of
 
 
 @dataclass
@@ -138,6 +138,7 @@ def collection(
     matches: bool = False,
     agreeing: bool = False,
     html: Optional[Path] = None,
+    store: Optional[Path] = None,
     roles: Any = "auto",
     cache: Optional[Path] = None,
     threads: int = 0,
@@ -157,6 +158,8 @@ def collection(
     :param agreeing: keep only pairs of parts that are in one cluster, in the matches and on the page: fewer pairs,
         which are right more often
     :param html: a web page to write
+    :param store: a folder that finished matches are kept in: a call that was ended continues where it was, and one with
+        more shapes matches the new ones only
     :param roles: see `match()`
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
@@ -171,7 +174,7 @@ def collection(
     model = _model_of(roles, options.get("search_method", "parts"), options.get("role_weight", 0))
     text = _core.collection([graph._handle for graph in graphs], model, threads, search,
                             {"unmatched_energy": unmatched_energy}, analysis, neighbours, matches, agreeing, page,
-                            progress)
+                            "" if store is None else os.fspath(store), progress)
     return Collection.from_dict(json.loads(text))
 
 
@@ -207,6 +210,40 @@ def nearest(
     text = _core.nearest(graph._handle, [graph._handle for graph in graphs], count, model, threads, search,
                          {"unmatched_energy": unmatched_energy}, progress)
     return Nearest.from_dict(json.loads(text))
+
+
+def transfer_labels(
+    source: LabelledShape,
+    shapes: Union[Path, Sequence[Input]],
+    *,
+    roles: Any = "auto",
+    cache: Optional[Path] = None,
+    threads: int = 0,
+    progress: Progress = None,
+    **options: Any,
+) -> List[PartRoles]:
+    """Transfers the labels of one shape to the parts of others, each the label of the part that it corresponds to most
+    probably. A part that the options keep out of the match gets none.
+
+    :param source: the labelled shape
+    :param shapes: the shapes that get labels, or a folder of them
+    :param roles: see `match()`
+    :param cache: see `build_graph()`
+    :param threads: see `build_graph()`
+    :param progress: see `build_graph()`
+    :param options: further ones of `match()`
+    :raises InvalidInput: if a shape cannot be used, or a part of the source has no label
+    """
+    search = _checked_search_options("transfer_labels", options)
+    model = _model_of(roles, options.get("search_method", "parts"), options.get("role_weight", 0))
+    (graph, _, labels, _), = _examples([source], cache, threads, progress)
+    targets = _collection_graphs(shapes, cache, threads, progress)
+    found = _core.transfer_labels(graph, labels, [target._handle for target in targets], model, threads, search,
+                                  progress)
+    return [PartRoles(source.category, [PartRole(name, coarse, fine or None, probability)
+                                        for name, (coarse, fine, probability) in zip(target.part_names, parts)
+                                        if coarse])
+            for target, parts in zip(targets, found)]
 
 
 def _collection_graphs(shapes: Union[Path, Sequence[Input]], cache: Optional[Path], threads: int,

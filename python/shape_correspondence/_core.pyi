@@ -82,8 +82,13 @@ def schedule_names() -> List[str]: ...
 def collection_paths(inputs: List[str]) -> List[str]: ...
 def collection(
     graphs: List[Graph], roles: Optional[RoleModel], threads: int, search: _Options, matching: _Options,
-    analysis: _Options, neighbours: int, matches: bool, agreeing: bool, page: str, progress: _Progress,
+    analysis: _Options, neighbours: int, matches: bool, agreeing: bool, page: str, store: str,
+    progress: _Progress,
 ) -> str: ...
+def transfer_labels(
+    source: Graph, labels: List[Tuple[str, str]], targets: List[Graph], roles: Optional[RoleModel], threads: int,
+    search: _Options, progress: _Progress,
+) -> List[List[Tuple[str, str, float]]]: ...
 def nearest(
     query: Graph, graphs: List[Graph], count: int, roles: Optional[RoleModel], threads: int, search: _Options,
     matching: _Options, progress: _Progress,

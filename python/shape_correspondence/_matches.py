@@ -145,6 +145,7 @@ def match(
     target: Input,
     *,
     search_method: str = "parts",
+    part_matching: Optional[Mapping[str, Any]] = None,
     roles: Union[None, str, "os.PathLike[str]", RoleModel] = "auto",
     category: str = "",
     min_confidence: float = 0,
@@ -180,6 +181,10 @@ def match(
     :param target: the target shape
     :param search_method: ``"parts"`` (least cost of corresponding parts), ``"beam"`` (least deformation energy by the
         paper's beam search) or ``"exact"`` (least deformation energy, with a proof)
+    :param part_matching: of ``"parts"``, what differs from the defaults: weights of the terms in the cost of a pair of
+        parts (``overlap``, ``extent``, ``ground``, ``side``, ``front``, ``orientation``, ``chamfer``, ``contacts``,
+        ``chain``), bounds of costs (``excess``, ``confident_excess``, ``shared_counterpart``), and whether sets of parts
+        are matched as such (``panels``, ``support``, ``chains``); `Part_matching_options` of the library
     :param roles: what parts are for, joined with their costs by ``"parts"`` where shapes are upright and look to +z:
         ``"auto"`` (the model that comes with the package), None, or a model
     :param category: of both shapes, whose roles are taken; empty: the one that they are most like
@@ -334,7 +339,7 @@ def _arrays_by_part(match: Match, values: Union[Mapping[str, Any], Sequence[Any]
 
 
 def _search_options(values: Mapping[str, Any]) -> Dict[str, Any]:
-    return {name: values[name] for name in _core.default_options()["match"] if name in values}
+    return {name: values[name] for name in _core.default_options()["match"] if values.get(name) is not None}
 
 
 def _part_indices(parts: Names, graph: Graph) -> List[int]:

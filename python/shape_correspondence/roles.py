@@ -30,7 +30,8 @@ class PartRole(Record):
 
 @dataclass
 class PartRoles(Record):
-    """What the parts of a shape are for. `to_dict()` is what ``shape_correspondence roles predict --json`` writes."""
+    """What the parts of a shape are for. `to_dict()` is what ``shape_correspondence roles predict --json`` writes,
+    a ``labels.json``."""
 
     _header: ClassVar[Dict[str, Any]] = {"format": "shape_correspondence/labels"}
 

@@ -7,18 +7,22 @@
 #include "work.h"
 
 #include "cli/collection_analysis.h"
+#include "cli/collection_options.h"
 #include "cli/evaluate_results.h"
 #include "cli/thread_limit.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 #include <CGAL/Shape_correspondence/IO/write_collection_html.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
 #include <CGAL/Shape_correspondence/nearest_shapes.h>
 
 #include "io/atomic_file.h"
 
 #include <pybind11/stl.h>
 
+#include <map>
 #include <ostream>
+#include <tuple>
 #include <utility>
 
 namespace shape_correspondence_python {
@@ -44,14 +48,29 @@ SC::Energy_matrix_options matching_options(const std::optional<Role_model>& role
   return options;
 }
 
-/// The JSON of a collection. \param page where its page goes; empty: nowhere
+/// What distinguishes the finished work of some options in a store.
+std::string key_of(const py::dict& search, const SC::Energy_matrix_options& matching)
+{
+  std::map<std::string, std::string> values;
+  for (const auto& [name, value] : search)
+    values[name.cast<std::string>()] = py::repr(value).cast<std::string>();
+  std::string text = "python\n";
+  for (const auto& [name, value] : values)
+    text += name + '=' + value + '\n';
+  return SC::cli::key_of(text, matching.search, matching.unmatched_energy);
+}
+
+/// The JSON of a collection. \param page where its page goes; empty: nowhere \param store a folder for finished work;
+/// empty: none
 std::string collection(const Graphs& graphs, const std::optional<Role_model>& roles, int threads,
                        const py::dict& search, const py::dict& matching_values, const py::dict& analysis_values,
                        std::size_t neighbours, bool matches, bool agreeing, const std::string& page,
-                       const py::object& progress)
+                       const std::string& store, const py::object& progress)
 {
   const SC::Energy_matrix_options matching = matching_options(roles, search, matching_values);
+  const std::string key = store.empty() ? "" : key_of(search, matching);
   SC::cli::Collection_options options;
+  options.store = store;
   options.co_analysis = co_analysis_options(analysis_values);
   options.neighbours = neighbours;
   options.matches = matches;
@@ -65,9 +84,9 @@ std::string collection(const Graphs& graphs, const std::optional<Role_model>& ro
       work.report(what, done, total);
     };
     SC::cli::Team team;
-    SC::cli::Tile_store in_memory("");
+    SC::cli::Tile_store tiles(store.empty() ? "" : store + "/tiles");
     const SC::cli::Collection_shapes shapes = shapes_of(graphs);
-    SC::cli::Collection_work pairs(shapes, in_memory, "", options, matching, common);
+    SC::cli::Collection_work pairs(shapes, tiles, key, options, matching, common);
     pairs.run(team);
     const SC::cli::Analysis analysis = SC::cli::analysed(shapes, options, pairs);
     if (!page.empty())
@@ -103,6 +122,34 @@ std::string nearest(const std::shared_ptr<Graph>& query, const Graphs& graphs, s
   });
 }
 
+using Label = std::tuple<std::string, std::string, double>; ///< coarse, fine, confidence
+
+/// The labels that the parts of every target have from the source. \param labels coarse and fine, by part of the source
+std::vector<std::vector<Label>> transfer_labels(const std::shared_ptr<Graph>& source,
+                                                const std::vector<std::pair<std::string, std::string>>& labels,
+                                                const Graphs& targets, const std::optional<Role_model>& roles,
+                                                int threads, const py::dict& search, const py::object& progress)
+{
+  const SC::Energy_matrix_options matching = matching_options(roles, search, py::dict());
+  std::vector<SC::Part_label> part_labels;
+  for (const auto& [coarse, fine] : labels)
+    part_labels.push_back({coarse, fine});
+  Work work;
+  return work.run(progress, [&](Work& work) {
+    const SC::cli::Thread_limit limit(threads);
+    const SC::Correspondence_finder finder(source->shape.graph, matching.search);
+    std::vector<std::vector<Label>> result;
+    for (const auto& target : targets) {
+      result.emplace_back();
+      for (const SC::Transferred_label& label :
+           finder.transfer_labels(part_labels, SC::Prepared_shape(target->shape.graph)))
+        result.back().emplace_back(label.label.coarse, label.label.fine, label.confidence);
+      work.report("matching", result.size(), targets.size());
+    }
+    return result;
+  });
+}
+
 SC::cli::Named_result named(const Match& match)
 {
   SC::cli::Named_result result{match.source->file + " -> " + match.target->file, {}};
@@ -135,6 +182,7 @@ void bind_collections(py::module_& module)
   module.def("collection_paths", SC::cli::collection_paths);
   module.def("collection", collection);
   module.def("nearest", nearest);
+  module.def("transfer_labels", transfer_labels);
   module.def("evaluate", evaluate);
 }
 

@@ -12,9 +12,9 @@
 #include "io/input_file.h"
 #include "viewer/match_page.h"
 
-#include <CGAL/Shape_correspondence/Correspondence_map.h>
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/Surface_map.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

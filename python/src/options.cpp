@@ -72,6 +72,26 @@ const char* word_of(Value value)
   return "";
 }
 
+template <typename Visitor>
+void visit(SC::Part_matching_options& options, Visitor& option)
+{
+  option("overlap", options.weights.overlap);
+  option("extent", options.weights.extent);
+  option("ground", options.weights.ground);
+  option("side", options.weights.side);
+  option("front", options.weights.front);
+  option("orientation", options.weights.orientation);
+  option("chamfer", options.weights.chamfer);
+  option("contacts", options.weights.contacts);
+  option("chain", options.weights.chain);
+  option("excess", options.excess);
+  option("confident_excess", options.confident_excess);
+  option("shared_counterpart", options.shared_counterpart);
+  option("panels", options.panels);
+  option("support", options.support);
+  option("chains", options.chains);
+}
+
 /// Takes the values of options from keyword arguments.
 class Reader
 {
@@ -111,6 +131,14 @@ private:
       field[part] = value_of<SC::Abstraction_kind>(name, word);
   }
 
+  static void read(const char*, const py::object& value, SC::Part_matching_options& field)
+  {
+    const py::dict values = value.cast<py::dict>();
+    Reader reader(values);
+    visit(field, reader);
+    reader.check_all_used();
+  }
+
   static void read(const char*, const py::object& value, std::vector<SC::Part_pair>& field)
   {
     for (const auto& [source, target] : value.cast<std::vector<std::pair<std::size_t, std::size_t>>>())
@@ -135,6 +163,12 @@ public:
   }
   void operator()(const char* name, const std::map<std::string, SC::Abstraction_kind>&) { list_[name] = py::dict(); }
   void operator()(const char* name, const std::vector<SC::Part_pair>&) { list_[name] = py::list(); }
+  void operator()(const char* name, SC::Part_matching_options& field)
+  {
+    Lister inner;
+    visit(field, inner);
+    list_[name] = inner.list();
+  }
 
   const py::dict& list() const { return list_; }
 
@@ -146,6 +180,7 @@ template <typename Visitor>
 void visit(SC::Search_options& options, Visitor& option)
 {
   option("search_method", options.method);
+  option("part_matching", options.parts);
   option("category", options.category);
   option("min_confidence", options.min_confidence);
   option("beam_width", options.beam.beam_width);

@@ -22,7 +22,16 @@ def defaults(function):
 def test_defaults_are_those_of_the_library(function):
     python = defaults(function)
     for name, value in LIBRARY[function.__name__].items():
+        if name == "part_matching":  # None stands for the library's
+            assert python[name] is None
+            continue
         assert python[name] == value, name
+
+
+def test_part_matching():
+    assert LIBRARY["match"]["part_matching"]["overlap"] == 2
+    for name in LIBRARY["match"]["part_matching"]:
+        assert f"``{name}``" in sc.match.__doc__, name
 
 
 def test_defaults_of_a_collection():
@@ -73,6 +82,8 @@ def test_unknown_options_are_refused(table):
     with pytest.raises(TypeError):
         sc.match(table(), table(), beam_widht=3)
     with pytest.raises(TypeError):
+        sc.match(table(), table(), part_matching={"ovrlap": 3})
+    with pytest.raises(TypeError):
         sc.collection([table(), table()], solutions=2)
     with pytest.raises(TypeError):
         sc.blend(table(), table(), "result.json", beam_width=3)
@@ -80,7 +91,8 @@ def test_unknown_options_are_refused(table):
 
 @pytest.mark.parametrize("options", [{"search_method": "fast"}, {"min_confidence": 2}, {"search_method": "beam", "beam_width": 0},
                                      {"energy_norm": "max"}, {"source_parts": ["seat"]}, {"target_parts": [5]},
-                                     {"search_method": "beam", "roles": sc.roles.load()}, {"alignments": -1}])
+                                     {"search_method": "beam", "roles": sc.roles.load()}, {"alignments": -1},
+                                     {"part_matching": {"excess": -1}}])
 def test_options_out_of_range(table, options):
     with pytest.raises(sc.InvalidInput):
         sc.match(table(), table(), **options)

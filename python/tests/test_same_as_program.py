@@ -3,6 +3,7 @@
 """The module gives the same results as the program, to the bit."""
 
 import json
+import pathlib
 
 import pytest
 
@@ -94,6 +95,30 @@ def test_collection(json_of_program, cache):
     found = sc.collection(shapes, cache=cache, matches=True, agreeing=True)
     assert as_text(found.to_dict()) == as_text(expected)
     assert len(found.matches) == 6
+
+
+def test_store_of_a_collection(cache, tmp_path):
+    shapes = [TABLE, OTHER, "data/table_pedestal"]
+    expected = sc.collection(shapes, cache=cache).to_dict()
+    store = tmp_path / "store"
+    assert sc.collection(shapes, cache=cache, store=store).to_dict() == expected
+    tiles = {path: path.stat().st_mtime_ns for path in (store / "tiles").iterdir()}
+    assert tiles
+    assert sc.collection(shapes, cache=cache, store=store).to_dict() == expected
+    assert {path: path.stat().st_mtime_ns for path in (store / "tiles").iterdir()} == tiles
+    other = sc.collection(shapes, cache=cache, store=store, search_method="exact")  # work of other options is apart
+    assert other.to_dict() == sc.collection(shapes, cache=cache, search_method="exact").to_dict()
+
+
+def test_transfer_labels(json_of_program, cache):
+    shapes = [OTHER, "data/table_pedestal"]
+    expected = json_of_program("collection", *shapes, "--cache", cache, "--labels-from", TABLE)
+    labels = json.loads((pathlib.Path(TABLE) / "labels.json").read_text())
+    source = sc.roles.LabelledShape(TABLE, labels["category"], {
+        part["name"]: (part["coarse"], part.get("fine") or "") for part in labels["parts"]})
+    found = sc.transfer_labels(source, shapes, cache=cache)
+    assert [shape.to_dict()["parts"] for shape in found] == [shape["parts"] for shape in expected["shapes"]]
+    assert found[0].category == expected["category"] == "table"
 
 
 def test_nearest(json_of_program, cache):

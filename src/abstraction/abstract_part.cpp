@@ -100,6 +100,12 @@ std::vector<std::size_t> originals_by_size(const std::vector<Part_mesh>& meshes,
 
 } // namespace
 
+Abstraction_kind Abstraction_options::kind_of(const std::string& part) const
+{
+  const auto found = part_kinds.find(part);
+  return found == part_kinds.end() ? kind : found->second;
+}
+
 Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options& options)
 {
   const Point low = part.mesh.points.rowwise().minCoeff(), high = part.mesh.points.rowwise().maxCoeff();

@@ -143,14 +143,19 @@ std::string key_of(const Match_options& match, const Search_options& search, con
                    const po::variables_map& values)
 {
   Match_options names = match; // for their names alone
+  const std::string category = match.examples.empty() ? "" : "category=" + search.category;
+  return key_of(text_of(match_options(names), values), search, options.unmatched_energy) + category;
+}
+
+std::string key_of(const std::string& match_options, const Search_options& search, double unmatched_energy)
+{
   std::ostringstream key;
   key << CGAL_SHAPE_CORRESPONDENCE_VERSION << '/' << matching_version << '\n'
-      << text_of(match_options(names), values) << std::hexfloat << "unmatched-energy=" << options.unmatched_energy;
+      << match_options << std::hexfloat << "unmatched-energy=" << unmatched_energy;
   if (search.roles) {
     std::ostringstream roles;
     search.roles->write(roles);
     key << "roles=" << IO::digest(roles.str());
-    if (!match.examples.empty()) key << "category=" << search.category;
   }
   return key.str();
 }

@@ -34,5 +34,7 @@ void check(Collection_options& options, const Common_options& common,
 /// All that energies and pairs depend on besides the shapes.
 std::string key_of(const Match_options& match, const Search_options& search, const Collection_options& options,
                    const boost::program_options::variables_map& values);
+/// The same of options of the match in other words. \param search what has the roles
+std::string key_of(const std::string& match_options, const Search_options& search, double unmatched_energy);
 
 } // namespace CGAL::Shape_correspondence::cli

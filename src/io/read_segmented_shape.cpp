@@ -62,6 +62,9 @@ Model_content read_parts(const std::string& file)
   if (!reader && !is_read_by_assimp(extension))
     throw Invalid_input(file + ": models are read from files of type " + known_formats + ", not '" + extension + "'");
   const std::string text = content_of(file);
+  const std::string mark = text.substr(0, 2);
+  if (mark == "\xFF\xFE" || mark == "\xFE\xFF")
+    throw Invalid_input(file + ": it is text in UTF-16; save it as UTF-8");
   Model_content content = reader ? reader(text, file) : read_parts_with_assimp(file);
   for (Model_part& part : content.parts)
     part.name = utf8_text(part.name);

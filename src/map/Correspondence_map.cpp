@@ -3,12 +3,14 @@
 
 #include "base/quantized.h"
 #include "map/Surface_pair.h"
-#include "map/check_model.h"
 
 #include <CGAL/Shape_correspondence/Correspondence_map.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <tuple>
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
@@ -50,16 +52,41 @@ std::vector<const Points*> sampled_surfaces(const Structural_graph& graph)
 
 } // namespace
 
+/// The maps of all pieces of the source's parts.
+struct Correspondence_map::Pieces
+{
+  struct Side
+  {
+    std::size_t part = 0;
+    int dimension = 1;                           ///< 1 for a curve, 2 for a sheet
+    std::array<double, 2> low{0, 0}, high{1, 1}; ///< the piece, in parameters
+  };
+  /// A map between pieces of two parts.
+  struct Piece_map
+  {
+    Side source, target;
+    Eigen::Matrix2d turn; ///< from parameters of a piece, from -1 to 1, to those of the other
+    bool closed = false;  ///< two closed curves: t becomes shift + step t
+    double shift = 0, step = 1;
+  };
+
+  std::vector<std::vector<Piece_map>> of_part; ///< by source part
+  std::size_t targets = 0;                     ///< number of target parts
+};
+
+Correspondence_map::Correspondence_map(std::shared_ptr<const Pieces> pieces) : pieces_(std::move(pieces)) {}
+
 Correspondence_map::Correspondence_map(const Structural_graph& source, const Structural_graph& target,
                                        const Correspondence& correspondence)
-    : pieces_(structure(source).parts.size()), targets_(structure(target).parts.size())
 {
-  using namespace internal;
+  Pieces pieces;
+  pieces.of_part.resize(structure(source).parts.size());
+  pieces.targets = structure(target).parts.size();
   const int turns = correspondence.target_quarter_turns;
   const Charted_shape from = charted_shape(source, 0, sampled_surfaces(source));
   const Charted_shape to = charted_shape(target, turns, sampled_surfaces(target));
   const auto side = [](const Charted_shape& shape, std::size_t part, const Chart_box& piece) {
-    Side result;
+    Pieces::Side result;
     result.part = part;
     result.dimension = shape.parts[part]->is_sheet() ? 2 : 1;
     if (shape.parts[part]->is_closed_curve()) return result;
@@ -71,7 +98,7 @@ Correspondence_map::Correspondence_map(const Structural_graph& source, const Str
   };
   for (const Piece_pair& pair : piece_pairs(from, to, correspondence)) {
     const Part_abstraction &s = *from.parts[pair.source], &t = *to.parts[pair.target];
-    Piece_map map;
+    Pieces::Piece_map map;
     map.source = side(from, pair.source, pair.source_piece);
     map.target = side(to, pair.target, pair.target_piece);
     Eigen::Matrix3d turn = pair.turn;
@@ -83,15 +110,16 @@ Correspondence_map::Correspondence_map(const Structural_graph& source, const Str
       std::tie(map.shift, map.step) =
           closed_curve_fit(s, to_common_frame(structure(source).frame, 0, s.control_points()), t,
                            to_common_frame(structure(target).frame, turns, t.control_points()));
-    pieces_[pair.source].push_back(map);
+    pieces.of_part[pair.source].push_back(map);
   }
+  pieces_ = std::make_shared<const Pieces>(std::move(pieces));
 }
 
 std::vector<Part_parameter> Correspondence_map::operator()(const Part_parameter& place) const
 {
   constexpr double on_border = 1e-9;
   std::vector<Part_parameter> result;
-  for (const Piece_map& map : pieces_[place.part]) {
+  for (const Pieces::Piece_map& map : pieces_->of_part[place.part]) {
     if (map.closed) {
       const double t = map.shift + map.step * place.parameter[0];
       result.push_back({map.target.part, {t - std::floor(t), 0}});
@@ -118,70 +146,17 @@ std::vector<Part_parameter> Correspondence_map::operator()(const Part_parameter&
 
 Correspondence_map Correspondence_map::inverse() const
 {
-  Correspondence_map result;
-  result.pieces_.resize(targets_);
-  result.targets_ = pieces_.size();
-  for (const std::vector<Piece_map>& pieces : pieces_)
-    for (Piece_map map : pieces) {
+  Pieces result;
+  result.of_part.resize(pieces_->targets);
+  result.targets = pieces_->of_part.size();
+  for (const std::vector<Pieces::Piece_map>& pieces : pieces_->of_part)
+    for (Pieces::Piece_map map : pieces) {
       std::swap(map.source, map.target);
       map.turn.transposeInPlace();
       map.shift = map.step > 0 ? -map.shift : map.shift;
-      result.pieces_[map.source.part].push_back(map);
+      result.of_part[map.source.part].push_back(map);
     }
-  return result;
-}
-
-Surface_map::Surface_map(const Structural_graph& source, const Segmented_shape& source_shape,
-                         const Structural_graph& target, const Segmented_shape& target_shape,
-                         const Correspondence& correspondence)
-{
-  using namespace internal;
-  check_model(source, source_shape);
-  check_model(target, target_shape);
-  const std::array<const Segmented_shape*, 2> shapes = {&source_shape, &target_shape};
-  const std::array<Charted_shape, 2> charted = {
-      charted_shape(source, 0, mesh_surfaces(source_shape)),
-      charted_shape(target, correspondence.target_quarter_turns, mesh_surfaces(target_shape))};
-  std::array<Places*, 2> places = {&targets_, &sources_}; // of the source's vertices, of the target's
-  std::array<std::vector<std::vector<double>>, 2> off;    // of every vertex, how far it is outside of its piece
-  for (std::size_t s = 0; s < 2; ++s)
-    for (const Shape_part& part : shapes[s]->parts()) {
-      places[s]->emplace_back(std::size_t(part.mesh.points.cols()));
-      off[s].emplace_back(std::size_t(part.mesh.points.cols()), std::numeric_limits<double>::infinity());
-      if (s == 0) triangles_.push_back(part.mesh.triangles);
-    }
-
-  for (const Piece_pair& pair : piece_pairs(charted[0], charted[1], correspondence)) {
-    const std::array<std::size_t, 2> part = {pair.source, pair.target};
-    const std::array<Chart_box, 2> boxes = {pair.source_piece, pair.target_piece};
-    const auto mesh = [&](std::size_t s) -> const Part_mesh& { return shapes[s]->parts()[part[s]].mesh; };
-    const std::array<Charted_mesh, 2> whole = surface_pair(pair, charted, {&mesh(0), &mesh(1)}).meshes;
-    const std::array<Points, 2> normals = {chart_normals(whole[0]), chart_normals(whole[1])};
-    for (std::size_t s = 0; s < 2; ++s) {
-      const std::size_t other = 1 - s;
-      const Place_finder finder(whole[other].coordinates, whole[other].triangles, normals[other]);
-      for (Eigen::Index v = 0; v < whole[s].points.cols(); ++v) {
-        const Point k = charted[s].charts[part[s]].coordinates(whole[s].points.col(v));
-        const double outside = is_whole(boxes[s]) ? 0 : boxes[s].squaredExteriorDistance(k);
-        double& least = off[s][part[s]][std::size_t(v)];
-        if (outside >= least) continue;
-        least = outside;
-        const Mesh_place found = finder(whole[s].coordinates.col(v), normals[s].col(v));
-        (*places[s])[part[s]][std::size_t(v)] = Surface_place{part[other], found.triangle, found.weights,
-                                                              found.of(mesh(other).points, mesh(other).triangles)};
-      }
-    }
-  }
-}
-
-std::optional<Surface_place> Surface_map::source_of(std::size_t target_part, Eigen::Index vertex) const
-{
-  return sources_[target_part][std::size_t(vertex)];
-}
-
-std::optional<Surface_place> Surface_map::target_of(std::size_t source_part, Eigen::Index vertex) const
-{
-  return targets_[source_part][std::size_t(vertex)];
+  return Correspondence_map(std::make_shared<const Pieces>(std::move(result)));
 }
 
 } // namespace CGAL::Shape_correspondence

@@ -4,6 +4,8 @@
 #include "matching/Search_run.h"
 #include "search/beam_search.h"
 
+#include <CGAL/Shape_correspondence/exact_search.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>

@@ -5,6 +5,7 @@
 
 #include "energy/Matching_problem.h"
 
+#include <CGAL/Shape_correspondence/Search_result.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <cstddef>

@@ -9,6 +9,7 @@
 #include "matching/match_parts.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/exact_search.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <algorithm>

@@ -135,6 +135,10 @@ std::pair<Part_mesh, Part_appearance> joined_objects(const Segmented_shape& shap
 
 } // namespace
 
+bool Image::empty() const { return pixels.empty(); }
+
+bool Part_appearance::empty() const { return materials.empty() && coordinates.empty() && colours.empty(); }
+
 bool Shape_appearance::empty() const
 {
   return std::all_of(parts.begin(), parts.end(), [](const Part_appearance& part) {

@@ -61,7 +61,7 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
       builders.try_emplace(segments[face.idx()], empty).first->second.add_face(face);
     }
     for (const auto& [segment, builder] : builders) {
-      Part_mesh part{builder.points(), builder.triangles()};
+      Part_mesh part{builder.data().points(), builder.data().triangles()};
       if (has_area(part)) {
         result.shape.add_part("segment_" + std::to_string(result.shape.parts().size()), std::move(part));
       } else {

@@ -66,6 +66,25 @@ inline Segmented_shape table()
   return shape;
 }
 
+/// A box, with a knob on it since a shape has two parts.
+inline Segmented_shape knobbed_box(const Point& size)
+{
+  Segmented_shape shape;
+  shape.add_part("box", box({0, size.y() / 2, 0}, size));
+  shape.add_part("knob", box({0, size.y() + 0.02, 0}, {0.04, 0.04, 0.04}));
+  return shape;
+}
+
+/// A plate, and the same divided into three laths side by side along x.
+inline Segmented_shape knobbed_plate() { return knobbed_box({1.2, 0.1, 0.6}); }
+inline Segmented_shape three_laths()
+{
+  Segmented_shape shape("laths");
+  for (int i = 0; i < 3; ++i)
+    shape.add_part("lath_" + std::to_string(i), box({-0.4 + 0.4 * i, 0.05, 0}, {0.3, 0.1, 0.6}));
+  return shape;
+}
+
 /// A chair: long back legs, short front legs, a seat, stretchers at both sides and a row of five slats between rails.
 inline Segmented_shape chair()
 {

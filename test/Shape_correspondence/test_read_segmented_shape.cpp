@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 using namespace CGAL::Shape_correspondence;
+using namespace std::string_literals;
 using namespace model_files;
 using Catch::Matchers::Contains;
 
@@ -326,6 +327,8 @@ TEST_CASE("Bad models are refused with file, part and reason")
   };
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   CHECK_THAT(refused("empty.obj", ""), Contains("empty"));
+  CHECK_THAT(refused("wide.obj", "\xFF\xFEv\0 \0"s), Contains("UTF-16"));
+  CHECK_THAT(refused("wide.ac", "\xFE\xFF\0A"s), Contains("UTF-16"));
   CHECK_THAT(refused("empty.glb", ""), Contains("empty"));
   CHECK_THAT(refused("text.obj", "Dear reader,\nthis is no model.\n"), Contains("not a Wavefront OBJ"));
   CHECK_THAT(refused("points.obj", triangle), Contains("no face"));

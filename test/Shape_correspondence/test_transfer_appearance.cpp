@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "box_shapes.h"
+#include "boxed_graphs.h"
 #include "program.h"
 
 #include "generator/models.h"
@@ -28,34 +29,12 @@
 #include <sstream>
 
 using namespace box_shapes;
+using namespace boxed_graphs;
 using namespace CGAL::Shape_correspondence::internal;
 
 namespace gen = CGAL::Shape_correspondence::generator;
 
 namespace {
-
-Structural_graph graph_of(const Segmented_shape& shape)
-{
-  Structure_options options;
-  options.abstraction.abstractor = Bounding_box_abstraction();
-  return build_structural_graph(shape, options);
-}
-
-Correspondence pairing(const std::vector<std::pair<std::size_t, std::size_t>>& pairs)
-{
-  Correspondence result;
-  for (const auto& [source, target] : pairs)
-    result.pairs.push_back({source, target});
-  return result;
-}
-
-Correspondence identity(const Segmented_shape& shape)
-{
-  Correspondence result;
-  for (std::size_t i = 0; i < shape.parts().size(); ++i)
-    result.pairs.push_back({i, i});
-  return result;
-}
 
 // Colours of corners that go over smoothly and are different everywhere
 Shape_appearance rainbow(const Segmented_shape& shape)

@@ -12,8 +12,8 @@
 #define CGAL_SHAPE_CORRESPONDENCE_SEARCH_OPTIONS_H
 
 #include <CGAL/Shape_correspondence/Beam_options.h>
+#include <CGAL/Shape_correspondence/Exact_options.h>
 #include <CGAL/Shape_correspondence/Matching_options.h>
-#include <CGAL/Shape_correspondence/exact_search.h>
 
 #include <cstddef>
 #include <functional>

@@ -48,7 +48,7 @@ public:
   /// A shape without parts.
   /// \param name names the shape in messages and files
   /// \param up the upright direction, a unit vector
-  explicit Segmented_shape(std::string name = "shape", const Point& up = Point::UnitY());
+  explicit Segmented_shape(std::string name = "shape", const Point& up = Point(0, 1, 0));
 
   /// Builds a shape of a range of pairs (name, triangle mesh).
   /// \tparam NamedMeshRange a range of pairs of a `std::string` and a model of `FaceListGraph`
@@ -58,7 +58,7 @@ public:
   /// \param np optional named parameters for every mesh, those of `add_mesh()`
   template <typename NamedMeshRange, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   static Segmented_shape from_meshes(const NamedMeshRange& meshes, std::string name = "shape",
-                                     const Point& up = Point::UnitY(), const NamedParameters& np = NamedParameters());
+                                     const Point& up = Point(0, 1, 0), const NamedParameters& np = NamedParameters());
 
   /// Builds a shape of one triangle mesh and a map from faces to segment ids, as `CGAL::segmentation_from_sdf_values()`
   /// makes it: the faces of an id become a part, parts in ascending order of their ids.
@@ -88,14 +88,14 @@ public:
   template <typename TriangleMesh, typename SegmentIdMap,
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
   static Segmented_shape from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids,
-                                           std::string name = "shape", const Point& up = Point::UnitY(),
+                                           std::string name = "shape", const Point& up = Point(0, 1, 0),
                                            const NamedParameters& np = NamedParameters());
   /// The same, for a shape of the name "shape" that has y up.
   template <typename TriangleMesh, typename SegmentIdMap, typename T, typename Tag, typename Base>
   static Segmented_shape from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                                            const CGAL::Named_function_parameters<T, Tag, Base>& np)
   {
-    return from_segmentation(mesh, segment_ids, "shape", Point::UnitY(), np);
+    return from_segmentation(mesh, segment_ids, "shape", Point(0, 1, 0), np);
   }
 
   /// Adds a part.
@@ -142,7 +142,7 @@ void Segmented_shape::add_mesh(std::string name, const TriangleMesh& mesh, const
   internal::Part_mesh_builder builder(mesh, internal::vertex_point_map(mesh, np));
   for (auto face : faces(mesh))
     builder.add_face(face);
-  add_part(std::move(name), {builder.points(), builder.triangles()});
+  add_part(std::move(name), {builder.data().points(), builder.data().triangles()});
 }
 
 template <typename NamedMeshRange, typename NamedParameters>
@@ -166,7 +166,7 @@ Segmented_shape Segmented_shape::from_segmentation(const TriangleMesh& mesh, Seg
   if (segments.empty()) throw Invalid_input("shape '" + name + "': the mesh has no faces; give a mesh with a surface");
   Segmented_shape result(std::move(name), up);
   for (const auto& [id, segment] : segments)
-    result.add_part(internal::part_name(id, np), {segment.points(), segment.triangles()});
+    result.add_part(internal::part_name(id, np), {segment.data().points(), segment.data().triangles()});
   return result;
 }
 

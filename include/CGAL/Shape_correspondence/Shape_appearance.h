@@ -30,7 +30,7 @@ struct Image
   std::vector<std::uint8_t> pixels; ///< four bytes a pixel
 
   /// Whether there is no pixel.
-  bool empty() const { return pixels.empty(); }
+  bool empty() const;
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
@@ -52,9 +52,9 @@ struct Texture
 /// A material, as far as it is carried along: its base colour, times a texture.
 struct Surface_material
 {
-  std::string name;                                 ///< as in the model
-  Eigen::Vector4d colour = Eigen::Vector4d::Ones(); ///< linear red, green, blue, and alpha, in [0, 1]
-  int texture = -1;                                 ///< index of the texture; -1: none
+  std::string name;                   ///< as in the model
+  Eigen::Vector4d colour{1, 1, 1, 1}; ///< linear red, green, blue, and alpha, in [0, 1]
+  int texture = -1;                   ///< index of the texture; -1: none
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
@@ -67,7 +67,7 @@ struct Part_appearance
   std::vector<Eigen::Vector3f> colours; ///< three a triangle, by corner: linear factors of the base colour, in [0, 1]
 
   /// Whether nothing is known.
-  bool empty() const { return materials.empty() && coordinates.empty() && colours.empty(); }
+  bool empty() const;
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance

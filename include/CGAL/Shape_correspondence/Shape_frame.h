@@ -23,11 +23,11 @@ namespace Shape_correspondence {
 /// when two shapes are aligned.
 struct Shape_frame
 {
-  Point origin = Point::Zero();                       ///< on the ground, in world coordinates
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< columns: side x, up y, front z, a rotation
-  double height = 1;                                  ///< extent along up; of a flat shape its largest extent
-  bool mirror_x = false;                              ///< x = 0 is a mirror plane of the shape
-  bool mirror_z = false;                              ///< z = 0 is a mirror plane of the shape
+  Point origin{0, 0, 0};                                 ///< on the ground, in world coordinates
+  Eigen::Matrix3d axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; ///< columns: side x, up y, front z, a rotation
+  double height = 1;                                     ///< extent along up; of a flat shape its largest extent
+  bool mirror_x = false;                                 ///< x = 0 is a mirror plane of the shape
+  bool mirror_z = false;                                 ///< z = 0 is a mirror plane of the shape
 
   /// The points `world`, in world coordinates, in coordinates of the frame.
   Points to_frame(const Points& world) const;

@@ -39,10 +39,10 @@ enum class Symmetry_type {
 struct Symmetry
 {
   Symmetry_type type = Symmetry_type::NONE; ///< its kind
-  Point point = Point::Zero();              ///< on the mirror plane or the rotation axis
-  Point direction = Point::Zero(); ///< unit normal of the plane; unit axis; the translation from member to member
-  int order = 1;                   ///< of a rotation: n of n-fold
-  double residual = 0;             ///< distance of members from their images, as a fraction of the height of the shape
+  Point point{0, 0, 0};                     ///< on the mirror plane or the rotation axis
+  Point direction{0, 0, 0}; ///< unit normal of the plane; unit axis; the translation from member to member
+  int order = 1;            ///< of a rotation: n of n-fold
+  double residual = 0;      ///< distance of members from their images, as a fraction of the height of the shape
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph

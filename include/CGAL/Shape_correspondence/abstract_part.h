@@ -94,11 +94,7 @@ struct Abstraction_options
   std::function<void(std::size_t, std::size_t)> progress;
 
   /// The kind of abstraction of a part of this name.
-  Abstraction_kind kind_of(const std::string& part) const
-  {
-    const auto found = part_kinds.find(part);
-    return found == part_kinds.end() ? kind : found->second;
-  }
+  Abstraction_kind kind_of(const std::string& part) const;
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction

@@ -11,12 +11,12 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_SHAPES_H
 #define CGAL_SHAPE_CORRESPONDENCE_BLEND_SHAPES_H
 
+#include <CGAL/Shape_correspondence/Blend_options.h>
+#include <CGAL/Shape_correspondence/Blend_schedule.h>
 #include <CGAL/Shape_correspondence/Correspondence.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
-#include <cstddef>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,87 +27,6 @@ namespace Shape_correspondence {
 namespace internal {
 class Blend_structure;
 }
-
-/// \ingroup PkgShapeCorrespondenceOptions
-/// The size of in-between shapes, of models that may come in different units.
-enum class Blend_size {
-  BLEND,  ///< from the source's to the target's, by equal factors in equal times
-  SOURCE, ///< the source's; the target is scaled to the same height, about the origin
-  TARGET, ///< the target's; the source is scaled to the same height, about the origin
-  SAME    ///< of height 1; both are scaled, about the origin
-};
-
-/// \ingroup PkgShapeCorrespondenceOptions
-/// Options of `Shape_blend`.
-struct Blend_options
-{
-  /// Largest gap of parts in contact in the source or target, as a fraction of the height.
-  double contact_tolerance = 0.02;
-  int samples = 5;             ///< number of in-between shapes by which a schedule is rated, 1 to 1000
-  double min_confidence = 0.3; ///< pairs of lower confidence, in [0, 1], are left out: their parts shrink and grow
-  Blend_size size = Blend_size::BLEND; ///< size of the in-between shapes
-  std::string schedule;                ///< name of the schedule to use; empty: the best one
-  bool rank_all = false; ///< rate all schedules by all samples, also those that cannot be the best any more
-  /// Called before every schedule is judged, with the share that is done; `false` ends it: those not judged come last.
-  std::function<bool(double)> progress;
-};
-
-/// \ingroup PkgShapeCorrespondenceMaps
-/// What may happen to a part during a blend.
-enum class Blend_task_type {
-  MORPH,  ///< a part becomes another
-  SPLIT,  ///< a piece of a part becomes another part
-  MERGE,  ///< a part, or a piece of it, becomes a piece of another
-  SHRINK, ///< a part without counterpart vanishes where it touches the others
-  GROW    ///< the inverse
-};
-
-/// \ingroup PkgShapeCorrespondenceMaps
-/// What happens to one part, and when.
-struct Blend_task
-{
-  static constexpr std::size_t no_part = std::size_t(-1); ///< stands for a part where there is none
-
-  Blend_task_type type = Blend_task_type::MORPH; ///< what happens
-  std::size_t source = no_part;                  ///< index of the source part, if there is one
-  std::size_t target = no_part;                  ///< index of the target part, if there is one
-  double begin = 0;                              ///< time of the blend, in [0, 1], at which it begins
-  double end = 1;                                ///< time of the blend, in [0, 1], at which it ends
-};
-
-/// \ingroup PkgShapeCorrespondenceMaps
-/// How well an in-between shape holds together and looks like what its ends are made of; 0 is best. Lengths are over
-/// the shape's height.
-struct Blend_quality
-{
-  double gap = 0;       ///< by how much a contact of parts that stay is wider than at the ends, at most
-  double apart = 0;     ///< how far connected components came apart, at most, before they were reconnected
-  double asymmetry = 0; ///< root mean square distance from the mirror image, if both ends have a mirror plane in common
-  double ground = 0;    ///< how far a part that stands on the ground at both ends is off its height there, at most
-  double thinning = 0;  ///< by what share a part is thinner than where it is thinnest at the ends, at most
-  double area = 0;      ///< by what share the surface is larger than at the end where it is larger
-  double volume = 0;    ///< the same of the volume of closed parts
-  double torn = 0;      ///< share of the surface that is folded over, or stretched far more than the part that it is of
-  double overlap = 0;   ///< share of the surface that is inside closed parts that it is not in at either end
-  double wobble = 0;    ///< how much farther a part that is the same at both ends moves than those it touches, at most
-};
-
-/// \ingroup PkgShapeCorrespondenceMaps
-/// Whether an in-between shape is within the tolerances of `Shape_blend`.
-struct Blend_check
-{
-  Blend_quality quality;           ///< how well the shape holds together
-  std::vector<std::string> faults; ///< what does not hold, and at which parts, in whole sentences
-};
-
-/// \ingroup PkgShapeCorrespondenceMaps
-/// A plausible order of the tasks of a blend.
-struct Blend_schedule
-{
-  std::string name;              ///< says in which order tasks come
-  std::vector<Blend_task> tasks; ///< the tasks and their times
-  Blend_quality quality;         ///< the worst of the in-between shapes that it is judged by
-};
 
 /// \ingroup PkgShapeCorrespondenceMaps
 /// A closed surface, or an open one where the input's is open, that lasts for a part of a blend.

@@ -11,27 +11,14 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXACT_SEARCH_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXACT_SEARCH_H
 
+#include <CGAL/Shape_correspondence/Exact_options.h>
 #include <CGAL/Shape_correspondence/Search_result.h>
 
-#include <cstddef>
 #include <memory>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
-
-/// \ingroup PkgShapeCorrespondenceOptions
-/// Options of `exact_search()`.
-struct Exact_options
-{
-  /// Largest number of entries of a table of the bound at first; larger tables are split. A long search restarts with
-  /// larger tables, up to a million entries.
-  std::size_t table_limit = 1u << 12;
-  std::size_t node_limit =
-      2'000'000;             ///< maximum of nodes of the search tree; then the best solution so far is returned
-  double time_limit = 0;     ///< seconds, then the same; 0: no limit, so that results do not depend on speed
-  std::size_t solutions = 1; ///< number of best assignments to return, at least 1
-};
 
 /// \ingroup PkgShapeCorrespondenceSearch
 /// Finds the assignments of least energy and proves them. Root terms are bounded from below by their tangents, which

@@ -42,7 +42,7 @@ struct Mesh_segmentation
 /// with a manual segmentation. `up` is the upright direction of the result.
 /// \throw Invalid_input if the mesh cannot be used
 Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options = {},
-                               std::string name = "shape", const Point& up = Point::UnitY());
+                               std::string name = "shape", const Point& up = Point(0, 1, 0));
 
 } // namespace Shape_correspondence
 } // namespace CGAL

@@ -45,7 +45,7 @@ namespace IO {
 /// \throw Invalid_input if the file is missing, empty, of an unknown format, damaged or beyond the limits, if it has no
 /// parts or more than 1000, or a part that `Segmented_shape::add_part()` refuses; the message names the file and the
 /// part
-Segmented_shape read_segmented_shape(const std::string& path, const Point& up = Point::UnitY(),
+Segmented_shape read_segmented_shape(const std::string& path, const Point& up = Point(0, 1, 0),
                                      std::vector<std::string>* warnings = nullptr,
                                      Shape_appearance* appearance = nullptr);
 

@@ -45,7 +45,7 @@ void write_structural_graph_dot(std::ostream& out, const Structural_graph& graph
 /// \param options of what is detected
 /// \throw Invalid_input if the text is not XML or not such a document; the message names the node, edge or group
 Structural_graph read_structural_graph_xml(std::istream& in, const std::string& file_name,
-                                           const Point& up = Point::UnitZ(), const Structure_options& options = {});
+                                           const Point& up = Point(0, 0, 1), const Structure_options& options = {});
 
 } // namespace IO
 } // namespace Shape_correspondence

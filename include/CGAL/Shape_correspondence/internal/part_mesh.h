@@ -66,7 +66,22 @@ std::string part_name(long long id, const NamedParameters& np)
     return "segment_" + std::to_string(id);
 }
 
-/// Collects faces of a mesh as an indexed triangle mesh that holds their vertices only; polygons become fans.
+/// Points and polygons that are collected one by one; polygons become fans of triangles.
+class Part_mesh_data
+{
+public:
+  int add_point(double x, double y, double z);
+  void add_polygon(const std::vector<int>& corners);
+
+  Points points() const;
+  Eigen::Matrix3Xi triangles() const;
+
+private:
+  std::vector<Point> points_;
+  std::vector<Eigen::Vector3i> triangles_;
+};
+
+/// Collects faces of a mesh as an indexed triangle mesh that holds their vertices only.
 template <typename Mesh, typename VertexPointMap>
 class Part_mesh_builder
 {
@@ -85,29 +100,18 @@ public:
       corners.push_back(index_of(target(h, *mesh_)));
       h = next(h, *mesh_);
     } while (h != first);
-    for (std::size_t k = 2; k < corners.size(); ++k)
-      triangles_.emplace_back(corners[0], corners[k - 1], corners[k]);
+    data_.add_polygon(corners);
   }
 
-  Points points() const { return matrix<Points>(points_); }
-  Eigen::Matrix3Xi triangles() const { return matrix<Eigen::Matrix3Xi>(triangles_); }
+  const Part_mesh_data& data() const { return data_; }
 
 private:
-  template <typename Matrix, typename Column>
-  static Matrix matrix(const std::vector<Column>& columns)
-  {
-    Matrix result(3, Eigen::Index(columns.size()));
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      result.col(Eigen::Index(i)) = columns[i];
-    return result;
-  }
-
   int index_of(vertex_descriptor v)
   {
-    const auto [position, is_new] = indices_.emplace(v, int(points_.size()));
+    const auto [position, is_new] = indices_.emplace(v, 0);
     if (is_new) {
       const auto& p = get(vertex_points_, v);
-      points_.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      position->second = data_.add_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
     }
     return position->second;
   }
@@ -115,8 +119,7 @@ private:
   const Mesh* mesh_;
   VertexPointMap vertex_points_;
   std::map<vertex_descriptor, int> indices_;
-  std::vector<Point> points_;
-  std::vector<Eigen::Vector3i> triangles_;
+  Part_mesh_data data_;
 };
 
 } // namespace internal

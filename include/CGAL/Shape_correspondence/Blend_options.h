@@ -1,0 +1,47 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Shape_correspondence developers
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_BLEND_OPTIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_BLEND_OPTIONS_H
+
+#include <functional>
+#include <string>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// \ingroup PkgShapeCorrespondenceOptions
+/// The size of in-between shapes, of models that may come in different units.
+enum class Blend_size {
+  BLEND,  ///< from the source's to the target's, by equal factors in equal times
+  SOURCE, ///< the source's; the target is scaled to the same height, about the origin
+  TARGET, ///< the target's; the source is scaled to the same height, about the origin
+  SAME    ///< of height 1; both are scaled, about the origin
+};
+
+/// \ingroup PkgShapeCorrespondenceOptions
+/// Options of `Shape_blend`.
+struct Blend_options
+{
+  /// Largest gap of parts in contact in the source or target, as a fraction of the height.
+  double contact_tolerance = 0.02;
+  int samples = 5;             ///< number of in-between shapes by which a schedule is rated, 1 to 1000
+  double min_confidence = 0.3; ///< pairs of lower confidence, in [0, 1], are left out: their parts shrink and grow
+  Blend_size size = Blend_size::BLEND; ///< size of the in-between shapes
+  std::string schedule;                ///< name of the schedule to use; empty: the best one
+  bool rank_all = false; ///< rate all schedules by all samples, also those that cannot be the best any more
+  /// Called before every schedule is judged, with the share that is done; `false` ends it: those not judged come last.
+  std::function<bool(double)> progress;
+};
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_OPTIONS_H

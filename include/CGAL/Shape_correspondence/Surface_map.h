@@ -1,0 +1,130 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Shape_correspondence developers
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_SURFACE_MAP_H
+#define CGAL_SHAPE_CORRESPONDENCE_SURFACE_MAP_H
+
+#include <CGAL/Shape_correspondence/Correspondence.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// \ingroup PkgShapeCorrespondenceMaps
+/// A place on the surface of a part.
+struct Surface_place
+{
+  std::size_t part = 0;             ///< index of the part
+  Eigen::Index triangle = 0;        ///< of the part's mesh
+  Eigen::Vector3d weights{0, 0, 0}; ///< barycentric coordinates
+  Point point{0, 0, 0};             ///< in the world
+};
+
+/// \ingroup PkgShapeCorrespondenceMaps
+/// The map between the surfaces of two shapes: a point of a surface is taken by the parameters of the part's
+/// abstraction and the coordinates in the local frame, over the extents of the part's cross-section, to the same place
+/// of the other part, and from there to the nearest point of its surface that faces the same way. Splits and merges are
+/// those of the `Correspondence_map`.
+class Surface_map
+{
+public:
+  /// \param source,target the structural graphs
+  /// \param source_shape,target_shape the models that the graphs were built from
+  /// \param correspondence of the graphs
+  /// \throw Invalid_input if a model does not have the parts of its graph
+  Surface_map(const Structural_graph& source, const Segmented_shape& source_shape, const Structural_graph& target,
+              const Segmented_shape& target_shape, const Correspondence& correspondence);
+
+  /// The place on the source's surface of a vertex of the target; none if its part has no counterpart.
+  std::optional<Surface_place> source_of(std::size_t target_part, Eigen::Index vertex) const;
+  /// The place on the surface of the target of a vertex of the part `source_part` of the source.
+  std::optional<Surface_place> target_of(std::size_t source_part, Eigen::Index vertex) const;
+
+  /// Values for the vertices of the target: those of the source, interpolated over triangles; labels (integral and
+  /// enumerated types) are taken from the nearest corner.
+  /// \param values by source part and vertex
+  /// \param none where there is no counterpart
+  /// \pre a value that is no label has + and multiplication by a number
+  template <typename Value>
+  std::vector<std::vector<Value>> transferred(const std::vector<std::vector<Value>>& values, const Value& none) const;
+
+private:
+  using Places = std::vector<std::vector<std::optional<Surface_place>>>; ///< by part and vertex
+
+  Places sources_, targets_;
+  std::vector<Eigen::Matrix3Xi> triangles_; ///< of the source's parts
+};
+
+/// \ingroup PkgShapeCorrespondenceMaps
+/// The places of the vertices of a target part, as a property map: a model of `ReadablePropertyMap` with integers as
+/// keys (the vertices of the part's mesh; `CGAL::Surface_mesh` descriptors convert to them) and
+/// `std::optional<Surface_place>` as values.
+/// \cgalModels `ReadablePropertyMap`
+class Source_place_map
+{
+public:
+  using key_type = std::size_t;                      ///< a vertex of the part's mesh
+  using value_type = std::optional<Surface_place>;   ///< its place on the source, if it has one
+  using reference = value_type;                      ///< returned by value
+  using category = boost::readable_property_map_tag; ///< values cannot be set
+
+  /// The places of the vertices of a target part. The map is kept by reference.
+  Source_place_map(const Surface_map& map, std::size_t target_part) : map_(&map), part_(target_part) {}
+
+  /// The place of a vertex on the source, see `Surface_map::source_of()`.
+  friend value_type get(const Source_place_map& places, std::size_t vertex)
+  {
+    return places.map_->source_of(places.part_, Eigen::Index(vertex));
+  }
+
+private:
+  const Surface_map* map_;
+  std::size_t part_;
+};
+
+template <typename Value>
+std::vector<std::vector<Value>> Surface_map::transferred(const std::vector<std::vector<Value>>& values,
+                                                         const Value& none) const
+{
+  std::vector<std::vector<Value>> result;
+  for (const auto& places : sources_) {
+    result.emplace_back();
+    for (const std::optional<Surface_place>& place : places) {
+      if (!place) {
+        result.back().push_back(none);
+        continue;
+      }
+      const auto corner = [&](Eigen::Index i) -> const Value& {
+        return values[place->part][std::size_t(triangles_[place->part](i, place->triangle))];
+      };
+      Eigen::Index nearest;
+      place->weights.maxCoeff(&nearest);
+      if constexpr (std::is_integral<Value>::value || std::is_enum<Value>::value)
+        result.back().push_back(corner(nearest));
+      else
+        result.back().push_back(
+            Value(corner(0) * place->weights[0] + corner(1) * place->weights[1] + corner(2) * place->weights[2]));
+    }
+  }
+  return result;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_SURFACE_MAP_H
