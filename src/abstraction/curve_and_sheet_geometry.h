@@ -145,46 +145,79 @@ inline Eigen::Vector2d refine_in_cell(const Sheet& sheet, Eigen::Vector2d parame
   return parameter;
 }
 
-/// The nearest point of a cell's two triangles, as a start.
+/// The nearest point of one of a cell's two triangles, as a start.
 struct Cell_candidate
 {
-  double distance;
+  double distance; ///< squared
   Eigen::Vector2d parameter;
   int row, col;
 };
 
-inline std::vector<Cell_candidate> cell_candidates(const Sheet& sheet, const Point& p)
+inline bool operator<(const Cell_candidate& a, const Cell_candidate& b)
 {
-  std::vector<Cell_candidate> result;
-  const auto corner = [&](int i, int j) -> Point { return sheet.points.col(i * sheet.cols + j); };
+  return std::tie(a.distance, a.row, a.col, a.parameter[0], a.parameter[1]) <
+         std::tie(b.distance, b.row, b.col, b.parameter[0], b.parameter[1]);
+}
+
+inline void add_cell_candidates(const Sheet& sheet, int i, int j, const Point& p,
+                                std::vector<Cell_candidate>& candidates)
+{
+  const auto corner = [&](int row, int col) -> Point { return sheet.points.col(row * sheet.cols + col); };
+  for (const bool far_half : {false, true}) {
+    const int i0 = far_half ? i + 1 : i, j0 = far_half ? j + 1 : j;
+    const int sign = far_half ? -1 : 1;
+    const Eigen::Vector2d x = nearest_on_triangle(corner(i0, j0), corner(i0 + sign, j0), corner(i0, j0 + sign), p);
+    const Eigen::Vector2d at((i0 + sign * x[0]) / (sheet.rows - 1), (j0 + sign * x[1]) / (sheet.cols - 1));
+    candidates.push_back({(sheet(at[0], at[1]) - p).squaredNorm(), at, i, j});
+  }
+}
+
+/// A cell, and how far from a point its box is: no point of the cell is nearer.
+struct Cell_distance
+{
+  double distance;
+  int row, col;
+};
+
+inline std::vector<Cell_distance> cells_by_distance(const Sheet& sheet, const Point& p)
+{
+  std::vector<Cell_distance> result;
+  result.reserve(static_cast<std::size_t>((sheet.rows - 1) * (sheet.cols - 1)));
   for (int i = 0; i + 1 < sheet.rows; ++i) {
     for (int j = 0; j + 1 < sheet.cols; ++j) {
-      for (const bool far_half : {false, true}) {
-        const int i0 = far_half ? i + 1 : i, j0 = far_half ? j + 1 : j;
-        const int sign = far_half ? -1 : 1;
-        const Eigen::Vector2d x = nearest_on_triangle(corner(i0, j0), corner(i0 + sign, j0), corner(i0, j0 + sign), p);
-        const Eigen::Vector2d at((i0 + sign * x[0]) / (sheet.rows - 1), (j0 + sign * x[1]) / (sheet.cols - 1));
-        result.push_back({(sheet(at[0], at[1]) - p).squaredNorm(), at, i, j});
-      }
+      const auto near = sheet.points.middleCols<2>(i * sheet.cols + j);
+      const auto far = sheet.points.middleCols<2>((i + 1) * sheet.cols + j);
+      const Point low = near.cwiseMin(far).rowwise().minCoeff(), high = near.cwiseMax(far).rowwise().maxCoeff();
+      const Point outside = (low - p).cwiseMax(p - high).cwiseMax(0.);
+      result.push_back({outside.norm(), i, j});
     }
   }
+  std::sort(result.begin(), result.end(), [](const Cell_distance& a, const Cell_distance& b) {
+    return std::tie(a.distance, a.row, a.col) < std::tie(b.distance, b.row, b.col);
+  });
   return result;
 }
 
 /// Refines the best candidates: in a twisted cell the best start need not lead to the nearest point.
 inline Eigen::Vector2d nearest_parameter_on_sheet(const Sheet& sheet, const Point& p)
 {
-  const std::ptrdiff_t most_refined = 4;
-  std::vector<Cell_candidate> candidates = cell_candidates(sheet, p);
-  const auto end = candidates.begin() + std::min<std::ptrdiff_t>(most_refined, std::ptrdiff_t(candidates.size()));
-  std::partial_sort(candidates.begin(), end, candidates.end(), [](const Cell_candidate& a, const Cell_candidate& b) {
-    return std::tie(a.distance, a.row, a.col, a.parameter[0]) < std::tie(b.distance, b.row, b.col, b.parameter[0]);
-  });
-  for (auto c = candidates.begin(); c != end; ++c) {
-    c->parameter = refine_in_cell(sheet, c->parameter, c->row, c->col, p);
-    c->distance = (sheet(c->parameter[0], c->parameter[1]) - p).squaredNorm();
+  const std::size_t most_refined = 4;
+  const double rounding = 1e-9 * (sheet.points.cwiseAbs().maxCoeff() + p.cwiseAbs().maxCoeff());
+  std::vector<Cell_candidate> candidates;
+  for (const Cell_distance& cell : cells_by_distance(sheet, p)) {
+    if (candidates.size() == most_refined && cell.distance > std::sqrt(candidates.back().distance) + rounding) {
+      break;
+    }
+    add_cell_candidates(sheet, cell.row, cell.col, p, candidates);
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(candidates.begin() + std::ptrdiff_t(std::min(most_refined, candidates.size())), candidates.end());
   }
-  return std::min_element(candidates.begin(), end, [](const auto& a, const auto& b) { return a.distance < b.distance; })
+  for (Cell_candidate& c : candidates) {
+    c.parameter = refine_in_cell(sheet, c.parameter, c.row, c.col, p);
+    c.distance = (sheet(c.parameter[0], c.parameter[1]) - p).squaredNorm();
+  }
+  return std::min_element(candidates.begin(), candidates.end(),
+                          [](const auto& a, const auto& b) { return a.distance < b.distance; })
       ->parameter;
 }
 

@@ -195,18 +195,17 @@ inline Sheet flat_grid(const Planar_points& outline, int n)
   return result;
 }
 
-/// Weights of the control points of a sheet at a parameter, as the bilinear map has them.
-inline Eigen::VectorXd bilinear_weights(const Sheet& sheet, const Eigen::Vector2d& parameter)
+/// The control points of a sheet that the bilinear map weighs at a parameter, with their weights.
+inline std::array<std::pair<Eigen::Index, double>, 4> bilinear_weights(const Sheet& sheet,
+                                                                       const Eigen::Vector2d& parameter)
 {
   const Cell_position row = locate_cell(parameter[0], sheet.rows - 1);
   const Cell_position col = locate_cell(parameter[1], sheet.cols - 1);
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(sheet.points.cols());
-  const int first = row.cell * sheet.cols + col.cell;
-  result[first] = (1 - row.fraction) * (1 - col.fraction);
-  result[first + 1] = (1 - row.fraction) * col.fraction;
-  result[first + sheet.cols] = row.fraction * (1 - col.fraction);
-  result[first + sheet.cols + 1] = row.fraction * col.fraction;
-  return result;
+  const Eigen::Index first = row.cell * sheet.cols + col.cell;
+  return {{{first, (1 - row.fraction) * (1 - col.fraction)},
+           {first + 1, (1 - row.fraction) * col.fraction},
+           {first + sheet.cols, row.fraction * (1 - col.fraction)},
+           {first + sheet.cols + 1, row.fraction * col.fraction}}};
 }
 
 /// The squared second differences of a grid as a quadratic form; it lets heights go on straight where there are no
@@ -250,9 +249,13 @@ inline Eigen::MatrixXd smooth_values(const Sheet& grid, const Points& points, co
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, values.rows());
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Point foot(points(0, i), points(1, i), 0.);
-    const Eigen::VectorXd weights = bilinear_weights(grid, nearest_parameter_on_sheet(grid, foot));
-    form += weights * weights.transpose();
-    right += weights * values.col(i).transpose();
+    const auto weights = bilinear_weights(grid, nearest_parameter_on_sheet(grid, foot));
+    for (const auto& [a, x] : weights) {
+      for (const auto& [b, y] : weights) {
+        form(a, b) += x * y;
+      }
+      right.row(a) += x * values.col(i).transpose();
+    }
   }
   const double points_per_cell = static_cast<double>(points.cols()) / static_cast<double>(n);
   form += smoothness * points_per_cell * bending_form(grid.rows, grid.cols);

@@ -44,7 +44,7 @@ void Spatial_graph_view::add_edge(int a, int b)
 {
   const auto next = neighbours(a);
   if (std::find(next.begin(), next.end(), b) == next.end()) {
-    boost::add_edge(a, b, graph_);
+    boost::add_edge(a, b, Edge{length(a, b)}, graph_);
   }
 }
 
@@ -96,13 +96,12 @@ Spatial_graph_view::Shortest_paths Spatial_graph_view::shortest_paths(int source
   Shortest_paths result{Eigen::VectorXd(size()), std::vector<int>(n)};
   const auto index = boost::get(boost::vertex_index, graph_);
   const auto length_and_target = [&](auto edge) {
-    const int a = static_cast<int>(boost::source(edge, graph_)), b = static_cast<int>(boost::target(edge, graph_));
-    return Distance(length_of(a, b), b);
+    return Distance(length_of(edge), static_cast<int>(boost::target(edge, graph_)));
   };
-  using Edge = boost::graph_traits<decltype(graph_)>::edge_descriptor;
+  using Descriptor = boost::graph_traits<decltype(graph_)>::edge_descriptor;
   boost::dijkstra_shortest_paths(
       graph_, source,
-      boost::weight_map(boost::make_function_property_map<Edge>(length_and_target))
+      boost::weight_map(boost::make_function_property_map<Descriptor>(length_and_target))
           .distance_map(boost::make_iterator_property_map(distances.begin(), index))
           .predecessor_map(boost::make_iterator_property_map(result.predecessors.begin(), index))
           .distance_compare(std::less<Distance>())
@@ -118,7 +117,7 @@ Spatial_graph_view::Shortest_paths Spatial_graph_view::shortest_paths(int source
 
 Eigen::VectorXd Spatial_graph_view::distances_from(int source) const
 {
-  return shortest_paths(source, [this](int a, int b) { return length(a, b); }).distances;
+  return shortest_paths(source, [this](auto edge) { return graph_[edge].length; }).distances;
 }
 
 int Spatial_graph_view::farthest(const Eigen::VectorXd& distances) const
@@ -136,12 +135,19 @@ int Spatial_graph_view::farthest(const Eigen::VectorXd& distances) const
 
 std::vector<int> Spatial_graph_view::path(int from, int to) const
 {
-  return path(from, to, [this](int a, int b) { return length(a, b); });
+  return path(shortest_paths(from, [this](auto edge) { return graph_[edge].length; }), from, to);
 }
 
 std::vector<int> Spatial_graph_view::path(int from, int to, const Edge_length& edge_length) const
 {
-  const Shortest_paths paths = shortest_paths(from, edge_length);
+  const auto length_of = [&](auto edge) {
+    return edge_length(static_cast<int>(boost::source(edge, graph_)), static_cast<int>(boost::target(edge, graph_)));
+  };
+  return path(shortest_paths(from, length_of), from, to);
+}
+
+std::vector<int> Spatial_graph_view::path(const Shortest_paths& paths, int from, int to)
+{
   if (!(paths.distances[to] < std::numeric_limits<double>::infinity())) {
     return {};
   }

@@ -69,12 +69,19 @@ private:
     std::vector<int> predecessors; ///< the vertex itself at the source and where there is no path
   };
 
+  static std::vector<int> path(const Shortest_paths& paths, int from, int to);
+
   void add_edge(int a, int b);
   template <typename Length>
   Shortest_paths shortest_paths(int source, const Length& length_of) const;
 
+  struct Edge
+  {
+    double length = 0;
+  };
+
   const Points* points_;
-  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> graph_;
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, Edge> graph_;
 };
 
 } // namespace CGAL::Shape_correspondence::internal

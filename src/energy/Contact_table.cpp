@@ -9,7 +9,10 @@
 namespace CGAL::Shape_correspondence {
 
 Matching_problem::Contact_table::Contact_table(const Matching_problem& problem)
-    : problem_(problem), fitted_(problem.fitted_), pair_of_(fitted_.number_of_lanes() * fitted_.number_of_lanes(), none)
+    : problem_(problem),
+      fitted_(problem.fitted_),
+      pair_of_(fitted_.number_of_lanes() * fitted_.number_of_lanes(), none),
+      distances_(fitted_.number_of_target_pieces())
 {}
 
 void Matching_problem::Contact_table::list(std::size_t contact)
@@ -66,24 +69,36 @@ void Matching_problem::Contact_table::list(const Range& first, const Range& seco
     return;
   }
   if (first.empty() || second.empty()) return;
-  for (std::uint32_t a : first)
-    compared_.push_back(comparison(a, nearest(a, second)));
+  nearest_.clear();
+  for (std::uint32_t a : first) {
+    nearest_.push_back(*nearest(a, second));
+    compared_.push_back(comparison(a, nearest_.back()));
+  }
   for (std::uint32_t b : second) {
-    const std::uint32_t a = nearest(b, first);
-    if (nearest(a, second) != b) compared_.push_back(comparison(a, b));
+    const std::uint32_t* a = nearest(b, first);
+    if (nearest_[std::size_t(a - first.begin())] != b) compared_.push_back(comparison(*a, b));
   }
 }
 
-std::uint32_t Matching_problem::Contact_table::nearest(std::uint32_t fitted, const Range& others) const
+const std::uint32_t* Matching_problem::Contact_table::nearest(std::uint32_t fitted, const Range& others)
 {
-  const auto distance = [&](std::size_t other) { return fitted_.target_distance(fitted_[other], fitted_[fitted]); };
-  std::uint32_t best = *others.first;
-  double least = distance(best);
-  for (const std::uint32_t* other = others.first + 1; other != others.last; ++other) {
-    const double d = distance(*other);
-    if (d < least) least = d, best = *other;
+  const std::uint32_t* best = others.begin();
+  double least = target_distance(fitted_[fitted], fitted_[*best]);
+  for (const std::uint32_t* other = best + 1; other != others.end(); ++other) {
+    const double distance = target_distance(fitted_[fitted], fitted_[*other]);
+    if (distance < least) least = distance, best = other;
   }
   return best;
+}
+
+double Matching_problem::Contact_table::target_distance(const Fitted& first, const Fitted& second)
+{
+  if (first.target.is_whole() && second.target.is_whole()) return fitted_.target_distance(first, second);
+  const auto [low, high] = std::minmax(first.target_index, second.target_index);
+  std::vector<double>& known = distances_[high];
+  if (known.empty()) known.assign(high + 1, -1);
+  if (known[low] < 0) known[low] = fitted_.target_distance(first, second);
+  return known[low];
 }
 
 std::uint32_t Matching_problem::Contact_table::comparison(std::uint32_t a, std::uint32_t b)
@@ -116,9 +131,12 @@ void Matching_problem::Contact_table::compare()
     for (std::uint32_t i = pair.comparison; i != none; i = comparisons_[i].next)
       rods_.push_back(comparisons_[i].rods);
     distortions(rods_, fitted_.samples(first), fitted_.samples(second), distortions_);
+    const bool collapsed = overlap(first.target, second.target);
+    const double distance = collapsed ? 0 : target_distance(first, second);
     auto distortion = distortions_.begin();
     for (std::uint32_t i = pair.comparison; i != none; i = comparisons_[i].next)
-      comparisons_[i].energy = {*distortion++, fitted_.connectedness(*comparisons_[i].rods, first, second)};
+      comparisons_[i].energy = {*distortion++,
+                                collapsed ? collapsed_connectedness : comparisons_[i].rods->connectedness(distance)};
     pair_of_[pair_index(first, second)] = none;
   }
   pairs_.clear();
@@ -129,10 +147,8 @@ void Matching_problem::Contact_table::list_ends(int side)
   ends_[side].clear();
   end_of_[side].clear();
   for (std::size_t i = begin_[side]; i < begin_[side] + count_[side]; ++i) {
-    const Rod_end end{fitted_[i].source_index, fitted_[i].repeats};
-    const auto known = std::find_if(ends_[side].begin(), ends_[side].end(), [&](const Rod_end& other) {
-      return other.source_index == end.source_index && other.repeats == end.repeats;
-    });
+    const std::size_t end = fitted_[i].source_lanes;
+    const auto known = std::find(ends_[side].begin(), ends_[side].end(), end);
     end_of_[side].push_back(std::size_t(known - ends_[side].begin()));
     if (known == ends_[side].end()) ends_[side].push_back(end);
   }
@@ -140,18 +156,19 @@ void Matching_problem::Contact_table::list_ends(int side)
 
 const Structural_rods& Matching_problem::Contact_table::rods(std::uint32_t a, std::uint32_t b)
 {
-  const Fitted &first = fitted_[a], &second = fitted_[b];
-  if (first.source.is_whole() && second.source.is_whole())
-    return problem_.source().rods(contact_, first.repeats, second.repeats);
   const std::size_t i = end_of_[0][a - begin_[0]], j = end_of_[1][b - begin_[1]];
   const Structural_rods*& known = rods_of_ends_[i * ends_[1].size() + j];
   if (known) return *known;
-  const std::size_t size = Structural_rods::size(int(first.order->size()), int(second.order->size()));
-  piece_rods_.emplace_back(fitted_.source_piece(first.source_index).samples,
-                           fitted_.source_piece(second.source_index).samples, first.repeats, second.repeats,
-                           piece_memory_.take(size));
+  const Fitted &first = fitted_[a], &second = fitted_[b];
+  if (first.source.is_whole() && second.source.is_whole()) {
+    known = &problem_.source().rods(contact_, first.repeats, second.repeats);
+    return *known;
+  }
+  const int n = int(first.order->size()), m = int(second.order->size());
+  piece_rods_.emplace_back(fitted_.source_samples(first), n, first.repeats, fitted_.source_samples(second), m,
+                           second.repeats, piece_memory_.take(Structural_rods::size(n, m)));
   known = &piece_rods_.back();
-  return piece_rods_.back();
+  return *known;
 }
 
 } // namespace CGAL::Shape_correspondence

@@ -56,7 +56,11 @@ private:
   // Clones are compared each with its nearest counterpart.
   void list(const Range& first, const Range& second);
 
-  std::uint32_t nearest(std::uint32_t fitted, const Range& others) const;
+  // The one of `others` that is nearest to a fitted piece.
+  const std::uint32_t* nearest(std::uint32_t fitted, const Range& others);
+
+  // The least distance of two target pieces, which is found once.
+  double target_distance(const Fitted& first, const Fitted& second);
 
   std::uint32_t comparison(std::uint32_t a, std::uint32_t b);
 
@@ -67,13 +71,6 @@ private:
   void list_ends(int side);
 
   const Structural_rods& rods(std::uint32_t a, std::uint32_t b);
-
-  // Source pieces, with how often their samples count: rods are found once for two of them.
-  struct Rod_end
-  {
-    std::size_t source_index;
-    int repeats;
-  };
 
   const Matching_problem& problem_;
   const internal::Fitted_pieces& fitted_;
@@ -86,13 +83,15 @@ private:
   internal::Rod_memory piece_memory_;        // where their directions are
   std::vector<const Structural_rods*> rods_; // that are compared with those of a target pair
   std::vector<double> distortions_;
+  std::vector<std::vector<double>> distances_; // by target pieces; none where not asked for yet
+  std::vector<std::uint32_t> nearest_;         // to the clones of a part
 
   // Of the contact that is being listed
   std::size_t contact_ = 0;
-  std::array<std::size_t, 2> begin_, count_;   // the fitted pieces of either side
-  std::array<std::vector<Range>, 2> touching_; // by label
-  std::vector<std::uint32_t> known_;           // comparisons by two fitted pieces
-  std::array<std::vector<Rod_end>, 2> ends_;
+  std::array<std::size_t, 2> begin_, count_;         // the fitted pieces of either side
+  std::array<std::vector<Range>, 2> touching_;       // by label
+  std::vector<std::uint32_t> known_;                 // comparisons by two fitted pieces
+  std::array<std::vector<std::size_t>, 2> ends_;     // samples of source pieces: rods are found once for two of them
   std::array<std::vector<std::size_t>, 2> end_of_;   // by fitted piece
   std::vector<const Structural_rods*> rods_of_ends_; // null where not found yet
 };

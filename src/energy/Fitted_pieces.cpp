@@ -45,8 +45,21 @@ std::uint32_t Fitted_pieces::fit(const Piece_image& image)
     if (fitted_[known].source_index == from && fitted_[known].target_index == to) return std::uint32_t(known);
   const std::vector<int>& order = deform_to_fit(source_pieces_[from], target_pieces_[to]);
   const int repeats = int(order.size()) / int(source_pieces_[from].samples.cols());
-  fitted_.push_back({image.source, image.target, from, to, &order, repeats, lanes_of(to, order)});
+  fitted_.push_back(
+      {image.source, image.target, from, to, &order, repeats, source_lanes_of(from, repeats), lanes_of(to, order)});
   return std::uint32_t(fitted_.size() - 1);
+}
+
+std::size_t Fitted_pieces::source_lanes_of(std::size_t source_piece, int repeats)
+{
+  constexpr std::size_t none = std::size_t(-1);
+  if (source_lanes_at_.size() <= source_piece) source_lanes_at_.resize(source_pieces_.size(), {none, none});
+  std::size_t& known = source_lanes_at_[source_piece][repeats > 1];
+  if (known == none) {
+    known = source_lanes_.size();
+    source_lanes_.emplace_back(source_pieces_[source_piece].samples, repeats);
+  }
+  return known;
 }
 
 std::size_t Fitted_pieces::lanes_of(std::size_t target_piece, const std::vector<int>& order)

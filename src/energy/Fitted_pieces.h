@@ -7,6 +7,7 @@
 #include "energy/Piece_list.h"
 #include "energy/deform_to_fit.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -21,6 +22,7 @@ struct Fitted_piece
   std::size_t source_index, target_index; // of the pieces
   const std::vector<int>* order;          // of `deform_to_fit()`
   int repeats;                            // of the source's samples: e where a curve becomes a sheet of equal columns
+  std::size_t source_lanes;               // `Fitted_pieces::source_samples()`
   std::size_t lanes;                      // `Fitted_pieces::samples()`
 };
 
@@ -55,7 +57,11 @@ public:
   Fitted_range touching(std::size_t part, std::size_t sample, std::size_t label) const;
 
   const Sampled_part& source_piece(std::size_t index) const { return source_pieces_[index]; }
+  // The samples of the source piece, as often as they count.
+  const Sample_lanes& source_samples(const Fitted_piece& fitted) const { return source_lanes_[fitted.source_lanes]; }
   const Sampled_part& target_piece(std::size_t index) const { return target_pieces_[index]; }
+  // `Fitted_piece::target_index` are less than this.
+  std::size_t number_of_target_pieces() const { return target_pieces_.size(); }
   // The samples of the target piece in the order in which the source piece takes them.
   const Sample_lanes& samples(const Fitted_piece& fitted) const { return lanes_[fitted.lanes]; }
   // `Fitted_piece::lanes` are less than this.
@@ -76,13 +82,16 @@ public:
 
 private:
   std::uint32_t fit(const Piece_image& image);
+  std::size_t source_lanes_of(std::size_t source_piece, int repeats);
   std::size_t lanes_of(std::size_t target_piece, const std::vector<int>& order);
 
   Piece_list source_pieces_, target_pieces_;
   const Eigen::MatrixXd& part_distances_; // of the target
   std::vector<Fitted_piece> fitted_;
   std::vector<std::size_t> fitted_begin_; // by part
-  std::vector<Sample_lanes> lanes_;
+  std::vector<Sample_lanes> source_lanes_, lanes_;
+  std::vector<std::array<std::size_t, 2>>
+      source_lanes_at_; // by source piece, those of samples that count once or often
   std::vector<std::vector<std::pair<const std::vector<int>*, std::size_t>>> lanes_of_; // by target piece and order
   std::vector<std::size_t> label_begin_;                                               // by part, in `image_begin_`
   std::vector<std::size_t> image_begin_; // by part and label, in `images_`

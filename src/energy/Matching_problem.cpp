@@ -266,18 +266,19 @@ Energy_terms Matching_problem::terms(const Assignment& assignment) const
 Energy_terms Matching_problem::terms(const Assignment& assignment, const std::vector<Rod_energy>& contacts) const
 {
   const bool pooled = options_.norm == Energy_norm::POOLED;
-  const auto unmatched = [&](std::size_t group) {
-    return assignment[group] != unassigned && is_unmatched(group, std::size_t(assignment[group]));
-  };
+  std::vector<char> unmatched(labels_.size());
+  for (std::size_t g = 0; g < labels_.size(); ++g)
+    unmatched[g] = assignment[g] != unassigned && is_unmatched(g, std::size_t(assignment[g]));
   Energy_terms terms;
   double kept = 0, rod_count = 0;
   for (std::size_t contact = 0; contact < contacts.size(); ++contact) {
     const auto& parts = source().contacts[contact].parts;
-    if (unmatched(source().group_of[parts[0]]) || unmatched(source().group_of[parts[1]]))
+    if (unmatched[source().group_of[parts[0]]] || unmatched[source().group_of[parts[1]]])
       terms.unmatched += options_.unmatched_cost;
     const Rod_energy& energy = contacts[contact];
     terms.distortion += energy.distortion;
     terms.connectedness += energy.connectedness;
+    if (!pooled) continue;
     const double rods = number_of_rods(contact);
     rod_count += rods;
     kept += rods * (1 - energy.distortion) * (1 - energy.distortion);

@@ -31,21 +31,23 @@ Structural_rods::Structural_rods(const Points& first, const Points& second, int 
 
 Structural_rods::Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats,
                                  std::unique_ptr<Rod_block[]> memory)
-    : Structural_rods(first, second, first_repeats, second_repeats, memory.get())
+    : Structural_rods(Sample_lanes(first, first_repeats), int(first.cols()) * first_repeats, first_repeats,
+                      Sample_lanes(second, second_repeats), int(second.cols()) * second_repeats, second_repeats,
+                      memory.get())
 {
   memory_ = std::move(memory);
 }
 
-Structural_rods::Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats,
-                                 Rod_block* memory)
-    : rods_(memory), first_count_(int(first.cols()) * first_repeats), second_count_(int(second.cols()) * second_repeats)
+Structural_rods::Structural_rods(const Sample_lanes& from, int first_count, int first_repeats, const Sample_lanes& to,
+                                 int second_count, int second_repeats, Rod_block* memory)
+    : rods_(memory), first_count_(first_count), second_count_(second_count)
 {
   CGAL_precondition(first_count_ <= maximum_samples && second_count_ <= maximum_samples);
-  const Sample_lanes from(first, first_repeats), to(second, second_repeats);
   const int in_blocks = samples_in_blocks(second_count_);
-  const Rod_rows there = write_rod_directions(from, 0, first_count_, first_repeats, to, in_blocks, memory);
+  static const Rod_writer write = available_rod_writers().back();
+  const Rod_rows there = write(from, 0, first_count_, first_repeats, to, in_blocks, memory);
   memory += first_count_ * blocks_of(in_blocks);
-  const Rod_rows back = write_rod_directions(to, in_blocks, second_count_, second_repeats, from, first_count_, memory);
+  const Rod_rows back = write(to, in_blocks, second_count_, second_repeats, from, first_count_, memory);
   directionless_ = double(there.directionless + back.directionless) / (first_count_ * second_count_);
   longest_ = std::sqrt(double(std::max(there.longest_squared, back.longest_squared)));
   const Rod_answer<1> unmoved = rod_kernels().both(&rods_, from, first_count_, to, second_count_);

@@ -33,8 +33,10 @@ public:
   /// Rods between samples of which each counts `first_repeats` or `second_repeats` times: a curve counts as a sheet of
   /// equal columns. \pre either then has at most `samples_per_side`² samples
   Structural_rods(const Points& first, const Points& second, int first_repeats = 1, int second_repeats = 1);
-  /// The same in memory that is not theirs and outlives them. \pre `memory` has `size()` blocks
-  Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats,
+  /// The same of samples of which the lanes already have as many as they count times, `first_count` and `second_count`
+  /// in all, in memory that is not theirs and outlives them. \pre `memory` has `size()` blocks
+  Structural_rods(const internal::Sample_lanes& first, int first_count, int first_repeats,
+                  const internal::Sample_lanes& second, int second_count, int second_repeats,
                   internal::Rod_block* memory);
   /// How many blocks of directions so many samples have.
   static std::size_t size(int first_count, int second_count);

@@ -56,7 +56,8 @@ Structure_preservation::Structure_preservation(const Aligned_shape& shape)
       for (std::size_t c : shape.graph[edge].contacts) {
         const auto& parts = shape.contacts[c].parts;
         const std::size_t side = shape.group_of[parts[0]] == group ? 0 : 1;
-        touches_[group].push_back({c, parts[side], parts[1 - side], int(1 - side)});
+        const std::size_t other = parts[1 - side];
+        touches_[group].push_back({c, parts[side], other, shape.group_of[other], int(1 - side)});
       }
     std::sort(touches_[group].begin(), touches_[group].end(),
               [](const Touch& a, const Touch& b) { return std::tie(a.part, a.contact) < std::tie(b.part, b.contact); });
@@ -100,20 +101,22 @@ Structure_preservation::Handles Structure_preservation::handles(std::size_t grou
   return result;
 }
 
-// Places a group by the parts that it touches and that are placed; returns how far its representative moved.
-double Structure_preservation::place(std::size_t group, const std::vector<char>& matched,
+// Places a group by what it touches and what is placed, from one of its touches to another one, those of one or more
+// parts; returns how far its representative moved.
+double Structure_preservation::place(std::size_t group, std::size_t begin, std::size_t end,
+                                     const std::vector<char>& matched,
                                      const std::vector<std::array<Point, 2>>& contact_displacement)
 {
   const std::vector<Touch>& touches = touches_[group];
   std::size_t representative = shape_.group(group).parts[0];
   Point moved = Point::Zero();
   int most = 0;
-  for (std::size_t i = 0; i < touches.size();) {
+  for (std::size_t i = begin; i < end;) {
     const std::size_t part = touches[i].part;
     Point sum = Point::Zero();
     int count = 0;
-    for (; i < touches.size() && touches[i].part == part; ++i) {
-      const std::size_t other = touches[i].other, other_group = shape_.group_of[other];
+    for (; i < end && touches[i].part == part; ++i) {
+      const std::size_t other = touches[i].other, other_group = touches[i].other_group;
       if (!placed_[other_group]) continue;
       sum += matched[other_group] ? contact_displacement[touches[i].contact][std::size_t(touches[i].other_side)]
                                   : Point(displacement_.col(Eigen::Index(other)));
@@ -144,7 +147,7 @@ void Structure_preservation::stretch(std::size_t group, const std::vector<char>&
   for (std::size_t i = handles.begin; i < handles.end; ++i) {
     const Touch& touch = touches_[group][i];
     const Point moved =
-        matched[shape_.group_of[touch.other]]
+        matched[touch.other_group]
             ? contact_displacement[touch.contact][std::size_t(touch.other_side)]
             : Point((displacement_.col(Eigen::Index(representative)) + displacement_.col(Eigen::Index(touch.other))) /
                     2);
@@ -196,7 +199,8 @@ void Structure_preservation::operator()(const std::vector<char>& matched,
   for (auto begin = order_.begin(); begin != order_.end();) {
     const auto end =
         std::find_if(begin, order_.end(), [&](std::size_t group) { return layer_[group] != layer_[*begin]; });
-    std::for_each(begin, end, [&](std::size_t group) { place(group, matched, contact_displacement); });
+    std::for_each(begin, end,
+                  [&](std::size_t group) { place(group, 0, touches_[group].size(), matched, contact_displacement); });
     std::for_each(begin, end, [&](std::size_t group) { placed_[group] = 1; });
     begin = end;
   }
@@ -205,11 +209,13 @@ void Structure_preservation::operator()(const std::vector<char>& matched,
       for (std::size_t part : shape_.group(group).parts)
         motions[part] = {};
 
+  // All that they touch is placed now, so that the representatives are those of the handles
   double change = 1;
   for (int sweep = 0; sweep < maximum_sweeps && change > tolerance; ++sweep) {
     change = 0;
     for (std::size_t group : order_)
-      change = std::max(change, place(group, matched, contact_displacement));
+      change =
+          std::max(change, place(group, handles_[group].begin, handles_[group].end, matched, contact_displacement));
   }
   for (std::size_t group : order_)
     stretch(group, matched, contact_displacement, motions);

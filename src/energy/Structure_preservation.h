@@ -57,7 +57,7 @@ public:
 private:
   struct Touch
   {
-    std::size_t contact, part, other;
+    std::size_t contact, part, other, other_group;
     int other_side;
   };
 
@@ -72,7 +72,7 @@ private:
 
   Handles handles(std::size_t group) const;
   void visit(const std::vector<char>& matched);
-  double place(std::size_t group, const std::vector<char>& matched,
+  double place(std::size_t group, std::size_t begin, std::size_t end, const std::vector<char>& matched,
                const std::vector<std::array<Point, 2>>& contact_displacement);
   void stretch(std::size_t group, const std::vector<char>& matched,
                const std::vector<std::array<Point, 2>>& contact_displacement, std::vector<Part_motion>& motions) const;

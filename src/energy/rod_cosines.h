@@ -35,6 +35,7 @@ template <>
 struct Lane_vector<1>
 {
   using type = float;
+  using bits = std::int32_t;
 };
 
 // x becomes max(x, 0). As integers, positive numbers compare the same, and the compiler knows a maximum when it sees

@@ -10,94 +10,103 @@
 #include "energy/rod_cosines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <numeric>
 
 namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// What rows have in common so far, lane by lane. Compilers take no sums and maxima of loops by vector instructions, so
-// that these are vectors, where there are any.
+constexpr std::array<std::int32_t, lane_count> numbers_of_lanes()
+{
+  std::array<std::int32_t, lane_count> result{};
+  for (int i = 0; i < lane_count; ++i)
+    result[std::size_t(i)] = i;
+  return result;
+}
+alignas(64) constexpr std::array<std::int32_t, lane_count> lane_indices = numbers_of_lanes();
+
+// What rows have in common so far, lane by lane. Positive numbers compare as their bits do.
+template <int Width>
 struct Row_totals
 {
-#ifdef __GNUC__
-  using Lanes = Lane_vector<block_lanes>::bits;
+  using Bits = typename Lane_vector<Width>::bits;
 
-  Lanes directionless = {}, longest_squared = {}; // the latter's bits, which compare as the numbers do
+  Bits directionless = {}, longest_squared = {};
 
-  CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void add(const float (&squared)[block_lanes], int repeats)
+  Rod_rows result() const
   {
-    Lanes bits;
-    std::memcpy(&bits, squared, sizeof bits);
-    std::int32_t zero_bits;
-    std::memcpy(&zero_bits, &zero_rod, sizeof zero_bits);
-    directionless -= (bits < zero_bits) * repeats; // true is -1
-    longest_squared = bits > longest_squared ? bits : longest_squared;
-  }
-
-  CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_rows result() const
-  {
-    int sum = 0;
-    std::int32_t longest = 0;
-    for (int i = 0; i < block_lanes; ++i) {
-      sum += directionless[i];
-      longest = std::max(longest, longest_squared[i]);
-    }
-    Rod_rows rows{sum, 0};
+    std::int32_t counts[Width], squares[Width];
+    std::memcpy(counts, &directionless, sizeof counts);
+    std::memcpy(squares, &longest_squared, sizeof squares);
+    const std::int32_t longest = *std::max_element(squares, squares + Width);
+    Rod_rows rows{std::accumulate(counts, counts + Width, 0), 0};
     std::memcpy(&rows.longest_squared, &longest, sizeof longest);
     return rows;
   }
-#else
-  Rod_rows rows;
-
-  void add(const float (&squared)[block_lanes], int repeats)
-  {
-    for (float square : squared) {
-      rows.directionless += square < zero_rod ? repeats : 0;
-      rows.longest_squared = std::max(rows.longest_squared, square);
-    }
-  }
-  Rod_rows result() const { return rows; }
-#endif
 };
 
-// A row of rods from a sample of `from` to the first `count` samples of `to`, which stands for `repeats` equal ones.
+template <int Width>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void find_roots(const typename Lane_vector<Width>::type& squares,
+                                                        typename Lane_vector<Width>::type& roots)
+{
+  if constexpr (Width == 1)
+    roots = std::sqrt(squares);
+  else
+    for (int i = 0; i < Width; ++i) // one instruction
+      roots[i] = std::sqrt(squares[i]);
+}
+
+// A row of rods from a sample of `from` to the first `count` samples of `to`, which stands for `repeats` equal ones. By
+// hand, since compilers use no vector instructions for what depends on comparisons. Those are signs of differences
+// here: all bits of a lane, or none.
+template <int Width>
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_row(const Sample_lanes& from, int sample, int repeats,
                                                        const Sample_lanes& to, int count, Rod_block* rods,
-                                                       Row_totals& totals)
+                                                       Row_totals<Width>& totals)
 {
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF
 #endif
-  const float x = from.coordinates[0][sample], y = from.coordinates[1][sample], z = from.coordinates[2][sample];
-  for (int begin = 0; begin < count; begin += block_lanes, ++rods) {
-    alignas(64) float squared[block_lanes];
-    for (int i = 0; i < block_lanes; ++i) {
-      const float dx = to.coordinates[0][begin + i] - x, dy = to.coordinates[1][begin + i] - y,
-                  dz = to.coordinates[2][begin + i] - z;
-      squared[i] = dx * dx + dy * dy + dz * dz;
-      const float scale = squared[i] < zero_rod ? 0.f : 1 / std::sqrt(std::max(squared[i], zero_rod));
-      rods->direction[0][i] = dx * scale;
-      rods->direction[1][i] = dy * scale;
-      rods->direction[2][i] = dz * scale;
+  using Lanes = typename Lane_vector<Width>::type;
+  using Bits = typename Lane_vector<Width>::bits;
+  constexpr int in_block = block_lanes / Width, sign = 31;
+  std::int32_t zero_bits;
+  std::memcpy(&zero_bits, &zero_rod, sizeof zero_bits);
+  const float start[3] = {from.coordinates[0][sample], from.coordinates[1][sample], from.coordinates[2][sample]};
+  for (int l = 0; l < blocks_of(count) * in_block; ++l) {
+    Lanes rod[3], squared, length;
+    find_rods<Width>(start, to, l, rod, squared);
+    find_roots<Width>(squared, length);
+    const Lanes inverse = 1.0f / length;
+    Bits index, squared_bits, scale_bits;
+    std::memcpy(&index, lane_indices.data() + l * Width, sizeof index);
+    std::memcpy(&squared_bits, &squared, sizeof squared_bits);
+    std::memcpy(&scale_bits, &inverse, sizeof scale_bits);
+    const Bits is_rod = (index - count) >> sign, has_direction = (zero_bits - 1 - squared_bits) >> sign;
+    scale_bits &= is_rod & has_direction;
+    Lanes scale;
+    std::memcpy(&scale, &scale_bits, sizeof scale);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Lanes direction = rod[axis] * scale;
+      std::memcpy(rods[l / in_block].direction[axis] + l % in_block * Width, &direction, sizeof direction);
     }
-    const int used = count - begin;
-    if (used < block_lanes) { // behind them are no rods
-      for (auto& axis : rods->direction)
-        std::fill(axis + used, axis + block_lanes, 0.f);
-      std::fill(squared + used, squared + block_lanes, zero_rod);
-    }
-    totals.add(squared, repeats);
+    const Bits of_rods = squared_bits & is_rod;
+    totals.directionless += is_rod & ~has_direction & repeats;
+    totals.longest_squared = of_rods > totals.longest_squared ? of_rods : totals.longest_squared;
   }
 }
 
+template <int Width>
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_rows rows(const Sample_lanes& from, int first, int last, int repeats,
                                                       const Sample_lanes& to, int count, Rod_block* rods)
 {
   const int blocks = blocks_of(count);
-  Row_totals totals;
+  Row_totals<Width> totals;
   while (first < last) {
     const int next = std::min(last, (first / repeats + 1) * repeats);
     const Rod_block* const row = rods;
@@ -108,38 +117,32 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_rows rows(const Sample_lanes& from, 
   return totals.result();
 }
 
-using Rows = Rod_rows (*)(const Sample_lanes&, int, int, int, const Sample_lanes&, int, Rod_block*);
-
-#define CGAL_SHAPE_CORRESPONDENCE_ROWS(name, instructions)                                                             \
+#define CGAL_SHAPE_CORRESPONDENCE_ROWS(name, instructions, width)                                                      \
   CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
   Rod_rows name(const Sample_lanes& from, int first, int last, int repeats, const Sample_lanes& to, int count,         \
                 Rod_block* rods)                                                                                       \
   {                                                                                                                    \
-    return rows(from, first, last, repeats, to, count, rods);                                                          \
+    return rows<width>(from, first, last, repeats, to, count, rods);                                                   \
   }
-CGAL_SHAPE_CORRESPONDENCE_ROWS(rows_sse2, "sse2")
+CGAL_SHAPE_CORRESPONDENCE_ROWS(rows_plain, "sse2", 1)
 #ifdef CGAL_SHAPE_CORRESPONDENCE_X86
-CGAL_SHAPE_CORRESPONDENCE_ROWS(rows_avx2, "avx2")
-CGAL_SHAPE_CORRESPONDENCE_ROWS(rows_avx512, "avx512f")
+CGAL_SHAPE_CORRESPONDENCE_ROWS(rows_sse2, "sse2", 4)
+CGAL_SHAPE_CORRESPONDENCE_ROWS(rows_avx2, "avx2", 8)
+CGAL_SHAPE_CORRESPONDENCE_ROWS(rows_avx512, "avx512f", 16)
 #endif
 #undef CGAL_SHAPE_CORRESPONDENCE_ROWS
 
-Rows fastest_rows()
-{
-#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
-  if (__builtin_cpu_supports("avx512f")) return rows_avx512;
-  if (__builtin_cpu_supports("avx2")) return rows_avx2;
-#endif
-  return rows_sse2;
-}
-
 } // namespace
 
-Rod_rows write_rod_directions(const Sample_lanes& from, int first, int last, int repeats, const Sample_lanes& to,
-                              int count, Rod_block* rods)
+std::vector<Rod_writer> available_rod_writers()
 {
-  static const Rows fastest = fastest_rows();
-  return fastest(from, first, last, repeats, to, count, rods);
+  std::vector<Rod_writer> writers{rows_plain};
+#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
+  writers.push_back(rows_sse2);
+  if (__builtin_cpu_supports("avx2")) writers.push_back(rows_avx2);
+  if (__builtin_cpu_supports("avx512f")) writers.push_back(rows_avx512);
+#endif
+  return writers;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

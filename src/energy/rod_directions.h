@@ -5,6 +5,8 @@
 
 #include "energy/Sample_lanes.h"
 
+#include <vector>
+
 namespace CGAL::Shape_correspondence::internal {
 
 // What rods have in common.
@@ -15,8 +17,11 @@ struct Rod_rows
 };
 
 // Writes the directions of rods in rows, a block after the other: from the samples `first` to `last` of `from`, of
-// which each `repeats` in a row are the same, to the first `count` samples of `to`. The same bits on every machine.
-Rod_rows write_rod_directions(const Sample_lanes& from, int first, int last, int repeats, const Sample_lanes& to,
-                              int count, Rod_block* rods);
+// which each `repeats` in a row are the same, to the first `count` samples of `to`.
+using Rod_writer = Rod_rows (*)(const Sample_lanes& from, int first, int last, int repeats, const Sample_lanes& to,
+                                int count, Rod_block* rods);
+
+// Those that this machine can run, the fastest one last. All write the same bits.
+std::vector<Rod_writer> available_rod_writers();
 
 } // namespace CGAL::Shape_correspondence::internal

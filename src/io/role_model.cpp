@@ -16,16 +16,6 @@ namespace {
 
 constexpr const char* model_title = "shape_correspondence role model";
 
-Role_model parsed(const std::string& file, const std::string& name)
-{
-  const std::optional<std::string> content = checked_content(file, model_title);
-  if (!content)
-    throw Invalid_input(name +
-                        ": it is not a role model, or it is damaged; `shape_correspondence roles train` makes one");
-  std::istringstream in(*content);
-  return Role_model::read(in, name);
-}
-
 } // namespace
 
 void write_role_model(const std::string& path, const Role_model& model)
@@ -40,14 +30,22 @@ Role_model read_role_model(const std::string& path)
   std::ifstream in = open_input(path);
   std::ostringstream text;
   text << in.rdbuf();
-  return parsed(text.str(), path);
+  const std::optional<std::string> content = checked_content(text.str(), model_title);
+  if (!content)
+    throw Invalid_input(path +
+                        ": it is not a role model, or it is damaged; `shape_correspondence roles train` makes one");
+  std::istringstream model(*content);
+  return Role_model::read(model, path);
 }
 
 std::shared_ptr<const Role_model> shipped_role_model()
 {
   static const auto model = std::make_shared<const Role_model>([] {
-    const std::string file(reinterpret_cast<const char*>(shipped_roles), shipped_roles_size);
-    return parsed(file, "the role model of the package");
+    // It is part of the program: its digest, which takes as long as the rest, is not looked at
+    std::istringstream file(std::string(reinterpret_cast<const char*>(shipped_roles), shipped_roles_size));
+    std::string title;
+    std::getline(file, title);
+    return Role_model::read(file, "the role model of the package");
   }());
   return model;
 }

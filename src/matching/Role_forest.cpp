@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <istream>
 #include <numeric>
 #include <ostream>
 #include <random>
+#include <streambuf>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -159,10 +159,10 @@ void Role_forest::write(std::ostream& out) const
   }
 }
 
-bool Role_forest::read_subtree(std::istream& in, int roles, int depth)
+bool Role_forest::read_subtree(std::streambuf& in, int roles, int depth)
 {
-  const int feature = in.get(), value = in.get();
-  if (!in || depth == maximum_depth) return false;
+  const int feature = in.sbumpc(), value = in.sbumpc(); // less than 0 at the end
+  if (value < 0 || depth == maximum_depth) return false;
   const std::size_t node = nodes_.size();
   nodes_.push_back({std::uint8_t(feature), std::uint8_t(value)});
   if (feature == leaf) return value < roles;
@@ -171,7 +171,7 @@ bool Role_forest::read_subtree(std::istream& in, int roles, int depth)
   return read_subtree(in, roles, depth + 1);
 }
 
-bool Role_forest::read(std::istream& in, int trees, int roles)
+bool Role_forest::read(std::streambuf& in, int trees, int roles)
 {
   for (int tree = 0; tree < trees; ++tree) {
     roots_.push_back(std::uint32_t(nodes_.size()));

@@ -43,7 +43,7 @@ public:
 
   void write(std::ostream& out) const;
   // \return false if what is read is no forest for so many roles
-  bool read(std::istream& in, int trees, int roles);
+  bool read(std::streambuf& in, int trees, int roles);
 
 private:
   // In the order root, left subtree, right subtree.
@@ -57,7 +57,7 @@ private:
 
   class Builder;
 
-  bool read_subtree(std::istream& in, int roles, int depth);
+  bool read_subtree(std::streambuf& in, int roles, int depth);
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> roots_;

@@ -11,6 +11,7 @@
 #include <istream>
 #include <limits>
 #include <ostream>
+#include <streambuf>
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
@@ -51,7 +52,10 @@ Role_distances::Role_distances(const std::vector<Category_roles>& categories)
         squares += value * value;
       }
     const double variance = count > 0 ? squares / count - (sum / count) * (sum / count) : 0;
-    scales_[std::size_t(feature)] = steps_per_deviation / std::sqrt(std::max(1., variance));
+    const double scale = steps_per_deviation / std::sqrt(std::max(1., variance));
+    for (int value = 0; value < 256; ++value)
+      standard_[std::size_t(feature)][std::size_t(value)] =
+          std::uint8_t(std::lround(std::clamp((value - 127.) * scale + 127, 0., 255.)));
   }
   for (const Category_roles& category : categories)
     examples_.push_back(standardised(features_of(category.examples)));
@@ -62,8 +66,7 @@ Role_features Role_distances::standardised(const Role_features& parts) const
   Role_features result(parts.rows(), parts.cols());
   for (Eigen::Index i = 0; i < parts.rows(); ++i)
     for (Eigen::Index feature = 0; feature < ROLE_FEATURE_COUNT; ++feature)
-      result(i, feature) = std::uint8_t(
-          std::lround(std::clamp((parts(i, feature) - 127.) * scales_[std::size_t(feature)] + 127, 0., 255.)));
+      result(i, feature) = standard_[std::size_t(feature)][parts(i, feature)];
   return result;
 }
 
@@ -140,7 +143,8 @@ private:
 class Binary_reader
 {
 public:
-  Binary_reader(std::istream& in, const std::string& name) : in_(in), name_(name) {}
+  // Not from the stream itself, which would look at its state at every byte.
+  Binary_reader(std::streambuf& in, const std::string& name) : in_(in), name_(name) {}
 
   [[noreturn]] void fail() const
   {
@@ -168,13 +172,13 @@ public:
 
   std::uint8_t byte()
   {
-    const int value = in_.get();
-    if (!in_) fail();
+    const int value = in_.sbumpc();
+    if (value < 0) fail();
     return std::uint8_t(value);
   }
 
 private:
-  std::istream& in_;
+  std::streambuf& in_;
   const std::string& name_;
 };
 
@@ -231,8 +235,9 @@ void Role_model::write(std::ostream& out) const
 
 Role_model Role_model::read(std::istream& in, const std::string& name)
 {
-  Binary_reader read(in, name);
-  if (read.text() != magic) read.fail();
+  std::streambuf& bytes = *in.rdbuf();
+  Binary_reader read(bytes, name);
+  if (!in || read.text() != magic) read.fail();
   if (read.number(ROLE_FEATURE_COUNT) != ROLE_FEATURE_COUNT) read.fail();
   Role_model_data data;
   data.trees = int(read.number(maximum_trees));
@@ -251,7 +256,7 @@ Role_model Role_model::read(std::istream& in, const std::string& name)
     }
     for (double& weight : category.weights)
       weight = double(long(read.number(2 * most_weight_steps)) - most_weight_steps) * pair_weight_unit;
-    if (!category.forest.read(in, data.trees, int(category.classes.size()))) read.fail();
+    if (!category.forest.read(bytes, data.trees, int(category.classes.size()))) read.fail();
     const std::uint32_t count = read.number(most_examples);
     for (std::uint32_t i = 0; i < count; ++i) { // not reserved: a damaged file may promise more than it has
       Role_example& example = category.examples.emplace_back();

@@ -64,8 +64,8 @@ public:
 private:
   Role_features standardised(const Role_features& parts) const;
 
-  std::array<double, ROLE_FEATURE_COUNT> scales_; // steps a byte
-  std::vector<Role_features> examples_;           // by category, standardised
+  std::array<std::array<std::uint8_t, 256>, ROLE_FEATURE_COUNT> standard_; // by feature and value
+  std::vector<Role_features> examples_;                                    // by category, standardised
 };
 
 // What the labels of parts are told from, by index in the structural graph.

@@ -64,8 +64,15 @@ std::optional<std::size_t> sample_on_piece(const Piece& piece, std::size_t at)
   return result;
 }
 
-// Rates partial solutions: contacts between assigned groups by the tables, others by rods with propagated parts. What
-// an expansion leaves alone keeps the energy that it has in the parent.
+// What was found when a partial solution was rated.
+struct Rating
+{
+  std::vector<Part_motion> motions; // by part, those that are not matched
+  std::vector<Rod_energy> energies; // by contact
+};
+
+// Rates the expansions of partial solutions: contacts between assigned groups by the tables, others by rods with
+// propagated parts. What an expansion leaves alone keeps the energy that it has in the parent.
 class Partial_energy
 {
 public:
@@ -74,14 +81,20 @@ public:
         shape_(problem.source()),
         piece_rods_(shape_.contacts.size()),
         preserve_structure_(shape_),
-        motions_(shape_.parts.size()),
+        rating_{std::vector<Part_motion>(shape_.parts.size()), std::vector<Rod_energy>(shape_.contacts.size())},
         contact_displacement_(shape_.contacts.size()),
         matched_(shape_.number_of_groups()),
-        energies_(shape_.contacts.size()),
-        moved_by_(motions_),
-        order_(shape_.contacts.size())
+        moved_by_(rating_.motions),
+        keeps_place_(shape_.parts.size()),
+        order_(shape_.contacts.size()),
+        contacts_of_(shape_.number_of_groups())
   {
     std::iota(order_.begin(), order_.end(), std::size_t(0));
+    for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
+      for (std::size_t part : shape_.contacts[contact].parts) {
+        std::vector<std::size_t>& contacts = contacts_of_[shape_.group_of[part]];
+        if (contacts.empty() || contacts.back() != contact) contacts.push_back(contact);
+      }
     for (const Sampled_part& part : shape_.parts)
       moved_.emplace_back(part.samples);
     for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
@@ -93,53 +106,76 @@ public:
       }
   }
 
-  // The energy without the contacts that a propagated part is at.
-  double lower_bound(const Assignment& assignment)
-  {
-    for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
-      energies_[contact] = is_assigned(contact, assignment) ? assigned_energy(contact, assignment) : Rod_energy();
-    return deformation_energy(problem_.terms(assignment, energies_), problem_.options().weights);
-  }
+  // Of the solution that was rated last; at first of that in which nothing is assigned.
+  const Rating& rating() const { return rating_; }
 
   // The solution whose expansions are rated next.
-  void set_parent(const Assignment& assignment)
+  void set_parent(const Assignment& assignment, const Rating& rating)
   {
-    (*this)(assignment, 0, std::numeric_limits<double>::infinity()); // the parent before has most of it
-    has_parent_ = true;
     parent_ = assignment;
-    parent_motions_ = motions_;
-    parent_energies_ = energies_;
+    parent_rating_ = rating_ = rating;
+    assigned_energies_.assign(shape_.contacts.size(), Rod_energy());
+    for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
+      if (is_assigned(contact, assignment)) assigned_energies_[contact] = rating.energies[contact];
+    for (std::size_t group = 0; group < matched_.size(); ++group)
+      assign(group, assignment);
     std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
-      const double first = cost(energies_[a]), second = cost(energies_[b]);
+      const double first = cost(rating.energies[a]), second = cost(rating.energies[b]);
       return first > second || (first == second && a < b);
     });
   }
 
-  // More than `greatest`, without all contacts being rated, where the energy is that; `least` is its lower bound.
-  double operator()(const Assignment& assignment, double least, double greatest)
+  // The energy, without the contacts that a propagated part is at, of the parent with a group assigned.
+  double lower_bound(const Assignment& assignment, std::size_t group)
   {
-    for (std::size_t g = 0; g < matched_.size(); ++g)
-      matched_[g] = assignment[g] != unassigned && !problem_.is_unmatched(g, std::size_t(assignment[g]));
-    for (std::size_t contact = 0; contact < shape_.contacts.size(); ++contact)
-      for (std::size_t side : {0, 1}) {
-        const std::size_t group = shape_.group_of[shape_.contacts[contact].parts[side]];
-        if (matched_[group])
-          contact_displacement_[contact][side] = contact_movement_[2 * contact + side][std::size_t(assignment[group])];
-      }
-    preserve_structure_(matched_, contact_displacement_, motions_);
-    // Contacts add up, but for a pooled E_d
-    const bool adds_up = problem_.options().norm != Energy_norm::POOLED;
-    for (std::size_t contact : order_) {
-      const bool is_known = same_as_parent(contact, assignment);
-      energies_[contact] = is_known ? parent_energies_[contact] : contact_energy(contact, assignment);
-      if (!adds_up || is_assigned(contact, assignment)) continue;
-      least += cost(energies_[contact]);
-      if (least > greatest) return least;
-    }
-    return deformation_energy(problem_.terms(assignment, energies_), problem_.options().weights);
+    for (std::size_t contact : contacts_of_[group])
+      assigned_energies_[contact] =
+          is_assigned(contact, assignment) ? assigned_energy(contact, assignment) : Rod_energy();
+    return deformation_energy(problem_.terms(assignment, assigned_energies_), problem_.options().weights);
+  }
+
+  // The energy of the parent with a group assigned; more than `greatest`, without all contacts being rated, where it is
+  // that. `least` is its lower bound.
+  double operator()(const Assignment& assignment, std::size_t group, double least, double greatest)
+  {
+    assign(group, assignment);
+    const double energy = rate(assignment, least, greatest);
+    assign(group, parent_);
+    return energy;
   }
 
 private:
+  void assign(std::size_t group, const Assignment& assignment)
+  {
+    matched_[group] = assignment[group] != unassigned && !problem_.is_unmatched(group, std::size_t(assignment[group]));
+    if (!matched_[group]) return;
+    for (std::size_t contact : contacts_of_[group])
+      for (std::size_t side : {0, 1})
+        if (shape_.group_of[shape_.contacts[contact].parts[side]] == group)
+          contact_displacement_[contact][side] = contact_movement_[2 * contact + side][std::size_t(assignment[group])];
+  }
+
+  double rate(const Assignment& assignment, double least, double greatest)
+  {
+    preserve_structure_(matched_, contact_displacement_, rating_.motions);
+    for (std::size_t part = 0; part < rating_.motions.size(); ++part) {
+      const std::size_t group = shape_.group_of[part];
+      keeps_place_[part] = assignment[group] == parent_[group] &&
+                           (matched_[group] || rating_.motions[part] == parent_rating_.motions[part]);
+    }
+    // Contacts add up, but for a pooled E_d
+    const bool adds_up = problem_.options().norm != Energy_norm::POOLED;
+    for (std::size_t contact : order_) {
+      const auto& parts = shape_.contacts[contact].parts;
+      const bool is_known = keeps_place_[parts[0]] && keeps_place_[parts[1]];
+      rating_.energies[contact] = is_known ? parent_rating_.energies[contact] : contact_energy(contact, assignment);
+      if (!adds_up || is_assigned(contact, assignment)) continue;
+      least += cost(rating_.energies[contact]);
+      if (least > greatest) return least;
+    }
+    return deformation_energy(problem_.terms(assignment, rating_.energies), problem_.options().weights);
+  }
+
   // How far the contact point of a matched part moves; that of a part with clones by their mean.
   Point contact_movement(std::size_t contact, int side, std::size_t label) const
   {
@@ -173,21 +209,10 @@ private:
     return assignment[shape_.group_of[parts[0]]] != unassigned && assignment[shape_.group_of[parts[1]]] != unassigned;
   }
 
-  bool same_as_parent(std::size_t contact, const Assignment& assignment) const
-  {
-    if (!has_parent_) return false;
-    for (std::size_t part : shape_.contacts[contact].parts) {
-      const std::size_t group = shape_.group_of[part];
-      if (assignment[group] != parent_[group]) return false;
-      if (!matched_[group] && !(motions_[part] == parent_motions_[part])) return false;
-    }
-    return true;
-  }
-
   // The samples of an unmatched part, moved; often they were moved like that before.
   const Sample_lanes& moved(std::size_t part)
   {
-    const Part_motion& motion = motions_[part];
+    const Part_motion& motion = rating_.motions[part];
     if (moved_by_[part] == motion) return moved_[part];
     const Points& samples = shape_.parts[part].samples;
     for (Eigen::Index i = 0; i < samples.cols(); ++i) {
@@ -217,7 +242,7 @@ private:
 
     if (!matched_[g] && !matched_[h]) {
       // Parts that are displaced alike and not stretched keep their rods
-      const Part_motion &first = motions_[parts[0]], &second = motions_[parts[1]];
+      const Part_motion &first = rating_.motions[parts[0]], &second = rating_.motions[parts[1]];
       if ((first.shift - second.shift).squaredNorm() + first.stretch.squaredNorm() + second.stretch.squaredNorm() <
           zero_rod)
         return {};
@@ -269,17 +294,17 @@ private:
   std::vector<std::deque<Piece_rods>> piece_rods_; // by contact
   Structure_preservation preserve_structure_;
   std::vector<std::vector<Point>> contact_movement_; // by side of contact and label
-  std::vector<Part_motion> motions_;                 // by part
+  Rating rating_;                                    // of the solution that is being rated
   std::vector<std::array<Point, 2>> contact_displacement_;
   std::vector<char> matched_;
-  std::vector<Rod_energy> energies_;
+  std::vector<Rod_energy> assigned_energies_;
   std::vector<Sample_lanes> moved_; // by part, its samples moved by
   std::vector<Part_motion> moved_by_;
-  bool has_parent_ = false;
   Assignment parent_;
-  std::vector<Part_motion> parent_motions_;
-  std::vector<Rod_energy> parent_energies_;
-  std::vector<std::size_t> order_; // of contacts, those that cost most in the parent first
+  Rating parent_rating_;
+  std::vector<char> keeps_place_;                     // by part, whether it is where it is in the parent
+  std::vector<std::size_t> order_;                    // of contacts, those that cost most in the parent first
+  std::vector<std::vector<std::size_t>> contacts_of_; // by group
 };
 
 struct Expansion
@@ -287,19 +312,13 @@ struct Expansion
   long energy; // quantized, so that ties are settled by the indices
   std::size_t parent;
   int label;
+  std::size_t rating; // of the expander
 
   bool operator<(const Expansion& other) const
   {
     return std::tie(energy, parent, label) < std::tie(other.energy, other.parent, other.label);
   }
 };
-
-// Drops all but the `count` best of the expansions from `begin` on, which are sorted.
-void keep_best(std::vector<Expansion>& expansions, std::size_t begin, std::size_t count)
-{
-  std::sort(expansions.begin() + std::ptrdiff_t(begin), expansions.end());
-  expansions.resize(std::min(expansions.size(), begin + count));
-}
 
 // Rates the expansions of a parent by all labels of a group and appends the `count` best ones, but for some that `most`
 // others in the level are better than. Those of the least lower bounds come first, so that most need no full rating.
@@ -308,13 +327,22 @@ class Expander
 public:
   Expander(Partial_energy& energy, std::size_t count, std::size_t most) : energy_(energy), count_(count), most_(most) {}
 
+  // Gives up the ratings of the level before.
+  void start_level()
+  {
+    spare_.resize(ratings_.size());
+    std::iota(spare_.begin(), spare_.end(), std::size_t(0));
+  }
+
+  Rating& rating(const Expansion& expansion) { return ratings_[expansion.rating]; }
+
   void operator()(std::size_t parent, Assignment& assignment, std::size_t group, int labels,
                   std::vector<Expansion>& level)
   {
     bounds_.clear();
     for (int label = 0; label < labels; ++label) {
       assignment[group] = label;
-      bounds_.emplace_back(energy_.lower_bound(assignment), label);
+      bounds_.emplace_back(energy_.lower_bound(assignment, group), label);
     }
     std::sort(bounds_.begin(), bounds_.end());
     const std::size_t begin = level.size();
@@ -327,13 +355,30 @@ public:
                                                                         : double(worst + 1) * comparison_grid;
       if (bound > greatest) break;
       assignment[group] = label;
-      level.push_back({quantized(energy_(assignment, bound, greatest)), parent, label});
-      keep_best(level, begin, count_);
+      const double energy = energy_(assignment, group, bound, greatest);
+      if (energy > greatest) continue;
+      level.push_back({quantized(energy), parent, label, keep(energy_.rating())});
+      std::sort(level.begin() + std::ptrdiff_t(begin), level.end());
+      if (level.size() <= begin + count_) continue;
+      spare_.push_back(level.back().rating);
+      level.pop_back();
     }
     assignment[group] = unassigned;
   }
 
 private:
+  std::size_t keep(const Rating& rating)
+  {
+    if (spare_.empty()) {
+      ratings_.push_back(rating);
+      return ratings_.size() - 1;
+    }
+    const std::size_t place = spare_.back();
+    spare_.pop_back();
+    ratings_[place] = rating;
+    return place;
+  }
+
   // Of the `most_` best expansions, the energy of the last one.
   long nth_energy(const std::vector<Expansion>& level)
   {
@@ -347,6 +392,14 @@ private:
   std::size_t count_, most_;
   std::vector<std::pair<double, int>> bounds_; // and their labels
   std::vector<Expansion> sorted_;
+  std::vector<Rating> ratings_; // of the expansions of a level
+  std::vector<std::size_t> spare_;
+};
+
+struct Partial_solution
+{
+  Assignment assignment;
+  Rating rating;
 };
 
 } // namespace
@@ -359,27 +412,31 @@ Search_result beam_search(const Matching_problem& problem, const Beam_options& o
   Search_result result;
   Partial_energy partial_energy(problem);
   Expander expand(partial_energy, std::size_t(options.expansions), std::size_t(options.beam_width));
-  std::vector<Assignment> beam{Assignment(problem.source().number_of_groups(), unassigned)}, next;
+  std::vector<Partial_solution> beam(1), next;
+  beam[0] = {Assignment(problem.source().number_of_groups(), unassigned), partial_energy.rating()};
   std::vector<Expansion> level;
   for (std::size_t group : assignment_order(problem.source().graph)) {
     level.clear();
+    expand.start_level();
     for (std::size_t parent = 0; parent < beam.size(); ++parent) {
-      partial_energy.set_parent(beam[parent]);
+      partial_energy.set_parent(beam[parent].assignment, beam[parent].rating);
       const int labels = int(problem.number_of_labels(group));
-      expand(parent, beam[parent], group, labels, level);
+      expand(parent, beam[parent].assignment, group, labels, level);
       result.summary.evaluations += std::size_t(labels);
     }
-    keep_best(level, 0, std::size_t(options.beam_width));
+    std::sort(level.begin(), level.end());
+    level.resize(std::min(level.size(), std::size_t(options.beam_width)));
     result.summary.states += level.size();
     next.resize(level.size());
     for (std::size_t i = 0; i < level.size(); ++i) {
-      next[i] = beam[level[i].parent];
-      next[i][group] = level[i].label;
+      next[i].assignment = beam[level[i].parent].assignment;
+      next[i].assignment[group] = level[i].label;
+      std::swap(next[i].rating, expand.rating(level[i]));
     }
     beam.swap(next);
   }
-  for (Assignment& assignment : beam)
-    result.solutions.push_back({problem.energy()(assignment), std::move(assignment)});
+  for (Partial_solution& solution : beam)
+    result.solutions.push_back({problem.energy()(solution.assignment), std::move(solution.assignment)});
   result.summary.lower_bound = std::min(problem.energy().lower_bound(), result.best().energy);
   result.optimal = result.best().energy <= result.summary.lower_bound;
   return result;

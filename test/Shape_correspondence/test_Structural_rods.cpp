@@ -5,6 +5,7 @@
 
 #include "energy/Structural_rods.h"
 #include "energy/rod_cosines.h"
+#include "energy/rod_directions.h"
 #include "hand_made_graphs.h"
 
 #include <catch2/catch.hpp>
@@ -154,11 +155,54 @@ TEST_CASE("Samples that count several times have the rods of as many samples")
       std::vector<internal::Rod_block> memory(Structural_rods::size(36, 36));
       const Rod_energy expected = Structural_rods(repeated(a, first), repeated(b, second)).energy(c, d);
       for (const Rod_energy& energy : {Structural_rods(a, b, first, second).energy(c, d),
-                                       Structural_rods(a, b, first, second, memory.data()).energy(c, d)}) {
+                                       Structural_rods(internal::Sample_lanes(a, first), 36, first,
+                                                       internal::Sample_lanes(b, second), 36, second, memory.data())
+                                           .energy(c, d)}) {
         CHECK(energy.distortion == expected.distortion);
         CHECK(energy.connectedness == expected.connectedness);
       }
     }
+}
+
+TEST_CASE("All vector instructions write the same directions of rods")
+{
+  std::srand(17);
+  for (const int n : {6, 36})
+    for (const int m : {1, 6, 16, 32, 36})
+      for (const int repeats : {1, 6}) {
+        const Points a = Points::Random(3, n / repeats), c = Points::Random(3, m);
+        const internal::Sample_lanes from(a, repeats);
+        Points b = c;
+        b.col(m - 1) = a.col(0); // rods of length zero
+        const internal::Sample_lanes to(b);
+        float longest_squared = 0;
+        std::vector<internal::Rod_block> expected(std::size_t(n * internal::blocks_of(m)));
+        for (internal::Rod_block& block : expected)
+          for (auto& axis : block.direction)
+            std::fill(std::begin(axis), std::end(axis), 0.f);
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j < m; ++j) {
+            float rod[3], squared = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+              rod[axis] = to.coordinates[axis][j] - from.coordinates[axis][i];
+              squared += rod[axis] * rod[axis];
+            }
+            longest_squared = std::max(longest_squared, squared);
+            for (int axis = 0; axis < 3 && squared > 0; ++axis)
+              expected[std::size_t(i * internal::blocks_of(m) + j / internal::block_lanes)]
+                  .direction[axis][j % internal::block_lanes] = rod[axis] * (1 / std::sqrt(squared));
+          }
+        for (const internal::Rod_writer write : internal::available_rod_writers()) {
+          std::vector<internal::Rod_block> rods(expected.size());
+          const internal::Rod_rows rows = write(from, 0, n, repeats, to, m, rods.data());
+          CHECK(rows.directionless == repeats);
+          CHECK(rows.longest_squared == longest_squared);
+          for (std::size_t block = 0; block < rods.size(); ++block)
+            for (int axis = 0; axis < 3; ++axis)
+              CHECK(std::equal(std::begin(rods[block].direction[axis]), std::end(rods[block].direction[axis]),
+                               expected[block].direction[axis]));
+        }
+      }
 }
 
 TEST_CASE("Rods of every layout agree with Eq. 2 and 3 in double precision")
