@@ -3,9 +3,11 @@
 
 #include "abstraction/Solid_abstractor.h"
 #include "abstraction/bounding_box.h"
+#include "abstraction/inside_test.h"
 #include "abstraction/remesh.h"
 #include "abstraction/repair.h"
 #include "abstraction/surface_samples.h"
+#include "base/Nearest_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +15,7 @@
 #include <new>
 #include <string>
 #include <utility>
+#include <variant>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
@@ -66,9 +69,25 @@ void Solid_abstractor::try_to_run()
     throw Flow_failure("its surface encloses next to nothing");
   }
   find_geometry(solid);
+  if (const Sheet* sheet = std::get_if<Sheet>(&result_.geometry)) {
+    report().coverage = share_in_part(sheet->points, solid);
+    report().branching = report().coverage < least_coverage;
+  }
   if (!result_.control_points().allFinite()) {
     throw Flow_failure("its skeleton is not finite");
   }
+}
+
+double Solid_abstractor::share_in_part(const Points& points, const Part_mesh& solid) const
+{
+  const double near = 2.5 * edge_length_; // a bent plate is off its sheet by less
+  const Inside_test is_inside(solid);
+  const Nearest_points surface(solid.points);
+  Eigen::Index count = 0;
+  for (const auto& p : points.colwise()) {
+    count += is_inside(p) || surface.distance(p) < near;
+  }
+  return static_cast<double>(count) / static_cast<double>(points.cols());
 }
 
 Part_abstraction Solid_abstractor::bounding_box(const std::string& failure, bool time_limit) const

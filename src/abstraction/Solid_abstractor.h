@@ -50,6 +50,8 @@ protected:
 private:
   /// \throw Flow_failure, or what else the algorithms throw
   void try_to_run();
+  /// The share of points that are inside a solid or near its surface
+  double share_in_part(const Points& points, const Part_mesh& solid) const;
   /// \param failure why the bounding box stands in
   Part_abstraction bounding_box(const std::string& failure, bool time_limit) const;
 

@@ -19,7 +19,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Of a skeleton, what a curve covers that is not branching.
+/// Of a skeleton, what a curve covers that is not branching; of a sheet, the share that is in such a part.
 constexpr double least_coverage = 0.8;
 
 /// A curve taken from a skeleton.

@@ -129,6 +129,18 @@ void warn_of_fallbacks(const std::vector<Part_abstraction>& parts, std::vector<s
   }
 }
 
+/// Names the parts that branch: the paper asks for parts that are curves or sheets.
+void warn_of_branches(const std::vector<Part_abstraction>& parts, std::vector<std::string>& warnings)
+{
+  std::string names;
+  for (const Part_abstraction& part : parts)
+    if (part.report.branching) names += (names.empty() ? "'" : ", '") + part.name + "'";
+  if (!names.empty())
+    warnings.push_back(
+        "Parts that branch, so that a curve or sheet stands for each only roughly: " + names +
+        ". Divide them into parts of one branch (`--parts segments` divides a model file by thickness).");
+}
+
 /// Groups, unless given, and the graph.
 Structural_graph assemble(Shape_structure shape, std::vector<Part_group> groups, const Structure_options& options)
 {
@@ -152,6 +164,7 @@ Structural_graph build_structural_graph(const Segmented_shape& shape, const Stru
   result.parts = abstract_parts<ConcurrencyTag>(shape, result.frame, options.abstraction);
   const double abstraction = timer.time() - before;
   warn_of_fallbacks(result.parts, result.warnings);
+  warn_of_branches(result.parts, result.warnings);
   result.contacts =
       detect_contacts<ConcurrencyTag>(shape, result.parts, result.frame, options.contacts, result.warnings);
   Structural_graph graph = assemble(std::move(result), {}, options);

@@ -43,6 +43,8 @@ TEST_CASE("A plate becomes a sheet that reaches its rim")
   REQUIRE(part.is_sheet());
   CHECK(part.report.method == Method::MEDIAL_AXIS);
   CHECK(part.report.residual < 0.02);
+  CHECK(part.report.coverage == 1);
+  CHECK_FALSE(part.report.branching);
   const Points& points = part.control_points();
   REQUIRE(points.cols() == 64);
   CHECK((points.row(1).array() - 0.03).abs().maxCoeff() < 0.02);
@@ -117,7 +119,10 @@ TEST_CASE("A wing is a sheet, also a thick one that gets narrower towards its ti
         l, l, l + m, l + m, l + n, k + n,                                   //
         k, l + m, k + m, l + n, k + n, l + n;
   }
-  CHECK(abstraction_of(wing).is_sheet());
+  const Part_abstraction part = abstraction_of(wing);
+  CHECK(part.is_sheet());
+  CHECK_FALSE(part.report.branching);
+  CHECK(part.report.coverage > 0.9);
 }
 
 TEST_CASE("A box that is open in front has an axis to the front, also where its skeleton is a point")
@@ -199,6 +204,19 @@ TEST_CASE("A flat part of many arms or bars becomes a sheet, not a curve through
     REQUIRE(part.is_sheet());
     CHECK(part.control_points().row(0).minCoeff() < -0.95);
     CHECK(part.control_points().row(1).maxCoeff() > 0.8);
+    CHECK(part.report.branching);
+    CHECK(part.report.coverage < 0.7);
+  }
+  SECTION("the star base of an office chair")
+  {
+    Part_mesh star;
+    for (int k = 0; k < 5; ++k) {
+      const Eigen::Matrix3d turn = Eigen::AngleAxisd(k * 2 * EIGEN_PI / 5, Point::UnitY()).toRotationMatrix();
+      star = joined(star, moved(box({0, -0.03, -0.03}, {1, 0.03, 0.03}), turn, Point(0, 0.001 * k, 0)));
+    }
+    const Part_abstraction part = abstraction_of(star);
+    CHECK(part.report.branching);
+    CHECK(part.report.coverage < 0.7);
   }
   SECTION("a pedal: a cage with bars across")
   {

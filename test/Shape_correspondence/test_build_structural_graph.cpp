@@ -108,6 +108,21 @@ TEST_CASE("Parts that fall back to their bounding box are named")
   CHECK_THAT(warnings.front(), Catch::Contains("more time than allowed"));
 }
 
+TEST_CASE("Parts that branch are named in one warning")
+{
+  Structure_options options;
+  options.abstraction.abstractor = [](const Shape_part& part, const Abstraction_options& abstraction) {
+    Part_abstraction result = Bounding_box_abstraction()(part, abstraction);
+    result.report.branching = part.name != "plate";
+    return result;
+  };
+  const auto warnings = structure(build_structural_graph(table(), options)).warnings;
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings.front(), Catch::Contains("branch") && Catch::Contains("'leg_1'") && Catch::Contains("'leg_4'") &&
+                                   !Catch::Contains("plate"));
+  CHECK(structure(build_structural_graph(table())).warnings.empty());
+}
+
 TEST_CASE("A shape needs two parts")
 {
   Segmented_shape shape("lonely");

@@ -81,13 +81,13 @@ struct Abstraction_report
   Repair repair = Repair::NONE;    ///< how the surface was closed
   bool tube = false;               ///< a hollow tube, abstracted by its axis of revolution or a sheet across it
   bool blob = false;               ///< neither elongated nor flat: a curve along its axis, or through it
-  bool branching = false;          ///< a curve that leaves more than a fifth of the skeleton out
+  bool branching = false;          ///< the curve or sheet stands for it only roughly: `coverage` is less than 0.8
   bool several_components = false; ///< the part's surface is not connected
   bool time_limit = false;         ///< the time limit was reached
   std::string fallback;            ///< why the bounding box was used (of a copy: for its original); empty: it was not
   std::string copy_of;             ///< of a copy: the name of its original
   double residual = 0; ///< root mean square distance of the fitted points, as a fraction of the diagonal of the part
-  double coverage = 1; ///< length of the curve divided by the length of the skeleton
+  double coverage = 1; ///< length of the curve divided by that of the skeleton; share of the sheet that is in the part
   int iterations = 0;  ///< steps of the flow
   double milliseconds = 0;   ///< time of the abstraction; not saved in files
   Phase_milliseconds phases; ///< the same by phase
