@@ -56,9 +56,9 @@ SOURCE and TARGET are each one of
 With --match R.json, the correspondence is read from a result of `match` for the same two shapes, and options of the
 search are refused.
 
-Parts that correspond with a probability below --min-confidence are not believed: they shrink and grow. What happens
-when is a schedule: --schedule takes one by its name, the best one, or all that make different shapes in between, each
-into a folder of its own (with --at, a file), the best one first.
+Pairs of parts with a confidence below --min-confidence are left out: their parts shrink and grow. A schedule defines
+when each part changes: --schedule takes one by its name, the best one, or all that make different shapes in between,
+each into a folder of its own (with --at, a file), the best one first.
 
 Examples: shape_correspondence blend chair.obj swivel_chair.obj -o blend.glb
           shape_correspondence blend chair.obj swivel_chair.obj -o frames --match chair_swivel.json --frames 9

@@ -37,7 +37,7 @@ const char* const help_text =
        shape_correspondence collection SHAPE SHAPE... [options]
 
 Matches all ordered pairs of a set of shapes and computes
-  - the distance of each pair: its deformation energy for each pair of connected parts, where a part without counterpart
+  - the distance of each pair: its deformation energy per pair of connected parts, where a part without counterpart
     counts --unmatched-energy;
   - the topological medoid, the shape with the least sum of distances, and a minimum spanning tree;
   - pairs of shapes that are matched better by way of a third one (bridges);

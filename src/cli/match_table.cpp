@@ -169,7 +169,7 @@ void write_match_table(std::ostream& out, const Correspondence& c, const Structu
                                                      : "target deformed into the source")
       << (c.complete ? "" : ", incomplete") << (c.optimal ? ", proven minimal for this direction" : "")
       << "\ndistance: " << short_number(distance_energy(c, Energy_matrix_options().unmatched_energy))
-      << " (energy for each pair of connected parts)\n";
+      << " (energy per pair of connected parts)\n";
   for (const std::string& warning : c.warnings)
     out << "warning: " << IO::quote_terminal(warning) << '\n';
 }
