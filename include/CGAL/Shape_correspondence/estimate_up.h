@@ -39,7 +39,7 @@ Up_estimate estimate_up(const Segmented_shape& shape, double odds_of_y = 1);
 /// \ingroup PkgShapeCorrespondenceShapes
 /// The same for two shapes of one category, whose proportions should be similar.
 /// \param source,target the shapes
-/// \param is_known whether the up direction of the source and of the target, which is along an axis, is known to be right
+/// \param is_known whether the up direction of the source and of the target, along an axis, is known to be right
 /// \param odds_of_y prior odds of the y axis against each other axis
 /// \pre the shapes have parts
 std::array<Up_estimate, 2> estimate_up_of_pair(const Segmented_shape& source, const Segmented_shape& target,
