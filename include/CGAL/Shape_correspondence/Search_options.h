@@ -59,7 +59,7 @@ struct Part_matching_options
   /// A pair is matched if its cost is the least one of the source part or of the target part, and exceeds the least
   /// costs of both, added up, by at most this. Smaller values give fewer pairs of higher precision.
   double excess = 1.5;
-  double confident_excess = 0.5;   ///< the same bound for the pairs that decide which sets of parts correspond
+  double confident_excess = 0.5;   ///< the same bound of costs for pairs that decide which sets of parts correspond
   double shared_counterpart = 3.5; ///< largest cost between parts of one shape that may share a counterpart
   bool panels = true;              ///< match panels as sets: rows of parts, and boards in one side of the shape
   bool support = true;             ///< match the parts that support a seat or table top as a set

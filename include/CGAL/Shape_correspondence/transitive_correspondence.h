@@ -70,7 +70,7 @@ Shape_chain best_chain(const Eigen::MatrixXd& energies, const std::vector<Shape_
                        std::size_t target);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The best chains from one source to all targets, itself included (a chain of one shape). O(n²)
+/// The same from one source to all targets, itself included (a chain of one shape). O(n²)
 std::vector<Shape_chain> best_chains(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree,
                                      std::size_t source);
 

@@ -76,7 +76,7 @@ struct Nearest_in_collection
 };
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes the nearest shapes in the JSON format `shape_correspondence/nearest`, version 1.
+/// Writes the nearest shapes `found` in the JSON format `shape_correspondence/nearest`, version 1.
 void write_nearest_json(std::ostream& out, const Nearest_in_collection& found);
 
 } // namespace IO
