@@ -70,7 +70,7 @@ Mean energy of the beam search relative to the proven minimum, by beam width (`e
 \\cgalFigureEnd
 */
 """
-SETS = [("generated shapes", "generated"), ("shapes of drawn styles", "random styles"), ("development set", "development")]
+SETS = [("generated shapes", "generated"), ("shapes of random styles", "random styles"), ("development set", "development")]
 
 
 class Results:
@@ -104,7 +104,7 @@ def methods(results):
     text = ""
     for title, name in SETS:
         rows = results.rows("All methods side by side, in the same run: " + title)
-        text += f"{title.capitalize().replace('drawn', 'random')}:\n\n" + table(
+        text += f"{title.capitalize()}:\n\n" + table(
             ["method", "P", "R", "F1", "95 %", "seconds"],
             [[row["method"], row["mean P"], row["mean R"], row["mean F1"], row["95 %"], row["s / pair"]] for row in rows]) + "\n"
     return text
@@ -136,7 +136,7 @@ def confidence(results):
 
 
 def abstraction(results):
-    rows = results.rows("The ways to abstract parts: off from what the generator states, and F1 of the matching that follows: "
+    rows = results.rows("Methods of part abstraction: deviations from the true curves and sheets, and F1 of matching: "
                         "generated shapes")
     heads = ["abstraction", "kinds as stated", "curves off by, median", "sheets off by, median", "F1 paper", "F1 default",
              "CPU s / shape"]
