@@ -189,7 +189,7 @@ void run_collection(const std::vector<std::string>& arguments)
   check_outputs({common.json, common.html, options.npy, options.csv}, inputs);
   Team team;
   if (team.size() > 1 && options.store.empty())
-    throw Usage_error("several processes need --store, a folder that all reach");
+    throw Usage_error("several processes need --store, a folder that all of them can use");
   const Thread_limit limit(number_of_threads(common, team));
   add_examples(match, common, matching.search);
   const std::string store_folder = options.store;

@@ -30,7 +30,7 @@ Number parse_number(const std::string& option, const std::string& text)
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size())
-    throw Usage_error("--" + option + ": '" + text + "' is not a number that it takes");
+    throw Usage_error("--" + option + ": '" + text + "' is not a number in its range");
   return number;
 }
 
@@ -223,7 +223,7 @@ void refuse_search_options(const po::variables_map& given)
   const po::options_description search = match_options(unused);
   for (const auto& option : search.options())
     if (is_given(given, option->long_name()) && option->long_name() != "min-confidence")
-      throw Usage_error("--match says what corresponds; leave --" + option->long_name() + " out");
+      throw Usage_error("the correspondence is given by --match; leave --" + option->long_name() + " out");
 }
 
 Search_options search_options(const Match_options& match, const po::variables_map& values)
