@@ -101,8 +101,9 @@ void print_schedules(const Shape_blend& blend)
       rows.back().push_back(short_number(value));
   }
   write_table(std::cout, rows);
-  std::cout << "\nThe first schedule is used. Each value is the maximum over the in-between shapes that were rated (for a "
-               "schedule that is already worse in the middle, only that one); lengths are fractions of the height:\n"
+  std::cout << "\nThe first schedule is used. Each value is the maximum over the in-between shapes that were rated "
+               "(for a schedule that is already worse in the middle, only that one); lengths are fractions of the "
+               "height:\n"
                "  gap        how much wider a contact is than in the source and the target\n"
                "  apart      how far connected parts were apart before they were moved together again\n"
                "  asymmetry  distance of the shape from its mirror image\n"
