@@ -78,7 +78,7 @@ def train(shapes: Union[Path, Sequence[Union[Path, LabelledShape]]], *, trees: i
 
     :param shapes: folders of labelled shapes, as for ``shape_correspondence roles train``, which is then called; or
         `LabelledShape` objects
-    :param trees: number of trees in the forest of a category
+    :param trees: number of trees in the forest of a category, from 1 to 1000
     :param seed: seed of the random numbers
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`

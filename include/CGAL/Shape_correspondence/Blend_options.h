@@ -30,7 +30,7 @@ enum class Blend_size {
 /// Options of `Shape_blend`.
 struct Blend_options
 {
-  /// Largest gap between parts in contact in the source or target, as a fraction of the height.
+  /// Largest gap between parts in contact in the source or target, as a fraction of the height, in [0, 1].
   double contact_tolerance = 0.02;
   int samples = 5;             ///< number of in-between shapes by which a schedule is rated, 1 to 1000
   double min_confidence = 0.3; ///< pairs of lower confidence, in [0, 1], are left out: their parts shrink and grow

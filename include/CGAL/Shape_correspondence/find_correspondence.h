@@ -109,8 +109,8 @@ private:
 /// \param source,target the structural graphs of the shapes
 /// \param options of the method, the search and the energy
 /// \pre both graphs are valid (`is_valid_structural_graph()`)
-/// \throw Invalid_input if an option is out of its range, or if `Search_method::BEAM` would deform a shape of more than
-/// 180 groups of parts, `EXACT` one of more than 500
+/// \throw Invalid_input if an option is out of its range, pinned and forbidden pairs contradict each other, or a shape to
+/// be deformed has more than 180 groups of parts with `Search_method::BEAM` or 500 with `EXACT`
 Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,
                                    const Search_options& options = {});
 
@@ -121,8 +121,8 @@ Correspondence find_correspondence(const Structural_graph& source, const Structu
 /// \param source,target the structural graphs of the shapes
 /// \param options of the method, the search and the energy
 /// \pre both graphs are valid (`is_valid_structural_graph()`)
-/// \throw Invalid_input if an option is out of its range, or if `Search_method::BEAM` would deform a shape of more than
-/// 180 groups of parts, `EXACT` one of more than 500
+/// \throw Invalid_input if an option is out of its range, pinned and forbidden pairs contradict each other, or a shape to
+/// be deformed has more than 180 groups of parts with `Search_method::BEAM` or 500 with `EXACT`
 std::vector<Correspondence> find_correspondences(const Structural_graph& source, const Structural_graph& target,
                                                  const Search_options& options);
 

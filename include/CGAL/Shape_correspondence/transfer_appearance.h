@@ -29,7 +29,7 @@ struct Transfer_options
 {
   int size = 1024; ///< width and height of the texture in pixels, at least 16, at most 8192
   int margin = 4;  ///< pixels by which the colours of a chart are continued past its border, at least 1, at most 64
-  int samples = 2; ///< n: the colour of a pixel is the mean of n × n points, at most 8
+  int samples = 2; ///< n, from 1 to 8: the colour of a pixel is the mean of n × n points
   bool new_coordinates = false; ///< lay out texture coordinates anew, also where those of the target can be used
   Eigen::Vector3d neutral = {0.45, 0.45, 0.45}; ///< linear colour of parts without looks
 };
