@@ -11,7 +11,6 @@
 #include "cli/match_table.h"
 #include "cli/outputs.h"
 #include "cli/progress_bar.h"
-#include "cli/read_model.h"
 #include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
@@ -173,8 +172,8 @@ void run_blend(const std::vector<std::string>& arguments)
   check_outputs({common.json, output.is_file() ? output.path : ""}, inputs);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
-  const std::vector<std::string> warnings_of_up = find_up_of_pair(paths, common);
-  std::vector<Loaded_shape> shapes = load_shapes(paths, common);
+  std::vector<std::string> warnings_of_up;
+  std::vector<Loaded_shape> shapes = load_pair(paths, common, warnings_of_up);
   for (std::size_t i : {0u, 1u})
     complete_surfaces(paths[i], shapes[i]);
   const Loaded_shape &source = shapes[0], &target = shapes[1];

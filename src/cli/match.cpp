@@ -9,7 +9,6 @@
 #include "cli/match_shapes.h"
 #include "cli/match_table.h"
 #include "cli/outputs.h"
-#include "cli/read_model.h"
 #include "cli/run_report.h"
 #include "cli/thread_limit.h"
 #include "viewer/match_page.h"
@@ -101,8 +100,8 @@ void run_match(const std::vector<std::string>& arguments)
   check_outputs({common.json, common.glb, common.html}, parsed.inputs);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
-  const std::vector<std::string> warnings_of_up = find_up_of_pair(paths, common);
-  std::vector<Loaded_shape> shapes = load_shapes(paths, common);
+  std::vector<std::string> warnings_of_up;
+  std::vector<Loaded_shape> shapes = load_pair(paths, common, warnings_of_up);
   const Loaded_shape &source = shapes[0], &target = shapes[1];
   add_examples(match, common, search_with);
   choose_parts(match, {source.graph, paths[0]}, {target.graph, paths[1]}, search_with);

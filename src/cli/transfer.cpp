@@ -7,7 +7,6 @@
 #include "cli/load_shape.h"
 #include "cli/match_options.h"
 #include "cli/outputs.h"
-#include "cli/read_model.h"
 #include "cli/run_report.h"
 #include "cli/thread_limit.h"
 #include "cli/transfer_looks.h"
@@ -131,8 +130,8 @@ void run_transfer(const std::vector<std::string>& arguments)
   outputs.push_back(common.json);
   check_outputs(outputs, {paths[0], paths[1], variables.result, request.labels});
   const Thread_limit limit(common.threads);
-  std::vector<std::string> warnings = find_up_of_pair(paths, common);
-  std::vector<Loaded_shape> shapes = load_shapes(paths, common);
+  std::vector<std::string> warnings;
+  std::vector<Loaded_shape> shapes = load_pair(paths, common, warnings);
   Loaded_shape &source = shapes[0], &target = shapes[1];
   choose_parts(variables.match, {source.graph, paths[0]}, {target.graph, paths[1]}, search);
   Correspondence correspondence = variables.result.empty()

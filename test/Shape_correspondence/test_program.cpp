@@ -14,8 +14,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <map>
-#include <set>
 
 // The program from outside: exit status, messages, and what it leaves behind.
 
