@@ -66,7 +66,7 @@ struct Abstraction_report
     MEDIAL_AXIS,   ///< the medial axis
     AXIS,          ///< none: the axis of a body of revolution or of a block
     BOUNDING_BOX,  ///< the bounding box
-    COPY,          ///< none: the abstraction of a congruent part was moved
+    COPY,          ///< none: the abstraction of a congruent part, moved
     GIVEN          ///< unknown: from a file or another abstractor
   };
   /// How the surface of a part was closed.
