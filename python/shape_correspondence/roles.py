@@ -74,7 +74,7 @@ def predict(shape: Input, model: Optional[Model] = None, *, category: str = "", 
 
 def train(shapes: Union[Path, Sequence[Union[Path, LabelledShape]]], *, trees: int = 100, seed: int = 0,
           cache: Optional[Path] = None, threads: int = 0, progress: Progress = None) -> RoleModel:
-    """Learns a role model. A category needs at least five shapes; twenty or more are better.
+    """Learns a role model. A category should have at least five shapes; twenty or more are better.
 
     :param shapes: folders of labelled shapes, as for ``shape_correspondence roles train``, which is then called; or
         `LabelledShape` objects

@@ -48,7 +48,7 @@ label of every part, which is its role:
 
   {"category": "chair", "parts": [{"name": "part_0", "coarse": "leg"}, {"name": "part_1", "coarse": "seat"}]}
 
-All shapes must be upright and face +z. A category needs at least five shapes; twenty or more are better.
+All shapes must be upright and face +z. A category should have at least five shapes; twenty or more are better.
 
 Examples: shape_correspondence roles train my_shapes --output my.roles --cache graphs
           shape_correspondence roles predict chair.obj --roles my.roles
