@@ -233,8 +233,8 @@ Collection_shapes::Collection_shapes(const std::vector<std::string>& paths, cons
     skipped_.push_back("Left out: " + input.failure);
   }
   if (!failures.empty() && !skip_bad)
-    throw Invalid_input(failures + "\nthe collection needs all of its shapes; --skip-bad leaves such out");
-  if (shapes_.size() < 2) throw Invalid_input(failures + "\nless than two shapes are left");
+    throw Invalid_input(failures + "\nthe collection needs all of its shapes; --skip-bad leaves these out");
+  if (shapes_.size() < 2) throw Invalid_input(failures + "\nfewer than two shapes are left");
   make_names_unique(shapes_);
 }
 

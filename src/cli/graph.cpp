@@ -54,8 +54,8 @@ po::options_description graph_options(Common_options& common, Graph_files& files
   add("json,o", po::value(&common.json)->value_name("FILE"),
       "write the graph as JSON, which `match` reads in place of the model; - is standard output");
   add("glb", po::value(&common.glb)->value_name("FILE"),
-      "write a picture as binary glTF: transparent surfaces, curves as tubes, sheets as patches, one colour for each "
-      "group, contacts as dots");
+      "write a picture as binary glTF: transparent surfaces, curves as tubes, sheets as patches, one colour for "
+      "each group, contacts as lines");
   add("html", po::value(&common.html)->value_name("FILE"),
       "write the same as a web page with a table of the parts; it needs no network");
   add("graphml", po::value(&files.graphml)->value_name("FILE"),

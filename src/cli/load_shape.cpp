@@ -63,7 +63,7 @@ void check_has_parts(const Part_split& split, const Common_options& common)
     why = "of " + std::to_string(split.pieces.size()) + " pieces; " +
           (common.parts_from.empty() ? "say --parts components" : "name several parts in " + common.parts_from);
   else if (!split.by_segments && common.parts != "components")
-    why = "of one piece; say --parts segments";
+    why = "of one piece; use --parts segments";
   throw Invalid_input("it has only one part, " + why + ": correspondences are between shapes of two parts or more");
 }
 

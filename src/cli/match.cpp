@@ -41,7 +41,7 @@ SOURCE and TARGET are each one of
 The table lists sets of parts that correspond. The operation is how the source becomes the target: match (one to one),
 split (one to several), merge (several to fewer), duplicate (several to more), cut (a curve into segments) and join (its
 inverse). The confidence is the probability that a pair is right. The deformation energy is E of the paper, Eq. 1; the
-distance is the energy for each pair of connected parts, which is what `collection` compares shapes by.
+distance is the energy per pair of connected parts, by which `collection` compares shapes.
 
 Examples: shape_correspondence match chair.obj swivel_chair.obj --json result.json --html result.html
           shape_correspondence match chair.obj stool.obj --search exact --allow-unmatched --solutions 3

@@ -33,8 +33,8 @@ Carries the colours and textures of the source over to the target, along the cor
 between their surfaces, and writes the target with them. With --labels, labels of parts are carried over instead.
 
 Everything is baked, pixel by pixel, into one texture of the target. It has the texture coordinates of the target if no
-triangles overlap in them; otherwise new ones are laid out. Where a part corresponds to several, one goes over into the
-next without a seam. Target parts without counterpart keep their own looks, or are grey; see the table.
+triangles overlap in them; otherwise new ones are laid out. Where a part corresponds to several, their looks blend into
+each other without a seam. Target parts without counterpart keep their own looks, or are grey; the table lists them.
 
 SOURCE and TARGET are models, as for `match`. Looks are read from OBJ with its MTL files, glTF/GLB, COLLADA, PLY, OFF,
 FBX, 3DS and AC3D; textures must be PNG or JPEG.
@@ -61,7 +61,7 @@ po::options_description output_options(Transfer_request& request, std::string& m
   add("match", po::value(&match)->value_name("R.json"),
       "read the correspondence from a result that `match --json` wrote for these shapes");
   add("json", po::value(&common.json)->value_name("FILE"),
-      "write what every target part got as JSON; - is standard output");
+      "write what was transferred to every target part as JSON; - is standard output");
   return result;
 }
 

@@ -254,6 +254,8 @@ TEST_CASE("The table of match: sets of parts, their operation and confidence, on
   CHECK_THAT(table.out, Contains("group in the source") && Contains("connectedness"));
   CHECK_THAT(table.error, Contains(" s, at most ") && Contains(" MB"));
   CHECK_THAT(run("match " + pair).out, !Contains("group in the source"));
+  const std::string airplanes = quoted(data + "/airplane_twin_engine") + " " + quoted(data + "/airplane_propeller");
+  CHECK_THAT(run("match " + airplanes + cache).out, Contains("role in an airplane"));
 
   const std::string csv = folder.path("distances.csv");
   REQUIRE(run("collection " + pair + " -q --csv " + quoted(csv)).status == 0);
