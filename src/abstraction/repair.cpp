@@ -176,7 +176,7 @@ struct Wrap_watch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visit
 Halfedge_mesh wrap(const Part_mesh& part, const Deadline& deadline)
 {
   const double size = diagonal(part.points);
-  const double alpha = size / 20, offset = size / 300;
+  const double alpha = size / 20, offset = size / 600;
   const Triangle_soup soup = to_soup(part);
   Halfedge_mesh result;
   Wrap_watch watch(deadline);
