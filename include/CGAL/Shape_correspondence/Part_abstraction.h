@@ -67,7 +67,8 @@ struct Abstraction_report
     AXIS,          ///< none: the axis of a body of revolution or of a block
     BOUNDING_BOX,  ///< the bounding box
     COPY,          ///< none: the abstraction of a congruent part, moved
-    GIVEN          ///< unknown: from a file or another abstractor
+    GIVEN,         ///< unknown: from a file or another abstractor
+    PRISM          ///< none: the axis or the middle layer of a prism that the faces show, as a box or a cylinder
   };
   /// How the surface of a part was closed.
   enum class Repair {

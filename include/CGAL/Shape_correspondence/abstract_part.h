@@ -38,9 +38,9 @@ enum class Abstraction_kind {
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Fits sheets and straight curves to the medial axis, and other curves to the skeleton that mean curvature flow leaves
-/// (paper, section 3; Tagliasacchi et al. 2012), extended to the surface; bodies of revolution and blocks get their
-/// axis. Parts that cannot be skeletonized get `Bounding_box_abstraction`; the report has the reason.
+/// Gives prisms, round bodies and blocks their axis or middle layer, and fits other sheets and straight curves to the
+/// medial axis, the rest to the skeleton that mean curvature flow leaves (paper, section 3; Tagliasacchi et al. 2012).
+/// Parts that cannot be skeletonized get `Bounding_box_abstraction`; the report has the reason.
 /// \cgalModels `PartAbstractor`
 struct Fitted_abstraction
 {
