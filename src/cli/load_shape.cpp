@@ -4,9 +4,11 @@
 #include "cli/load_shape.h"
 #include "base/for_each_index.h"
 #include "cli/clock.h"
+#include "cli/collection_shapes.h"
 #include "cli/outputs.h"
 #include "cli/progress_bar.h"
 #include "cli/read_model.h"
+#include "cli/suggestion.h"
 #include "io/input_file.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
@@ -179,7 +181,20 @@ std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, con
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }
+  std::vector<std::string> parts;
+  for (const Loaded_shape& shape : shapes)
+    for (std::string& name : part_names(shape.graph))
+      parts.push_back(std::move(name));
+  check_part_kinds(options, parts);
   return shapes;
+}
+
+void check_part_kinds(const Common_options& options, const std::vector<std::string>& parts)
+{
+  for (const auto& [part, kind] : options.abstraction.part_kinds)
+    if (std::find(parts.begin(), parts.end(), part) == parts.end())
+      throw Usage_error("--part-kind: there is no part '" + part + "'" + suggestion(part, parts) +
+                        "; `shape_correspondence graph` lists the parts");
 }
 
 void complete_surfaces(const std::string& path, Loaded_shape& shape)

@@ -16,6 +16,7 @@
 
 #include <map>
 #include <set>
+#include <sys/stat.h>
 
 // The program from outside: exit status, messages, and what it leaves behind.
 
@@ -294,6 +295,8 @@ TEST_CASE("Inputs that cannot be used end with status 1, a message and nothing l
   CHECK_THAT(refused(folder, folder.write("b.json", "{\"format\": 1}")), Contains("format"));
   fs::create_directories(folder.path("none"));
   CHECK_THAT(refused(folder, folder.path("none")), Contains("no part"));
+  REQUIRE(mkfifo(folder.path("pipe.json").c_str(), 0600) == 0);
+  CHECK_THAT(refused(folder, folder.path("pipe.json")), Contains("pipe.json: it is a pipe"));
   fs::create_symlink("loop", folder.path("loop"));
   const Run endless = run("collection " + quoted(folder.path("loop")));
   CHECK(endless.status == 1);
@@ -437,7 +440,8 @@ TEST_CASE("Files for graph tools")
 TEST_CASE("Kinds and bounding boxes on demand")
 {
   const Temporary_folder folder;
-  const std::string graph = "graph " + quoted(folder.write("table.obj", obj_table())) + " --json - --abstraction boxes";
+  const std::string model = quoted(folder.write("table.obj", obj_table()));
+  const std::string graph = "graph " + model + " --json - --abstraction boxes";
   const auto types = [&](const std::string& options) {
     std::map<std::string, std::string> result;
     const json document = json::parse(run(graph + options).out);
@@ -449,6 +453,11 @@ TEST_CASE("Kinds and bounding boxes on demand")
   CHECK(types(" --kind sheet")["leg_1"] == "sheet");
   CHECK(types(" --kind sheet --part-kind leg_1=curve")["leg_1"] == "curve");
   CHECK(types(" --part-kind leg_1=sheet")["leg_2"] == "curve");
+  for (const std::string& command : {"graph " + model, "label " + model, "match " + model + " " + model}) {
+    const Run unknown = run(command + " --abstraction boxes --part-kind leg_9=curve");
+    CHECK(unknown.status == 2);
+    CHECK_THAT(unknown.error, Contains("no part 'leg_9'; did you mean 'leg_"));
+  }
 }
 
 TEST_CASE("Ways of abstraction by their names")
