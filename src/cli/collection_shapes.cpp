@@ -11,6 +11,7 @@
 #include "io/Json_field.h"
 #include "io/atomic_file.h"
 #include "io/digest.h"
+#include "io/input_file.h"
 #include "io/model_parts.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -197,7 +198,7 @@ std::vector<std::string> collection_paths(const std::vector<std::string>& inputs
   std::vector<std::string> result = inputs;
   if (inputs.size() == 1) {
     const fs::path folder = inputs[0];
-    if (!fs::exists(folder)) throw Invalid_input(inputs[0] + ": there is no such file or folder");
+    IO::check_exists(inputs[0]);
     if (!fs::is_directory(folder))
       throw Invalid_input(inputs[0] + ": it is one file; a collection is a folder of shapes, or several inputs");
     result.clear();

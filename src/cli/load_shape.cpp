@@ -4,9 +4,11 @@
 #include "cli/load_shape.h"
 #include "base/for_each_index.h"
 #include "cli/clock.h"
+#include "cli/collection_shapes.h"
 #include "cli/outputs.h"
 #include "cli/progress_bar.h"
 #include "cli/read_model.h"
+#include "cli/suggestion.h"
 #include "io/input_file.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
@@ -193,12 +195,23 @@ void for_each_input(std::size_t inputs, const Work& work)
   }
 }
 
+/// Throws `Usage_error` if an option names a part that none of the shapes has.
+void check_part_kinds(const Common_options& options, const std::vector<Loaded_shape>& shapes)
+{
+  std::vector<std::string> parts;
+  for (const Loaded_shape& shape : shapes)
+    for (std::string& name : part_names(shape.graph))
+      parts.push_back(std::move(name));
+  check_part_kinds(options, parts);
+}
+
 } // namespace
 
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
 {
   std::vector<Loaded_shape> shapes(paths.size());
   for_each_input(paths.size(), [&](std::size_t i) { shapes[i] = load_shape(paths[i], options.of_input(i)); });
+  check_part_kinds(options, shapes);
   return shapes;
 }
 
@@ -223,7 +236,16 @@ std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Commo
     });
     shapes[i].read_seconds += seconds;
   });
+  check_part_kinds(options, shapes);
   return shapes;
+}
+
+void check_part_kinds(const Common_options& options, const std::vector<std::string>& parts)
+{
+  for (const auto& [part, kind] : options.abstraction.part_kinds)
+    if (std::find(parts.begin(), parts.end(), part) == parts.end())
+      throw Usage_error("--part-kind: there is no part '" + part + "'" + suggestion(part, parts) +
+                        "; `shape_correspondence graph` lists the parts");
 }
 
 void complete_surfaces(const std::string& path, Loaded_shape& shape)

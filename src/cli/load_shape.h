@@ -45,6 +45,9 @@ std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, con
 std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Common_options& options,
                                     std::vector<std::string>& warnings);
 
+/// Throws `Usage_error` if --part-kind names a part that is none of `parts`, those of all inputs.
+void check_part_kinds(const Common_options& options, const std::vector<std::string>& parts);
+
 /// Reads the meshes that a graph names, where it has no model. \throw Invalid_input if it names none
 void complete_surfaces(const std::string& path, Loaded_shape& shape);
 

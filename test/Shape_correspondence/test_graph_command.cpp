@@ -101,7 +101,8 @@ TEST_CASE("Files for graph tools")
 TEST_CASE("Kinds and bounding boxes on demand")
 {
   const Temporary_folder folder;
-  const std::string graph = "graph " + quoted(folder.write("table.obj", obj_table())) + " --json - --abstraction boxes";
+  const std::string model = quoted(folder.write("table.obj", obj_table()));
+  const std::string graph = "graph " + model + " --json - --abstraction boxes";
   const auto types = [&](const std::string& options) {
     std::map<std::string, std::string> result;
     const json document = json::parse(run(graph + options).out);
@@ -113,6 +114,11 @@ TEST_CASE("Kinds and bounding boxes on demand")
   CHECK(types(" --kind sheet")["leg_1"] == "sheet");
   CHECK(types(" --kind sheet --part-kind leg_1=curve")["leg_1"] == "curve");
   CHECK(types(" --part-kind leg_1=sheet")["leg_2"] == "curve");
+  for (const std::string& command : {"graph " + model, "label " + model, "match " + model + " " + model}) {
+    const Run unknown = run(command + " --abstraction boxes --part-kind leg_9=curve");
+    CHECK(unknown.status == 2);
+    CHECK_THAT(unknown.error, Contains("no part 'leg_9'; did you mean 'leg_"));
+  }
 }
 
 TEST_CASE("Ways of abstraction by their names")

@@ -14,6 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <sys/stat.h>
 
 // The program from outside: exit status, messages, and what it leaves behind.
 
@@ -287,6 +288,8 @@ TEST_CASE("Inputs that cannot be used end with status 1, a message and nothing l
   CHECK_THAT(refused(folder, folder.write("b.json", "{\"format\": 1}")), Contains("format"));
   fs::create_directories(folder.path("none"));
   CHECK_THAT(refused(folder, folder.path("none")), Contains("no part"));
+  REQUIRE(mkfifo(folder.path("pipe.json").c_str(), 0600) == 0);
+  CHECK_THAT(refused(folder, folder.path("pipe.json")), Contains("pipe.json: it is a pipe"));
   fs::create_symlink("loop", folder.path("loop"));
   const Run endless = run("collection " + quoted(folder.path("loop")));
   CHECK(endless.status == 1);
