@@ -23,13 +23,14 @@ namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a matrix in NumPy's format `.npy`, version 1.0: doubles, row after row; `numpy.load()` reads the same bits.
-void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix);
+void write_npy(std::ostream& out, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a matrix as CSV (RFC 4180): a first line and a first column of names, numbers in the fewest digits that read
 /// back to the same double.
 /// \pre a name a row and a column
-void write_csv(std::ostream& out, const Eigen::MatrixXd& matrix, const std::vector<std::string>& names);
+void write_csv(std::ostream& out, const Eigen::Ref<const Eigen::MatrixXd>& matrix,
+               const std::vector<std::string>& names);
 
 } // namespace IO
 } // namespace Shape_correspondence
