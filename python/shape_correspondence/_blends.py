@@ -83,7 +83,7 @@ def blend(
     *,
     contact_tolerance: float = 0.02,
     samples: int = 5,
-    min_confidence: float = 0.3,
+    min_confidence: float = 0.5,
     size: str = "blend",
     schedule: str = "",
     rank_all: bool = False,

@@ -64,25 +64,15 @@ Examples: shape_correspondence collection chairs --json chairs.json --npy distan
 
 )";
 
-void print_collection(const IO::Collection& collection)
+void print_collection(const Analysis& analysis)
 {
-  const std::size_t n = collection.shapes.size();
-  const auto distance = [&](std::size_t i, std::size_t j) {
-    const auto a = Eigen::Index(i), b = Eigen::Index(j);
-    return (collection.energies(a, b) + collection.energies(b, a)) / 2;
-  };
+  const IO::Collection& collection = analysis.collection;
   std::vector<std::vector<std::string>> rows{{"shape", "parts", "mean distance", "nearest", "distance"}};
-  for (std::size_t i = 0; i < n; ++i) {
-    std::size_t nearest = i == 0 ? 1 : 0;
-    double sum = 0;
-    for (std::size_t j = 0; j < n; ++j) {
-      const double d = distance(i, j);
-      sum += d;
-      if (j != i && d < distance(i, nearest)) nearest = j;
-    }
+  for (std::size_t i = 0; i < collection.shapes.size(); ++i) {
+    const Shape_distances& distances = analysis.distances[i];
     rows.push_back({collection.shapes[i].name, std::to_string(collection.shapes[i].parts.size()),
-                    short_number(sum / double(n - 1)), collection.shapes[nearest].name,
-                    short_number(distance(i, nearest))});
+                    short_number(distances.mean), collection.shapes[distances.nearest].name,
+                    short_number(distances.nearest_distance)});
   }
   write_table(std::cout, rows);
   std::cout << "\nmedoid: " << IO::quote_terminal(collection.shapes[collection.medoid].name)
@@ -106,10 +96,10 @@ void write_outputs(const Analysis& analysis, const Collection_shapes& shapes, co
         out, collection, [&](std::size_t i) { return shapes.graph(i); }, analysis.maps,
         [&](std::size_t i) { return shapes.model(i, common); });
   });
-  write_output(options.npy, [&](std::ostream& out) { IO::write_npy(out, collection.energies); });
-  write_output(options.csv, [&](std::ostream& out) { IO::write_csv(out, collection.energies, names); });
+  write_output(options.npy, [&](std::ostream& out) { IO::write_npy(out, *analysis.energies); });
+  write_output(options.csv, [&](std::ostream& out) { IO::write_csv(out, *analysis.energies, names); });
   if (!common.prints_table()) return;
-  print_collection(collection);
+  print_collection(analysis);
   if (!common.html.empty() && collection.shapes.size() > IO::largest_pictured)
     std::cout << IO::quote_terminal(common.html) << ": shows " << IO::largest_pictured << " of the "
               << collection.shapes.size() << " shapes; the file of --json has all\n";

@@ -18,11 +18,14 @@ constexpr std::size_t usual_neighbours = 32;         // else
 constexpr std::size_t largest_bridged = 1000;        // shapes; bridges take cubic time
 constexpr std::size_t listed_bridges = 100;
 
+/// Symmetric; it may be larger than memory, and is read by columns.
+using Distances = Eigen::Ref<const Eigen::MatrixXd>;
+
 /// Ordered pairs of shapes.
 using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
 
 /// The pairs of shapes whose maps are clustered, either way.
-Pairs clustered_pairs(const Eigen::MatrixXd& distances, std::size_t neighbours)
+Pairs clustered_pairs(const Distances& distances, std::size_t neighbours)
 {
   const auto n = std::size_t(distances.rows());
   if (neighbours == 0) neighbours = n > largest_clustered_whole ? usual_neighbours : n;
@@ -30,7 +33,7 @@ Pairs clustered_pairs(const Eigen::MatrixXd& distances, std::size_t neighbours)
   for (std::size_t i = 0; i < n; ++i) {
     std::vector<std::pair<double, std::size_t>> others;
     for (std::size_t j = 0; j < n; ++j)
-      if (j != i) others.emplace_back(distances(Eigen::Index(i), Eigen::Index(j)), j);
+      if (j != i) others.emplace_back(distances(Eigen::Index(j), Eigen::Index(i)), j);
     const std::size_t k = std::min(neighbours, others.size());
     std::partial_sort(others.begin(), others.begin() + std::ptrdiff_t(k), others.end());
     for (std::size_t m = 0; m < k; ++m) {
@@ -74,28 +77,54 @@ Part_map composed_map(const Shape_chain& chain, const std::map<std::pair<std::si
   return map;
 }
 
-/// Fills in the medoid, the spanning tree and the bridges, which energies alone tell, and returns the pairs of shapes
-/// whose maps are to be clustered.
-Pairs analyse_energies(std::size_t neighbours, IO::Collection& result)
+/// By shape.
+std::vector<Shape_distances> shape_distances(const Distances& distances)
 {
-  const Eigen::MatrixXd distances = symmetric_distances(result.energies);
+  std::vector<Shape_distances> result;
+  for (Eigen::Index i = 0; i < distances.rows(); ++i) {
+    Eigen::Index nearest = i == 0 ? 1 : 0;
+    double sum = 0;
+    for (Eigen::Index j = 0; j < distances.rows(); ++j) {
+      sum += distances(j, i);
+      if (j != i && distances(j, i) < distances(nearest, i)) nearest = j;
+    }
+    result.push_back({sum / double(distances.rows() - 1), std::size_t(nearest), distances(nearest, i)});
+  }
+  return result;
+}
+
+/// Fills in the energies and what they alone tell, and returns the pairs of shapes whose maps are to be clustered.
+Pairs analyse_energies(const Collection_options& options, Collection_work& work, Analysis& analysis)
+{
+  IO::Collection& result = analysis.collection;
+  Eigen::Map<Eigen::MatrixXd> energies = *analysis.energies;
+  IO::Mapped_matrix mapped_distances(options.store, result.shapes.size());
+  Eigen::Map<Eigen::MatrixXd> distances = *mapped_distances;
+  work.for_each_pair([&](std::size_t source, std::size_t target, const Rated_map& rated) {
+    const auto i = Eigen::Index(source), j = Eigen::Index(target);
+    energies(i, j) = rated.energy;
+    distances(i, j) += rated.energy / 2;
+    distances(j, i) += rated.energy / 2;
+  });
+  result.energy = [energies](std::size_t i, std::size_t j) { return energies(Eigen::Index(i), Eigen::Index(j)); };
+  analysis.distances = shape_distances(distances);
   result.medoid = topological_medoid(distances);
   result.tree = minimum_spanning_tree(distances);
   if (result.shapes.size() <= largest_bridged)
-    result.bridges = bridges_of(result.energies, result.tree);
+    result.bridges = bridges_of(energies, result.tree);
   else
     result.warnings.push_back("Bridges are looked for in collections of up to " + std::to_string(largest_bridged) +
                               " shapes only.");
   result.bridge_count = result.bridges.size();
   if (result.bridges.size() > listed_bridges) result.bridges.resize(listed_bridges);
-  return clustered_pairs(distances, neighbours);
+  return clustered_pairs(distances, options.neighbours);
 }
 
 } // namespace
 
 Analysis analysed(const Collection_shapes& shapes, const Collection_options& options, Collection_work& work)
 {
-  Analysis analysis;
+  Analysis analysis{{options.store, shapes.size()}, {}, {}, {}};
   IO::Collection& result = analysis.collection;
   result.warnings = shapes.skipped();
   std::vector<std::size_t> part_counts;
@@ -105,12 +134,7 @@ Analysis analysed(const Collection_shapes& shapes, const Collection_options& opt
     for (const std::string& warning : shape.warnings)
       result.warnings.push_back(shape.path + ": " + warning);
   }
-  const auto n = Eigen::Index(shapes.size());
-  result.energies = Eigen::MatrixXd::Zero(n, n);
-  work.for_each_pair([&](std::size_t i, std::size_t j, const Rated_map& rated) {
-    result.energies(Eigen::Index(i), Eigen::Index(j)) = rated.energy;
-  });
-  const Pairs clustered = analyse_energies(options.neighbours, result);
+  const Pairs clustered = analyse_energies(options, work, analysis);
   Pairs wanted = clustered;
   for (const IO::Collection::Bridge& bridge : result.bridges)
     add_chain(bridge.correspondence.chain, wanted);

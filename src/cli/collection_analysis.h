@@ -6,6 +6,7 @@
 #include "cli/collection_options.h"
 #include "cli/collection_shapes.h"
 #include "cli/collection_work.h"
+#include "io/Mapped_matrix.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 #include <CGAL/Shape_correspondence/co_analysis.h>
@@ -14,16 +15,26 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// What is found out, and the maps that it is made of.
+/// A shape's distances from the others.
+struct Shape_distances
+{
+  double mean = 0;
+  std::size_t nearest = 0;
+  double nearest_distance = 0;
+};
+
+/// What is found out, and what it is made of.
 struct Analysis
 {
-  IO::Collection collection;
+  IO::Mapped_matrix energies;
+  std::vector<Shape_distances> distances; ///< by shape
+  IO::Collection collection;              ///< refers to the energies
   std::vector<Shape_pair_map> maps;
 };
 
-/// Reads all pairs twice, first the energies and then those maps that are clustered or on bridges. Memory for n shapes:
-/// 16 n² bytes for energies and distances; then 8 n² and, for each of 64 n maps at most, some hundred bytes and those
-/// of `co_analysis()`.
+/// Reads all pairs twice, first the energies and then those maps that are clustered or on bridges. For n shapes, 16 n²
+/// bytes for energies and distances are in a file of the store, if there is one, else in memory; then memory is needed,
+/// for each of 64 n maps at most, of some hundred bytes, and that of `co_analysis()`.
 Analysis analysed(const Collection_shapes& shapes, const Collection_options& options, Collection_work& work);
 
 } // namespace CGAL::Shape_correspondence::cli

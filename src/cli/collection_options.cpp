@@ -76,9 +76,8 @@ po::options_description collection_options(Common_options& common, Collection_op
       "are "
       "right more often");
   add("store", po::value(&options.store)->value_name("FOLDER"),
-      "keep graphs and finished pairs in this folder and reuse them; recommended for large sets, which then need "
-      "memory "
-      "for the distances only");
+      "keep graphs and finished pairs in this folder and reuse them; recommended for large sets, of which graphs, "
+      "pairs and distances then need not fit into memory");
   add("nearest", po::value(&options.nearest)->value_name("QUERY"),
       "find the shapes of the set that are nearest to this one instead, without matching all pairs");
   add("count,k", number(options.nearest_count)->value_name("K"), "how many shapes --nearest finds");

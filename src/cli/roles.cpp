@@ -385,6 +385,9 @@ IO::Json pairs_json(const Training_set& set, const Role_validation& validation)
     entry["category_found"] = pair.category;
     entry["geometry"] = pair.geometric.f1();
     entry["with_roles"] = pair.joined.f1();
+    entry["confidences"] = IO::Json::array();
+    for (const Judged_pair& judged : pair.judged)
+      entry["confidences"].push_back({judged.confidence, judged.is_right, judged.has_one_role});
     result.push_back(std::move(entry));
   }
   return result;

@@ -53,15 +53,33 @@ std::size_t Tiles::number_of_pairs(std::size_t tile) const
   return t.is_diagonal() ? rows * (rows - 1) : 2 * rows * columns;
 }
 
-std::vector<Rated_map> Tiles::computed(std::size_t tile, const Energy_matrix_options& options) const
+Tiles::Shared_block Tiles::block(const Range& shapes) const
+{
+  for (const Shared_block& kept : kept_)
+    if (kept->begin == shapes.begin) return kept;
+  auto result = std::make_shared<Block>();
+  result->begin = shapes.begin;
+  for (std::size_t i = shapes.begin; i < shapes.end; ++i)
+    result->graphs.push_back(shapes_.graph(i));
+  for (const Structural_graph& graph : result->graphs)
+    result->prepared.emplace_back(graph);
+  return result;
+}
+
+std::vector<Rated_map> Tiles::computed(std::size_t tile, const Energy_matrix_options& options)
 {
   const Tile& t = tiles_[tile];
-  std::vector<Structural_graph> graphs;
-  for (std::size_t i = t.rows.begin; i < t.rows.end; ++i)
-    graphs.push_back(shapes_.graph(i));
-  if (!t.is_diagonal())
-    for (std::size_t j = t.columns.begin; j < t.columns.end; ++j)
-      graphs.push_back(shapes_.graph(j));
+  std::vector<Shared_block> blocks{block(t.rows)};
+  kept_.erase(std::remove_if(kept_.begin(), kept_.end(),
+                             [&](const Shared_block& kept) { return kept->begin != t.columns.begin; }),
+              kept_.end()); // no more than two are in memory
+  if (!t.is_diagonal()) blocks.push_back(block(t.columns));
+  kept_ = blocks;
+
+  std::vector<Prepared_shape> shapes;
+  for (const Shared_block& block : blocks)
+    for (const Prepared_shape& shape : block->prepared)
+      shapes.push_back(shape);
   const auto local = [&](std::size_t shape) {
     const bool is_row = shape >= t.rows.begin && shape < t.rows.end;
     return is_row ? shape - t.rows.begin : shape - t.columns.begin + (t.rows.end - t.rows.begin);
@@ -69,7 +87,7 @@ std::vector<Rated_map> Tiles::computed(std::size_t tile, const Energy_matrix_opt
   std::vector<std::pair<std::size_t, std::size_t>> local_pairs;
   for (const auto& [i, j] : pairs(tile))
     local_pairs.emplace_back(local(i), local(j));
-  return match_pairs<CGAL::Parallel_if_available_tag>(graphs, local_pairs, options);
+  return match_pairs<CGAL::Parallel_if_available_tag>(shapes, local_pairs, options);
 }
 
 } // namespace CGAL::Shape_correspondence::cli

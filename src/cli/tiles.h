@@ -8,6 +8,7 @@
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,8 +28,9 @@ public:
   std::vector<std::pair<std::size_t, std::size_t>> pairs(std::size_t tile) const;
   std::size_t number_of_pairs(std::size_t tile) const;
 
-  /// Matches the pairs of a tile, in their order.
-  std::vector<Rated_map> computed(std::size_t tile, const Energy_matrix_options& options) const;
+  /// Matches the pairs of a tile, in their order. The shapes of the last tile are kept, of which the next one mostly
+  /// has a block.
+  std::vector<Rated_map> computed(std::size_t tile, const Energy_matrix_options& options);
 
 private:
   struct Range
@@ -42,9 +44,20 @@ private:
 
     bool is_diagonal() const { return rows.begin == columns.begin; }
   };
+  /// Shapes that are read and prepared; these refer to the graphs.
+  struct Block
+  {
+    std::size_t begin;
+    std::vector<Structural_graph> graphs;
+    std::vector<Prepared_shape> prepared;
+  };
+  using Shared_block = std::shared_ptr<const Block>;
+
+  Shared_block block(const Range& shapes) const;
 
   const Collection_shapes& shapes_;
   std::vector<Tile> tiles_;
+  std::vector<Shared_block> kept_; // of the last tile
 };
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -11,7 +11,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <deque>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -84,13 +83,18 @@ std::vector<Rated_map> match_pairs(const std::vector<Structural_graph>& shapes,
                                    const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
                                    const Energy_matrix_options& options)
 {
+  return match_pairs<ConcurrencyTag>(std::vector<Prepared_shape>(shapes.begin(), shapes.end()), pairs, options);
+}
+
+template <typename ConcurrencyTag>
+std::vector<Rated_map> match_pairs(const std::vector<Prepared_shape>& shapes,
+                                   const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
+                                   const Energy_matrix_options& options)
+{
   check(options);
-  std::deque<Prepared_shape> prepared; // their addresses stay
-  for (const Structural_graph& shape : shapes)
-    prepared.emplace_back(shape);
   std::vector<std::unique_ptr<const Correspondence_finder>> finders(shapes.size());
   for_each_index<ConcurrencyTag>(shapes.size(), [&](std::size_t i) {
-    finders[i] = std::make_unique<Correspondence_finder>(prepared[i], options.search);
+    finders[i] = std::make_unique<Correspondence_finder>(shapes[i], options.search);
   });
 
   std::vector<Rated_map> result(pairs.size());
@@ -103,8 +107,8 @@ std::vector<Rated_map> match_pairs(const std::vector<Structural_graph>& shapes,
   for_each_index<ConcurrencyTag>(work.size(), [&](std::size_t k) {
     if (progress.is_ended()) return;
     const Both_orders& pair = work[k];
-    if (pair.reversed == Both_orders::none) return keep(pair.place, (*finders[pair.first])(prepared[pair.second]));
-    const std::array<Correspondence, 2> found = finders[pair.first]->both_orders(prepared[pair.second]);
+    if (pair.reversed == Both_orders::none) return keep(pair.place, (*finders[pair.first])(shapes[pair.second]));
+    const std::array<Correspondence, 2> found = finders[pair.first]->both_orders(shapes[pair.second]);
     keep(pair.place, found[0]);
     keep(pair.reversed, found[1]);
   });
@@ -142,6 +146,13 @@ match_pairs<CGAL::Sequential_tag>(const std::vector<Structural_graph>&,
                                   const std::vector<std::pair<std::size_t, std::size_t>>&,
                                   const Energy_matrix_options&);
 template std::vector<Rated_map> match_pairs<CGAL::Parallel_tag>(const std::vector<Structural_graph>&,
+                                                                const std::vector<std::pair<std::size_t, std::size_t>>&,
+                                                                const Energy_matrix_options&);
+template std::vector<Rated_map>
+match_pairs<CGAL::Sequential_tag>(const std::vector<Prepared_shape>&,
+                                  const std::vector<std::pair<std::size_t, std::size_t>>&,
+                                  const Energy_matrix_options&);
+template std::vector<Rated_map> match_pairs<CGAL::Parallel_tag>(const std::vector<Prepared_shape>&,
                                                                 const std::vector<std::pair<std::size_t, std::size_t>>&,
                                                                 const Energy_matrix_options&);
 

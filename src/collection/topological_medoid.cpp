@@ -16,7 +16,7 @@
 
 namespace CGAL::Shape_correspondence {
 
-std::size_t topological_medoid(const Eigen::MatrixXd& distances)
+std::size_t topological_medoid(const Eigen::Ref<const Eigen::MatrixXd>& distances)
 {
   CGAL_precondition(distances.rows() > 0 && distances.rows() == distances.cols());
   std::size_t best = 0;
@@ -24,7 +24,7 @@ std::size_t topological_medoid(const Eigen::MatrixXd& distances)
   for (Eigen::Index i = 0; i < distances.rows(); ++i) {
     double sum = 0; // one after the other: Eigen's order depends on the processor
     for (Eigen::Index j = 0; j < distances.cols(); ++j)
-      sum += distances(i, j);
+      sum += distances(j, i); // it is symmetric, and columns are contiguous
     if (sum < least) least = sum, best = std::size_t(i);
   }
   return best;

@@ -27,7 +27,7 @@ Shape_chain chain_of(const Eigen::MatrixXd& energies, std::vector<std::size_t> s
 
 } // namespace
 
-std::vector<Shape_pair> minimum_spanning_tree(const Eigen::MatrixXd& distances)
+std::vector<Shape_pair> minimum_spanning_tree(const Eigen::Ref<const Eigen::MatrixXd>& distances)
 {
   const auto n = std::size_t(distances.rows());
   std::vector<Shape_pair> tree;
@@ -40,7 +40,7 @@ std::vector<Shape_pair> minimum_spanning_tree(const Eigen::MatrixXd& distances)
     std::size_t next = n;
     for (std::size_t i = 0; i < n; ++i) {
       if (is_in_tree[i]) continue;
-      const double d = energy_of(distances, last, i);
+      const double d = distances(Eigen::Index(i), Eigen::Index(last));
       if (d < distance[i]) distance[i] = d, nearest[i] = last;
       if (next == n || distance[i] < distance[next]) next = i;
     }

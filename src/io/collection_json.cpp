@@ -16,21 +16,20 @@ Json shapes_json(const Collection& collection)
   return result;
 }
 
-Json energies_json(const Eigen::MatrixXd& energies)
+Json energies_json(const Collection& collection)
 {
   Json result = Json::array();
-  for (Eigen::Index i = 0; i < energies.rows(); ++i) {
+  for (std::size_t i = 0; i < collection.shapes.size(); ++i) {
     result.push_back(Json::array());
-    for (Eigen::Index j = 0; j < energies.cols(); ++j)
-      result.back().push_back(energies(i, j));
+    for (std::size_t j = 0; j < collection.shapes.size(); ++j)
+      result.back().push_back(collection.energy(i, j));
   }
   return result;
 }
 
 double distance(const Collection& collection, std::size_t i, std::size_t j)
 {
-  const auto a = Eigen::Index(i), b = Eigen::Index(j);
-  return (collection.energies(a, b) + collection.energies(b, a)) / 2;
+  return (collection.energy(i, j) + collection.energy(j, i)) / 2;
 }
 
 Json medoid_json(const Collection& collection)
@@ -132,7 +131,7 @@ void write_collection_json(std::ostream& out, const Collection& collection)
                            {"part_pairs", collection.co_analysis.part_pairs},
                            {"rejected_part_pairs", collection.co_analysis.rejected_pairs}};
   result["clusters"] = clusters_json(collection);
-  if (collection.shapes.size() <= largest_written_matrix) result["energies"] = energies_json(collection.energies);
+  if (collection.shapes.size() <= largest_written_matrix) result["energies"] = energies_json(collection);
   if (!collection.matches.empty()) result["matches"] = matches_json(collection);
   result["warnings"] = collection.warnings;
   result.write(out);

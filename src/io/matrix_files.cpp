@@ -5,6 +5,7 @@
 
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>
 
+#include <algorithm>
 #include <charconv>
 #include <ostream>
 
@@ -21,9 +22,23 @@ std::string shortest(double number)
   return {text, std::to_chars(text, text + sizeof text, number).ptr};
 }
 
+constexpr Eigen::Index rows_at_a_time = 512; // of each column as many as are in a page of a file
+
+/// Calls `take` with every row. Columns are contiguous, so that rows are read many at a time.
+template <typename Take>
+void for_each_row(const Eigen::Ref<const Eigen::MatrixXd>& matrix, const Take& take)
+{
+  for (Eigen::Index first = 0; first < matrix.rows(); first += rows_at_a_time) {
+    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows =
+        matrix.middleRows(first, std::min(rows_at_a_time, matrix.rows() - first));
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+      take(first + i, rows.row(i));
+  }
+}
+
 } // namespace
 
-void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix)
+void write_npy(std::ostream& out, const Eigen::Ref<const Eigen::MatrixXd>& matrix)
 {
   const std::string magic("\x93NUMPY\x01\x00", 8);
   std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(matrix.rows()) + ", " +
@@ -32,23 +47,23 @@ void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix)
   header.append((npy_alignment - size % npy_alignment) % npy_alignment, ' ');
   header += '\n';
   out << magic << char(header.size() & 255) << char(header.size() >> 8) << header;
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    const Eigen::RowVectorXd row = matrix.row(i);
+  for_each_row(matrix, [&](Eigen::Index, const auto& row) {
     out.write(reinterpret_cast<const char*>(row.data()), std::streamsize(sizeof(double)) * row.size());
-  }
+  });
 }
 
-void write_csv(std::ostream& out, const Eigen::MatrixXd& matrix, const std::vector<std::string>& names)
+void write_csv(std::ostream& out, const Eigen::Ref<const Eigen::MatrixXd>& matrix,
+               const std::vector<std::string>& names)
 {
   for (const std::string& name : names)
     out << ',' << quote_csv(name);
   out << "\r\n";
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+  for_each_row(matrix, [&](Eigen::Index i, const auto& row) {
     out << quote_csv(names[std::size_t(i)]);
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
-      out << ',' << shortest(matrix(i, j));
+    for (double number : row)
+      out << ',' << shortest(number);
     out << "\r\n";
-  }
+  });
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -103,10 +103,12 @@ Judged_terms judged_terms(Pair_terms terms, const Ground_truth& truth, std::size
 
 std::vector<Judged_pair> judged(const std::vector<Part_correspondence>& pairs, const Ground_truth& truth)
 {
+  const auto has = [](const Part_pairs& known, const Part_correspondence& pair) {
+    return std::binary_search(known.begin(), known.end(), std::make_pair(pair.source, pair.target));
+  };
   std::vector<Judged_pair> result;
   for (const Part_correspondence& pair : pairs)
-    result.push_back({pair.confidence, std::binary_search(truth.pairs.begin(), truth.pairs.end(),
-                                                          std::make_pair(pair.source, pair.target))});
+    result.push_back({pair.confidence, has(truth.pairs, pair), has(truth.coarse_pairs, pair)});
   return result;
 }
 

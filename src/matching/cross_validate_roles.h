@@ -48,11 +48,11 @@ struct Validation_options
   double role_weight = 0;
 };
 
-// A pair of parts that was matched: how probable that was, and whether it is right.
+// A pair of parts that was matched: how probable that was, whether it is right, and whether the coarse labels are equal.
 struct Judged_pair
 {
   double confidence;
-  bool is_right;
+  bool is_right, has_one_role;
 };
 
 // How many shapes have their front among those that roles leave possible, and as the only one.

@@ -74,9 +74,9 @@ Json maps_json(const Collection& collection, const std::vector<Shape_pair_map>& 
     Json pairs = Json::array();
     for (const Part_correspondence& pair : map.map.pairs)
       pairs.push_back({pair.source, pair.target, std::lround(100 * pair.confidence)});
-    const auto i = Eigen::Index(map.source), j = Eigen::Index(map.target);
+    const std::size_t i = map.source, j = map.target;
     result[std::to_string(map.source) + ',' + std::to_string(map.target)] = {
-        {"energies", {rounded(collection.energies(i, j)), rounded(collection.energies(j, i))}},
+        {"energies", {rounded(collection.energy(i, j)), rounded(collection.energy(j, i))}},
         {"pairs", std::move(pairs)}};
   }
   return result;
@@ -115,16 +115,19 @@ Collection part_of(const Collection& whole, const std::vector<std::size_t>& shap
 {
   Collection result;
   const auto n = Eigen::Index(shapes.size());
-  result.energies.resize(n, n);
+  Eigen::MatrixXd energies(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::size_t shape = shapes[std::size_t(i)];
     result.shapes.push_back(whole.shapes[shape]);
     result.co_analysis.labels.push_back(whole.co_analysis.labels[shape]);
     if (shape == whole.medoid) result.medoid = std::size_t(i);
     for (Eigen::Index j = 0; j < n; ++j)
-      result.energies(i, j) = whole.energies(Eigen::Index(shape), Eigen::Index(shapes[std::size_t(j)]));
+      energies(i, j) = whole.energy(shape, shapes[std::size_t(j)]);
   }
-  result.tree = minimum_spanning_tree(symmetric_distances(result.energies));
+  result.tree = minimum_spanning_tree(symmetric_distances(energies));
+  result.energy = [energies = std::move(energies)](std::size_t i, std::size_t j) {
+    return energies(Eigen::Index(i), Eigen::Index(j));
+  };
   result.co_analysis.number_of_labels = whole.co_analysis.number_of_labels;
   result.warnings = whole.warnings;
   return result;

@@ -476,6 +476,12 @@ TEST_CASE("Pairs of shapes that the training did not see")
     // Labels of what the training has seen the like of are right
     if (!pair.category.empty()) CHECK(pair.joined.f1() == 1);
     CHECK(pair.judged.size() == pair.joined.matched);
+    const auto count = [&](bool Judged_pair::*what) {
+      return std::size_t(std::count_if(pair.judged.begin(), pair.judged.end(),
+                                       [&](const Judged_pair& judged) { return judged.*what; }));
+    };
+    CHECK(count(&Judged_pair::is_right) == pair.joined.right);
+    CHECK(count(&Judged_pair::has_one_role) == pair.joined.right_coarse);
   }
   // Nothing speaks against the labels, so they count for no less than usual
   for (const Category_roles& category : validation.model().data().categories)

@@ -134,16 +134,19 @@ TEST_CASE("blend takes a correspondence that was found before")
   const json of_seats = tasks("c", "--match " + quoted(other));
   CHECK(std::count_if(of_seats.begin(), of_seats.end(), [](const json& task) { return task["task"] == "morph"; }) == 1);
 
-  // Below the default of --min-confidence, too
-  seats["confidences"] = {.2};
+  // Below the default of --min-confidence, which is that they are more probably right than wrong, too
+  seats["confidences"] = {.49};
   folder.write("other.json", seats.dump());
   const auto morphs = [&](const std::string& out, const std::string& least) {
     const json all = tasks(out, "--match " + quoted(other) + least);
     return std::count_if(all.begin(), all.end(), [](const json& task) { return task["task"] == "morph"; });
   };
   CHECK(morphs("e", "") == 0);
-  CHECK(morphs("f", " --min-confidence .25") == 0);
-  CHECK(morphs("g", " --min-confidence .1") == 1);
+  CHECK(morphs("f", " --min-confidence .5") == 0);
+  CHECK(morphs("g", " --min-confidence .4") == 1);
+  seats["confidences"] = {.51};
+  folder.write("other.json", seats.dump());
+  CHECK(morphs("h", "") == 1);
   seats.erase("confidences");
 
   const std::string blend = "blend " + models + " -o " + quoted(folder.path("d"));

@@ -18,8 +18,8 @@ TEST_CASE("All that is found out about a collection is in its JSON, by names")
 {
   IO::Collection collection;
   collection.shapes = {{"a", "a.obj", {"seat", "leg"}}, {"b", "b.obj", {"top"}}, {"c", "c.json", {"x", "y"}}};
-  collection.energies.resize(3, 3);
-  collection.energies << 0, 1, 9, 3, 0, 1, 7, 1, 0;
+  const Eigen::Matrix3d energies = (Eigen::Matrix3d() << 0, 1, 9, 3, 0, 1, 7, 1, 0).finished();
+  collection.energy = [energies](std::size_t i, std::size_t j) { return energies(Eigen::Index(i), Eigen::Index(j)); };
   collection.medoid = 1;
   collection.tree = {{0, 1}, {1, 2}};
   collection.bridges = {{0, 2, {{{0, 1, 2}, 2}, 9, {{{1, 0, .5}}}}}};

@@ -3,14 +3,22 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/Mapped_matrix.h"
+#include "model_files.h"
+
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <catch2/catch.hpp>
 
 #include <cstring>
+#include <filesystem>
+#include <limits>
 #include <sstream>
 
 using namespace CGAL::Shape_correspondence::IO;
+using Catch::Matchers::Contains;
+using CGAL::Shape_correspondence::Invalid_input;
 
 TEST_CASE("NumPy reads the file: magic, version, header of the length it states, rows of doubles")
 {
@@ -30,6 +38,41 @@ TEST_CASE("NumPy reads the file: magic, version, header of the length it states,
   std::memcpy(numbers, bytes.data() + 10 + length, sizeof numbers);
   for (int i = 0; i < 6; ++i)
     CHECK(numbers[i] == matrix(i / 3, i % 3));
+}
+
+TEST_CASE("Rows of large matrices are in their order")
+{
+  const Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(1100, 7);
+  std::ostringstream out;
+  write_npy(out, matrix);
+  const std::string bytes = out.str();
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(1100, 7);
+  const std::size_t size = std::size_t(rows.size()) * sizeof(double);
+  REQUIRE(bytes.size() > size);
+  std::memcpy(rows.data(), bytes.data() + bytes.size() - size, size);
+  CHECK(rows == matrix);
+}
+
+TEST_CASE("A mapped matrix is 0 at first, keeps what is written, and leaves nothing in its folder")
+{
+  const model_files::Temporary_folder scratch;
+  const bool in_memory = GENERATE(true, false);
+  Mapped_matrix matrix(in_memory ? "" : scratch.path(""), 300);
+  CHECK((*matrix).isZero(0));
+  (*matrix)(7, 299) = 2.5;
+  const Mapped_matrix moved = std::move(matrix);
+  CHECK((*moved)(7, 299) == 2.5);
+  CHECK((*moved).sum() == 2.5);
+  CHECK(std::filesystem::is_empty(scratch.path("")));
+}
+
+TEST_CASE("A matrix for which there is no room, or no folder, is refused")
+{
+  const model_files::Temporary_folder scratch;
+  constexpr std::size_t huge = 20'000'000; // 3 petabytes
+  CHECK_THROWS_WITH(Mapped_matrix(scratch.path("missing"), 10), Contains("missing: there is no room"));
+  CHECK_THROWS_WITH(Mapped_matrix(scratch.path(""), huge), Contains("choose another folder"));
+  CHECK_THROWS_WITH(Mapped_matrix("", huge), Contains("memory: there is no room") && Contains("--store"));
 }
 
 TEST_CASE("CSV quotes names and keeps every bit of a number")

@@ -39,8 +39,7 @@ TEST_CASE("The page holds all shapes, their clusters, the tree and the maps, and
   IO::Collection collection;
   collection.shapes = {{"a </script>", "a.obj", {"1", "2", "3", "4", "5", "6"}},
                        {"b", "b.obj", {"1", "2", "3", "4", "5"}}};
-  collection.energies.resize(2, 2);
-  collection.energies << 0, .25, .5, 0;
+  collection.energy = [](std::size_t i, std::size_t j) { return i == j ? 0 : i < j ? .25 : .5; };
   collection.medoid = 1;
   collection.tree = {{0, 1}};
   collection.co_analysis = {{{0, Co_analysis::none, 1, 1, 1, 1}, {0, 1, 1, 1, 1}}, 2, 5, 0};
@@ -79,7 +78,7 @@ TEST_CASE("The page shows surfaces where there are models, of few triangles each
   const std::vector<std::string> names(6, "part");
   IO::Collection collection;
   collection.shapes = {{"a", "a.obj", names}, {"b", "b.obj", names}};
-  collection.energies = Eigen::MatrixXd::Zero(2, 2);
+  collection.energy = [](std::size_t, std::size_t) { return 0; };
   collection.tree = {{0, 1}};
   collection.co_analysis = {{{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}}, 1, 6, 0};
   const auto model = [&](std::size_t i) {
@@ -112,15 +111,12 @@ TEST_CASE("Of very many shapes the page shows some from every branch of the tree
   const Structural_graph chair = hand_made::chair();
   const std::size_t n = 2 * IO::largest_pictured + 5, half = n / 2;
   IO::Collection collection;
-  const auto distance = [&](std::size_t i, std::size_t j) { // two far chains
+  collection.energy = [&](std::size_t i, std::size_t j) { // two far chains
     return std::abs(double(i) - double(j)) / double(n) + ((i < half) != (j < half) ? 10 : 0);
   };
-  collection.energies.resize(Eigen::Index(n), Eigen::Index(n));
   for (std::size_t i = 0; i < n; ++i) {
     collection.shapes.push_back({"shape " + std::to_string(i), "", {"1", "2", "3", "4", "5", "6"}});
     collection.co_analysis.labels.push_back({0, 0, 0, 0, 0, 0});
-    for (std::size_t j = 0; j < n; ++j)
-      collection.energies(Eigen::Index(i), Eigen::Index(j)) = distance(i, j);
     if (i > 0) collection.tree.emplace_back(i - 1, i);
   }
   collection.co_analysis.number_of_labels = 1;

@@ -66,6 +66,13 @@ std::vector<Rated_map> match_pairs(const std::vector<Structural_graph>& shapes,
                                    const Energy_matrix_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceSets
+/// The same of shapes that were matched before, of which nothing is computed again.
+template <typename ConcurrencyTag = CGAL::Sequential_tag>
+std::vector<Rated_map> match_pairs(const std::vector<Prepared_shape>& shapes,
+                                   const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
+                                   const Energy_matrix_options& options = {});
+
+/// \ingroup PkgShapeCorrespondenceSets
 /// The energies and part maps of all ordered pairs of a set of shapes.
 struct Energy_matrix
 {

@@ -24,7 +24,7 @@ namespace Shape_correspondence {
 /// Of equal sums the first shape is taken. O(n²).
 /// \param distances symmetric, as `symmetric_distances()` makes them
 /// \pre there is a shape
-std::size_t topological_medoid(const Eigen::MatrixXd& distances);
+std::size_t topological_medoid(const Eigen::Ref<const Eigen::MatrixXd>& distances);
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `sampled_medoid()`.

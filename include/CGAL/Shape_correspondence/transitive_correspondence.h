@@ -31,7 +31,7 @@ using Shape_pair = std::pair<std::size_t, std::size_t>;
 /// A minimum spanning tree of a set of shapes: n - 1 pairs with the least sum of distances, in the order in which they
 /// join the tree of the first shape (Prim 1957; O(n²) time and O(n) memory, as all pairs are edges).
 /// \param distances symmetric, as `symmetric_distances()` makes them
-std::vector<Shape_pair> minimum_spanning_tree(const Eigen::MatrixXd& distances);
+std::vector<Shape_pair> minimum_spanning_tree(const Eigen::Ref<const Eigen::MatrixXd>& distances);
 
 /// \ingroup PkgShapeCorrespondenceSets
 /// The shapes on the path from one to another in a tree, both ends included. O(n)

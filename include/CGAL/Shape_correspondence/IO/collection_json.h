@@ -15,8 +15,8 @@
 #include <CGAL/Shape_correspondence/nearest_shapes.h>
 #include <CGAL/Shape_correspondence/transitive_correspondence.h>
 
-#include <Eigen/Core>
-
+#include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -49,7 +49,8 @@ struct Collection
   };
 
   std::vector<Shape> shapes;               ///< the shapes, in the order of all indices
-  Eigen::MatrixXd energies;                ///< source × target
+  /// The energies of ordered pairs of shapes: a function, as a matrix of them may be larger than memory.
+  std::function<double(std::size_t source, std::size_t target)> energy;
   std::size_t medoid = 0;                  ///< index of the `topological_medoid()`
   std::vector<Shape_pair> tree;            ///< a minimum spanning tree by `symmetric_distances()`
   std::vector<Bridge> bridges;             ///< pairs of shapes for which a chain costs less, the largest gain first

@@ -23,13 +23,14 @@ namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a matrix in NumPy's format `.npy`, version 1.0: doubles, row by row; `numpy.load()` reads identical values.
-void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix);
+void write_npy(std::ostream& out, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a matrix as CSV (RFC 4180): the first line and the first column are names; numbers have the fewest digits
 /// from which the same double is read.
 /// \pre the matrix is square, with one name for each row
-void write_csv(std::ostream& out, const Eigen::MatrixXd& matrix, const std::vector<std::string>& names);
+void write_csv(std::ostream& out, const Eigen::Ref<const Eigen::MatrixXd>& matrix,
+               const std::vector<std::string>& names);
 
 } // namespace IO
 } // namespace Shape_correspondence
