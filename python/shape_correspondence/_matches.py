@@ -182,9 +182,11 @@ def match(
     :param search_method: ``"parts"`` (least cost of corresponding parts), ``"beam"`` (least deformation energy by the
         paper's beam search) or ``"exact"`` (least deformation energy, with a proof)
     :param part_matching: of ``"parts"``, what differs from the defaults: weights of the terms in the cost of a pair of
-        parts (``overlap``, ``extent``, ``ground``, ``side``, ``front``, ``orientation``, ``chamfer``, ``contacts``,
-        ``chain``), bounds of costs (``excess``, ``confident_excess``, ``shared_counterpart``), and whether sets of parts
-        are matched as such (``panels``, ``support``, ``chains``); `Part_matching_options` of the library
+        parts (``overlap``, ``extent``, ``ground``, ``place``, ``orientation``, ``chamfer``), other costs (``whole``,
+        ``excess``, ``confident_excess``, ``shared_counterpart``), lengths in the unit box (``tolerance``, ``warp_width``,
+        ``side_depth``, ``wall_width``), shares (``anchor``, ``main_surface``, ``clearly_better``,
+        ``category_ratio``, ``category_distance``), the size of a regular arrangement (``repetition``), and whether sets of
+        parts are matched as such (``panels``, ``support``); `Part_matching_options` of the library
     :param roles: what parts are for, joined with their costs by ``"parts"`` where shapes are upright and look to +z:
         ``"auto"`` (the model that comes with the package), None, or a model
     :param category: of both shapes, whose roles are taken; empty: the one that they are most like
