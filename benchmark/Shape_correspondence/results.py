@@ -71,8 +71,9 @@ ROLES_TABLES = [
     ("Roles in the energy", "least energy", "weight of roles", ENERGY_NOTE,
      [(weight, ["--leave-out", "shapes", "--role-weight", weight]) for weight in ("0.1", "0.3", "1", "3")]),
 ]
-FIT_NOTE = ("Coordinate descent by factors of 1.25 on the mean F1 of all categories but one, from the present values, which were chosen on these shapes: the\n"
-            "first column is in sample. The command writes the header of the constants, `Part_matching_options.h`, with the values of the last row.")
+FIT_NOTE = ("Coordinate descent by factors of 1.25 on the mean F1 of all categories but one, from the present values, which were chosen on these shapes: their\n"
+            "F1 is in sample. The command writes the header of the constants, `Part_matching_options.h`: with the values of the last row, if those that are\n"
+            "fitted score more than the present ones on the categories that they did not see, else with the present ones. They score less; so these stay.")
 CONSTANTS_NOTE = ("F1 is the mean of pairs by category, then of categories. Geometry is the method as it matches categories that are not known; with roles, the\n"
                   "training sees neither shape of a pair, and the weights of the terms are fitted anew without them. The changes are against the first row.")
 NOTES = {"fit": FIT_NOTE, "constants": CONSTANTS_NOTE}  # of the experiments on all labelled shapes

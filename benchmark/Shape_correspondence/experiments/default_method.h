@@ -51,8 +51,7 @@ inline void ablation(const Dataset& dataset)
     methods.emplace_back(name, ours(options));
   }
   const std::pair<const char*, bool Part_matching_options::*> wholes[] = {
-      {"no panels", &Part_matching_options::panels},
-      {"no support", &Part_matching_options::support}};
+      {"no panels", &Part_matching_options::panels}, {"no support", &Part_matching_options::support}};
   for (const auto& [name, whole] : wholes) {
     Search_options options;
     options.parts.*whole = false;

@@ -118,7 +118,8 @@ inline Part_matching_options fitted(Fit_objective& f1, const std::string& left_o
   return best;
 }
 
-/// `fit DATA [FURTHER_DATA...]`
+/// `fit DATA [FURTHER_DATA...]`. The header gets the values that were fitted to all categories, unless fits score less
+/// than the present values on categories that they did not see.
 inline void fit(const Dataset& dataset, const Options& options)
 {
   const std::vector<Dataset> datasets = all_datasets(dataset, options);
@@ -145,7 +146,9 @@ inline void fit(const Dataset& dataset, const Options& options)
   write("mean of these", mean_before, mean_after, {});
   const Part_matching_options values = fitted(f1, "");
   write("none: in sample", f1.mean({}, ""), f1.mean(values, ""), values);
-  std::ofstream(fs::path(options.out) / "Part_matching_options.h") << matching_header(values);
+  const bool travels = mean_after > mean_before;
+  std::ofstream(fs::path(options.out) / "Part_matching_options.h")
+      << matching_header(travels ? values : Part_matching_options());
 }
 
 /// A change of the options.
@@ -215,9 +218,8 @@ inline void constants(const Dataset& dataset, const Options& options)
       const std::size_t first = shapes.size();
       for (std::size_t i = 0; i < category.graphs.size(); ++i) {
         const double weight = d < labelled ? weight_of_real_shapes : 1;
-        shapes.push_back({{&category.graphs[i], category.name, category.labels[i], weight},
-                          category.families[i],
-                          d >= labelled});
+        shapes.push_back(
+            {{&category.graphs[i], category.name, category.labels[i], weight}, category.families[i], d >= labelled});
         categories.push_back(category.name);
       }
       for (const auto& [s, t] : category.pairs)
