@@ -19,8 +19,7 @@ int main(int argc, char** argv)
     const auto a = SC::build_structural_graph(SC::IO::read_segmented_shape(source_file));
     const auto b = SC::build_structural_graph(SC::IO::read_segmented_shape(target_file));
     SC::Search_options options;
-    options.parts.weights.front = 0; // no distance to the front or to the side: shapes of any orientation
-    options.parts.weights.side = 0;
+    options.parts.weights.place = 0;  // no distance to the side or to the front: shapes of any orientation
     options.parts.weights.extent = 2; // extents count more
     const SC::Correspondence c = SC::find_correspondence(a, b, options);
     for (const SC::Part_correspondence& pair : c.pairs)

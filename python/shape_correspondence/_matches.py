@@ -182,9 +182,11 @@ def match(
     :param search_method: ``"parts"`` (least cost of substituting parts), ``"beam"`` (least deformation energy by the
         paper's beam search) or ``"exact"`` (least deformation energy, with a proof)
     :param part_matching: options of ``"parts"`` other than the defaults: weights of the terms in the cost of a pair of
-        parts (``overlap``, ``extent``, ``ground``, ``side``, ``front``, ``orientation``, ``chamfer``, ``contacts``,
-        ``chain``), bounds of costs (``excess``, ``confident_excess``, ``shared_counterpart``), and which sets of parts
-        are matched as a whole (``panels``, ``support``, ``chains``); see `Part_matching_options` of the library
+        parts (``overlap``, ``extent``, ``ground``, ``place``, ``orientation``, ``chamfer``), other costs (``whole``,
+        ``excess``, ``confident_excess``, ``shared_counterpart``), lengths in the unit box (``tolerance``, ``warp_width``,
+        ``side_depth``, ``wall_width``), shares (``anchor``, ``main_surface``, ``clearly_better``,
+        ``category_ratio``, ``category_distance``), the size of a regular arrangement (``repetition``), and which sets of
+        parts are matched as a whole (``panels``, ``support``); see `Part_matching_options` of the library
     :param roles: role model for ``"parts"``, and for a `role_weight`; shapes must be upright and face +z: ``"auto"`` (the
         model that comes with the package), None (no roles), a model, or its file
     :param category: category of both shapes, for their roles; empty: the most similar one

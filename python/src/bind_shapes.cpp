@@ -109,10 +109,11 @@ std::vector<std::shared_ptr<Graph>> load_graphs(const std::vector<std::string>& 
   return work.run(progress, [&](Work& work) {
     common.on_progress = reports_to(work);
     const SC::cli::Thread_limit limit(common.threads);
-    const std::vector<std::string> warnings =
-        is_pair ? SC::cli::find_up_of_pair(paths, common) : std::vector<std::string>();
+    std::vector<std::string> warnings;
+    std::vector<SC::cli::Loaded_shape> shapes =
+        is_pair ? SC::cli::load_pair(paths, common, warnings) : SC::cli::load_shapes(paths, common);
     std::vector<std::shared_ptr<Graph>> result;
-    for (SC::cli::Loaded_shape& shape : SC::cli::load_shapes(paths, common))
+    for (SC::cli::Loaded_shape& shape : shapes)
       result.push_back(std::make_shared<Graph>(Graph{paths[result.size()], std::move(shape), warnings}));
     return result;
   });

@@ -78,18 +78,25 @@ void visit(SC::Part_matching_options& options, Visitor& option)
   option("overlap", options.weights.overlap);
   option("extent", options.weights.extent);
   option("ground", options.weights.ground);
-  option("side", options.weights.side);
-  option("front", options.weights.front);
+  option("place", options.weights.place);
   option("orientation", options.weights.orientation);
   option("chamfer", options.weights.chamfer);
-  option("contacts", options.weights.contacts);
-  option("chain", options.weights.chain);
+  option("whole", options.whole);
+  option("tolerance", options.tolerance);
+  option("anchor", options.anchor);
+  option("warp_width", options.warp_width);
   option("excess", options.excess);
   option("confident_excess", options.confident_excess);
   option("shared_counterpart", options.shared_counterpart);
+  option("main_surface", options.main_surface);
+  option("side_depth", options.side_depth);
+  option("wall_width", options.wall_width);
+  option("repetition", options.repetition);
+  option("category_ratio", options.category_ratio);
+  option("category_distance", options.category_distance);
+  option("clearly_better", options.clearly_better);
   option("panels", options.panels);
   option("support", options.support);
-  option("chains", options.chains);
 }
 
 /// Takes the values of options from keyword arguments.

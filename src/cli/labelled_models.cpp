@@ -4,6 +4,7 @@
 #include "cli/labelled_models.h"
 #include "cli/load_shape.h"
 #include "io/Json_field.h"
+#include "matching/cross_validate_roles.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -93,7 +94,7 @@ void add_examples(const std::string& folder, const Common_options& options, std:
   std::vector<Labelled_graph> shapes;
   std::set<std::string> categories;
   for (const Labelled_model& shape : models) {
-    shapes.push_back({&shape.graph, shape.labels.category, shape.part_labels, weight_of_real_shapes});
+    shapes.push_back({&shape.graph, shape.labels.category, shape.part_labels, internal::weight_of_real_shapes});
     categories.insert(shape.labels.category);
   }
   model = std::make_shared<const Role_model>(extend_role_model(model ? *model : Role_model(), shapes));

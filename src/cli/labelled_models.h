@@ -30,9 +30,6 @@ struct Labelled_model
 /// \throw Invalid_input if one cannot be used, or a part has no label
 std::vector<Labelled_model> load_labelled_models(const std::string& folder, const Common_options& options);
 
-/// Of a labelled shape in the training, where generated ones weigh 1.
-constexpr double weight_of_real_shapes = 3;
-
 /// Adds the labelled shapes of a folder to what a model was learned from, see `extend_role_model()`. If they are of one
 /// category, and none is asked for, that category is meant. \param model null: none so far
 void add_examples(const std::string& folder, const Common_options& options, std::shared_ptr<const Role_model>& model,

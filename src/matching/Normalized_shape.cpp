@@ -4,7 +4,6 @@
 #include "matching/Normalized_shape.h"
 #include "base/eigen_system.h"
 #include "base/quantized.h"
-#include "matching/Shape_layout.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,7 +12,6 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr double board_height = 0.5;  // of a board, at least
 constexpr double no_variance = 1e-12; // in a direction, over the largest: less counts as none
 
 // Square root of the covariance, of Frobenius norm 1: what is long where, whatever the size.
@@ -31,18 +29,17 @@ Eigen::Matrix3d orientation(const Surface& surface)
   return eigen.vectors * (lengths / norm).asDiagonal() * eigen.vectors.transpose();
 }
 
-bool is_board(const Axes& sides)
+bool is_board(const Axes& sides, double wall_width)
 {
-  return quantized(sides[1]) >= quantized(board_height) &&
-         quantized(std::max(sides[0], sides[2])) >= quantized(wall_width);
+  return quantized(std::min(sides[1], std::max(sides[0], sides[2]))) >= quantized(wall_width);
 }
 
-Part_extent part_extent(const Surface& surface)
+Part_extent part_extent(const Surface& surface, const Part_matching_options& options)
 {
   const Axes low = surface.colwise().minCoeff(), high = surface.colwise().maxCoeff();
   Part_extent result;
   result.orientation = orientation(surface);
-  result.is_board = is_board(high - low);
+  result.is_board = is_board(high - low, options.wall_width);
   return result;
 }
 
@@ -67,10 +64,11 @@ void add_box(Boxes& boxes, Eigen::Index row, const Surface& surface)
 }
 
 // Groups and panels, as one part each.
-void add_unions(Normalized_shape& result, const Aligned_shape& shape, const Part_assemblies& assemblies)
+void add_unions(Normalized_shape& result, const Aligned_shape& shape, const Part_assemblies& assemblies,
+                const Part_matching_options& options)
 {
   for (const Part_group& group : groups(shape))
-    if (group.parts.size() >= minimum_repetition) result.unions.push_back(group.parts);
+    if (group.parts.size() >= options.repetition) result.unions.push_back(group.parts);
   for (const std::vector<std::size_t>& panel : assemblies.panels)
     if (shape.group(shape.group_of[panel[0]]).parts != panel) result.unions.push_back(panel);
   const auto is_all = [&](const std::vector<std::size_t>& parts) { return parts.size() == shape.parts.size(); };
@@ -81,11 +79,9 @@ void add_unions(Normalized_shape& result, const Aligned_shape& shape, const Part
   for (const std::vector<std::size_t>& parts : result.unions) {
     const Surface surface = surface_of(result, parts);
     add_box(result.union_boxes, Eigen::Index(result.union_parts.size()), surface);
-    result.union_parts.push_back(part_extent(surface));
+    result.union_parts.push_back(part_extent(surface, options));
     result.union_parts.back().on_ground =
         std::any_of(parts.begin(), parts.end(), [&](std::size_t part) { return result.parts[part].on_ground; });
-    result.union_parts.back().is_in_chain =
-        std::all_of(parts.begin(), parts.end(), [&](std::size_t part) { return result.parts[part].is_in_chain; });
   }
 }
 
@@ -101,7 +97,8 @@ Shape_rank rank_of(const Aligned_shape& shape)
   return {shape.parts.size(), quantized(height), quantized(off_axis)};
 }
 
-Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assemblies& assemblies)
+Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assemblies& assemblies,
+                                  const Part_matching_options& options)
 {
   Normalized_shape result;
   Axes low = Axes::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -117,15 +114,12 @@ Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assembl
     result.surfaces.push_back((part.surface.transpose().array().rowwise() - low.transpose()).rowwise() /
                               side.transpose());
     add_box(result.boxes, Eigen::Index(result.parts.size()), result.surfaces.back());
-    result.parts.push_back(part_extent(result.surfaces.back()));
+    result.parts.push_back(part_extent(result.surfaces.back(), options));
   }
-  for (std::size_t part = 0; part < shape.parts.size(); ++part) {
+  for (std::size_t part = 0; part < shape.parts.size(); ++part)
     result.parts[part].on_ground = assemblies.is_on_ground[part];
-    result.parts[part].is_in_chain = assemblies.is_in_chain[part];
-  }
-  add_unions(result, shape, assemblies);
+  add_unions(result, shape, assemblies, options);
   result.lanes = {result.surfaces.begin(), result.surfaces.end()};
-  result.neighbours = touching_parts(shape);
   result.rank = rank_of(shape);
   return result;
 }

@@ -7,6 +7,8 @@
 #include "matching/part_assemblies.h"
 #include "structure/align_shapes.h"
 
+#include <CGAL/Shape_correspondence/Part_matching_options.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -29,8 +31,7 @@ struct Part_extent
 {
   Eigen::Matrix3d orientation;
   bool on_ground = false;
-  bool is_board = false;    // upright, from side to side
-  bool is_in_chain = false; // a ring of a chain
+  bool is_board = false; // upright, as high and as wide as a wall
 };
 
 // An order of shapes that does not depend on turns about the up axis.
@@ -50,10 +51,10 @@ struct Normalized_shape
   std::vector<Part_extent> union_parts;
   Boxes union_boxes;
 
-  std::vector<std::vector<std::size_t>> neighbours; // by part, those in contact with it
   Shape_rank rank;
 };
 
-Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assemblies& assemblies);
+Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assemblies& assemblies,
+                                  const Part_matching_options& options);
 
 } // namespace CGAL::Shape_correspondence::internal

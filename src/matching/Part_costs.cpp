@@ -16,21 +16,19 @@ using namespace internal;
 
 namespace {
 
-constexpr double union_charge = 1; // added where a part corresponds to a set of parts as a whole
-
 // The least cost of every part of `a` and a union that every part of `b` is in; infinite for parts in none.
 Eigen::MatrixXd costs_of_unions(const Normalized_shape& a, const Normalized_shape& b, const Point_distances& a_from_b,
-                                const Point_distances& b_from_a, const Part_cost_weights& weights)
+                                const Point_distances& b_from_a, const Part_matching_options& options)
 {
   Eigen::MatrixXd result = Eigen::MatrixXd::Constant(Eigen::Index(a.parts.size()), Eigen::Index(b.parts.size()),
                                                      std::numeric_limits<double>::infinity());
-  const Eigen::MatrixXd boxes = costs_of_boxes(a.boxes, b.union_boxes, weights);
+  const Eigen::MatrixXd boxes = costs_of_boxes(a.boxes, b.union_boxes, options);
   for (std::size_t h = 0; h < b.unions.size(); ++h)
     for (std::size_t i = 0; i < a.parts.size(); ++i) {
       const std::vector<std::size_t>& parts = b.unions[h];
-      const double cost = cost_of_kind(a.parts[i], b.union_parts[h], weights) +
+      const double cost = cost_of_kind(a.parts[i], b.union_parts[h], options) +
                           boxes(Eigen::Index(i), Eigen::Index(h)) +
-                          weights.chamfer * chamfer(a_from_b, b_from_a, i, parts) + union_charge;
+                          options.weights.chamfer * chamfer(a_from_b, b_from_a, i, parts) + options.whole;
       for (std::size_t j : parts) {
         double& least = result(Eigen::Index(i), Eigen::Index(j));
         least = std::min(least, cost);
@@ -39,60 +37,28 @@ Eigen::MatrixXd costs_of_unions(const Normalized_shape& a, const Normalized_shap
   return result;
 }
 
-double mean_of_best(const Eigen::ArrayXXd& likelihood, const std::vector<std::size_t>& rows,
-                    const std::vector<std::size_t>& columns)
-{
-  double sum = 0;
-  for (std::size_t i : rows) {
-    double best = 0;
-    for (std::size_t j : columns)
-      best = std::max(best, likelihood(Eigen::Index(i), Eigen::Index(j)));
-    sum += best;
-  }
-  return sum / double(rows.size());
-}
-
-// How well the parts that two parts touch correspond: the mean over those of either of how likely their best
-// counterpart among the other's is; geometric mean of the two.
-Eigen::ArrayXXd contact_agreement(const Eigen::ArrayXXd& likelihood,
-                                  const std::vector<std::vector<std::size_t>>& of_source,
-                                  const std::vector<std::vector<std::size_t>>& of_target)
-{
-  const Eigen::ArrayXXd transposed = likelihood.transpose();
-  Eigen::ArrayXXd result = Eigen::ArrayXXd::Zero(likelihood.rows(), likelihood.cols());
-  for (std::size_t i = 0; i < of_source.size(); ++i)
-    for (std::size_t j = 0; j < of_target.size(); ++j)
-      if (!of_source[i].empty() && !of_target[j].empty())
-        result(Eigen::Index(i), Eigen::Index(j)) = std::sqrt(mean_of_best(likelihood, of_source[i], of_target[j]) *
-                                                             mean_of_best(transposed, of_target[j], of_source[i]));
-  return result;
-}
-
 // The costs that no warp changes.
 Eigen::MatrixXd costs_of_kind(const Normalized_shape& a, const Normalized_shape& b, const Point_distances& a_from_b,
-                              const Point_distances& b_from_a, const Part_cost_weights& weights)
+                              const Point_distances& b_from_a, const Part_matching_options& options)
 {
   Eigen::MatrixXd result(Eigen::Index(a.parts.size()), Eigen::Index(b.parts.size()));
   for (std::size_t i = 0; i < a.parts.size(); ++i)
     for (std::size_t j = 0; j < b.parts.size(); ++j)
       result(Eigen::Index(i), Eigen::Index(j)) =
-          cost_of_kind(a.parts[i], b.parts[j], weights) + weights.chamfer * chamfer(a_from_b, b_from_a, i, j);
+          cost_of_kind(a.parts[i], b.parts[j], options) + options.weights.chamfer * chamfer(a_from_b, b_from_a, i, j);
   return result;
 }
 
 Eigen::MatrixXd ranked_part_costs(const Normalized_shape& a, const Normalized_shape& b,
-                                  const Part_cost_weights& weights)
+                                  const Part_matching_options& options)
 {
   Point_distances a_from_b, b_from_a;
   point_distances(a, b, a_from_b, b_from_a);
 
-  const Eigen::MatrixXd of_kind = costs_of_kind(a, b, a_from_b, b_from_a, weights);
-  const Eigen::MatrixXd without_contacts =
-      costs_after_warping(a.boxes, b.boxes, of_kind, weights)
-          .cwiseMin(costs_of_unions(a, b, a_from_b, b_from_a, weights))
-          .cwiseMin(costs_of_unions(b, a, b_from_a, a_from_b, weights).transpose());
-  const Eigen::ArrayXXd agreement = contact_agreement(mutual_softmax(without_contacts), a.neighbours, b.neighbours);
-  return without_contacts + weights.contacts * (1 - agreement).matrix();
+  const Eigen::MatrixXd of_kind = costs_of_kind(a, b, a_from_b, b_from_a, options);
+  return costs_after_warping(a.boxes, b.boxes, of_kind, options)
+      .cwiseMin(costs_of_unions(a, b, a_from_b, b_from_a, options))
+      .cwiseMin(costs_of_unions(b, a, b_from_a, a_from_b, options).transpose());
 }
 
 } // namespace
@@ -123,34 +89,34 @@ double mean_least_cost(const Eigen::MatrixXd& costs)
 
 // In one order, whichever is the source: sums of the warp run over pairs source by source.
 Eigen::MatrixXd part_costs(const Normalized_shape& source, const Normalized_shape& target,
-                           const Part_cost_weights& weights)
+                           const Part_matching_options& options)
 {
-  if (target.rank < source.rank) return ranked_part_costs(target, source, weights).transpose();
-  return ranked_part_costs(source, target, weights);
+  if (target.rank < source.rank) return ranked_part_costs(target, source, options).transpose();
+  return ranked_part_costs(source, target, options);
 }
 
-Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target, const Part_cost_weights& weights)
+Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target, const Part_matching_options& options)
 {
-  return part_costs(normalized_shape(source, part_assemblies(source)),
-                    normalized_shape(target, part_assemblies(target)), weights);
+  return part_costs(normalized_shape(source, part_assemblies(source, options), options),
+                    normalized_shape(target, part_assemblies(target, options), options), options);
 }
 
-Eigen::MatrixXd part_costs(const Normalized_shape& shape, const Part_cost_weights& weights)
+Eigen::MatrixXd part_costs(const Normalized_shape& shape, const Part_matching_options& options)
 {
-  Eigen::MatrixXd result = costs_of_boxes(shape.boxes, shape.boxes, weights);
+  Eigen::MatrixXd result = costs_of_boxes(shape.boxes, shape.boxes, options);
   for (std::size_t i = 0; i < shape.parts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const auto row = Eigen::Index(i), column = Eigen::Index(j);
-      result(row, column) += cost_of_kind(shape.parts[i], shape.parts[j], weights) +
-                             weights.chamfer * chamfer(shape.lanes[i], shape.lanes[j]);
+      result(row, column) += cost_of_kind(shape.parts[i], shape.parts[j], options) +
+                             options.weights.chamfer * chamfer(shape.lanes[i], shape.lanes[j]);
       result(column, row) = result(row, column);
     }
   return result;
 }
 
-Eigen::MatrixXd part_costs(const Aligned_shape& shape, const Part_cost_weights& weights)
+Eigen::MatrixXd part_costs(const Aligned_shape& shape, const Part_matching_options& options)
 {
-  return part_costs(normalized_shape(shape, part_assemblies(shape)), weights);
+  return part_costs(normalized_shape(shape, part_assemblies(shape, options), options), options);
 }
 
 } // namespace CGAL::Shape_correspondence

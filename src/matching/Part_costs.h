@@ -19,14 +19,13 @@ namespace CGAL::Shape_correspondence {
 /// aligned shapes. Symmetric: with the shapes swapped, the transposed matrix.
 ///
 /// The boxes are compared as they are and after either shape was warped towards the other, axis by axis, where the most
-/// alike parts ask for it; the three are averaged. A group of `minimum_repetition` parts or more, or a panel
-/// (`Part_assemblies`), may cost less as a whole (legs for a pedestal, slats for a board). How well the parts that two
-/// parts touch correspond is told by these costs. O(n m k²) for n and m parts with k = `surface_samples` points each.
+/// alike parts ask for it; the three are averaged. A group of `repetition` parts or more, or a panel
+/// (`Part_assemblies`), may cost less as a whole (legs for a pedestal, slats for a board). O(n m k²) for n and m parts with k = `surface_samples` points each.
 Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
-                           const Part_cost_weights& weights = {});
+                           const Part_matching_options& options = {});
 
 /// How unlike the parts of one shape are among each other, by the same costs as they are.
-Eigen::MatrixXd part_costs(const Aligned_shape& shape, const Part_cost_weights& weights = {});
+Eigen::MatrixXd part_costs(const Aligned_shape& shape, const Part_matching_options& options = {});
 
 namespace internal {
 struct Normalized_shape;
@@ -35,9 +34,9 @@ struct Normalized_shape;
 /// The same of shapes whose boxes and surfaces are known. To the bit the transposed matrix if they are swapped, unless
 /// they have the same rank.
 Eigen::MatrixXd part_costs(const internal::Normalized_shape& source, const internal::Normalized_shape& target,
-                           const Part_cost_weights& weights);
+                           const Part_matching_options& options);
 /// The same.
-Eigen::MatrixXd part_costs(const internal::Normalized_shape& shape, const Part_cost_weights& weights);
+Eigen::MatrixXd part_costs(const internal::Normalized_shape& shape, const Part_matching_options& options);
 
 /// The cost of two sets of parts: the mean of what every part costs with the one of the other set that it costs least
 /// with, averaged over both sets. \pre neither is empty

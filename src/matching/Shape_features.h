@@ -25,7 +25,6 @@ struct Shape_features
   Shape_features(const Aligned_shape& shape, const Part_matching_options& options);
 
   std::size_t size() const { return shape.parts.size(); }
-  bool has_chain() const;
 
   // What the parts cost standing for each other, computed when it is first asked for.
   const Eigen::MatrixXd& costs_within() const;

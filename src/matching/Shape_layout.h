@@ -6,12 +6,12 @@
 #include "base/quantized.h"
 #include "structure/align_shapes.h"
 
+#include <CGAL/Shape_correspondence/Part_matching_options.h>
+
 #include <algorithm>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
-
-constexpr double ground_tolerance = 0.03; // of the height: a part that starts lower stands on the ground
 
 struct Axis_box
 {
@@ -27,8 +27,6 @@ inline Axis_box axis_box(const Points& points) { return {points.rowwise().minCoe
 inline Axis_box joined(const Axis_box& a, const Axis_box& b) { return {a.low.min(b.low), a.high.max(b.high)}; }
 
 inline bool is_less(double a, double b) { return quantized(a) < quantized(b); }
-
-constexpr double wall_width = 0.7; // of the shape's: a part that is wider is a wall, not a leg
 
 // Of every part, the parts that it touches.
 inline std::vector<std::vector<std::size_t>> touching_parts(const Aligned_shape& shape)
@@ -49,7 +47,9 @@ struct Shape_layout
   std::vector<char> is_on_ground;
   std::vector<std::vector<std::size_t>> neighbours;
 
-  explicit Shape_layout(const Aligned_shape& shape) : neighbours(touching_parts(shape))
+  // A part that starts lower than `tolerance` of the height stands on the ground.
+  explicit Shape_layout(const Aligned_shape& shape, double tolerance = Part_matching_options().tolerance)
+      : neighbours(touching_parts(shape))
   {
     for (const Sampled_part& part : shape.parts)
       boxes.push_back(axis_box(part.surface));
@@ -57,7 +57,7 @@ struct Shape_layout
     for (const Axis_box& box : boxes)
       bounds = joined(bounds, box);
     for (const Axis_box& box : boxes)
-      is_on_ground.push_back(is_less(box.low.y() - bounds.low.y(), ground_tolerance * bounds.sides().y()));
+      is_on_ground.push_back(is_less(box.low.y() - bounds.low.y(), tolerance * bounds.sides().y()));
   }
 
   // The part and what is connected to it by steps from one part to the next that are allowed, ascending.

@@ -16,12 +16,6 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// Two shapes are of a category if their distance from its labelled parts is at most so much of that from those of any
-// other one, or the mean of theirs is at most so many standard deviations of a feature; more where the model has no
-// other one. Set by leaving out shapes and whole categories: with a share of 0.8, chairs that nothing is known of lose
-// .02 of F1.
-constexpr double clearly_nearest = 0.78, near = 0.25, near_alone = 0.34;
-
 // Where at least half of the fine labels of a role are taken by an earlier part, as the front legs of a table with four
 // legs in front, they do not tell its parts apart.
 void drop_repeated_fine_labels(std::vector<Part_label>& labels)
@@ -38,9 +32,6 @@ void drop_repeated_fine_labels(std::vector<Part_label>& labels)
       labels[part].fine.clear();
   }
 }
-
-// A shape surely does not look the way for which the mean log share of agreeing trees is so much less.
-constexpr double clearly_less = 0.05;
 
 Role_votes counted(const Role_evidence& evidence, const Category_roles& category)
 {
@@ -70,8 +61,8 @@ Role_votes counted(const Role_evidence& evidence, const Category_roles& category
   return result;
 }
 
-// Pairs of the geometric match that either part has alone, at a cost of no more than `same_part_cost`.
-Part_pairs same_parts(const Part_matching& geometric)
+// Pairs of the geometric match that either part has alone, at a cost of no more than `largest_cost`.
+Part_pairs same_parts(const Part_matching& geometric, double largest_cost)
 {
   std::vector<int> of_source(std::size_t(geometric.costs.rows())), of_target(std::size_t(geometric.costs.cols()));
   for (const Part_correspondence& pair : geometric.pairs) {
@@ -81,7 +72,7 @@ Part_pairs same_parts(const Part_matching& geometric)
   Part_pairs result;
   for (const Part_correspondence& pair : geometric.pairs)
     if (of_source[pair.source] == 1 && of_target[pair.target] == 1 &&
-        quantized(geometric.costs(Eigen::Index(pair.source), Eigen::Index(pair.target))) <= quantized(same_part_cost))
+        quantized(geometric.costs(Eigen::Index(pair.source), Eigen::Index(pair.target))) <= quantized(largest_cost))
       result.emplace_back(pair.source, pair.target);
   return result;
 }
@@ -120,7 +111,8 @@ namespace {
 
 // \param distance of two shapes, by category: their sum
 template <typename Distance>
-Pair_category nearest_category(const Role_model_data& model, const Distance& distance)
+Pair_category nearest_category(const Role_model_data& model, const Part_matching_options& options,
+                               const Distance& distance)
 {
   const std::size_t none = model.categories.size();
   if (none == 0) return {none, "The role model knows no category; the parts were matched by geometry alone."};
@@ -129,8 +121,8 @@ Pair_category nearest_category(const Role_model_data& model, const Distance& dis
     categories.emplace_back(distance(category), category);
   std::sort(categories.begin(), categories.end());
   const auto [least, nearest] = categories[0];
-  const bool is_clear = none > 1 && least <= clearly_nearest * categories[1].first;
-  if (is_clear || least <= 2 * (none > 1 ? near : near_alone)) return {nearest, ""};
+  const bool is_clear = none > 1 && least <= options.category_ratio * categories[1].first;
+  if (is_clear || least <= 2 * options.category_distance) return {nearest, ""};
   return {none, "The shapes are not clearly of a category that the role model knows (the nearest is " +
                     model.categories[nearest].name + "); the parts were matched by geometry alone."};
 }
@@ -152,25 +144,29 @@ double agreement_of_trees(const Shape_roles& shape, std::size_t category, int tr
 
 } // namespace
 
-Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model)
+Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,
+                               const Part_matching_options& options)
 {
-  return nearest_category(model,
+  return nearest_category(model, options,
                           [&](std::size_t category) { return source.distance(category) + target.distance(category); });
 }
 
-Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model)
+Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model,
+                               const Part_matching_options& options)
 {
-  return nearest_category(model, [&](std::size_t category) {
+  return nearest_category(model, options, [&](std::size_t category) {
     return distance_of_best_turn(source, category) + distance_of_best_turn(target, category);
   });
 }
 
-std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees)
+std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees,
+                             const Part_matching_options& options)
 {
   std::array<long, 4> agreement{};
   for (std::size_t turn = 0; turn < 4; ++turn)
     agreement[turn] = quantized(agreement_of_trees(*shape[turn], category, trees));
-  const long least = *std::max_element(agreement.begin(), agreement.end()) - quantized(clearly_less);
+  const long least = *std::max_element(agreement.begin(), agreement.end()) +
+                     quantized(std::log(1 - options.clearly_better));
   std::vector<int> result;
   for (int turn = 0; turn < 4; ++turn)
     if (agreement[std::size_t(turn)] >= least) result.push_back(turn);
@@ -188,37 +184,43 @@ Eigen::MatrixXd agreement_of_votes(const Role_votes& source, const Role_votes& t
   return result;
 }
 
-Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,
-                      const std::vector<std::size_t>& target_parts, const Part_matching& geometric)
+Pair_terms role_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,
+                      const std::vector<std::size_t>& target_parts)
 {
   const std::size_t m = target_parts.size();
   const auto row = [m](std::size_t i, std::size_t j) { return Eigen::Index(i * m + j); };
-  const Eigen::MatrixXd excess = excess_of_pairs(geometric.costs);
   Pair_terms result = Pair_terms::Zero(row(source_parts.size(), 0), PAIR_TERM_COUNT);
   const Eigen::MatrixXd agreement = agreement_of_votes(source, target);
   for (std::size_t i = 0; i < source_parts.size(); ++i)
     for (std::size_t j = 0; j < m; ++j) {
       result(row(i, j), VOTES_AGREE) = agreement(Eigen::Index(source_parts[i]), Eigen::Index(target_parts[j]));
-      result(row(i, j), EXCESS) = excess(Eigen::Index(i), Eigen::Index(j));
-    }
-  for (std::size_t i = 0; i < source_parts.size(); ++i)
-    for (std::size_t j = 0; j < m; ++j)
       result(row(i, j), SAME_ROLE) = source.labels[source_parts[i]].coarse == target.labels[target_parts[j]].coarse;
+    }
   for (const auto& [i, j] :
        ground_truth(chosen(source.labels, source_parts), chosen(target.labels, target_parts)).pairs)
     result(row(i, j), SAME_LABEL) = 1;
-  for (const Part_correspondence& pair : geometric.pairs)
-    result(row(pair.source, pair.target), GEOMETRIC_PAIR) = 1;
   result.col(CONSTANT).setOnes();
   return result;
 }
 
+Pair_terms with_geometric_terms(Pair_terms terms, const Part_matching& geometric)
+{
+  const Eigen::MatrixXd excess = excess_of_pairs(geometric.costs);
+  const auto row = [m = excess.cols()](Eigen::Index i, Eigen::Index j) { return i * m + j; };
+  for (Eigen::Index i = 0; i < excess.rows(); ++i)
+    for (Eigen::Index j = 0; j < excess.cols(); ++j)
+      terms(row(i, j), EXCESS) = excess(i, j);
+  for (const Part_correspondence& pair : geometric.pairs)
+    terms(row(Eigen::Index(pair.source), Eigen::Index(pair.target)), GEOMETRIC_PAIR) = 1;
+  return terms;
+}
+
 Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weights, Part_matching geometric,
-                             const Match_constraints& constraints)
+                             const Match_constraints& constraints, const Part_matching_options& options)
 {
   const auto m = std::size_t(geometric.costs.cols());
   Eigen::ArrayXd probable = probabilities(terms, weights);
-  for (const auto& [i, j] : same_parts(geometric))
+  for (const auto& [i, j] : same_parts(geometric, options.whole))
     for (std::size_t k = 0; k < std::size_t(probable.size()); ++k)
       if ((k / m == i) != (k % m == j)) probable[Eigen::Index(k)] = 0;
   for (std::size_t k = 0; !constraints.empty() && k < std::size_t(probable.size()); ++k) {

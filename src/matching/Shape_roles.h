@@ -57,32 +57,39 @@ struct Pair_category
 };
 
 // The nearest category, or none where the shapes are not much nearer to its labelled parts than to those of others.
-Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model);
+Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,
+                               const Part_matching_options& options = {});
 
 // A shape by how often it was turned by 90° from the orientation that it was given in.
 using Turned_roles = std::array<std::shared_ptr<const Shape_roles>, 4>;
 
 // The turns with which a shape of a category may look to +z: where the trees agree on the roles of its parts nearly as
 // much as anywhere. Ascending, so the given one is first.
-std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees);
+std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees,
+                             const Part_matching_options& options = {});
 
 // The nearest category of two shapes whose fronts are not known.
-Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model);
+Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model,
+                               const Part_matching_options& options = {});
 
 // Cosine of the votes for the roles of every source part and every target part.
 Eigen::MatrixXd agreement_of_votes(const Role_votes& source, const Role_votes& target);
 
-// Of all pairs of parts, source by source. `source_parts`, `target_parts`: the rows of the votes that the parts of the
-// match have.
-Pair_terms pair_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,
-                      const std::vector<std::size_t>& target_parts, const Part_matching& geometric);
+// What roles tell of all pairs of parts, source by source. `source_parts`, `target_parts`: the rows of the votes that the
+// parts of the match have.
+Pair_terms role_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,
+                      const std::vector<std::size_t>& target_parts);
+
+// The same with what the geometric match of the parts tells.
+Pair_terms with_geometric_terms(Pair_terms role_terms, const Part_matching& geometric);
 
 // The geometric match with the pairs of greatest expected F1 in place of its own, by source, then target, and with the
 // probabilities of all pairs, which are the confidences. Parts that the geometric match takes for the same part, at
-// next to no cost, correspond to each other only: however many parts have the same label, a shape corresponds to itself
+// no more than `Part_matching_options::whole`, correspond to each other only: however many parts have the same label, a shape corresponds to itself
 // part by part. Pinned pairs are certain, others of their parts impossible.
 Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weights, Part_matching geometric,
-                             const Match_constraints& constraints = {});
+                             const Match_constraints& constraints = {},
+                             const Part_matching_options& options = {});
 
 // Puts how likely the pairs are right in the place of their probabilities.
 void state_confidences(const Confidence_weights& weights, Part_matching& matching);

@@ -13,10 +13,6 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// Weight of a difference in proportions where alignments are compared; set on one half of the development set, by
-// source family, and on the generated shapes.
-constexpr double proportion_weight = 1;
-
 // Log of the extent sideways over that to the front; 0 for what has neither.
 double log_proportion(const Aligned_shape& shape)
 {
@@ -70,7 +66,7 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
 long alignment_cost(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& target)
 {
   return quantized(mean_least_cost(matching.costs) +
-                   proportion_weight * std::abs(log_proportion(source) - log_proportion(target)));
+                   std::abs(log_proportion(source) - log_proportion(target)));
 }
 
 std::vector<Part_correspondence> original_pairs(const Part_matching& matching, const Aligned_shape& source,

@@ -12,15 +12,15 @@
 namespace CGAL::Shape_correspondence::internal {
 
 // The costs that no place changes.
-double cost_of_kind(const Part_extent& a, const Part_extent& b, const Part_cost_weights& weights);
+double cost_of_kind(const Part_extent& a, const Part_extent& b, const Part_matching_options& options);
 
 // The costs of places and extents.
-Eigen::MatrixXd costs_of_boxes(const Boxes& a, const Boxes& b, const Part_cost_weights& weights);
+Eigen::MatrixXd costs_of_boxes(const Boxes& a, const Boxes& b, const Part_matching_options& options);
 
 // The mean of the costs of boxes as they are, and after either shape was warped towards the other where the pairs that
 // are most probable by all costs ask for it; with the costs of kind.
 Eigen::MatrixXd costs_after_warping(const Boxes& a, const Boxes& b, const Eigen::MatrixXd& costs_of_kind,
-                                    const Part_cost_weights& weights);
+                                    const Part_matching_options& options);
 
 // How likely parts are to correspond, going by either of them: geometric mean of the two softmaxes. Sums run along rows
 // both times: with the shapes swapped, the same bits.

@@ -70,17 +70,18 @@ std::vector<std::size_t> indices_of(const Eigen::MatrixXi& votes)
   return result;
 }
 
-Pair_terms pair_terms(const Role_votes& source, const Role_votes& target, const Part_matching& geometric)
+Pair_terms role_terms(const Role_votes& source, const Role_votes& target)
 {
-  return pair_terms(source, indices_of(source.roles), target, indices_of(target.roles), geometric);
+  return role_terms(source, indices_of(source.roles), target, indices_of(target.roles));
 }
 
 // By index in the structural graphs.
-Part_matching geometric_match(const Structural_graph& source, const Structural_graph& target)
+Part_matching geometric_match(const Structural_graph& source, const Structural_graph& target,
+                              const Part_matching_options& options)
 {
   const Aligned_shape a = align_shape(source, given_quarter_turns(structure(source).frame)),
                       b = align_shape(target, given_quarter_turns(structure(target).frame));
-  const Part_matching aligned = match_parts(a, b);
+  const Part_matching aligned = match_parts(a, b, options);
   Part_matching result;
   for (const Part_correspondence& pair : aligned.pairs)
     result.pairs.push_back({a.original[pair.source], b.original[pair.target], pair.confidence});
@@ -161,18 +162,22 @@ double transferred_share(const Part_matching& matching, const Validation_shape& 
   return double(right) / double(to.size());
 }
 
-// What is known of a pair of shapes that the training did not see.
-struct Pair_evidence
+} // namespace
+
+// What roles tell of a pair of shapes that the training did not see.
+struct Role_validation::Pair_evidence
 {
-  Part_matching geometric; // by index in the structural graphs
   Ground_truth truth;
-  Judged_terms told;    // with the category told; without terms if the training saw nothing of it
+  std::size_t target_size = 0;
+  Pair_terms told;      // of roles, with the category told; empty if the training saw nothing of it
   std::string category; // as the matcher finds it; empty: none
-  Pair_terms found;     // in that one
+  Pair_terms found;     // of roles, in that one
   Front_count fronts;   // with the category told
   // Of least energy, without and with roles; by index in the structural graphs
   std::array<std::vector<Part_correspondence>, 2> least_energy;
 };
+
+namespace {
 
 // The pairs of least energy. \param role_costs empty: without roles
 std::vector<Part_correspondence> pairs_of_least_energy(const Labelled_graph& source, const Labelled_graph& target,
@@ -185,7 +190,9 @@ std::vector<Part_correspondence> pairs_of_least_energy(const Labelled_graph& sou
   return find_correspondence(*source.graph, *target.graph, options).pairs;
 }
 
-class Pair_validator
+} // namespace
+
+class Role_validation::Pair_validator
 {
 public:
   Pair_validator(const std::vector<Validation_shape>& shapes, const std::vector<Labelled_graph>& labelled,
@@ -208,7 +215,7 @@ public:
 
   // Both shapes turned by angles that are drawn by the number of the pair. \param weights, confidence of the category
   Turned_match turned_match(const Validation_pair& pair, std::size_t number, const Validation_options& options,
-                            const Pair_weights& weights, const Confidence_weights& confidence) const
+                            const Part_matching_options& parts, const Pair_weights& weights, const Confidence_weights& confidence) const
   {
     auto [told, data] = left_out_model(pair, number, options);
     for (Category_roles& category : data.categories) {
@@ -223,6 +230,7 @@ public:
     const Structural_graph source = any(pair[0]), target = any(pair[1]);
     Search_options search;
     search.alignments = 0;
+    search.parts = parts;
     Turned_match result;
     result.without_roles = find_correspondence(source, target, search).pairs;
     if (options.category_is_told && told < data.categories.size()) search.category = data.categories[told].name;
@@ -263,13 +271,13 @@ private:
     const std::size_t none = model.data().categories.size(),
                       category = options.category_is_told ? told : category_of_pair(*a[0], *b[0], model.data()).index;
     Pair_evidence result;
-    result.geometric = geometric_match(*source.graph, *target.graph);
     result.truth = ground_truth(source.labels, target.labels);
+    result.target_size = target.labels.size();
     const auto terms = [&](std::size_t of_category) {
-      return pair_terms(a[0]->votes(of_category), b[0]->votes(of_category), result.geometric);
+      return role_terms(a[0]->votes(of_category), b[0]->votes(of_category));
     };
     if (told < none) {
-      result.told = judged_terms(terms(told), result.truth, target.labels.size());
+      result.told = terms(told);
       for (const Turned_roles* shape : {&a, &b})
         count_front(front_turns(*shape, told, model.data().trees), result.fronts);
     }
@@ -282,7 +290,7 @@ private:
       }
     if (category == none) return result;
     result.category = model.data().categories[category].name;
-    result.found = category == told ? result.told.terms : terms(category);
+    result.found = category == told ? result.told : terms(category);
     return result;
   }
 
@@ -300,6 +308,8 @@ private:
   std::vector<std::vector<Role_evidence>> turned_; // by shape, by quarter turns; of those that are in a pair
 };
 
+namespace {
+
 std::vector<Labelled_graph> labelled_graphs(const std::vector<Validation_shape>& shapes)
 {
   std::vector<Labelled_graph> result;
@@ -312,35 +322,49 @@ std::vector<Labelled_graph> labelled_graphs(const std::vector<Validation_shape>&
 
 Role_validation::Role_validation(const std::vector<Validation_shape>& shapes, const std::vector<Validation_pair>& pairs,
                                  const Validation_options& options, const Role_training_options& training)
-    : shapes_(shapes), pairs_(pairs.size())
+    : shapes_(shapes), options_(options), labelled_(labelled_graphs(shapes)), pairs_(pairs.size())
 {
-  const std::vector<Labelled_graph> labelled = labelled_graphs(shapes);
-  Pair_validator validator(shapes, labelled, training);
-  all_ = validator.model();
-  std::vector<Pair_evidence> evidence = validator.run(pairs, options);
+  validator_ = std::make_unique<Pair_validator>(shapes, labelled_, training);
+  evidence_ = validator_->run(pairs, options);
   for (std::size_t i = 0; i < pairs.size(); ++i)
     pairs_[i].shapes = pairs[i];
   // What was learned with much left out tells nothing of how good what is learned of others is
-  std::vector<Pair_evidence> with_others;
-  if (options.left_out != Left_out::SHAPES && !options.examples) with_others = validator.run(pairs, {});
-  const std::vector<Pair_evidence>& seen = with_others.empty() ? evidence : with_others;
-  for (const Pair_evidence& pair : seen)
-    examples_.push_back(pair.told);
+  if (options.left_out != Left_out::SHAPES && !options.examples) with_others_ = validator_->run(pairs, {});
+  match({});
+}
 
-  const auto category_of = [&](std::size_t i) { return shapes[pairs[i][0]].labelled.category; };
-  const auto own_weights = [&](std::size_t i, const Pair_weights& of_others) {
-    return options.examples ? of_others : weights_of(category_of(i), of_others, {pairs[i][0], pairs[i][1]});
+Role_validation::~Role_validation() = default;
+
+void Role_validation::match(const Part_matching_options& parts)
+{
+  const std::vector<Pair_evidence>& seen = with_others_.empty() ? evidence_ : with_others_;
+  const auto category_of = [&](std::size_t i) { return shapes_[pairs_[i].shapes[0]].labelled.category; };
+  const auto shapes_of = [&](std::size_t i) {
+    return std::vector<std::size_t>(pairs_[i].shapes.begin(), pairs_[i].shapes.end());
   };
+  std::vector<Part_matching> geometric(pairs_.size());
+  examples_.assign(pairs_.size(), {});
+  for_each_index(pairs_.size(), true, [&](std::size_t i) {
+    const auto& [source, target] = pairs_[i].shapes;
+    geometric[i] = geometric_match(*shapes_[source].labelled.graph, *shapes_[target].labelled.graph, parts);
+    if (seen[i].told.rows() > 0)
+      examples_[i] =
+          judged_terms(with_geometric_terms(seen[i].told, geometric[i]), seen[i].truth, seen[i].target_size);
+  });
+
   std::map<std::string, Pair_weights> of_others;
-  for (std::size_t i = 0; i < pairs.size(); ++i)
+  for (std::size_t i = 0; i < pairs_.size(); ++i)
     if (of_others.count(category_of(i)) == 0) of_others[category_of(i)] = weights_without(category_of(i));
-  confidences_.resize(pairs.size());
-  geometric_confidences_.resize(pairs.size());
-  for_each_index(pairs.size(), true, [&](std::size_t i) {
-    if (seen[i].category.empty()) geometric_confidences_[i] = judged_confidences(seen[i].geometric, seen[i].truth);
+  std::vector<Pair_weights> own_weights(pairs_.size());
+  confidences_.assign(pairs_.size(), {});
+  geometric_confidences_.assign(pairs_.size(), {});
+  for_each_index(pairs_.size(), true, [&](std::size_t i) {
+    own_weights[i] = of_others.at(category_of(i));
+    if (!options_.examples) own_weights[i] = weights_of(category_of(i), own_weights[i], shapes_of(i));
+    if (seen[i].category.empty()) geometric_confidences_[i] = judged_confidences(geometric[i], seen[i].truth);
     if (seen[i].category != category_of(i)) return;
-    const Pair_weights weights = own_weights(i, of_others.at(category_of(i)));
-    confidences_[i] = judged_confidences(match_by_terms(seen[i].found, weights, seen[i].geometric), seen[i].truth);
+    const Pair_terms terms = with_geometric_terms(seen[i].found, geometric[i]);
+    confidences_[i] = judged_confidences(match_by_terms(terms, own_weights[i], geometric[i], {}, parts), seen[i].truth);
   });
   std::map<std::string, Confidence_weights> confidence_of_others, geometric_confidence;
   for (const auto& [category, weights] : of_others) {
@@ -348,39 +372,41 @@ Role_validation::Role_validation(const std::vector<Validation_shape>& shapes, co
     geometric_confidence[category] = confidence_without(category, geometric_confidences_);
   }
 
-  for_each_index(pairs.size(), true, [&](std::size_t i) {
+  for_each_index(pairs_.size(), true, [&](std::size_t i) {
     const std::string category = category_of(i);
-    const Pair_evidence& pair = evidence[i];
+    const Pair_evidence& pair = evidence_[i];
+    Validated_pair& result = pairs_[i];
     Pair_weights weights = of_others.at(category);
     Confidence_weights stated = confidence_of_others.at(category);
-    if (pair.told.terms.rows() > 0 && (pair.category == category || options.is_turned)) {
-      weights = own_weights(i, weights);
-      if (!options.examples) stated = confidence_of(category, stated, {pairs[i][0], pairs[i][1]});
+    if (pair.told.rows() > 0 && (pair.category == category || options_.is_turned)) {
+      weights = own_weights[i];
+      if (!options_.examples) stated = confidence_of(category, stated, shapes_of(i));
     }
-    Part_matching matched = pair.geometric;
-    std::vector<Part_correspondence> without = pair.geometric.pairs;
-    pairs_[i].category = pair.category;
-    if (options.is_turned) {
-      const Turned_match found = validator.turned_match(pairs[i], i, options, weights, stated);
-      without = found.without_roles;
-      matched.pairs = found.with_roles;
-      pairs_[i].category = found.category;
+    Part_matching matched = geometric[i];
+    std::vector<Part_correspondence> without = geometric[i].pairs;
+    result.category = pair.category;
+    if (options_.is_turned) {
+      Turned_match found = validator_->turned_match(result.shapes, i, options_, parts, weights, stated);
+      without = std::move(found.without_roles);
+      matched.pairs = std::move(found.with_roles);
+      result.category = std::move(found.category);
     } else if (!pair.category.empty()) {
-      matched = match_by_terms(pair.found, weights, pair.geometric);
+      matched = match_by_terms(with_geometric_terms(pair.found, geometric[i]), weights, geometric[i], {}, parts);
       state_confidences(stated, matched);
     } else {
       state_confidences(geometric_confidence.at(category), matched);
     }
-    if (options.role_weight > 0) {
+    if (options_.role_weight > 0) {
       without = pair.least_energy[0];
       matched.pairs = pair.least_energy[1];
     }
-    pairs_[i].geometric = evaluate_correspondence(part_pairs(without), pair.truth);
-    pairs_[i].joined = evaluate_correspondence(part_pairs(matched.pairs), pair.truth);
-    pairs_[i].labels_by_geometry = transferred_share(pair.geometric, shapes[pairs[i][0]], shapes[pairs[i][1]]);
-    pairs_[i].labels_joined = transferred_share(matched, shapes[pairs[i][0]], shapes[pairs[i][1]]);
-    pairs_[i].fronts = pair.fronts;
-    pairs_[i].judged = judged(matched.pairs, pair.truth);
+    const Validation_shape &source = shapes_[result.shapes[0]], &target = shapes_[result.shapes[1]];
+    result.geometric = evaluate_correspondence(part_pairs(without), pair.truth);
+    result.joined = evaluate_correspondence(part_pairs(matched.pairs), pair.truth);
+    result.labels_by_geometry = transferred_share(geometric[i], source, target);
+    result.labels_joined = transferred_share(matched, source, target);
+    result.fronts = pair.fronts;
+    result.judged = judged(matched.pairs, pair.truth);
   });
 }
 
@@ -388,7 +414,7 @@ Pair_weights Role_validation::weights() const { return weights_without(""); }
 
 Role_model Role_validation::model() const
 {
-  Role_model_data result = all_;
+  Role_model_data result = validator_->model();
   for (Category_roles& category : result.categories) {
     category.weights = weights_of(category.name, weights_without(category.name), {});
     category.confidence = confidence_of(category.name, confidence_without(category.name, confidences_), {});

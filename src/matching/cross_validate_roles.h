@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ struct Validation_shape
   std::string source; // where it is from
   bool is_generated = false;
 };
+
+constexpr double weight_of_real_shapes = 3; // in the training, where generated ones weigh 1
 
 // Two labelled shapes of a category, by index.
 using Validation_pair = std::array<std::size_t, 2>;
@@ -80,6 +83,10 @@ class Role_validation
 public:
   Role_validation(const std::vector<Validation_shape>& shapes, const std::vector<Validation_pair>& pairs,
                   const Validation_options& options, const Role_training_options& training);
+  ~Role_validation();
+
+  // Matches the pairs again by other options. What roles tell stays as it is.
+  void match(const Part_matching_options& parts);
 
   const std::vector<Validated_pair>& pairs() const { return pairs_; }
 
@@ -89,6 +96,9 @@ public:
   Role_model model() const;
 
 private:
+  struct Pair_evidence;
+  class Pair_validator;
+
   // Fitted to all pairs but those of a category; the usual ones where they are few.
   Pair_weights weights_without(const std::string& category) const;
   // Fitted to the pairs of a category with none of these shapes; the fewer there are, the nearer to the expected ones.
@@ -109,7 +119,10 @@ private:
                     const std::vector<std::size_t>& left_out) const;
 
   const std::vector<Validation_shape>& shapes_;
-  Role_model_data all_;
+  Validation_options options_;
+  std::vector<Labelled_graph> labelled_;
+  std::unique_ptr<Pair_validator> validator_;
+  std::vector<Pair_evidence> evidence_, with_others_; // by pair; the latter with no more left out than its shapes
   std::vector<Validated_pair> pairs_;
   std::vector<Judged_terms> examples_; // by pair, with the category told and neither shape in the training
   // By pair, of the parts that are matched: by roles where the category is found, by geometry alone where none is

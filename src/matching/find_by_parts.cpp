@@ -19,15 +19,6 @@
 namespace CGAL::Shape_correspondence {
 using namespace internal;
 
-namespace {
-
-// Another alignment than the one nearest to the given orientation must cost less than this share of it: a shape that is
-// alike from both sides costs about the same either way, and then the orientation of the file is the better guess. Set
-// on the development and the generated set.
-constexpr double clearly_cheaper = 0.95;
-
-} // namespace
-
 // To the side and to the front, places count differently, so that it matters by a quarter turn in whose frame shapes
 // are compared: in the frame of the one that comes first, whichever is the source.
 Part_matching Correspondence_finder::Impl::matched_in_common_frame(const Prepared_shape& target,
@@ -69,13 +60,13 @@ std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(
     Alignments &a = *prepared_source_.alignments_, &b = *target.alignments_;
     if (options_.alignments == 1) {
       if (options_.category.empty())
-        category = category_of_pair(*a.roles(options_.roles), *b.roles(options_.roles), model);
+        category = category_of_pair(*a.roles(options_.roles), *b.roles(options_.roles), model, options_.parts);
     } else {
       const Turned_roles source = a.roles_by_turn(options_.roles), of_target = b.roles_by_turn(options_.roles);
-      if (options_.category.empty()) category = category_of_pair(source, of_target, model);
+      if (options_.category.empty()) category = category_of_pair(source, of_target, model, options_.parts);
       if (category.index < model.categories.size())
-        for (int from : front_turns(source, category.index, model.trees))
-          for (int to : front_turns(of_target, category.index, model.trees))
+        for (int from : front_turns(source, category.index, model.trees, options_.parts))
+          for (int to : front_turns(of_target, category.index, model.trees, options_.parts))
             result.push_back(
                 {given_quarter_turns(target_frame) + to - given_quarter_turns(source_frame_) - from, from, to, true});
     }
@@ -110,7 +101,7 @@ Correspondence_finder::Impl::Found Correspondence_finder::Impl::matched_parts(co
     if (options_.progress && !options_.progress(double(found.done) / double(tried.size()))) break;
     const Shared_shape shape = aligned(target, way.turn);
     Part_matching matching = matched_way(target, shape, way);
-    const double preference = found.done == 0 ? clearly_cheaper : 1;
+    const double preference = found.done == 0 ? 1 - options_.parts.clearly_better : 1;
     ++found.done;
     const double cost = tried.size() == 1 ? 0 : preference * double(alignment_cost(matching, *source_, *shape));
     if (cost >= best_cost) continue;
@@ -206,10 +197,11 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
     return;
   }
   const auto& [source, of_target] = *votes;
-  const Pair_terms terms = pair_terms(source, source_->original, of_target, aligned_target.original, matching);
+  const Pair_terms terms =
+      with_geometric_terms(role_terms(source, source_->original, of_target, aligned_target.original), matching);
   const Match_constraints constrained = constraints(*source_, aligned_target);
   const Category_roles& known = model.categories[category.index];
-  matching = match_by_terms(terms, known.weights, std::move(matching), constrained);
+  matching = match_by_terms(terms, known.weights, std::move(matching), constrained, options_.parts);
   state_confidences(known.confidence, matching);
   constrain(constrained, matching);
 }

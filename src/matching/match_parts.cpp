@@ -4,7 +4,7 @@
 #include "matching/match_parts.h"
 #include "base/quantized.h"
 #include "matching/Shape_features.h"
-#include "matching/part_blocks.h"
+#include "matching/pair_model.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -17,17 +17,17 @@ using namespace internal;
 
 namespace {
 
-// Logistic model of how often a pair is right by the margin of its cost, set on one half of the development set, by
-// source family, and on the generated shapes, which weigh the same. Pairs of blocks may have any margin below 0.
-constexpr double confidence_offset = 0.37, confidence_slope = 0.52, least_margin = -0.5, largest_margin = 3;
-
 void check(const Part_matching_options& options)
 {
   const Part_cost_weights& w = options.weights;
-  for (double value : {w.overlap, w.extent, w.ground, w.side, w.front, w.orientation, w.chamfer, w.contacts, w.chain,
-                       options.excess, options.confident_excess, options.shared_counterpart})
+  for (double value : {w.overlap, w.extent, w.ground, w.place, w.orientation, w.chamfer, options.whole,
+                       options.excess, options.confident_excess, options.shared_counterpart, options.main_surface,
+                       options.side_depth, options.wall_width})
     if (!(value >= 0) || !std::isfinite(value))
       throw Invalid_input("match_parts: the weights and bounds of costs must be finite and not negative");
+  for (double value : {options.tolerance, options.anchor, options.warp_width})
+    if (!(value > 0) || !std::isfinite(value))
+      throw Invalid_input("match_parts: the tolerance, the anchor and the width of warps must be finite and above 0");
 }
 
 // Pairs that cost least for one of their parts and, over both, at most so much more than least.
@@ -61,7 +61,8 @@ bool are_all(const std::vector<std::size_t>& counts, std::size_t count)
 }
 
 // Do the parts of a block pair one to one, each with one that is as good as the same?
-bool are_same_parts(const Block& block, const Match_matrix& confident, const Eigen::MatrixXd& costs)
+bool are_same_parts(const Block& block, const Match_matrix& confident, const Eigen::MatrixXd& costs,
+                    const Part_matching_options& options)
 {
   if (!are_all(number_of_pairs(confident, block.source, block.target), 1) ||
       !are_all(number_of_pairs(confident.transpose(), block.target, block.source), 1))
@@ -69,7 +70,7 @@ bool are_same_parts(const Block& block, const Match_matrix& confident, const Eig
   for (std::size_t i : block.source)
     for (std::size_t j : block.target)
       if (confident(Eigen::Index(i), Eigen::Index(j)) &&
-          quantized(costs(Eigen::Index(i), Eigen::Index(j))) > quantized(same_part_cost))
+          quantized(costs(Eigen::Index(i), Eigen::Index(j))) > quantized(options.whole))
         return false;
   return true;
 }
@@ -99,7 +100,8 @@ void match_all(const std::vector<std::size_t>& source, const std::vector<std::si
 
 // Every part of a block with every other where they differ in number, or are in panels and not the same.
 void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confident, const Eigen::MatrixXd& costs,
-                     const Shape_features& source, const Shape_features& target, Match_matrix& pairs)
+                     const Shape_features& source, const Shape_features& target, const Part_matching_options& options,
+                     Match_matrix& pairs)
 {
   const std::vector<char> source_panels = is_in_panel(source), target_panels = is_in_panel(target);
   const auto has_panel = [](const std::vector<std::size_t>& parts, const std::vector<char>& is_in_panel) {
@@ -108,7 +110,7 @@ void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confi
   for (const Block& block : blocks)
     if (block.source.size() != block.target.size() ||
         ((has_panel(block.source, source_panels) || has_panel(block.target, target_panels)) &&
-         !are_same_parts(block, confident, costs)))
+         !are_same_parts(block, confident, costs, options)))
       match_all(block.source, block.target, pairs);
 }
 
@@ -149,7 +151,8 @@ Match_matrix matched(const Eigen::MatrixXd& costs, const Shape_features& source,
 {
   const Match_matrix confident = pairs_within(costs, options.confident_excess);
   Match_matrix pairs = pairs_within(costs, options.excess);
-  complete_blocks(joined_blocks(confident, source, target, options), confident, costs, source, target, pairs);
+  complete_blocks(joined_blocks(confident, source, target, options), confident, costs, source, target, options,
+                  pairs);
   if (support_as_sets(confident, source.assemblies, target.assemblies)) {
     separate_supports(source, target, pairs);
     match_all(source.assemblies.legs, target.assemblies.legs, pairs);
@@ -173,10 +176,11 @@ double margin(const Eigen::MatrixXd& costs, const Match_matrix& pairs, Eigen::In
     if (!pairs(i, k)) alternative = std::min(alternative, costs(i, k));
   for (Eigen::Index k = 0; k < costs.rows(); ++k)
     if (!pairs(k, j)) alternative = std::min(alternative, costs(k, j));
-  return std::clamp(alternative - costs(i, j), least_margin, largest_margin);
+  return alternative - costs(i, j);
 }
 
-double confidence(double margin) { return 1 / (1 + std::exp(-(confidence_offset + confidence_slope * margin))); }
+// Logistic. Pairs of blocks may have any margin below 0 and are as often right as those that have none.
+double confidence(double margin) { return std::min(1 / (1 + std::exp(-std::max(0., margin))), 1 - least_doubt); }
 
 // The cost of a pair that is not allowed: more than all others.
 constexpr double forbidden_cost = 1e4;
@@ -184,7 +188,7 @@ constexpr double forbidden_cost = 1e4;
 Eigen::MatrixXd costs_of(const Shape_features& a, const Shape_features& b, const Part_matching_options& options,
                          const Match_constraints& constraints)
 {
-  Eigen::MatrixXd costs = part_costs(a.normalized, b.normalized, options.weights);
+  Eigen::MatrixXd costs = part_costs(a.normalized, b.normalized, options);
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < b.size(); ++j)
       if (!constraints.allows(i, j)) costs(Eigen::Index(i), Eigen::Index(j)) = forbidden_cost;
@@ -235,7 +239,7 @@ Part_matching match_parts(const Shape_features& a, const Shape_features& b, cons
                           const Match_constraints& constraints)
 {
   check(options);
-  if (a.has_chain() == b.has_chain())
+  if (a.assemblies.has_chain == b.assemblies.has_chain)
     return matching_of(costs_of(a, b, options, constraints), a, b, options, constraints);
 
   // What has a chain hangs from it: one of the two is turned over, whichever costs less

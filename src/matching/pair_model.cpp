@@ -14,8 +14,8 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr int newton_steps = 15;
-constexpr double least_doubt = 1e-3; // of a confidence: keeps logits finite
+constexpr int newton_steps = 15;      // at most
+constexpr double newton_change = 1e-9; // of a weight: less is the end, as the next step would be far smaller
 
 } // namespace
 
@@ -41,8 +41,7 @@ Eigen::MatrixXd excess_of_pairs(const Eigen::MatrixXd& costs)
   Eigen::MatrixXd result(costs.rows(), costs.cols());
   for (Eigen::Index j = 0; j < costs.cols(); ++j)
     for (Eigen::Index i = 0; i < costs.rows(); ++i)
-      result(i, j) =
-          std::min(largest_excess, costs(i, j) - of_source[i]) + std::min(largest_excess, costs(i, j) - of_target[j]);
+      result(i, j) = (costs(i, j) - of_source[i]) + (costs(i, j) - of_target[j]);
   return result;
 }
 
@@ -106,7 +105,9 @@ Eigen::Matrix<double, term_count, 1> fitted_weights(const std::vector<Weighted<t
       gradient += weight * (judged->terms.transpose() * (judged->is_right - p).matrix());
       hessian += weight * (judged->terms.transpose() * (p * (1 - p)).matrix().asDiagonal() * judged->terms);
     }
-    weights += hessian.ldlt().solve(gradient);
+    const Weights change = hessian.ldlt().solve(gradient);
+    weights += change;
+    if (change.cwiseAbs().maxCoeff() < newton_change) break;
   }
   return (weights / pair_weight_unit).array().round().matrix() * pair_weight_unit;
 }

@@ -18,12 +18,10 @@ enum Pair_term : int {
   SAME_ROLE,      // 1 or 0: the likeliest roles of the two parts are the same
   VOTES_AGREE,    // cosine of the votes for the roles of the two parts
   GEOMETRIC_PAIR, // 1 or 0: the geometric match has the pair
-  EXCESS,         // how much more the pair costs than the best one of either part, added; at most `largest_excess` each
+  EXCESS,         // how much more the pair costs than the best one of either part, added
   CONSTANT,       // 1
   PAIR_TERM_COUNT
 };
-
-constexpr double largest_excess = 5;
 
 // A row a pair of parts, source by source.
 using Pair_terms = Eigen::Matrix<double, Eigen::Dynamic, PAIR_TERM_COUNT>;
@@ -55,6 +53,8 @@ enum Confidence_term : int { SLOPE, OFFSET, CONFIDENCE_TERM_COUNT };
 using Confidence_weights = Eigen::Matrix<double, CONFIDENCE_TERM_COUNT, 1>;
 
 inline Confidence_weights usual_confidence_weights() { return {1, 0}; }
+
+constexpr double least_doubt = 1e-3; // of a confidence: keeps its logit finite
 
 // Row of a fit, of a pair of such a probability.
 Eigen::Matrix<double, 1, CONFIDENCE_TERM_COUNT> confidence_terms(double probability);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/part_assemblies.h"
-#include "matching/chains.h"
+#include "matching/Shape_layout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,36 +13,15 @@ using namespace internal;
 
 namespace {
 
-// All set on one half of the development set, by source family, and on the generated shapes
-constexpr double main_surface_cover = 0.3;     // share of the shape as seen from above that it covers, at least
-constexpr double main_surface_thickness = 0.3; // its height over its shorter side, at most
-
-constexpr double side_depth =
-    0.1; // of the shape's extent: a part in one of its sides is no thicker and no farther off it
-
 constexpr std::size_t nothing = std::size_t(-1);
-
-// Is the group a row of `minimum_repetition` parts or more?
-bool is_row(const Part_group& group)
-{
-  return group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= minimum_repetition;
-}
 
 // The sets of the shape's parts, one after the other.
 class Assembly_finder
 {
 public:
-  explicit Assembly_finder(const Aligned_shape& shape)
-      : shape_(shape),
-        layout_(shape),
-        main_surface_(main_surface()),
-        chains_(chains_of(shape, layout_)),
-        is_in_chain_(shape.parts.size(), 0)
-  {
-    for (const std::vector<std::size_t>& chain : chains_)
-      for (std::size_t ring : chain)
-        is_in_chain_[ring] = 1;
-  }
+  Assembly_finder(const Aligned_shape& shape, const Part_matching_options& options)
+      : shape_(shape), options_(options), layout_(shape, options.tolerance), main_surface_(main_surface())
+  {}
 
   Part_assemblies run() const
   {
@@ -51,17 +30,40 @@ public:
     if (result.has_main_surface) result.support = support();
     result.legs = legs(result.support);
     result.is_on_ground = layout_.is_on_ground;
-    result.is_in_chain = is_in_chain_;
+    result.has_chain = has_chain();
     for (const Part_group& group : groups(shape_))
-      if (is_row(group) && !is_in_chain_[group.parts[0]]) add_panel(group.parts, result.panels);
-    for (const std::vector<std::size_t>& chain : chains_)
-      add_panel(chain, result.panels);
+      if (is_row(group)) add_panel(group.parts, result.panels);
     if (result.has_main_surface) add_side_panels(result.support, result.panels);
     return result;
   }
 
 private:
-  // The lowest flat part that covers much of the shape. A ring does not, however wide it is.
+  bool is_row(const Part_group& group) const
+  {
+    return group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= options_.repetition;
+  }
+
+  // Are the two parts rings, neither twice as large as the other nor around it (a wheel and its tyre)?
+  bool may_be_chained(std::size_t ring, std::size_t next) const
+  {
+    if (shape_.parts[next].kind != Sampled_part::Kind::CLOSED_CURVE) return false;
+    const Axis_box &a = layout_.boxes[ring], &b = layout_.boxes[next];
+    const double a_size = a.sides().maxCoeff(), b_size = b.sides().maxCoeff();
+    return is_less(std::max(a_size, b_size), 2 * std::min(a_size, b_size)) &&
+           is_less(options_.tolerance * std::max(a_size, b_size), (a.centre() - b.centre()).matrix().norm());
+  }
+
+  bool has_chain() const
+  {
+    for (std::size_t part = 0; part < shape_.parts.size(); ++part)
+      if (shape_.parts[part].kind == Sampled_part::Kind::CLOSED_CURVE &&
+          layout_.connected(part, [&](std::size_t ring, std::size_t next) { return may_be_chained(ring, next); })
+                  .size() >= options_.repetition)
+        return true;
+    return false;
+  }
+
+  // The lowest flat part that covers much of the shape.
   std::size_t main_surface() const
   {
     std::size_t lowest = nothing;
@@ -69,9 +71,8 @@ private:
     for (std::size_t part = 0; part < layout_.boxes.size(); ++part) {
       const Eigen::Array3d sides = layout_.boxes[part].sides();
       const double cover = sides.x() * sides.z();
-      if (shape_.parts[part].kind == Sampled_part::Kind::CLOSED_CURVE) continue;
-      if (layout_.is_on_ground[part] || !is_less(0, cover) || is_less(cover, main_surface_cover * shape_cover) ||
-          is_less(main_surface_thickness * std::min(sides.x(), sides.z()), sides.y()))
+      if (layout_.is_on_ground[part] || !is_less(0, cover) || is_less(cover, options_.main_surface * shape_cover) ||
+          is_less(options_.main_surface * std::min(sides.x(), sides.z()), sides.y()))
         continue;
       if (lowest == nothing || is_less(layout_.boxes[part].low.y(), layout_.boxes[lowest].low.y())) lowest = part;
     }
@@ -113,7 +114,7 @@ private:
   {
     const Eigen::Array3d sides = layout_.boxes[part].sides(), all = layout_.bounds.sides();
     return layout_.is_on_ground[part] &&
-           (is_less(wall_width * all.x(), sides.x()) || is_less(wall_width * all.z(), sides.z()));
+           (is_less(options_.wall_width * all.x(), sides.x()) || is_less(options_.wall_width * all.z(), sides.z()));
   }
 
   std::vector<std::size_t> legs(const std::vector<std::size_t>& support) const
@@ -141,7 +142,7 @@ private:
 
   bool is_in_side(std::size_t part, Eigen::Index axis, double side) const
   {
-    const double depth = side_depth * layout_.bounds.sides()[axis];
+    const double depth = options_.side_depth * layout_.bounds.sides()[axis];
     return !is_less(depth, layout_.boxes[part].sides()[axis]) &&
            !is_less(depth, std::abs(layout_.boxes[part].centre()[axis] - side));
   }
@@ -178,14 +179,16 @@ private:
   }
 
   const Aligned_shape& shape_;
+  const Part_matching_options& options_;
   Shape_layout layout_;
   std::size_t main_surface_;
-  std::vector<std::vector<std::size_t>> chains_;
-  std::vector<char> is_in_chain_; // by part, whether it is in a chain
 };
 
 } // namespace
 
-Part_assemblies part_assemblies(const Aligned_shape& shape) { return Assembly_finder(shape).run(); }
+Part_assemblies part_assemblies(const Aligned_shape& shape, const Part_matching_options& options)
+{
+  return Assembly_finder(shape, options).run();
+}
 
 } // namespace CGAL::Shape_correspondence

@@ -14,8 +14,9 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// Groups of three or more and panels stay together, as do parts in a pair.
-std::vector<Block> blocks_of(const Match_matrix& pairs, const Shape_features& source, const Shape_features& target)
+// Groups of `repetition` or more and panels stay together, as do parts in a pair.
+std::vector<Block> blocks_of(const Match_matrix& pairs, const Shape_features& source, const Shape_features& target,
+                             std::size_t repetition)
 {
   const std::size_t n = source.size(), all = n + target.size();
   Disjoint_sets sets(all);
@@ -25,7 +26,7 @@ std::vector<Block> blocks_of(const Match_matrix& pairs, const Shape_features& so
   };
   const auto join_sets = [&](const Shape_features& features, std::size_t first) {
     for (const Part_group& group : groups(features.shape))
-      if (group.parts.size() >= minimum_repetition) join_all(group.parts, first);
+      if (group.parts.size() >= repetition) join_all(group.parts, first);
     for (const std::vector<std::size_t>& panel : features.assemblies.panels)
       join_all(panel, first);
   };
@@ -134,7 +135,7 @@ private:
 std::vector<Block> joined_blocks(const Match_matrix& confident, const Shape_features& source,
                                  const Shape_features& target, const Part_matching_options& options)
 {
-  std::vector<Block> blocks = blocks_of(confident, source, target);
+  std::vector<Block> blocks = blocks_of(confident, source, target, options.repetition);
   if (std::none_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.is_one_sided(); }))
     return blocks;
   return One_sided_block_joiner(std::move(blocks), source, target).run(options.shared_counterpart);

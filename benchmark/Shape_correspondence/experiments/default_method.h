@@ -34,9 +34,8 @@ inline void ablation(const Dataset& dataset)
   std::vector<std::pair<std::string, peers::Peer>> methods{{"all", ours(default_options())}};
   const std::pair<const char*, double Part_cost_weights::*> weights[] = {
       {"no overlap of boxes", &Part_cost_weights::overlap}, {"no extents", &Part_cost_weights::extent},
-      {"no ground contact", &Part_cost_weights::ground},    {"no place sideways", &Part_cost_weights::side},
-      {"no place to the front", &Part_cost_weights::front}, {"no orientation", &Part_cost_weights::orientation},
-      {"no chamfer distance", &Part_cost_weights::chamfer}, {"no contacts", &Part_cost_weights::contacts}};
+      {"no ground contact", &Part_cost_weights::ground},    {"no place", &Part_cost_weights::place},
+      {"no orientation", &Part_cost_weights::orientation},  {"no chamfer distance", &Part_cost_weights::chamfer}};
   for (const auto& [name, weight] : weights) {
     Search_options options;
     options.parts.weights.*weight = 0;
@@ -52,17 +51,15 @@ inline void ablation(const Dataset& dataset)
     methods.emplace_back(name, ours(options));
   }
   const std::pair<const char*, bool Part_matching_options::*> wholes[] = {
-      {"no panels", &Part_matching_options::panels},
-      {"no support", &Part_matching_options::support},
-      {"no chains", &Part_matching_options::chains}};
+      {"no panels", &Part_matching_options::panels}, {"no support", &Part_matching_options::support}};
   for (const auto& [name, whole] : wholes) {
     Search_options options;
     options.parts.*whole = false;
     methods.emplace_back(name, ours(options));
   }
   Search_options plain;
-  plain.parts.panels = plain.parts.support = plain.parts.chains = false;
-  methods.emplace_back("no panels, support or chains", ours(plain));
+  plain.parts.panels = plain.parts.support = false;
+  methods.emplace_back("no panels or support", ours(plain));
   plain.parts.excess = 2;
   plain.parts.shared_counterpart = 4;
   methods.emplace_back("nor their bounds: excess 2, shared counterpart 4", ours(plain));

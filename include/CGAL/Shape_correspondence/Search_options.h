@@ -14,6 +14,7 @@
 #include <CGAL/Shape_correspondence/Beam_options.h>
 #include <CGAL/Shape_correspondence/Exact_options.h>
 #include <CGAL/Shape_correspondence/Matching_options.h>
+#include <CGAL/Shape_correspondence/Part_matching_options.h>
 
 #include <cstddef>
 #include <functional>
@@ -32,38 +33,6 @@ enum class Search_method {
   PARTS, ///< least cost of substituting parts, no deformation; highest F1 against human labels
   BEAM,  ///< least deformation energy, by the beam search of the paper
   EXACT  ///< least deformation energy, proven
-};
-
-/// \ingroup PkgShapeCorrespondenceOptions
-/// Weights of the terms in the cost of substituting one part for another. Lengths are fractions of the extents of the
-/// shapes: along each axis of the common frame, either shape extends from 0 to 1. Weights are not negative; 0 switches
-/// a term off.
-struct Part_cost_weights
-{
-  double overlap = 2;       ///< share of the smaller bounding box that lies outside of the other one
-  double extent = 0.7;      ///< |log of the ratio of the sides of the bounding boxes|, summed over the axes
-  double ground = 1.5;      ///< one part stands on the ground and the other does not; half for boards across the shape
-  double side = 3;          ///< distance of the centres of the bounding boxes along the side axis
-  double front = 3.5;       ///< distance of the centres of the bounding boxes along the front axis
-  double orientation = 1.5; ///< Frobenius distance of the normalized square roots of the covariances of the surfaces
-  double chamfer = 2;       ///< mean distance of points of either surface from the other one
-  double contacts = 2;      ///< share of the neighbours of both parts, in contact with them, that do not correspond
-  double chain = 50;        ///< one part is a ring of a chain and the other is not
-};
-
-/// \ingroup PkgShapeCorrespondenceOptions
-/// Options of `Search_method::PARTS`. Bounds are costs, in the unit of `Part_cost_weights`.
-struct Part_matching_options
-{
-  Part_cost_weights weights; ///< weights of the terms of a cost
-  /// A pair is matched if its cost is the least one of the source part or of the target part, and exceeds the least
-  /// costs of both, added up, by at most this. Smaller values give fewer pairs of higher precision.
-  double excess = 1.5;
-  double confident_excess = 0.5;   ///< the same bound of costs for pairs that decide which sets of parts correspond
-  double shared_counterpart = 3.5; ///< largest cost between parts of one shape that may share a counterpart
-  bool panels = true;              ///< match panels as sets: rows of parts, and boards in one side of the shape
-  bool support = true;             ///< match the parts that support a seat or table top as a set
-  bool chains = true; ///< a shape with a chain hangs from it, and rings of chains correspond only to rings of chains
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
