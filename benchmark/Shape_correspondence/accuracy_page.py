@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the page of the manual on accuracy and performance from the results of the experiments.
+"""Writes the page of the manual on accuracy from the results of the experiments.
 
   accuracy_page.py RESULTS.md Accuracy.txt [--check]
 
@@ -13,7 +13,7 @@ import re
 import sys
 
 PAGE = """/*!
-\\page sc_accuracy Accuracy and Performance
+\\page sc_accuracy Accuracy
 
 This page is written by `accuracy_page.py` from `benchmark/Shape_correspondence/RESULTS.md`, which `results.py` writes. P, R and F1 are precision, recall
 and F1 of pairs of parts against human or generated labels (\\ref sc_evaluation): means over the pairs of a category, then over categories. The intervals
@@ -38,11 +38,11 @@ Cross-validated on labelled shapes: the model was trained without the shapes tha
 confidence of .7 or more, and *share* their share of all pairs.
 
 {roles}
-So roles help for categories that they were learned from, and not for others. A few labelled shapes of a category that is left out (`--examples`), with the
-category told, help again; *labels* is the share of the parts of one shape that get their label from another one by `collection --labels-from`:
+So roles help for categories that they were learned from, but not for others. A few labelled shapes of a category that is left out (`--examples`), with the
+category given, help again; *labels* is the share of the parts of one shape that get their label from another one by `collection --labels-from`:
 
 {few}
-In the energy (`--role-weight`), by exact search, roles of shapes left out give:
+With roles in the energy (`--role-weight`), exact search gives for pairs of shapes that were left out of the training:
 
 {energy}
 \\section sc_ac_confidence Confidences
@@ -70,7 +70,7 @@ Mean energy of the beam search relative to the proven minimum, by beam width (`e
 \\cgalFigureEnd
 */
 """
-SETS = [("generated shapes", "generated"), ("shapes of drawn styles", "random styles"), ("development set", "development")]
+SETS = [("generated shapes", "generated"), ("shapes of random styles", "random styles"), ("development set", "development")]
 
 
 class Results:
@@ -104,7 +104,7 @@ def methods(results):
     text = ""
     for title, name in SETS:
         rows = results.rows("All methods side by side, in the same run: " + title)
-        text += f"{title.capitalize().replace('drawn', 'random')}:\n\n" + table(
+        text += f"{title.capitalize()}:\n\n" + table(
             ["method", "P", "R", "F1", "95 %", "seconds"],
             [[row["method"], row["mean P"], row["mean R"], row["mean F1"], row["95 %"], row["s / pair"]] for row in rows]) + "\n"
     return text
@@ -136,7 +136,7 @@ def confidence(results):
 
 
 def abstraction(results):
-    rows = results.rows("The ways to abstract parts: off from what the generator states, and F1 of the matching that follows: "
+    rows = results.rows("Methods of part abstraction: deviations from the true curves and sheets, and F1 of matching: "
                         "generated shapes")
     heads = ["abstraction", "kinds as stated", "curves off by, median", "sheets off by, median", "F1 paper", "F1 default",
              "CPU s / shape"]

@@ -26,7 +26,7 @@ constexpr int bad_input = 1, bad_usage = 2;
 const char* const help_text =
     R"(Usage: experiments EXPERIMENT DATA [FURTHER_DATA...] [--out FOLDER] [--cache FOLDER] [--category A,B] [--pairs N]
 
-DATA holds CATEGORY/SHAPE/labels.json and CATEGORY/SHAPE/parts; `generate_models --benchmark DATA` makes one. All pairs
+DATA contains CATEGORY/SHAPE/labels.json and CATEGORY/SHAPE/parts; `generate_models --benchmark DATA` makes one. All pairs
 of shapes of a category are matched, or those of DATA/pairs.json: [[CATEGORY, SOURCE, TARGET], ...].
 
   gallery      Figures 1 and 9: correspondences by the paper's method; FOLDER/gallery.html
@@ -36,19 +36,19 @@ of shapes of a category are matched, or those of DATA/pairs.json: [[CATEGORY, SO
   peers        all methods side by side
   alignments   the least energy over all alignments, or for the one nearest to the given orientation
   figure4      the energy with each term switched off
-  figure10     energy against k and K, the proven optimum beside it; FOLDER/figure10_k.svg, FOLDER/figure10.svg
+  figure10     energy against k and K, and the proven optimum; FOLDER/figure10_k.svg, FOLDER/figure10.svg
   figure11     coarse correspondences of the most prominent parts
-  figure13     correspondences by way of a third shape
+  figure13     correspondences through a third shape
   figure14     medoids of the categories
-  figure15     what people say corresponds; FOLDER/figure15.html
-  figure16     the most prominent parts, beside Tevs et al. 2014; FOLDER/figure16.html
+  figure15     ground truth of the gallery; FOLDER/figure15.html
+  figure16     the most prominent parts, and Tevs et al. 2014; FOLDER/figure16.html
   figure17     automatic segmentations in place of one shape of every pair
-  figure18     FURTHER_DATA made worse (generate_models --degrade): scores on each
-  figure19     FURTHER_DATA segmented otherwise: energy against the quality of the correspondence
-  abstraction  the ways to abstract parts: deviation from what structure.json states, kinds, residual, scores, seconds
-  ablation     the default method without each of its costs and rules; by halves of the shapes, too
+  figure18     FURTHER_DATA damaged (generate_models --degrade): scores on each
+  figure19     FURTHER_DATA segmented in other ways: energy against the quality of the correspondence
+  abstraction  methods of part abstraction: deviation from structure.json, kinds, residual, scores, seconds
+  ablation     the default method without each of its costs and rules; also by halves of the shapes
   fit          weights and bounds of the default method without roles, fitted to DATA and FURTHER_DATA by coordinate descent,
-               and judged on the category that the fit does not see
+               and tested on the category that is left out of the fit
   pose         the default method on shapes turned about the up axis
   reliability  how often pairs of a confidence are right; FOLDER/reliability.svg
   worst        the twenty worst results with pictures; FOLDER/worst.html
@@ -56,7 +56,7 @@ of shapes of a category are matched, or those of DATA/pairs.json: [[CATEGORY, SO
   --out FOLDER      where pictures go; default: the current one
   --cache FOLDER    keep structural graphs there
   --category A,B    only these categories
-  --pairs N         only every so manyth pair, so that a category has at most N
+  --pairs N         match every n-th pair only, so that a category has at most N pairs
 )";
 
 using Experiment = std::function<void(const Dataset&, const Options&)>;

@@ -8,6 +8,7 @@
 #include "command_line.h"
 #include "generator/benchmark/degrade.h"
 #include "generator/benchmark/random_designs.h"
+#include "generator/benchmark/shapes.h"
 #include "generator/models.h"
 #include "generator/textures.h"
 #include "generator/writer.h"

@@ -48,13 +48,13 @@ The exponents are those of a least squares line through the logarithms, with the
 
 \\section sc_pf_pair A Pair from Files
 
-Seconds on the clock of the command `match` for the chairs {pair}, in as many threads as the machine has cores: {cold} the first time, and {warm} with
+Wall-clock seconds of the command `match` for the chairs {pair}, in as many threads as the machine has cores: {cold} the first time, and {warm} with
 `--cache` once their graphs are known.
 
 \\section sc_pf_compare Comparing Builds
 
 `paired_times.py BEFORE AFTER MODEL...` runs two builds of the program in turn on the same models, and prints medians of the ratios of their processor
-seconds. Such ratios can be trusted on a machine that does other work, too; seconds cannot.
+seconds. Such ratios can be trusted even on a machine that does other work; seconds cannot.
 */
 """
 METHODS = ["default", "exact search", "beam search"]

@@ -24,14 +24,14 @@ EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
     ("figure4", 20, "Figure 4: the energy with each term switched off"),
     ("figure10", 8, "Figure 10: energy against k and K, and the proven least energy"),
     ("figure11", 20, "Figure 11: coarse correspondences of the most prominent parts"),
-    ("figure13", 0, "Figure 13: by way of a third shape, by the paper's energy"),
+    ("figure13", 0, "Figure 13: through a third shape, by the paper's energy"),
     ("figure14", 0, "Figure 14: medoids by the paper's energy"),
     ("figure15", 0, "Figure 15: ground truth of the gallery"),
     ("figure16", 20, "Figure 16: the most prominent parts"),
     ("figure17", 20, "Figure 17: automatic segmentations of the targets"),
-    ("figure18", 15, "Figure 18: uneven segmentations, and shapes made worse in other ways"),
+    ("figure18", 15, "Figure 18: uneven segmentations, and shapes damaged in other ways"),
     ("figure19", 8, "Figure 19: quality of the segmentation against energy"),
-    ("abstraction", 20, "The ways to abstract parts: off from what the generator states, and F1 of the matching that follows"),
+    ("abstraction", 20, "Methods of part abstraction: deviations from the true curves and sheets, and F1 of matching"),
     ("ablation", 0, "The default method without each of its costs and rules"),
     ("fit", 15, "Weights and bounds of the default method without roles, fitted, and judged on the category left out"),
     ("pose", 0, "Shapes turned about the up axis"),
@@ -40,24 +40,25 @@ EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
 ]
 ROLES = [("shapes", "the training sees neither shape of a pair"), ("sources", "the training sees no shape of either one's source"),
          ("category", "the training sees nothing of the category")]
-ROLES_NOTE = ("The category is not told. The weights of the terms, and of confidences, follow from other categories, and from pairs of the same one that share no "
-              "shape with the one\nat hand. Geometry is the same method without roles; its rules were set on some of these shapes, and others removed by all "
-              "of them. The terms, the charge and the limits of categories and fronts were chosen on these pairs, too. `stated`: mean confidence; "
-              "`right`: share of the pairs\nof parts that are right; AUC: how often a right pair has more confidence than a wrong one; `P sure`, `share`: "
-              "precision and share of the pairs\nof a confidence of .7 or more; `front`, `sure front`: how often the front of a shape is among the ways that roles leave possible, or the only "
-              "one, with\nthe category told (so none where it is left out); `labels`, `with roles`: the share of the parts of the second shape that get their label "
-              "from the first one.\nIntervals: bootstrap over shapes, of the F1 with roles and of the paired gain over geometry.")
-FEW_NOTE = ("F1 of pairs whose category the training does not see but for so many of its shapes, drawn for every pair and never of the pair, as with\n"
-            "`match --examples`; none of them is generated. The category is told. The weights of the terms are those of the other categories with as few\n"
-            "examples. `labels`: share of the parts of one shape that get their label from the other one (`collection --labels-from`), which a\n"
-            "perfect match would not bring to 1 either: some labels are in one of the shapes only.")
-CURVE_NOTE = ("F1 with so many labelled shapes of the category that are not generated in the training, drawn for every pair, and the generated ones. The category\n"
-              "is not told; the weights of the terms are those of the other categories with as many shapes.")
-TURNED_NOTE = ("F1 where every shape is turned about the up axis by an angle drawn for the pair, and the matcher finds the fronts (`--front auto`), against shapes\n"
-               "upright and facing the front as given. The gain is over geometry on the same shapes, which the first row has for those not turned. The training sees\n"
-               "neither shape of a pair.")
-ENERGY_NOTE = ("F1 of the correspondences of least energy, by exact search for the given orientation, with roles in the energy; the training sees neither shape of\n"
-               "a pair. The weights were not chosen: these are all that were tried.")
+ROLES_NOTE = ("The category is not given. The weights of the terms and of confidences are fitted to pairs of other categories, and to pairs of the same category\nthat "
+              "share no shape with the pair. Geometry is the same method without roles; some of its rules were set on some of these shapes, and others removed "
+              "by a\ntest on all of them. The terms, the charge and the limits of categories and fronts were chosen on these pairs, too. `stated`: mean confidence; "
+              "`right`: share of\nthe pairs of parts that are right; `AUC`: probability that a right pair has a higher confidence than a wrong one; `P sure`, `share`: "
+              "precision of the pairs with\na confidence of .7 or more, and their share of all pairs; `front`, `sure front`: with the category given, how often the "
+              "true front is among those that roles\nleave possible, and how often it is the only one (none if the category is left out); `labels`, `with roles`: share "
+              "of the parts of the second shape that get\ntheir label from the first one, by geometry and with roles. "
+              "Intervals: bootstrap over shapes, of the F1 with roles and of the paired gain over geometry.")
+FEW_NOTE = ("F1 of pairs for which the training has only this number of shapes of the category, drawn for every pair without its two shapes, as with\n"
+            "`match --examples`; none of them is generated. The category is given. The weights of the terms are those of the other categories with as few\n"
+            "examples. `labels`: share of the parts of one shape that get their label from the other one (`collection --labels-from`); even a\n"
+            "perfect match does not reach 1, since some labels occur in only one of the shapes.")
+CURVE_NOTE = ("F1 if the training has this number of labelled shapes of the category, drawn for every pair, and the generated ones. The category\n"
+              "is not given; the weights of the terms are those of the other categories with as many shapes.")
+TURNED_NOTE = ("F1 if every shape is turned about the up axis by an angle drawn for the pair and the program finds the fronts (`--front auto`), against shapes\n"
+               "with their fronts as given. The gain is over geometry on the same shapes; the first row has geometry for shapes that are not turned. The training\n"
+               "has neither shape of a pair.")
+ENERGY_NOTE = ("F1 of the correspondences of least energy, by exact search for the given orientation, with roles in the energy; the training has neither shape of\n"
+               "a pair. No weight was chosen: these are all that were tried.")
 ROLES_TABLES = [
     ("A few labelled shapes of a category that is not known", "geometry", "examples", FEW_NOTE,
      [(str(n), ["--leave-out", "category", "--told", "--number-of-examples", str(n)]) for n in (1, 3, 5, 8)] +
@@ -66,16 +67,16 @@ ROLES_TABLES = [
      [(str(n), ["--leave-out", "shapes", "--number-of-examples", str(n)]) for n in (1, 2, 4, 8, 16)] +
      [("all", ["--leave-out", "shapes"])]),
     ("Shapes turned about the up axis", "geometry", "shapes", TURNED_NOTE,
-     [("front as given", ["--leave-out", "shapes"]), ("turned", ["--turned"]), ("turned, the category told", ["--turned", "--told"])]),
+     [("front as given", ["--leave-out", "shapes"]), ("turned", ["--turned"]), ("turned, the category given", ["--turned", "--told"])]),
     ("Roles in the energy", "least energy", "weight of roles", ENERGY_NOTE,
      [(weight, ["--leave-out", "shapes", "--role-weight", weight]) for weight in ("0.1", "0.3", "1", "3")]),
 ]
 FIT_NOTE = ("Coordinate descent by factors of 1.5 on the mean F1 of all categories but one, from the defaults, which were set on some of these shapes. On the\n"
-            "category that the fit did not see, fitted values are worse than the defaults; so the defaults stay.")
-# They name shapes, or need large categories, closed surfaces or shapes made worse
+            "category that was left out, fitted values are worse than the defaults; so the defaults stay.")
+# They name shapes, or need large categories, closed surfaces or damaged shapes
 GENERATED_ONLY = ("gallery", "table1", "figure15", "worst", "figure17", "figure18", "figure19")
 # A check: shapes that nothing was chosen on, so only what says how good the methods are
-DRAWN, DRAWN_SEED, OF_DRAWN = "shapes of drawn styles", 101, ("peers", "reliability")
+DRAWN, DRAWN_SEED, OF_DRAWN = "shapes of random styles", 101, ("peers", "reliability")
 
 
 def generate(generator, folder, *options):
@@ -110,7 +111,7 @@ def roles_evaluation(args, generated, name, options, out):
 
 
 def roles_rows(first, title, evaluations):
-    """A table of a row an evaluation: F1 by category, and the paired gain over what `first` names."""
+    """A table with one row for each evaluation: F1 by category, and the paired gain over what `first` names."""
     names = [entry["category"] for entry in evaluations[0][1]]
     has_labels = first == "geometry"  # labels are transferred by parts
     ends = ["gain", "95 %"] + ["labels"] * has_labels
@@ -145,7 +146,7 @@ def main():
     parser.add_argument("work")
     parser.add_argument("results")
     parser.add_argument("--only", default="")
-    parser.add_argument("--ways", default="segmentation,open,gaps,noise,scale,rotation", help="of making shapes worse, in Figure 18")
+    parser.add_argument("--ways", default="segmentation,open,gaps,noise,scale,rotation", help="ways of damaging shapes, in Figure 18")
     parser.add_argument("--further", action="append", default=[])
     parser.add_argument("--labelled", action="append", default=[])
     args = parser.parse_args()
@@ -182,15 +183,15 @@ def main():
         os.makedirs(out, exist_ok=True)
         sections += roles_sections(args, sets[0][1], out)
     with open(args.results, "w") as file:
-        file.write("# Results of the experiments\n\nMade by `results.py`, which runs every command that is named below. P, R, F1: precision, "
-                   "recall and F1 of pairs of parts;\nmeans of pairs by category, then of categories; the interval of the mean F1 is a bootstrap over "
-                   "shapes. Constants of the default method\nwere set on the development set, the later ones on the generated shapes, "
-                   "too, and its rules were chosen by all of both:\nneither is a blind check. The shapes of drawn styles "
-                   f"(`generate_models --benchmark --random-styles --seed {DRAWN_SEED}`) are one:\nnothing was chosen on them, but "
-                   "they are made of the same components as the generated shapes, and lamps and velocipedes differ\nmostly in "
-                   "numbers and measures; the last rules were chosen with those of seed 102. Constants of the peers were set on\n"
-                   "the development set. Halves are by source family. Times are by the clock on two cores that had other jobs: compare them within a\n"
-                   "table; the manual's page on performance has those of an idle machine. WORST.md goes through the worst results, and says what\nwas tried.\n\n" + "\n".join(sections))
+        file.write("# Results of the experiments\n\n"
+                   "Made by `results.py`, which runs every command that is named below. P, R, F1: precision, recall and F1 of pairs of parts,\n"
+                   "means over the pairs of a category, then over categories; the interval of the mean F1 is from a bootstrap over shapes. Constants of the default\n"
+                   "method were set on the development set, later ones also on the generated shapes, and its rules were chosen on all shapes of both: neither is a\n"
+                   f"blind test. The shapes of random styles (`generate_models --benchmark --random-styles --seed {DRAWN_SEED}`) are one: nothing was chosen on them. But they\n"
+                   "are made of the same components as the generated shapes, lamps and velocipedes differ mostly in numbers and measures, and the last rules were\n"
+                   "chosen with the shapes of seed 102. Constants of the other methods were set on the development set. Halves are by source family. Times are\n"
+                   "wall-clock times on two cores that had other work: compare them within a table only; the manual's page on performance has times of an idle\n"
+                   "machine. WORST.md discusses the worst results and what was tried.\n\n" + "\n".join(sections))
 
 
 if __name__ == "__main__":

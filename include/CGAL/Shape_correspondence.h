@@ -12,8 +12,8 @@
 #define CGAL_SHAPE_CORRESPONDENCE_H
 
 /// \file Shape_correspondence.h
-/// What one does with shapes: all of the package but reading and writing files (`Shape_correspondence/IO/`) and the
-/// solvers by themselves (`exact_search.h`, `markov_clustering.h`, `part_matrix.h`).
+/// Includes all of the package except reading and writing files (`Shape_correspondence/IO/`) and the solvers that can
+/// be used without shapes (`exact_search.h`, `markov_clustering.h`, `part_matrix.h`).
 
 #include <CGAL/Shape_correspondence/Correspondence_map.h>
 #include <CGAL/Shape_correspondence/Surface_map.h>

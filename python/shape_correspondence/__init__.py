@@ -9,8 +9,8 @@
 
 Shapes are files, `Shape`, triples (name, vertices, faces) of NumPy arrays, or structural graphs (`build_graph()`).
 Options are keyword arguments with the names and defaults of the library. Results are dataclasses; their `to_dict()` is
-the JSON that the program ``shape_correspondence`` writes. Work runs without Python's global lock; Ctrl-C ends it where it
-can be ended. What cannot be used raises `InvalidInput`, a `ValueError`.
+the JSON that the program ``shape_correspondence`` writes. Work runs without Python's global lock; Ctrl-C ends most of
+it (see the manual). Input that cannot be used raises `InvalidInput`, a `ValueError`.
 """
 
 from . import roles

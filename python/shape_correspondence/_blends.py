@@ -18,7 +18,7 @@ from ._shapes import Input, Path, Progress, Shape, _graphs, _reading_options
 
 @dataclass
 class BlendTask(Record):
-    """Something that happens to a part during a blend."""
+    """What happens to one part during a blend, and when."""
 
     task: str  #: morph, split, merge, shrink or grow
     begin: float  #: time at which it begins, in [0, 1]
@@ -28,7 +28,7 @@ class BlendTask(Record):
 
 
 class Blend:
-    """The shapes in between two shapes. `blend()` makes it; call it with a time in [0, 1]."""
+    """The shapes in between two shapes, made by `blend()`. Called with a time in [0, 1], it returns the shape then."""
 
     def __init__(self, handle: Any):
         self._handle = handle
@@ -46,20 +46,20 @@ class Blend:
         return [BlendTask.from_dict(task) for task in self.to_dict(frames=2)["tasks"]]
 
     def different(self) -> List["Blend"]:
-        """The same blend by every schedule that makes other shapes in between, the best first."""
+        """The same blend by each of the schedules that make different in-between shapes, the best first."""
         return [Blend(handle) for handle in self._handle.different()]
 
     def to_dict(self, frames: int = 25, output: Path = "") -> Dict[str, Any]:
-        """What happens when, and how well every frame holds together, as ``shape_correspondence blend --json`` writes
-        it.
+        """The tasks and their times, and the quality of every frame, as ``shape_correspondence blend --json`` writes
+        them.
 
-        :param frames: how many, at even times
+        :param frames: number of frames, at equal time steps
         :param output: the name of the file or folder that the blend is written to
         """
         return json.loads(self._handle.json(os.fspath(output), frames))
 
     def save(self, path: Path, frames: int = 25) -> None:
-        """Writes an animation, if the path ends in ``.glb``, or else a folder of an OBJ file a frame."""
+        """Writes an animation if the path ends in ``.glb``, otherwise a folder with one OBJ file for each frame."""
         path = _Path(path)
         if path.suffix == ".glb":
             self._handle.save_glb(str(path), frames)
@@ -72,7 +72,7 @@ class Blend:
 
 
 def schedule_names() -> List[str]:
-    """The names of the orders in which the tasks of a blend may come."""
+    """The names of the schedules, the orders in which the tasks of a blend can take place."""
     return _core.schedule_names()
 
 
@@ -97,13 +97,13 @@ def blend(
     :param source: the source shape; ignored where `correspondence` is a `Match`
     :param target: the target shape; the same
     :param correspondence: a `Match`, a file of ``match --json``, or None: it is searched for
-    :param contact_tolerance: parts nearer than this at an end of the blend touch there; of the shape's height
-    :param samples: in-between shapes that a schedule is judged by
-    :param min_confidence: parts of pairs that are less probable shrink and grow
+    :param contact_tolerance: largest gap between parts in contact, as a fraction of the shape's height
+    :param samples: number of in-between shapes by which a schedule is rated
+    :param min_confidence: pairs of lower confidence, in [0, 1], are left out: their parts shrink and grow
     :param size: of the in-between shapes: ``"blend"`` (from the source's to the target's), ``"source"``, ``"target"``, or
         ``"same"`` (height 1)
     :param schedule: one of `schedule_names()`; empty: the best
-    :param rank_all: judge all schedules by all samples, also those that can no longer be the best
+    :param rank_all: rate all schedules by all samples, also those that can no longer be the best
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
     :param progress: see `build_graph()`

@@ -40,19 +40,19 @@ class TreeEdge(Record):
     """Two shapes that are joined in the spanning tree."""
 
     shapes: Tuple[str, str]  #: their names
-    distance: float  #: mean of the energies of either direction
+    distance: float  #: mean of the energies of both directions
 
 
 @dataclass
 class Bridge(Record):
-    """Two shapes that match better by way of others."""
+    """Two shapes that match better through others."""
 
     source: str  #: the source shape
     target: str  #: the target shape
     chain: List[str]  #: the source, the shapes in between, the target
     energy: float  #: the sum of the energies of the steps
     direct_energy: float  #: the energy without a shape in between
-    pairs: List[Tuple[str, str]]  #: parts that correspond by way of the chain
+    pairs: List[Tuple[str, str]]  #: parts that correspond along the chain
     confidences: List[float]  #: by pair
 
 
@@ -62,7 +62,7 @@ class CoAnalysis(Record):
 
     shape_pairs: int  #: pairs of shapes whose part maps are clustered
     part_pairs: int  #: pairs of parts
-    rejected_part_pairs: int  #: more of them, which too few third shapes confirm
+    rejected_part_pairs: int  #: further pairs of parts, left out since too few third shapes confirm them
 
 
 @dataclass
@@ -85,7 +85,7 @@ class PairMatch(Record):
 
 @dataclass(eq=False)
 class Collection(Record):
-    """What is found out about a set of shapes.
+    """The analysis of a set of shapes.
 
     `to_dict()` is what ``shape_correspondence collection --json`` writes.
     """
@@ -96,11 +96,11 @@ class Collection(Record):
     medoid: Medoid  #: the shape of least mean distance to the others
     spanning_tree: List[TreeEdge]  #: a minimum spanning tree by distance
     bridge_count: int  #: ordered pairs of shapes for which a chain costs less
-    bridges: List[Bridge]  #: of these, those of the largest gain
+    bridges: List[Bridge]  #: the 100 of these with the largest gain
     co_analysis: CoAnalysis  #: how many pairs of parts were clustered
     clusters: List[Cluster]  #: parts that correspond over the whole set
-    energies: Optional[np.ndarray] = None  #: source × target; 0 on the diagonal
-    matches: Optional[List[PairMatch]] = None  #: of ordered pairs of shapes, where they were asked for
+    energies: Optional[np.ndarray] = None  #: distances, source × target; 0 on the diagonal; None for over 1000 shapes
+    matches: Optional[List[PairMatch]] = None  #: of ordered pairs of shapes, if they were asked for
     warnings: List[str] = field(default_factory=list)  #: what was approximated, in whole sentences
 
 
@@ -110,7 +110,7 @@ class NearShape(Record):
 
     name: str  #: its name
     file: str  #: the file that it was read from
-    distance: float  #: mean of the energies of either direction
+    distance: float  #: mean of the energies of both directions
     pairs: List[Tuple[str, str]]  #: parts that correspond, (query, shape)
     confidences: List[float]  #: by pair
 
@@ -122,7 +122,7 @@ class Nearest(Record):
     _header: ClassVar[Dict[str, Any]] = {"format": "shape_correspondence/nearest", "version": 1}
 
     query: str  #: its file or name
-    shapes: int  #: of the collection
+    shapes: int  #: number of shapes in the collection
     evaluations: int  #: shapes that were matched with the query
     nearest: List[NearShape]  #: the nearest first
     warnings: List[str]  #: what was approximated, in whole sentences
@@ -148,24 +148,25 @@ def collection(
     """Matches all ordered pairs of a set of shapes.
 
     :param shapes: the shapes, or a folder of them
-    :param unmatched_energy: what a pair of connected parts counts of which one has no counterpart
-    :param inflation: of Markov clustering: more of it makes smaller clusters of parts
-    :param least_cycle_support: a pair of parts is clustered if this share of the third shapes that could confirm it do
-    :param neighbours: cluster the part maps of every shape with so many nearest ones only; 0: with all of up to 100
-        shapes, with 32 of more
+    :param unmatched_energy: energy of a pair of connected parts of which one has no counterpart
+    :param inflation: inflation of Markov clustering, more than 1; larger values make smaller clusters of parts
+    :param least_cycle_support: a pair of parts is clustered if at least this share of the third shapes that could confirm
+        it do so, in [0, 1]
+    :param neighbours: cluster the part maps of every shape with only this number of its nearest shapes; 0: with all of
+        up to 100 shapes, with 32 of more
     :param matches: whether the result has the corresponding parts of all pairs of shapes (of more than 100 shapes: of
         near ones)
     :param agreeing: keep only pairs of parts that are in one cluster, in the matches and on the page: fewer pairs,
         which are right more often
     :param html: a web page to write
-    :param store: a folder that finished matches are kept in: a call that was ended continues where it was, and one with
-        more shapes matches the new ones only
+    :param store: a folder in which finished matches are kept: an interrupted call continues where it was, and a call with
+        more shapes matches only the new ones
     :param roles: see `match()`
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
     :param progress: see `build_graph()`
     :param options: further ones of `match()`
-    :raises InvalidInput: if a shape cannot be used, or there are less than two
+    :raises InvalidInput: if a shape cannot be used, or there are fewer than two
     """
     search = _checked_search_options("collection", options)
     graphs = _collection_graphs(shapes, cache, threads, progress)
@@ -194,7 +195,7 @@ def nearest(
 
     :param query: the query
     :param shapes: the shapes, or a folder of them
-    :param count: how many to find
+    :param count: number of shapes to find
     :param unmatched_energy: see `collection()`
     :param roles: see `match()`
     :param cache: see `build_graph()`
@@ -222,8 +223,8 @@ def transfer_labels(
     progress: Progress = None,
     **options: Any,
 ) -> List[PartRoles]:
-    """Transfers the labels of one shape to the parts of others, each the label of the part that it corresponds to most
-    probably. A part that the options keep out of the match gets none.
+    """Transfers the labels of one shape to the parts of others. Each part gets the label of the part to which it
+    corresponds most probably; a part that the options leave out of the match gets none.
 
     :param source: the labelled shape
     :param shapes: the shapes that get labels, or a folder of them
@@ -267,19 +268,19 @@ class MeanScore(Record):
     """The scores of several results."""
 
     category: Optional[str] = None  #: of the shapes; None: the mean of all, in which every category weighs the same
-    results: int = 0  #: how many there are
+    results: int = 0  #: number of results
     empty: int = 0  #: results without a pair
     precision: Optional[Estimate] = None  #: right pairs among those found
     recall: Optional[Estimate] = None  #: pairs found among the right ones
     f1: Optional[Estimate] = None  #: harmonic mean of precision and recall
-    coarse_precision: Optional[Estimate] = None  #: the same of coarse labels
+    coarse_precision: Optional[Estimate] = None  #: pairs of equal coarse labels among those found
 
 
 @dataclass
 class Score(Record):
     """The score of one result."""
 
-    file: str  #: of the result, or what it is of
+    file: str  #: file of the result, or the names of its shapes
     category: str  #: of the shapes
     source: str  #: name of the source
     target: str  #: name of the target
@@ -316,14 +317,14 @@ def evaluate(
 ) -> Evaluation:
     """Scores results against labelled parts: precision, recall, F1.
 
-    A shape is known by the name of the folder of its ``labels.json``, which must be in the path or name of the shape
-    that was matched.
+    The labels of a shape are found by the name of the folder of its ``labels.json``, which must be in the path or name of
+    the shape that was matched.
 
-    :param results: matches, files of ``match --json``, folders of such
+    :param results: matches, files of ``match --json``, or folders of them
     :param ground_truth: files ``labels.json``, or folders of them
-    :param resamples: draws of the bootstrap that the intervals come from
-    :param confidence: how probable it is that a mean lies in its interval
-    :param seed: of the random numbers
+    :param resamples: number of bootstrap samples for the confidence intervals
+    :param confidence: confidence level of the intervals, in (0, 1)
+    :param seed: seed of the random numbers
     :raises InvalidInput: if a result is of shapes that have no labels
     """
     every = [results] if isinstance(results, (Match, str, os.PathLike)) else list(results)

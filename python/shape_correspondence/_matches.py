@@ -26,14 +26,14 @@ class EnergyTerms(Record):
     """The terms of the deformation energy (Eq. 1 of the paper), before weighting."""
 
     distortion: float  #: E_d, Eq. 2 and 3
-    connectedness: float  #: E_c, Eq. 4 with its sign turned
-    split: Optional[float] = None  #: E_s, Eq. 5; of groups None
-    unmatched: Optional[float] = None  #: cost of groups left unmatched, where there are such
+    connectedness: float  #: E_c, Eq. 4 with its sign corrected
+    split: Optional[float] = None  #: E_s, Eq. 5; None for a group
+    unmatched: Optional[float] = None  #: cost of unmatched groups; None if there are none
 
 
 @dataclass
 class GroupMatch(Record):
-    """What a symmetry group of the deformed shape corresponds to."""
+    """A symmetry group of the deformed shape and its counterpart."""
 
     source: List[str]  #: parts of the source
     target: List[str]  #: parts of the target
@@ -41,12 +41,12 @@ class GroupMatch(Record):
     energy: float  #: its share of E_d + w_c E_c
     terms: EnergyTerms  #: its share of E_d and E_c
     solidity_ratio: float  #: S_i of Eq. 5
-    min_marginal: Optional[float] = None  #: rise of the least energy if the group may not have this match
+    min_marginal: Optional[float] = None  #: increase of the least energy if the group may not have this match
 
 
 @dataclass
 class ContactEnergy(Record):
-    """What a contact of the deformed shape costs."""
+    """The energy of a contact of the deformed shape."""
 
     parts: Tuple[str, str]  #: the two parts
     distortion: float  #: its share of E_d
@@ -55,15 +55,15 @@ class ContactEnergy(Record):
 
 @dataclass
 class PairRoles(Record):
-    """What the parts of both shapes are for."""
+    """The roles of the parts of both shapes."""
 
-    source: List[str]  #: by source part, the likeliest role
-    target: List[str]  #: by target part
+    source: List[str]  #: the most probable role of every source part
+    target: List[str]  #: the same for the target parts
 
 
 @dataclass
 class Seconds(Record):
-    """How long everything took."""
+    """Seconds of each phase of a match."""
 
     read: float  #: reading both models
     abstraction: float  #: abstracting their parts
@@ -77,8 +77,8 @@ class SearchSummary(Record):
 
     method: str  #: parts, beam or exact
     states: int  #: search states kept
-    evaluations: int  #: energies of states computed
-    lower_bound: float  #: no correspondence in this direction costs less
+    evaluations: int  #: states whose energy, or a lower bound of it, was computed
+    lower_bound: float  #: no correspondence in this direction has a lower energy
 
 
 @dataclass
@@ -86,7 +86,7 @@ class Solution(Record):
     """One of the best correspondences."""
 
     energy: float  #: its energy
-    terms: EnergyTerms  #: the terms of it
+    terms: EnergyTerms  #: the terms of its energy
     pairs: List[Tuple[str, str]]  #: its pairs of parts
 
 
@@ -104,21 +104,21 @@ class Match(Record):
     energy: float  #: E of Eq. 1
     terms: EnergyTerms  #: the terms of the energy
     direction: str  #: which shape was deformed: ``"source_to_target"`` or ``"target_to_source"``
-    target_quarter_turns: int  #: of the target about up, into the source's frame
+    target_quarter_turns: int  #: turns of the target by 90° about up that align it with the source
     complete: bool  #: every group is assigned, or left unmatched where that is allowed
-    optimal: bool  #: the energy is proven minimal
+    optimal: bool  #: the energy is proven minimal, for this direction and turn of the target
     pairs: List[Tuple[str, str]]  #: parts that correspond, (source, target)
-    confidences: Optional[List[float]] = None  #: by pair, how probable it is; None where the method does not tell
-    category: Optional[str] = None  #: whose roles were joined with the costs of parts; None: none
-    roles: Optional[PairRoles] = None  #: what the parts are for, where there is a category
+    confidences: Optional[List[float]] = None  #: probability of each pair; None if the method does not compute it
+    category: Optional[str] = None  #: category whose roles were used; None: no roles were used
+    roles: Optional[PairRoles] = None  #: roles of the parts, if there is a category
     groups: List[GroupMatch] = field(default_factory=list)  #: by group of the deformed shape
     contacts: List[ContactEnergy] = field(default_factory=list)  #: by contact of the deformed shape
     unmatched_source: List[str] = field(default_factory=list)  #: source parts without counterpart
     unmatched_target: List[str] = field(default_factory=list)  #: target parts without counterpart
-    seconds: Optional[Seconds] = None  #: how long everything took
+    seconds: Optional[Seconds] = None  #: seconds of each phase
     search: Optional[SearchSummary] = None  #: how the search went
     warnings: List[str] = field(default_factory=list)  #: what was approximated or ended early, in whole sentences
-    solutions: Optional[List[Solution]] = None  #: the best correspondences, where several were asked for
+    solutions: Optional[List[Solution]] = None  #: the best correspondences, if several were asked for
     _handle: Any = field(default=None, repr=False, compare=False)
 
     @property
@@ -179,35 +179,34 @@ def match(
 
     :param source: the source shape
     :param target: the target shape
-    :param search_method: ``"parts"`` (least cost of corresponding parts), ``"beam"`` (least deformation energy by the
+    :param search_method: ``"parts"`` (least cost of substituting parts), ``"beam"`` (least deformation energy by the
         paper's beam search) or ``"exact"`` (least deformation energy, with a proof)
-    :param part_matching: of ``"parts"``, what differs from the defaults: weights of the terms in the cost of a pair of
+    :param part_matching: options of ``"parts"`` other than the defaults: weights of the terms in the cost of a pair of
         parts (``overlap``, ``extent``, ``ground``, ``side``, ``front``, ``orientation``, ``chamfer``, ``contacts``,
-        ``chain``), bounds of costs (``excess``, ``confident_excess``, ``shared_counterpart``), and whether sets of parts
-        are matched as such (``panels``, ``support``, ``chains``); `Part_matching_options` of the library
-    :param roles: what parts are for, joined with their costs by ``"parts"`` where shapes are upright and look to +z:
-        ``"auto"`` (the model that comes with the package), None, or a model
-    :param category: of both shapes, whose roles are taken; empty: the one that they are most like
-    :param min_confidence: pairs that are less probable are left out, by ``"parts"``
+        ``chain``), bounds of costs (``excess``, ``confident_excess``, ``shared_counterpart``), and which sets of parts
+        are matched as a whole (``panels``, ``support``, ``chains``); see `Part_matching_options` of the library
+    :param roles: role model for ``"parts"``, and for a `role_weight`; shapes must be upright and face +z: ``"auto"`` (the
+        model that comes with the package), None (no roles), a model, or its file
+    :param category: category of both shapes, for their roles; empty: the most similar one
+    :param min_confidence: pairs of lower confidence, in [0, 1], are left out; for ``"parts"``
     :param beam_width: K of the paper, the partial solutions kept at each level of the beam search
     :param expansions: k of the paper, the expansions kept of each partial solution
     :param distortion_weight: weight of E_d in Eq. 1
     :param connectedness_weight: w_c, weight of E_c
     :param split_weight: w_s, weight of E_s
     :param role_weight: weight of the disagreement of roles in the energy, by ``"beam"`` and ``"exact"``; 0: as in the paper
-    :param energy_norm: ``"sum"`` adds the energies of connected pairs of parts, ``"pooled"`` takes one norm of all rods
+    :param energy_norm: ``"sum"`` adds the energies of connected pairs of parts, ``"pooled"`` takes one norm over all rods
     :param cut_curves: whether curves may be cut into segments and joined
-    :param unmatched_cost: energy of leaving a group unmatched, for each of its contacts; infinite: it may not be
-    :param pinned: pairs of parts (source, target), by name or index, that correspond, whatever they cost, and the only
-        ones of their parts
-    :param forbidden: pairs of parts that do not correspond
-    :param both_directions: deform either shape into the other and keep the lower energy
-    :param maximum_parts: only so many parts are matched, the most prominent ones; 0: all
-    :param coarse_target: whether `maximum_parts` is of both shapes, or of the source alone
+    :param unmatched_cost: energy of an unmatched group, for each of its contacts; infinite: groups must be matched
+    :param pinned: pairs of parts (source, target), by name or index, that must correspond, and to no other parts
+    :param forbidden: pairs of parts that must not correspond
+    :param both_directions: deform either shape into the other, and keep the lower energy per pair of connected parts
+    :param maximum_parts: number of largest parts to match; 0: all parts
+    :param coarse_target: whether `maximum_parts` applies to both shapes, or to the source only
     :param source_parts: only these parts of the source, by name or index; empty: all
-    :param target_parts: only these parts of the target
-    :param alignments: how many turns of the target about the up axis are tried; 0: all
-    :param solutions: how many of the best correspondences `Match.solutions` has
+    :param target_parts: the same for the target
+    :param alignments: number of turns of the target about the up axis to try, nearest to the given one first; 0: all
+    :param solutions: number of best correspondences in `Match.solutions`
     :param min_marginals: whether `GroupMatch.min_marginal` is computed
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
@@ -245,10 +244,10 @@ def transfer(
     Values that are numbers are interpolated over triangles; integers, booleans and strings are labels, taken from the
     nearest corner.
 
-    :param match: what `match()` found
-    :param values: by name of a source part, or in the order of the parts, an array of a row a vertex
-    :param none: the value of vertices of parts that have no counterpart
-    :return: an array of a row a vertex, by name of a target part
+    :param match: the result of `match()`
+    :param values: by name of a source part, or in the order of the parts: an array with one row for each vertex
+    :param none: the value at vertices of parts without counterpart
+    :return: by name of a target part: an array with one row for each vertex
     :raises InvalidInput: if a shape has no surface, or values do not fit the source
     """
     arrays = _arrays_by_part(match, values)
@@ -268,17 +267,17 @@ def transfer(
 
 @dataclass
 class TransferredPart(Record):
-    """What a part of the target got."""
+    """What was transferred to a part of the target."""
 
     name: str  #: the target part
-    looks: str  #: whose looks it has: source, target (its own), or neutral (grey)
+    looks: str  #: where its materials, textures and colours come from: source, target (its own), or neutral (grey)
     sources: List[str]  #: the source parts that it is mapped to
     label: Optional[str] = None  #: the label of most of its faces, where labels were transferred
 
 
 @dataclass
 class TransferredLooks(Record):
-    """What `transfer_looks()` did. `to_dict()` is what ``shape_correspondence transfer --json`` writes."""
+    """The result of `transfer_looks()`. `to_dict()` is what ``shape_correspondence transfer --json`` writes."""
 
     _header: ClassVar[Dict[str, Any]] = {"format": "shape_correspondence/transfer", "version": 1}
 
@@ -296,12 +295,12 @@ def transfer_looks(
     match: Match, output: Path, *, size: int = 1024, labels: Optional[Path] = None, new_coordinates: bool = False
 ) -> TransferredLooks:
     """Transfers materials, textures and colours, or labels, from the source to the target along a match, and writes the
-    target with them, baked into a texture. Shapes must be files; those made of arrays have no looks, but labels.
+    target with them, baked into a texture. The source must be a file, unless labels are transferred.
 
-    :param match: what `match()` found
+    :param match: the result of `match()`
     :param output: ``.glb``, ``.obj`` (with ``.mtl`` and ``.png`` beside it) or ``.ply``
     :param size: width and height of the texture in pixels
-    :param labels: None, ``"parts"`` (the names of the source's parts) or a file of labels of the source
+    :param labels: None, ``"parts"`` (the names of the source's parts) or the file ``labels.json`` of the source
     :param new_coordinates: lay out new texture coordinates even if those of the target can be used
     :raises InvalidInput: if the source has no looks, or a file cannot be read or written
     """

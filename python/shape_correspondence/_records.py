@@ -28,7 +28,7 @@ class Record:
 
     @classmethod
     def from_dict(cls, values: Dict[str, Any], **others: Any) -> Any:
-        """The result that a dictionary of `to_dict()` or a file of ``--json`` holds."""
+        """The result from a dictionary, as `to_dict()` returns it or ``--json`` writes it."""
         hints = typing.get_type_hints(cls)
         names = [f.name for f in dataclasses.fields(cls) if not f.name.startswith("_")]  # type: ignore[arg-type]
         known = {name: _typed(hints[name], values[name]) for name in names if name in values}

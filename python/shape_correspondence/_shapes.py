@@ -1,6 +1,6 @@
 # Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shapes in named parts, and their structural graphs."""
+"""Segmented shapes and their structural graphs."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ Parts = Iterable[Tuple[str, Any, Any]]
 
 
 class Shape:
-    """A shape in named parts, each a triangle mesh.
+    """A segmented shape: a list of named parts, each a triangle mesh.
 
     :param parts: triples (name, V, F): V is an (n, 3) array of points, F an (m, 3) array of rows of V
     :param name: names the shape in messages and results
     :param up: the upright direction: ``"x"``, ``"y"``, ``"z"``, a vector, or ``"auto"``, the axis along which the shape
-        stands best
+        stands most stably
     :raises InvalidInput: if a name is empty or taken, a mesh has an invalid index or coordinate, or no area
     """
 
@@ -71,11 +71,11 @@ class Shape:
 
     @property
     def warnings(self) -> List[str]:
-        """What was guessed when the shape was read, in whole sentences."""
+        """What was estimated or left out when the shape was read, in whole sentences."""
         return self._handle.warnings
 
     def save(self, path: Path) -> None:
-        """Writes the shape as ``.obj`` (an object a part) or ``.ply`` (binary, the part a property of every face)."""
+        """Writes the shape as ``.obj`` (one object per part) or ``.ply`` (binary, with the part of every face)."""
         self._handle.save(os.fspath(path))
 
     def __repr__(self) -> str:
@@ -84,7 +84,7 @@ class Shape:
 
 @dataclass(eq=False)
 class PartAbstraction(Record):
-    """The curve or sheet that stands for a part."""
+    """The curve or sheet that approximates a part."""
 
     name: str  #: name of the part
     type: str  #: ``"curve"`` or ``"sheet"``
@@ -100,8 +100,8 @@ class PartAbstraction(Record):
 class PartGroup(Record):
     """Parts that are symmetric to each other, or a single part."""
 
-    parts: List[str]  #: names, in the order along the symmetry
-    symmetry: str  #: ``"self"``, ``"reflection"``, ``"rotation"`` or ``"translation"``
+    parts: List[str]  #: names, in the order along the generator
+    symmetry: str  #: ``"self"`` (a single part), ``"reflection"``, ``"rotation"`` or ``"translation"``
     order: Optional[int] = None  #: of a rotation: n of n-fold
 
 
@@ -136,12 +136,12 @@ class Graph:
 
     @property
     def groups(self) -> List[PartGroup]:
-        """The symmetry groups, which have every part once."""
+        """The symmetry groups. Every part is in one of them."""
         return [PartGroup.from_dict(group) for group in self.to_dict()["groups"]]
 
     @property
     def contacts(self) -> List[Tuple[str, str]]:
-        """The pairs of parts that touch; parts that touch in several places are there as often."""
+        """The pairs of parts in contact, one for each region in which they touch."""
         return [tuple(contact["parts"]) for contact in self.to_dict()["contacts"]]
 
     @property
@@ -174,13 +174,13 @@ Input = Union[Graph, Shape, Path, Parts]
 def read(path: Path, *, up: Optional[str] = None, parts: str = "auto", parts_from: Optional[Path] = None) -> Shape:
     """Reads a segmented shape.
 
-    :param path: an OBJ (``o`` and ``g`` are parts), PLY, STL, OFF, glTF, COLLADA, FBX, 3DS, DXF or AC3D file, a node a
-        part; or a folder of part meshes, a file a part
-    :param up: the upright axis: ``"x"``, ``"y"``, ``"z"`` or ``"auto"``, the one along which the shape stands best;
-        None: what the file says, y for a folder, and else y unless the shape clearly stands along another axis
-    :param parts: what the parts of a file are: ``"file"``, its objects; ``"components"``, its loose pieces;
-        ``"segments"``, these divided by thickness; ``"auto"``, the objects, but for those of loose pieces that do not
-        belong together, which are split
+    :param path: an OBJ (``o`` and ``g`` are parts), PLY, STL, OFF, glTF, COLLADA, FBX, 3DS, DXF or AC3D file with one
+        object or node for each part; or a folder of part meshes, one file for each part
+    :param up: the upright axis: ``"x"``, ``"y"``, ``"z"`` or ``"auto"``, the one along which the shape stands most stably;
+        None: the one given by the file; y for a folder; otherwise y unless the shape clearly stands along another axis
+    :param parts: how parts are made of a file: ``"file"``, its objects; ``"components"``, its loose pieces;
+        ``"segments"``, loose pieces divided by thickness; ``"auto"``, its objects, but objects of unrelated loose pieces
+        are split
     :param parts_from: a list of pieces and their parts, as ``shape_correspondence graph --parts-json`` writes it
     :raises InvalidInput: if the file cannot be read
     """
@@ -215,24 +215,25 @@ def build_graph(
     :param shape: a `Shape`, triples (name, V, F), a model file, or a saved graph (``.json``, ``.xml``)
     :param kind: what parts become: ``"auto"`` (a sheet if a part is wide for its length and thin for its width, else a
         curve), ``"curve"`` or ``"sheet"``
-    :param part_kinds: the same by name of a part
-    :param edge_length: target edge length of the remeshing, over the diagonal of the part
-    :param triangles: about how many triangles a remeshed part may have
-    :param stop_volume: fraction of the volume at which the mean curvature flow shows sheets
-    :param maximum_iterations: of the flow; the bounding box stands in for a part that needs more
-    :param time_limit: seconds a part; the same holds. Makes results depend on the machine's speed
-    :param curve_points: control points of a curve
+    :param part_kinds: the same for single parts, by name
+    :param edge_length: edge length of the remeshed part, as a fraction of its diagonal
+    :param triangles: approximate maximum of triangles of a remeshed part
+    :param stop_volume: fraction of the volume at which the mean curvature flow is stopped to detect sheets and hollow parts
+    :param maximum_iterations: maximum of iterations of the flow; a part that needs more is represented by its bounding
+        box
+    :param time_limit: seconds for one part, with the same effect; makes results depend on the speed of the machine
+    :param curve_points: control points of a curve; as many more for every full turn
     :param sheet_points: control points of a sheet along each side
     :param detect_symmetry: if False, every part is a group of its own
-    :param symmetry_tolerance: how far a part may be from its image, over the part's diagonal
+    :param symmetry_tolerance: largest distance of a part from its image, as a fraction of the part's diagonal
     :param detect_reflections: whether to look for reflections
     :param detect_rotations: whether to look for rotations
     :param detect_translations: whether to look for translations
-    :param contact_tolerance: the widest gap that still is a contact, over the diagonal of the shape
-    :param cache: a folder that keeps graphs, so that a shape is abstracted once; None: none
-    :param threads: how many to use; 0: as many as there are. The result is the same
-    :param progress: called with the share that is done, in [0, 1], and what is being done
-    :raises InvalidInput: if the shape has fewer than two parts, or an option is out of its range
+    :param contact_tolerance: largest gap between parts in contact, as a fraction of the diagonal of the shape
+    :param cache: a folder in which graphs are kept, so that each shape is abstracted once; None: none
+    :param threads: number of threads; 0: all of the machine. The result does not depend on it
+    :param progress: called with the fraction done, in [0, 1], and the name of the current step
+    :raises InvalidInput: if the shape has fewer than two parts or more than 2000, or an option is out of its range
     """
     options = {
         "kind": kind,
@@ -257,7 +258,7 @@ def build_graph(
 
 
 def _graphs(shapes: Sequence[Input], is_pair: bool, options: Dict[str, Any], progress: Progress) -> List[Graph]:
-    """The graphs of inputs: files all at once, the rest one by one."""
+    """The graphs of inputs: files all at once, other inputs one by one."""
     paths = [os.fspath(shape) for shape in shapes if isinstance(shape, (str, os.PathLike))]
     is_pair = is_pair and len(paths) == 2
     loaded = iter(_core.load_graphs(paths, is_pair, options, progress) if paths else [])

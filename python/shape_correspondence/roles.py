@@ -1,6 +1,6 @@
 # Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What parts are for: their roles, such as the legs and the seat of a chair, learned from labelled shapes."""
+"""Roles of parts, such as the legs and the seat of a chair, learned from labelled shapes."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ Model = Union[str, "os.PathLike[str]", RoleModel]
 
 @dataclass
 class PartRole(Record):
-    """What a part is for."""
+    """The role of a part."""
 
     name: str  #: name of the part
     coarse: str  #: its role
-    fine: Optional[str] = None  #: what it is more precisely, where the model knows it
+    fine: Optional[str] = None  #: its fine label, if the model knows one
     probability: Optional[float] = None  #: of the role
 
 
 @dataclass
 class PartRoles(Record):
-    """What the parts of a shape are for. `to_dict()` is what ``shape_correspondence label --output`` writes."""
+    """The roles of the parts of a shape. `to_dict()` is what ``shape_correspondence label --output`` writes."""
 
     _header: ClassVar[Dict[str, Any]] = {"format": "shape_correspondence/labels"}
 
@@ -39,12 +39,12 @@ class PartRoles(Record):
 
 
 class LabelledShape(NamedTuple):
-    """A shape that roles are learned from, upright and looking to +z."""
+    """A shape from which roles are learned; it must be upright and face +z."""
 
     shape: Input  #: the shape
     category: str  #: such as chair
-    labels: Mapping[str, Union[str, Tuple[str, str]]]  #: role, or role and finer label, by name of a part
-    weight: float = 1  #: less for generated shapes than for real ones
+    labels: Mapping[str, Union[str, Tuple[str, str]]]  #: role, or role and fine label, by name of a part
+    weight: float = 1  #: weight in the training; less for generated shapes than for real ones
 
 
 def load(path: Optional[Path] = None) -> RoleModel:
@@ -57,11 +57,11 @@ def load(path: Optional[Path] = None) -> RoleModel:
 
 def predict(shape: Input, model: Optional[Model] = None, *, category: str = "", cache: Optional[Path] = None,
             threads: int = 0, progress: Progress = None) -> PartRoles:
-    """Tells the roles of the parts of a shape that is upright and looks to +z.
+    """Predicts the roles of the parts of a shape, which must be upright and face +z.
 
     :param shape: the shape
     :param model: a role model or its file; None: the one that comes with the package
-    :param category: of the shape; empty: the one whose labelled parts are most like its parts
+    :param category: category of the shape; empty: the one whose labelled parts are most similar to its parts
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
     :param progress: see `build_graph()`
@@ -74,12 +74,12 @@ def predict(shape: Input, model: Optional[Model] = None, *, category: str = "", 
 
 def train(shapes: Union[Path, Sequence[Union[Path, LabelledShape]]], *, trees: int = 100, seed: int = 0,
           cache: Optional[Path] = None, threads: int = 0, progress: Progress = None) -> RoleModel:
-    """Learns a role model. Five shapes of a category are the least that can be of use; twenty are better.
+    """Learns a role model. A category should have at least five shapes; twenty or more are better.
 
-    :param shapes: folders of labelled shapes, as ``shape_correspondence roles train`` takes them, which then does the
-        work; or `LabelledShape`
-    :param trees: of the forest of a category
-    :param seed: of the random numbers
+    :param shapes: folders of labelled shapes, as for ``shape_correspondence roles train``, which is then called; or
+        `LabelledShape` objects
+    :param trees: number of trees in the forest of a category, from 1 to 1000
+    :param seed: seed of the random numbers
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
     :param progress: see `build_graph()`
@@ -93,11 +93,11 @@ def train(shapes: Union[Path, Sequence[Union[Path, LabelledShape]]], *, trees: i
 
 def extend(model: Optional[Model], shapes: Sequence[LabelledShape], *, seed: int = 0, cache: Optional[Path] = None,
            threads: int = 0, progress: Progress = None) -> RoleModel:
-    """Learns roles from labelled shapes in addition to those that a model was learned from, such as a few of one's own.
+    """Learns roles from labelled shapes in addition to those that a model was learned from, such as a few of your own.
 
     :param model: a role model or its file; None: the one that comes with the package
-    :param shapes: the labelled shapes; with those of a category that the model has, labels must mean the same
-    :param seed: of the random numbers
+    :param shapes: the labelled shapes; in a category that the model has, labels must have the same meaning
+    :param seed: seed of the random numbers
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
     :param progress: see `build_graph()`

@@ -61,6 +61,9 @@ void Solid_abstractor::try_to_run()
   report().several_components = repaired.several_components;
   result_.volume = repaired.volume;
   report().phases.repair = watch_.lap();
+  if (!repaired.several_components && find_geometry_from_faces(repaired)) {
+    return;
+  }
   edge_length_ = target_edge_length(repaired.mesh, options_);
   const Part_mesh solid = remeshed(repaired.mesh, edge_length_, deadline_);
   report().phases.remesh = watch_.lap();
@@ -134,6 +137,13 @@ void Solid_abstractor::use_sheet(const Fitted_sheet& fitted, Method method)
   result_.geometry = fitted.sheet;
   report().method = method;
   report().residual = fitted.residual / diagonal_;
+  report().phases.fit += watch_.lap();
+}
+
+void Solid_abstractor::use_prism(std::variant<Curve, Sheet> geometry)
+{
+  result_.geometry = std::move(geometry);
+  report().method = Method::PRISM;
   report().phases.fit += watch_.lap();
 }
 

@@ -5,9 +5,12 @@
 
 #include "abstraction/fit_curve.h"
 #include "abstraction/fit_sheet.h"
+#include "abstraction/repair.h"
 #include "base/deadline.h"
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
+
+#include <variant>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -25,6 +28,9 @@ public:
 protected:
   using Method = Abstraction_report::Method;
 
+  /// Calls `use_prism()` where a part needs no remeshing. \param repaired one closed piece
+  /// \return whether it has
+  virtual bool find_geometry_from_faces(const Repaired_part& /*repaired*/) { return false; }
   /// Calls one of `use_curve()`, `use_axis()` and `use_sheet()`. \throw Flow_failure
   virtual void find_geometry(const Part_mesh& solid) = 0;
 
@@ -32,6 +38,7 @@ protected:
   void use_curve(const Fitted_curve& fitted, Method method);
   void use_axis(const Curve& axis);
   void use_sheet(const Fitted_sheet& fitted, Method method);
+  void use_prism(std::variant<Curve, Sheet> geometry);
 
   /// Whether a curve is hardly more than a point
   bool is_point(const Fitted_curve& fitted) const;
@@ -41,6 +48,8 @@ protected:
   Abstraction_kind wanted_kind() const { return wanted_kind_; }
   const Deadline& deadline() const { return deadline_; }
   double diagonal_of_part() const { return diagonal_; }
+  /// Enclosed by the part
+  double volume() const { return result_.volume; }
   /// Of the solid
   double edge_length() const { return edge_length_; }
   Abstraction_report& report() { return result_.report; }

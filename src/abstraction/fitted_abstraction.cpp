@@ -5,8 +5,10 @@
 #include "abstraction/bounding_box.h"
 #include "abstraction/fit_curve.h"
 #include "abstraction/fit_sheet.h"
+#include "abstraction/hull.h"
 #include "abstraction/intrinsic_extent.h"
 #include "abstraction/medial_poles.h"
+#include "abstraction/recognize_prism.h"
 #include "abstraction/revolution_axis.h"
 #include "abstraction/skeletonize.h"
 #include "abstraction/straight_curve.h"
@@ -91,6 +93,18 @@ class Fitter : public Solid_abstractor
 {
   using Solid_abstractor::Solid_abstractor;
 
+  bool find_geometry_from_faces(const Repaired_part& repaired) override
+  {
+    if (wanted_kind() != Abstraction_kind::AUTOMATIC || repaired.repair == Abstraction_report::Repair::WRAP) {
+      return false;
+    }
+    const auto prism = recognize_prism(repaired.mesh, repaired.volume, options().curve_points, options().sheet_points);
+    if (prism) {
+      use_prism(*prism);
+    }
+    return prism.has_value();
+  }
+
   void find_geometry(const Part_mesh& solid) override
   {
     const Points poles = medial_poles(solid);
@@ -137,7 +151,8 @@ class Fitter : public Solid_abstractor
       }
     }
     if (kind == Intrinsic_kind::ELONGATED && !has_handle) {
-      if (const std::optional<Fitted_curve> straight = straight_curve(axis.points, solid, options().curve_points)) {
+      if (const std::optional<Fitted_curve> straight =
+              straight_curve(axis.points, solid, options().curve_points, is_convex())) {
         use_curve(*straight, Method::MEDIAL_AXIS);
         return;
       }
@@ -156,6 +171,14 @@ class Fitter : public Solid_abstractor
   }
 
 private:
+  /// Whether the part fills its convex hull, but for rounding
+  bool is_convex()
+  {
+    const double least_solidity = 0.97;
+    return !report().several_components && report().repair != Abstraction_report::Repair::WRAP &&
+           volume() > least_solidity * convex_hull(mesh().points).volume;
+  }
+
   /// The curve that the flow finds. Whether the part is a tube shows on the way.
   Fitted_curve contracted_curve(const Part_mesh& solid, const Points& poles, const Points& axis)
   {

@@ -117,12 +117,19 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
   PMP::extract_boundary_cycles(filled, std::back_inserter(borders));
   double work = 0;
   for (auto h : borders) {
-    deadline.check();
     const std::size_t length = halfedges_around_face(h, filled).size();
     work += std::pow(double(length), 3);
     if (length > longest_border || work > most_work) {
       return false;
     }
+  }
+  // A surface that meets itself is worth no work: it still does so when its holes are filled.
+  const double much_work = 1e5;
+  if (work > much_work && PMP::does_self_intersect(mesh)) {
+    return false;
+  }
+  for (auto h : borders) {
+    deadline.check();
     std::vector<Halfedge_mesh::Face_index> patch;
     // The search in a 3D Delaunay triangulation does not always fill the same hole alike
     const auto parameters =

@@ -74,14 +74,16 @@ inline Rod_sections rod_sections(const Points& axis, const Points& surface, cons
 /// The curve of a part that is a straight rod, whatever its profile: the line through the middle of its medial axis, up
 /// to the surface. None where the part is bent, branches, or is wide for its thickness.
 /// \param axis the medial poles of the vertices of `solid`
-inline std::optional<Fitted_curve> straight_curve(const Points& axis, const Part_mesh& solid, int control_points)
+/// \param is_convex of the solid, which has no branches then: it may be wide for its thickness
+inline std::optional<Fitted_curve> straight_curve(const Points& axis, const Part_mesh& solid, int control_points,
+                                                  bool is_convex)
 {
   // Over the distance of the surface from the axis there
   const double most_offset = 0.1; // of the middle of a section from the line
   const double most_spread = 1;   // of the medial axis about it
   const double fewest = 3;        // points of a section
   const Rod_sections sections = rod_sections(axis, solid.points, principal_line(axis));
-  if (sections.counts.minCoeff() < fewest || !(sections.spreads <= most_spread * sections.radii).all()) {
+  if (sections.counts.minCoeff() < fewest || !(is_convex || (sections.spreads <= most_spread * sections.radii).all())) {
     return std::nullopt;
   }
   const Line line = principal_line(sections.centres);

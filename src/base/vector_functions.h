@@ -3,6 +3,9 @@
 
 #pragma once
 
+#include <initializer_list>
+#include <vector>
+
 // Functions that are compiled for several sets of vector instructions, of which the running machine takes its best.
 // They give the same bits as long as no multiplication and addition are fused, which compilers do where they can.
 #ifdef __GNUC__
@@ -24,3 +27,43 @@
 #else
 #define CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions) CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION inline
 #endif
+
+// `define(name, instructions, bytes)` for every set of instructions that the compiler knows, with the size of a vector;
+// 0: single numbers. And the functions whose names start with `prefix` and end in these names.
+#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
+#define CGAL_SHAPE_CORRESPONDENCE_FOR_INSTRUCTIONS(define)                                                             \
+  define(plain, "sse2", 0) define(sse2, "sse2", 16) define(avx2, "avx2", 32) define(avx512, "avx512f", 64)
+#define CGAL_SHAPE_CORRESPONDENCE_VERSIONS(prefix)                                                                     \
+  {                                                                                                                    \
+    prefix##plain, prefix##sse2, prefix##avx2, prefix##avx512                                                          \
+  }
+#else
+#define CGAL_SHAPE_CORRESPONDENCE_FOR_INSTRUCTIONS(define) define(plain, "", 0)
+#define CGAL_SHAPE_CORRESPONDENCE_VERSIONS(prefix)                                                                     \
+  {                                                                                                                    \
+    prefix##plain                                                                                                      \
+  }
+#endif
+
+namespace CGAL::Shape_correspondence::internal {
+
+// Of how many numbers a vector is.
+template <typename Number>
+constexpr int vector_width(int bytes)
+{
+  return bytes == 0 ? 1 : bytes / int(sizeof(Number));
+}
+
+// Of the versions for all sets of instructions those that this machine can run, the fastest one last.
+template <typename Version>
+std::vector<Version> runnable(std::initializer_list<Version> versions)
+{
+  std::vector<Version> result(versions);
+#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
+  if (!__builtin_cpu_supports("avx512f")) result.pop_back();
+  if (!__builtin_cpu_supports("avx2")) result.pop_back();
+#endif
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -11,7 +11,6 @@
 #include "cli/match_table.h"
 #include "cli/outputs.h"
 #include "cli/progress_bar.h"
-#include "cli/read_model.h"
 #include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
@@ -56,9 +55,9 @@ SOURCE and TARGET are each one of
 With --match R.json, the correspondence is read from a result of `match` for the same two shapes, and options of the
 search are refused.
 
-Parts that correspond with a probability below --min-confidence are not believed: they shrink and grow. What happens
-when is a schedule: --schedule takes one by its name, the best one, or all that make different shapes in between, each
-into a folder of its own (with --at, a file), the best one first.
+Pairs of parts with a confidence below --min-confidence are left out: their parts shrink and grow. A schedule defines
+when each part changes: --schedule takes one by its name, the best one, or all that make different shapes in between,
+each into a folder of its own (with --at, a file), the best one first.
 
 Examples: shape_correspondence blend chair.obj swivel_chair.obj -o blend.glb
           shape_correspondence blend chair.obj swivel_chair.obj -o frames --match chair_swivel.json --frames 9
@@ -101,10 +100,8 @@ void print_schedules(const Shape_blend& blend)
       rows.back().push_back(short_number(value));
   }
   write_table(std::cout, rows);
-  std::cout << "\nThe first schedule is used. All values are the maximum over the in-between shapes that were judged, "
-               "of schedules "
-               "that are worse in the middle that one alone; lengths are "
-               "divided by the "
+  std::cout << "\nThe first schedule is used. Each value is the maximum over the in-between shapes that were rated "
+               "(for a schedule that is already worse in the middle, only that one); lengths are fractions of the "
                "height:\n"
                "  gap        how much wider a contact is than in the source and the target\n"
                "  apart      how far connected parts were apart before they were moved together again\n"
@@ -146,7 +143,7 @@ void warn_of_sizes(Blend_size size, const Loaded_shape& source, const Loaded_sha
   const double from = structure(source.graph).frame.height, to = structure(target.graph).frame.height;
   if (size == Blend_size::BLEND && std::max(from, to) > most * std::min(from, to))
     warnings.push_back("one shape is " + short_number(std::max(from, to) / std::min(from, to)) +
-                       " times as high as the other; --size same, source or target makes them alike");
+                       " times as high as the other; --size same, source or target gives both the same height");
 }
 
 Command_help help_of_blend()
@@ -175,8 +172,8 @@ void run_blend(const std::vector<std::string>& arguments)
   check_outputs({common.json, output.is_file() ? output.path : ""}, inputs);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
-  const std::vector<std::string> warnings_of_up = find_up_of_pair(paths, common);
-  std::vector<Loaded_shape> shapes = load_shapes(paths, common);
+  std::vector<std::string> warnings_of_up;
+  std::vector<Loaded_shape> shapes = load_pair(paths, common, warnings_of_up);
   for (std::size_t i : {0u, 1u})
     complete_surfaces(paths[i], shapes[i]);
   const Loaded_shape &source = shapes[0], &target = shapes[1];

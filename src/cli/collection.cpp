@@ -37,7 +37,7 @@ const char* const help_text =
        shape_correspondence collection SHAPE SHAPE... [options]
 
 Matches all ordered pairs of a set of shapes and computes
-  - the distance of each pair: its deformation energy for each pair of connected parts, where a part without counterpart
+  - the distance of each pair: its deformation energy per pair of connected parts, where a part without counterpart
     counts --unmatched-energy;
   - the topological medoid, the shape with the least sum of distances, and a minimum spanning tree;
   - pairs of shapes that are matched better by way of a third one (bridges);
@@ -179,7 +179,7 @@ void run_collection(const std::vector<std::string>& arguments)
   check_outputs({common.json, common.html, options.npy, options.csv}, inputs);
   Team team;
   if (team.size() > 1 && options.store.empty())
-    throw Usage_error("several processes need --store, a folder that all reach");
+    throw Usage_error("several processes need --store, a folder that all of them can use");
   const Thread_limit limit(number_of_threads(common, team));
   add_examples(match, common, matching.search);
   const std::string store_folder = options.store;

@@ -11,6 +11,7 @@
 #include "io/Json_field.h"
 #include "io/atomic_file.h"
 #include "io/digest.h"
+#include "io/input_file.h"
 #include "io/model_parts.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -197,7 +198,7 @@ std::vector<std::string> collection_paths(const std::vector<std::string>& inputs
   std::vector<std::string> result = inputs;
   if (inputs.size() == 1) {
     const fs::path folder = inputs[0];
-    if (!fs::exists(folder)) throw Invalid_input(inputs[0] + ": there is no such file or folder");
+    IO::check_exists(inputs[0]);
     if (!fs::is_directory(folder))
       throw Invalid_input(inputs[0] + ": it is one file; a collection is a folder of shapes, or several inputs");
     result.clear();
@@ -233,8 +234,8 @@ Collection_shapes::Collection_shapes(const std::vector<std::string>& paths, cons
     skipped_.push_back("Left out: " + input.failure);
   }
   if (!failures.empty() && !skip_bad)
-    throw Invalid_input(failures + "\nthe collection needs all of its shapes; --skip-bad leaves such out");
-  if (shapes_.size() < 2) throw Invalid_input(failures + "\nless than two shapes are left");
+    throw Invalid_input(failures + "\nthe collection needs all of its shapes; --skip-bad leaves these out");
+  if (shapes_.size() < 2) throw Invalid_input(failures + "\nfewer than two shapes are left");
   make_names_unique(shapes_);
 }
 

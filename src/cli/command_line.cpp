@@ -85,7 +85,7 @@ po::options_description abstraction_options(Abstraction_options& abstraction)
       "time limit for one part; a part that needs more is represented by its bounding box, with a warning. Default: no "
       "limit, so that results do not depend on the speed of the machine");
   add("curve-points", number(abstraction.curve_points)->value_name("N"),
-      "control points of a curve, for each full turn");
+      "control points of a curve, and as many more for each full turn");
   add("sheet-points", number(abstraction.sheet_points)->value_name("N"), "control points along each side of a sheet");
   return result;
 }

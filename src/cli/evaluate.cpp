@@ -42,8 +42,8 @@ a folder with SHAPE/labels.json or CATEGORY/SHAPE/labels.json. A result is assig
 of its source and target, such as CATEGORY/SHAPE/parts or SHAPE.obj.
 
 Two parts correspond if their coarse labels are equal and, where every part of both shapes with that coarse label has a
-fine label and both shapes share at least half of the fine labels, their fine labels are equal, too. An incomplete
-result counts as having no pairs.
+fine label and the two sets of fine labels share at least half of the smaller one, their fine labels are equal, too. An
+incomplete result counts as having no pairs.
 
 Example: shape_correspondence match shapes/chair/a/parts shapes/chair/b/parts --json results/a--b.json
          shape_correspondence evaluate results --ground-truth shapes --worst 5

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/collection_shapes.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/load_shape.h"
@@ -54,8 +55,8 @@ po::options_description graph_options(Common_options& common, Graph_files& files
   add("json,o", po::value(&common.json)->value_name("FILE"),
       "write the graph as JSON, which `match` reads in place of the model; - is standard output");
   add("glb", po::value(&common.glb)->value_name("FILE"),
-      "write a picture as binary glTF: transparent surfaces, curves as tubes, sheets as patches, one colour for each "
-      "group, contacts as dots");
+      "write a picture as binary glTF: transparent surfaces, curves as tubes, sheets as patches, one colour for "
+      "each group, contacts as lines");
   add("html", po::value(&common.html)->value_name("FILE"),
       "write the same as a web page with a table of the parts; it needs no network");
   add("graphml", po::value(&files.graphml)->value_name("FILE"),
@@ -134,6 +135,7 @@ void run_graph(const std::vector<std::string>& arguments)
   if (!files.parts.empty() && is_graph_file(parsed.inputs[0]))
     throw Usage_error("--parts-json is for models; a graph has no pieces");
   Loaded_shape shape = load_shape(parsed.inputs[0], common);
+  check_part_kinds(common, part_names(shape.graph));
   if (!common.glb.empty()) {
     read_appearance(parsed.inputs[0], shape);
     warn_of_appearance(parsed.inputs[0], shape, common);

@@ -101,6 +101,7 @@ void label_shape(const std::string& path, const Label_options& options, const st
 {
   check_outputs({output}, {path, options.roles, options.examples});
   const Loaded_shape shape = load_shape(path, common);
+  check_part_kinds(common, part_names(shape.graph));
   auto model = options.roles.empty() ? IO::shipped_role_model()
                                      : std::make_shared<const Role_model>(IO::read_role_model(options.roles));
   std::string category = options.category;

@@ -4,9 +4,11 @@
 #include "cli/load_shape.h"
 #include "base/for_each_index.h"
 #include "cli/clock.h"
+#include "cli/collection_shapes.h"
 #include "cli/outputs.h"
 #include "cli/progress_bar.h"
 #include "cli/read_model.h"
+#include "cli/suggestion.h"
 #include "io/input_file.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
@@ -63,7 +65,7 @@ void check_has_parts(const Part_split& split, const Common_options& common)
     why = "of " + std::to_string(split.pieces.size()) + " pieces; " +
           (common.parts_from.empty() ? "say --parts components" : "name several parts in " + common.parts_from);
   else if (!split.by_segments && common.parts != "components")
-    why = "of one piece; say --parts segments";
+    why = "of one piece; use --parts segments";
   throw Invalid_input("it has only one part, " + why + ": correspondences are between shapes of two parts or more");
 }
 
@@ -123,6 +125,20 @@ bool is_graph_file(const std::string& path) { return is_json_file(path) || has_e
 
 namespace {
 
+/// Errors of `read` name `path`.
+template <typename Read>
+auto with_path(const std::string& path, const Read& read)
+{
+  try {
+    return read();
+  } catch (const Invalid_input& error) {
+    const std::string message = error.what();
+    throw Invalid_input(message.rfind(path, 0) == 0 ? message : path + ": " + message);
+  } catch (const std::bad_alloc&) {
+    throw Invalid_input(path + ": it needs more memory than there is");
+  }
+}
+
 /// Calls `load` with options and the shape to fill in; errors name `path`.
 template <typename Load>
 Loaded_shape loaded(const std::string& path, const Common_options& common, const Load& load)
@@ -133,16 +149,11 @@ Loaded_shape loaded(const std::string& path, const Common_options& common, const
   options.symmetry = common.symmetry_options();
   options.contacts.tolerance = common.contact_tolerance;
   options.abstraction.progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
-  Loaded_shape shape;
-  try {
+  return with_path(path, [&] {
+    Loaded_shape shape;
     load(options, shape);
-  } catch (const Invalid_input& error) {
-    const std::string message = error.what();
-    throw Invalid_input(message.rfind(path, 0) == 0 ? message : path + ": " + message);
-  } catch (const std::bad_alloc&) {
-    throw Invalid_input(path + ": it needs more memory than there is");
-  }
-  return shape;
+    return shape;
+  });
 }
 
 } // namespace
@@ -165,13 +176,16 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
   });
 }
 
-std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
+namespace {
+
+/// Calls `work` with the number of every input, on as many threads as there are. Of several errors the first is thrown.
+template <typename Work>
+void for_each_input(std::size_t inputs, const Work& work)
 {
-  std::vector<Loaded_shape> shapes(paths.size());
-  std::vector<std::exception_ptr> failures(paths.size());
-  internal::for_each_index<CGAL::Parallel_if_available_tag>(paths.size(), [&](std::size_t i) {
+  std::vector<std::exception_ptr> failures(inputs);
+  internal::for_each_index<CGAL::Parallel_if_available_tag>(inputs, [&](std::size_t i) {
     try {
-      shapes[i] = load_shape(paths[i], options.of_input(i));
+      work(i);
     } catch (...) {
       failures[i] = std::current_exception();
     }
@@ -179,7 +193,59 @@ std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, con
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }
+}
+
+/// Throws `Usage_error` if an option names a part that none of the shapes has.
+void check_part_kinds(const Common_options& options, const std::vector<Loaded_shape>& shapes)
+{
+  std::vector<std::string> parts;
+  for (const Loaded_shape& shape : shapes)
+    for (std::string& name : part_names(shape.graph))
+      parts.push_back(std::move(name));
+  check_part_kinds(options, parts);
+}
+
+} // namespace
+
+std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
+{
+  std::vector<Loaded_shape> shapes(paths.size());
+  for_each_input(paths.size(), [&](std::size_t i) { shapes[i] = load_shape(paths[i], options.of_input(i)); });
+  check_part_kinds(options, shapes);
   return shapes;
+}
+
+std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Common_options& options,
+                                    std::vector<std::string>& warnings)
+{
+  if (!finds_up_of_pair(paths, options)) return load_shapes(paths, options);
+  std::vector<Loaded_shape> shapes(2);
+  std::vector<Model_objects> models(2);
+  for_each_input(2, [&](std::size_t i) {
+    const double begin = now();
+    models[i] = with_path(paths[i], [&] { return read_objects(paths[i], options.of_input(i)); });
+    shapes[i].read_seconds = now() - begin;
+  });
+  const std::vector<std::string> of_axes = find_up_of_pair(paths, models, options);
+  warnings.insert(warnings.end(), of_axes.begin(), of_axes.end());
+  for_each_input(2, [&](std::size_t i) {
+    const double seconds = shapes[i].read_seconds;
+    const Common_options of_input = options.of_input(i);
+    shapes[i] = loaded(paths[i], of_input, [&](const Structure_options& structure, Loaded_shape& shape) {
+      load_model(model_of_objects(paths[i], std::move(models[i]), of_input), of_input, structure, shape);
+    });
+    shapes[i].read_seconds += seconds;
+  });
+  check_part_kinds(options, shapes);
+  return shapes;
+}
+
+void check_part_kinds(const Common_options& options, const std::vector<std::string>& parts)
+{
+  for (const auto& [part, kind] : options.abstraction.part_kinds)
+    if (std::find(parts.begin(), parts.end(), part) == parts.end())
+      throw Usage_error("--part-kind: there is no part '" + part + "'" + suggestion(part, parts) +
+                        "; `shape_correspondence graph` lists the parts");
 }
 
 void complete_surfaces(const std::string& path, Loaded_shape& shape)

@@ -40,6 +40,14 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
 /// The same for several inputs at once, on as many threads as there are, each with its own options.
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options);
 
+/// The same for the source and the target of a correspondence, whose upright axes are found together where nothing says
+/// them. \param options gets the axes that were found \param warnings gets what has to be said of them
+std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Common_options& options,
+                                    std::vector<std::string>& warnings);
+
+/// Throws `Usage_error` if --part-kind names a part that is none of `parts`, those of all inputs.
+void check_part_kinds(const Common_options& options, const std::vector<std::string>& parts);
+
 /// Reads the meshes that a graph names, where it has no model. \throw Invalid_input if it names none
 void complete_surfaces(const std::string& path, Loaded_shape& shape);
 

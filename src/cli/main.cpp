@@ -48,7 +48,7 @@ int run_command(const std::string& name, const std::vector<std::string>& argumen
                         "); check the path and its permissions",
                     unusable_input);
   } catch (const std::bad_alloc&) {
-    return complain("the memory is not enough for this input", unusable_input);
+    return complain("there is not enough memory for this input", unusable_input);
   } catch (const std::exception& error) {
     return complain("unexpected error: " + std::string(error.what()), unusable_input);
   }

@@ -9,7 +9,6 @@
 #include "cli/match_shapes.h"
 #include "cli/match_table.h"
 #include "cli/outputs.h"
-#include "cli/read_model.h"
 #include "cli/run_report.h"
 #include "cli/thread_limit.h"
 #include "viewer/match_page.h"
@@ -42,7 +41,7 @@ SOURCE and TARGET are each one of
 The table lists sets of parts that correspond. The operation is how the source becomes the target: match (one to one),
 split (one to several), merge (several to fewer), duplicate (several to more), cut (a curve into segments) and join (its
 inverse). The confidence is the probability that a pair is right. The deformation energy is E of the paper, Eq. 1; the
-distance is the energy for each pair of connected parts, which is what `collection` compares shapes by.
+distance is the energy per pair of connected parts, by which `collection` compares shapes.
 
 Examples: shape_correspondence match chair.obj swivel_chair.obj --json result.json --html result.html
           shape_correspondence match chair.obj stool.obj --search exact --allow-unmatched --solutions 3
@@ -101,8 +100,8 @@ void run_match(const std::vector<std::string>& arguments)
   check_outputs({common.json, common.glb, common.html}, parsed.inputs);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
-  const std::vector<std::string> warnings_of_up = find_up_of_pair(paths, common);
-  std::vector<Loaded_shape> shapes = load_shapes(paths, common);
+  std::vector<std::string> warnings_of_up;
+  std::vector<Loaded_shape> shapes = load_pair(paths, common, warnings_of_up);
   const Loaded_shape &source = shapes[0], &target = shapes[1];
   add_examples(match, common, search_with);
   choose_parts(match, {source.graph, paths[0]}, {target.graph, paths[1]}, search_with);

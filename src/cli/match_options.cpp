@@ -30,7 +30,7 @@ Number parse_number(const std::string& option, const std::string& text)
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size())
-    throw Usage_error("--" + option + ": '" + text + "' is not a number that it takes");
+    throw Usage_error("--" + option + ": '" + text + "' is not a number in its range");
   return number;
 }
 
@@ -178,10 +178,9 @@ po::options_description match_options(Match_options& match)
       "shapes to which --max-parts applies: both, or source (as in the paper); auto: source with --paper, otherwise "
       "both");
   add("front", po::value(&match.front)->value_name("HOW")->default_value(match.front),
-      "which alignments are tried: given (the one nearest to the orientation in the files) or auto (the fronts that "
-      "the "
-      "roles of parts tell; else the best of all alignments that the symmetry of the shapes allows). Default with "
-      "--paper: auto");
+      "which alignments are tried: given (the one nearest to the orientation in the files) or auto (the fronts "
+      "estimated from the roles of parts; otherwise the best of all alignments that the symmetry of the shapes "
+      "allows). Default with --paper: auto");
   add("alignments", po::value(&match.alignments)->value_name("N")->default_value(match.alignments),
       "number of alignments to try, nearest to the given orientation first; auto: as --front says");
   add("weights", po::value(&match.weights)->value_name("WC,WS")->default_value(match.weights),
@@ -211,10 +210,10 @@ po::options_description match_options(Match_options& match)
       "match these parts of the source only; names are separated by commas");
   add("target-parts", po::value(&match.target_parts)->value_name("NAMES"), "the same for the target");
   add("pin", po::value(&match.pinned)->value_name("A=B"),
-      "source part A corresponds to target part B, and both to nothing else; give it several times for more pairs, "
-      "also of one part");
+      "source part A corresponds to target part B, and both to nothing else; can be repeated, also for the same "
+      "part");
   add("forbid", po::value(&match.forbidden)->value_name("A=B"),
-      "source part A does not correspond to target part B; may be given several times");
+      "source part A does not correspond to target part B; can be repeated");
   return result;
 }
 
@@ -224,7 +223,7 @@ void refuse_search_options(const po::variables_map& given)
   const po::options_description search = match_options(unused);
   for (const auto& option : search.options())
     if (is_given(given, option->long_name()) && option->long_name() != "min-confidence")
-      throw Usage_error("--match says what corresponds; leave --" + option->long_name() + " out");
+      throw Usage_error("the correspondence is given by --match; leave --" + option->long_name() + " out");
 }
 
 Search_options search_options(const Match_options& match, const po::variables_map& values)

@@ -141,6 +141,12 @@ void add_rows(const Parts& from, const Parts& to, std::vector<std::string> other
   }
 }
 
+std::string with_article(const std::string& noun)
+{
+  const bool begins_with_vowel = std::string("aeiou").find(noun[0]) != std::string::npos;
+  return (begins_with_vowel ? "an " : "a ") + noun;
+}
+
 } // namespace
 
 void write_match_table(std::ostream& out, const Correspondence& c, const Structural_graph& source,
@@ -149,7 +155,7 @@ void write_match_table(std::ostream& out, const Correspondence& c, const Structu
   const bool has_confidence = !c.pairs.empty() && c.pairs[0].has_confidence();
   Rows rows{{"source", "target", "operation"}};
   if (has_confidence) rows[0].push_back("confidence");
-  if (!c.category.empty()) rows[0].push_back("role in a " + c.category);
+  if (!c.category.empty()) rows[0].push_back("role in " + with_article(c.category));
   for (const Block& block : blocks_of(c)) {
     std::vector<std::string> others{operation_text(block)};
     if (has_confidence) others.push_back(confidence_text(block));
@@ -169,7 +175,7 @@ void write_match_table(std::ostream& out, const Correspondence& c, const Structu
                                                      : "target deformed into the source")
       << (c.complete ? "" : ", incomplete") << (c.optimal ? ", proven minimal for this direction" : "")
       << "\ndistance: " << short_number(distance_energy(c, Energy_matrix_options().unmatched_energy))
-      << " (energy for each pair of connected parts)\n";
+      << " (energy per pair of connected parts)\n";
   for (const std::string& warning : c.warnings)
     out << "warning: " << IO::quote_terminal(warning) << '\n';
 }

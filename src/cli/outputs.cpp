@@ -18,7 +18,9 @@ bool are_same_file(const std::string& a, const std::string& b)
 {
   std::error_code error;
   if (fs::exists(a, error) && fs::exists(b, error)) return fs::equivalent(a, b, error);
-  const auto place = [&](const std::string& path) { return fs::weakly_canonical(fs::absolute(path, error), error); };
+  const auto place = [&](const std::string& path) {
+    return fs::weakly_canonical(fs::absolute(IO::written_file(path), error), error);
+  };
   return a == b || place(a) == place(b);
 }
 

@@ -57,7 +57,7 @@ po::options_description parts_options(Common_options& common)
 
 std::vector<std::string> models_in(const std::string& folder)
 {
-  if (!fs::is_directory(folder)) throw Invalid_input(folder + ": it is no folder");
+  if (!fs::is_directory(folder)) throw Invalid_input(folder + ": it is not a folder");
   std::vector<std::string> result;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file() && IO::is_model_file(entry.path().string())) result.push_back(entry.path().string());

@@ -97,20 +97,25 @@ bool is_model(const std::string& path) { return is_folder(path) || IO::is_model_
 
 char axis_name(const Point& axis) { return axis.x() > 0.5 ? 'x' : axis.y() > 0.5 ? 'y' : 'z'; }
 
-std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, Common_options& options)
+bool finds_up_of_pair(const std::vector<std::string>& paths, const Common_options& options)
+{
+  for (std::size_t i = 0; i < 2; ++i)
+    if (!is_model(paths[i]) || options.of_input(i).finds_up()) return false;
+  return is_up_unknown(paths[0], options.of_input(0)) || is_up_unknown(paths[1], options.of_input(1));
+}
+
+std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, std::vector<Model_objects>& models,
+                                         Common_options& options)
 {
   std::array<bool, 2> is_known;
   for (std::size_t i = 0; i < 2; ++i)
     is_known[i] = !is_up_unknown(paths[i], options.of_input(i));
-  const bool are_asked_for = options.of_input(0).finds_up() || options.of_input(1).finds_up();
-  if ((is_known[0] && is_known[1]) || are_asked_for || !is_model(paths[0]) || !is_model(paths[1])) return {};
-  std::vector<Segmented_shape> models;
-  for (std::size_t i = 0; i < 2; ++i)
-    models.push_back(IO::read_segmented_shape(paths[i], options.of_input(i).up_vector()));
-  const std::array<Up_estimate, 2> found = estimate_up_of_pair(models[0], models[1], is_known, odds_of_y_in_pair);
+  const std::array<Up_estimate, 2> found =
+      estimate_up_of_pair(models[0].shape, models[1].shape, is_known, odds_of_y_in_pair);
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < 2; ++i) {
     if (is_known[i]) continue;
+    models[i].shape.set_up(found[i].up);
     options.of_pair[i].up = axis_name(found[i].up);
     if (found[i].up != Point::UnitY())
       warnings.push_back(paths[i] + ": " + warning_of(found[i], i == 0 ? "--source-up" : "--target-up"));
@@ -118,10 +123,23 @@ std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, 
   return warnings;
 }
 
+Model_objects read_objects(const std::string& path, const Common_options& options)
+{
+  Model_objects objects;
+  objects.shape = IO::read_segmented_shape(path, options.up_vector(), &objects.warnings);
+  return objects;
+}
+
 Read_model read_model(const std::string& path, const Common_options& options)
 {
+  return model_of_objects(path, read_objects(path, options), options);
+}
+
+Read_model model_of_objects(const std::string& path, Model_objects objects, const Common_options& options)
+{
   Read_model model;
-  model.objects = IO::read_segmented_shape(path, options.up_vector(), &model.warnings);
+  model.objects = std::move(objects.shape);
+  model.warnings = std::move(objects.warnings);
   find_up(path, options, model);
   if (!options.parts_from.empty()) {
     model.split = IO::split_parts_by_json(model.objects, options.parts_from);

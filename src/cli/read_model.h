@@ -24,12 +24,29 @@ struct Read_model
 /// Of an upright axis: x, y or z.
 char axis_name(const Point& axis);
 
+/// The objects of a model, as its file has them.
+struct Model_objects
+{
+  Segmented_shape shape;
+  std::vector<std::string> warnings; ///< of the reader
+};
+
+/// \throw Invalid_input
+Model_objects read_objects(const std::string& path, const Common_options& options);
+
+/// Finds the upright axis of the objects and makes parts of them, as the options say. \throw Invalid_input
+Read_model model_of_objects(const std::string& path, Model_objects objects, const Common_options& options);
+
 /// Reads a model, finds its upright axis and makes its parts, as the options say. In mode `auto` the files of a folder
 /// of part meshes are the parts, and y is up. \throw Invalid_input
 Read_model read_model(const std::string& path, const Common_options& options);
 
-/// Finds the upright axes of two models of one kind together, where no option, file or folder says them, and puts them
-/// into `options.of_pair`. \return what has to be said of it \throw Invalid_input
-std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, Common_options& options);
+/// Whether the upright axes of two inputs are found together: both are models, of one kind, and no option, file or
+/// folder says the axis of one of them.
+bool finds_up_of_pair(const std::vector<std::string>& paths, const Common_options& options);
+
+/// Finds these axes and puts them into the shapes and into `options.of_pair`. \return what has to be said of it
+std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, std::vector<Model_objects>& models,
+                                         Common_options& options);
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -48,7 +48,7 @@ label of every part, which is its role:
 
   {"category": "chair", "parts": [{"name": "part_0", "coarse": "leg"}, {"name": "part_1", "coarse": "seat"}]}
 
-All shapes must be upright and face +z. A category needs at least five shapes; twenty or more are better.
+All shapes must be upright and face +z. A category should have at least five shapes; twenty or more are better.
 
 Examples: shape_correspondence roles train my_shapes --output my.roles --cache graphs
           shape_correspondence roles predict chair.obj --roles my.roles
@@ -88,16 +88,15 @@ po::options_description roles_options(Roles_options& roles, Common_options& comm
       "predict: labelled shapes that the model learns in addition, as of `match`");
   add("number-of-examples", po::value(&roles.shown_examples)->value_name("N"),
       "evaluate: the training sees at most N shapes of the pair's category that are not generated, drawn for every "
-      "pair; "
-      "with --leave-out category, these of all the category. Default: all that are not left out");
-  add("told", po::bool_switch(&roles.told), "evaluate: the matcher is told the category, as by --category");
+      "pair; with --leave-out category, no others of the category. Default: all that are not left out");
+  add("told", po::bool_switch(&roles.told), "evaluate: give the category to the matcher, as by --category");
   add("turned", po::bool_switch(&roles.turned),
       "evaluate: turn every shape about the up axis by an angle drawn for the pair, and let the matcher find the "
       "fronts, "
       "as by --front auto");
   add("role-weight", number(roles.role_weight)->value_name("W"),
       "evaluate: compare the correspondences of least energy, by exact search, without roles and with roles of this "
-      "weight in the energy, in place of matching by parts; 0: do not");
+      "weight in the energy; 0: compare matching by parts");
   add("pairs", number(roles.pairs)->value_name("N"),
       "train, evaluate: match at most N pairs of a category and folder, unless the folder has a pairs.json: "
       "[[CATEGORY, SOURCE, TARGET], ...]");

@@ -7,7 +7,6 @@
 #include "cli/load_shape.h"
 #include "cli/match_options.h"
 #include "cli/outputs.h"
-#include "cli/read_model.h"
 #include "cli/run_report.h"
 #include "cli/thread_limit.h"
 #include "cli/transfer_looks.h"
@@ -34,8 +33,8 @@ Carries the colours and textures of the source over to the target, along the cor
 between their surfaces, and writes the target with them. With --labels, labels of parts are carried over instead.
 
 Everything is baked, pixel by pixel, into one texture of the target. It has the texture coordinates of the target if no
-triangles overlap in them; otherwise new ones are laid out. Where a part corresponds to several, one goes over into the
-next without a seam. Target parts without counterpart keep their own looks, or are grey; see the table.
+triangles overlap in them; otherwise new ones are laid out. Where a part corresponds to several, their looks blend into
+each other without a seam. Target parts without counterpart keep their own looks, or are grey; the table lists them.
 
 SOURCE and TARGET are models, as for `match`. Looks are read from OBJ with its MTL files, glTF/GLB, COLLADA, PLY, OFF,
 FBX, 3DS and AC3D; textures must be PNG or JPEG.
@@ -62,7 +61,7 @@ po::options_description output_options(Transfer_request& request, std::string& m
   add("match", po::value(&match)->value_name("R.json"),
       "read the correspondence from a result that `match --json` wrote for these shapes");
   add("json", po::value(&common.json)->value_name("FILE"),
-      "write what every target part got as JSON; - is standard output");
+      "write what was transferred to every target part as JSON; - is standard output");
   return result;
 }
 
@@ -131,8 +130,8 @@ void run_transfer(const std::vector<std::string>& arguments)
   outputs.push_back(common.json);
   check_outputs(outputs, {paths[0], paths[1], variables.result, request.labels});
   const Thread_limit limit(common.threads);
-  std::vector<std::string> warnings = find_up_of_pair(paths, common);
-  std::vector<Loaded_shape> shapes = load_shapes(paths, common);
+  std::vector<std::string> warnings;
+  std::vector<Loaded_shape> shapes = load_pair(paths, common, warnings);
   Loaded_shape &source = shapes[0], &target = shapes[1];
   choose_parts(variables.match, {source.graph, paths[0]}, {target.graph, paths[1]}, search);
   Correspondence correspondence = variables.result.empty()

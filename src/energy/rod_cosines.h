@@ -235,40 +235,29 @@ struct Rod_kernels
   Rod_kernel<4> four;
 };
 
-#define CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(name, instructions, width, sources, least)                                \
+#define CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(name, instructions, bytes, sources, least)                                \
   CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
   Rod_answer<sources> name(const Rod_block* const* rods, const Sample_lanes& first, int n, const Sample_lanes& second, \
                            int m)                                                                                      \
   {                                                                                                                    \
-    return answer<width, sources, least>(rods, first, n, second, m);                                                   \
+    return answer<vector_width<float>(bytes), sources, least>(rods, first, n, second, m);                              \
   }
-#define CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(name, instructions, width)                                               \
-  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(least_length_##name, instructions, width, 0, true)                              \
-  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(both_##name, instructions, width, 1, true)                                      \
-  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(one_##name, instructions, width, 1, false)                                      \
-  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(two_##name, instructions, width, 2, false)                                      \
-  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(four_##name, instructions, width, 4, false)                                     \
+#define CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(name, instructions, bytes)                                               \
+  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(least_length_##name, instructions, bytes, 0, true)                              \
+  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(both_##name, instructions, bytes, 1, true)                                      \
+  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(one_##name, instructions, bytes, 1, false)                                      \
+  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(two_##name, instructions, bytes, 2, false)                                      \
+  CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(four_##name, instructions, bytes, 4, false)                                     \
   constexpr Rod_kernels rod_kernels_##name{#name,      least_length_##name, both_##name,                               \
                                            one_##name, two_##name,          four_##name};
-CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(plain, "sse2", 1)
-#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
-CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(sse2, "sse2", 4)
-CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(avx2, "avx2", 8)
-CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS(avx512, "avx512f", 16)
-#endif
+CGAL_SHAPE_CORRESPONDENCE_FOR_INSTRUCTIONS(CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS)
 #undef CGAL_SHAPE_CORRESPONDENCE_ROD_KERNELS
 #undef CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL
 
 // The kernels that this machine can run, the fastest one last.
 inline std::vector<Rod_kernels> available_rod_kernels()
 {
-  std::vector<Rod_kernels> kernels{rod_kernels_plain};
-#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
-  kernels.push_back(rod_kernels_sse2);
-  if (__builtin_cpu_supports("avx2")) kernels.push_back(rod_kernels_avx2);
-  if (__builtin_cpu_supports("avx512f")) kernels.push_back(rod_kernels_avx512);
-#endif
-  return kernels;
+  return runnable<Rod_kernels>(CGAL_SHAPE_CORRESPONDENCE_VERSIONS(rod_kernels_));
 }
 
 inline const Rod_kernels& rod_kernels()

@@ -117,32 +117,21 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_rows rows(const Sample_lanes& from, 
   return totals.result();
 }
 
-#define CGAL_SHAPE_CORRESPONDENCE_ROWS(name, instructions, width)                                                      \
+#define CGAL_SHAPE_CORRESPONDENCE_ROWS(name, instructions, bytes)                                                      \
   CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
-  Rod_rows name(const Sample_lanes& from, int first, int last, int repeats, const Sample_lanes& to, int count,         \
-                Rod_block* rods)                                                                                       \
+  Rod_rows rows_##name(const Sample_lanes& from, int first, int last, int repeats, const Sample_lanes& to, int count,  \
+                       Rod_block* rods)                                                                                \
   {                                                                                                                    \
-    return rows<width>(from, first, last, repeats, to, count, rods);                                                   \
+    return rows<vector_width<float>(bytes)>(from, first, last, repeats, to, count, rods);                              \
   }
-CGAL_SHAPE_CORRESPONDENCE_ROWS(rows_plain, "sse2", 1)
-#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
-CGAL_SHAPE_CORRESPONDENCE_ROWS(rows_sse2, "sse2", 4)
-CGAL_SHAPE_CORRESPONDENCE_ROWS(rows_avx2, "avx2", 8)
-CGAL_SHAPE_CORRESPONDENCE_ROWS(rows_avx512, "avx512f", 16)
-#endif
+CGAL_SHAPE_CORRESPONDENCE_FOR_INSTRUCTIONS(CGAL_SHAPE_CORRESPONDENCE_ROWS)
 #undef CGAL_SHAPE_CORRESPONDENCE_ROWS
 
 } // namespace
 
 std::vector<Rod_writer> available_rod_writers()
 {
-  std::vector<Rod_writer> writers{rows_plain};
-#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
-  writers.push_back(rows_sse2);
-  if (__builtin_cpu_supports("avx2")) writers.push_back(rows_avx2);
-  if (__builtin_cpu_supports("avx512f")) writers.push_back(rows_avx512);
-#endif
-  return writers;
+  return runnable<Rod_writer>(CGAL_SHAPE_CORRESPONDENCE_VERSIONS(rows_));
 }
 
 } // namespace CGAL::Shape_correspondence::internal

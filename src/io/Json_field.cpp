@@ -138,12 +138,14 @@ void check_memory(const std::string& text)
 Json_field read_json(std::istream& in, const std::string& file)
 {
   const std::string text = read_document(in, file);
+  if (text.empty()) throw Invalid_input(file + ": the file is empty");
   check_json_depth(text, file);
   check_memory(text);
   try {
     return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(text)), file, ""};
   } catch (const nlohmann::json::exception& error) {
-    throw Invalid_input(file + ": it is not a JSON document (" + error.what() + ")");
+    const std::string what = error.what(); // after the name of the exception, in brackets
+    throw Invalid_input(file + ": it is not a JSON document (" + what.substr(what.find("] ") + 2) + ")");
   }
 }
 

@@ -28,14 +28,6 @@ namespace fs = std::filesystem;
   throw Invalid_input(name + ": it cannot be written (" + why + "); choose another place for the output");
 }
 
-/// The file that a path leads to, past symbolic links.
-fs::path resolved(const std::string& path)
-{
-  std::error_code error;
-  const fs::path target = fs::canonical(path, error);
-  return error ? fs::path(path) : target;
-}
-
 bool is_device(const fs::path& file)
 {
   std::error_code error;
@@ -172,10 +164,22 @@ void check_existing(const std::string& path, const fs::path& file)
 
 } // namespace
 
+fs::path written_file(const std::string& path)
+{
+  std::error_code error;
+  const fs::path target = fs::canonical(path, error);
+  if (!error) return target;
+  if (error == std::errc::too_many_symbolic_link_levels) fail(path, error.message());
+  fs::path file = path;
+  while (fs::is_symlink(file, error))
+    file = file.parent_path() / fs::read_symlink(file);
+  return file;
+}
+
 void check_writable(const std::string& path)
 {
   if (path == "-") return;
-  const fs::path file = resolved(path);
+  const fs::path file = written_file(path);
   check_existing(path, file);
   if (is_device(file)) return;
   remove_leftovers(parent_of(file), file.filename().string());
@@ -185,7 +189,7 @@ void check_writable(const std::string& path)
 void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write)
 {
   if (path == "-") return write_directly(path, std::cout, write);
-  const fs::path file = resolved(path);
+  const fs::path file = written_file(path);
   check_existing(path, file);
   if (is_device(file)) {
     std::ofstream out(file, std::ios::binary);

@@ -3,11 +3,16 @@
 
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <string>
 
 namespace CGAL::Shape_correspondence::IO {
+
+/// The file that is written for a path: where symbolic links lead to; it need not be there yet.
+/// \throw Invalid_input if they lead in a circle; names the path
+std::filesystem::path written_file(const std::string& path);
 
 /// Throws `Invalid_input` if `path` cannot be written; to be called before long work, leaves nothing behind.
 /// `-` is standard output.

@@ -14,11 +14,21 @@ namespace CGAL::Shape_correspondence::IO {
 
 namespace fs = std::filesystem;
 
+void check_exists(const std::string& path)
+{
+  std::error_code error; // is none where nothing has the name
+  if (fs::exists(path, error)) return;
+  throw Invalid_input(path +
+                      (error ? ": it cannot be used (" + error.message() + ")" : ": there is no such file or folder"));
+}
+
 std::ifstream open_input(const std::string& path)
 {
+  check_exists(path);
   std::error_code error;
-  if (!fs::exists(path, error)) throw Invalid_input(path + ": there is no such file or folder");
   if (fs::is_directory(path, error)) throw Invalid_input(path + ": it is a folder; name a file in it");
+  if (fs::is_fifo(path, error)) // opening it waits until somebody writes to it
+    throw Invalid_input(path + ": it is a pipe; copy what it has into a file");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Invalid_input(path + ": it cannot be opened for reading; check its permissions");
   return in;

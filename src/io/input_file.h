@@ -8,7 +8,10 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// A file, opened for reading. \throw Invalid_input if it is not there or cannot be opened; names it
+/// Throws `Invalid_input` if there is neither a file nor a folder of this name; says why.
+void check_exists(const std::string& path);
+
+/// A file, opened for reading. \throw Invalid_input if it is not there, a folder, a pipe, or cannot be opened; names it
 std::ifstream open_input(const std::string& path);
 
 /// The extension of a file's name with its dot, in small letters; empty: none.

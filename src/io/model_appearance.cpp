@@ -224,7 +224,7 @@ void bound(Model_part& part, std::size_t materials)
   for (int& material : looks.materials)
     if (material < 0 || std::size_t(material) >= materials) material = -1;
   for (Eigen::Vector2f& at : looks.coordinates)
-    if (!(at.cwiseAbs().maxCoeff() <= largest_coordinate_of_texture)) at.setZero();
+    if (!(at.array().abs() <= largest_coordinate_of_texture).all()) at.setZero(); // nor is NaN
   for (Eigen::Vector3f& colour : looks.colours)
     for (float& value : colour)
       value = value > 0 ? std::min(value, 1.f) : 0.f;

@@ -71,13 +71,11 @@ std::vector<Labelled_shape> read_part_labels(const std::string& path)
   std::error_code error;
   if (fs::is_directory(path, error))
     find_labels(path, 0, files);
-  else if (fs::exists(path, error))
-    files.push_back(path);
   else
-    throw Invalid_input(path + ": there is no such file or folder");
+    files.push_back(path);
   if (files.empty())
     throw Invalid_input(path + ": there is no " + labels_name +
-                        " in it, nor in a folder of it for a shape, or for a category with a folder a shape");
+                        " in it, in its folders (shapes), or in the folders of these (shapes of categories)");
   std::sort(files.begin(), files.end());
   std::vector<Labelled_shape> shapes;
   for (const fs::path& file : files)

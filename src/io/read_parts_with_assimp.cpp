@@ -8,6 +8,7 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/material.h>
@@ -18,6 +19,8 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <memory>
 #include <type_traits>
 
 // What is left as it is in the file: the tree of nodes with their names. Steps of assimp that merge nodes or meshes
@@ -165,9 +168,26 @@ private:
   Model_content content_;
 };
 
+/// Knows regular files only: a pipe that a model names may never end.
+class Regular_files : public Assimp::DefaultIOSystem
+{
+public:
+  bool Exists(const char* file) const override
+  {
+    std::error_code error;
+    return std::filesystem::is_regular_file(file, error);
+  }
+
+  Assimp::IOStream* Open(const char* file, const char* mode) override
+  {
+    return Exists(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
+  }
+};
+
 Model_content read_scene(const std::string& file)
 {
   Assimp::Importer importer;
+  importer.SetIOHandler(std::make_unique<Regular_files>().release()); // the importer deletes it
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false); // they would be nodes of their own
   const aiScene* const scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_SortByPType);

@@ -41,13 +41,12 @@ bool is_read_by_assimp(const std::string& extension)
   return std::find(formats.begin(), formats.end(), extension) != formats.end();
 }
 
-/// All of a file. \throw Invalid_input if it is empty, or no file
+/// All of a file. \throw Invalid_input if it is empty, or a device
 std::string content_of(const std::string& file)
 {
   std::ifstream in = open_input(file);
-  std::error_code error;
-  const std::uintmax_t size = fs::file_size(file, error);
-  if (error) throw Invalid_input(file + ": it is no file (" + error.message() + ")");
+  if (!fs::is_regular_file(file)) throw Invalid_input(file + ": it is a device; copy the model into a file");
+  const std::uintmax_t size = fs::file_size(file);
   if (size == 0) throw Invalid_input(file + ": the file is empty");
   std::string text(size, '\0');
   in.read(text.data(), std::streamsize(size));
@@ -60,7 +59,8 @@ Model_content read_parts(const std::string& file)
   const std::string extension = lower_extension(file);
   const Text_reader reader = text_reader_of(extension);
   if (!reader && !is_read_by_assimp(extension))
-    throw Invalid_input(file + ": models are read from files of type " + known_formats + ", not '" + extension + "'");
+    throw Invalid_input(file + ": models are read from files of type " + known_formats +
+                        (extension.empty() ? ", and this one has no extension" : ", not '" + extension + "'"));
   const std::string text = content_of(file);
   const std::string mark = text.substr(0, 2);
   const bool is_wide = mark == "\xFF\xFE" || mark == "\xFE\xFF";
@@ -111,7 +111,7 @@ Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size
 bool add_part(const std::string& file, const Model_part& part, Segmented_shape& shape, Shape_appearance* appearance)
 {
   for (const Point& corner : part.corners) {
-    if (!(corner.cwiseAbs().maxCoeff() <= internal::largest_coordinate))
+    if (!(corner.array().abs() <= internal::largest_coordinate).all()) // nor is NaN
       throw Invalid_input(file + ": part '" + part.name +
                           "' has a coordinate that is not a finite number, or beyond 1e15; repair it");
   }
@@ -261,9 +261,8 @@ bool is_model_file(const std::string& path)
 Segmented_shape read_segmented_shape(const std::string& path, const Point& up, std::vector<std::string>* warnings,
                                      Shape_appearance* appearance)
 {
-  std::error_code error;
-  if (!fs::exists(path, error)) throw Invalid_input(path + ": there is no such file or folder");
-  if (fs::is_directory(path, error)) return read_folder(path, up, warnings, appearance);
+  check_exists(path);
+  if (fs::is_directory(path)) return read_folder(path, up, warnings, appearance);
   return read_file(path, up, warnings, appearance);
 }
 

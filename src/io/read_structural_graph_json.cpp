@@ -98,6 +98,7 @@ Abstraction_report::Method read_method(const Json_field& abstraction)
                                                    {"meso_skeleton", Method::MESO_SKELETON},
                                                    {"medial_axis", Method::MEDIAL_AXIS},
                                                    {"axis", Method::AXIS},
+                                                   {"prism", Method::PRISM},
                                                    {"bounding_box", Method::BOUNDING_BOX},
                                                    {"copy", Method::COPY},
                                                    {"given", Method::GIVEN}});

@@ -99,7 +99,7 @@ B_spline read_spline(const Xml_reader& node, bool is_sheet)
     const std::vector<double> p = node.numbers(points[i]);
     if (p.size() != 3) node.fail("has a <point> '" + points[i] + "' that is not three numbers");
     spline.points.col(i) << p[0], p[1], p[2];
-    if (!(spline.points.col(i).cwiseAbs().maxCoeff() <= internal::largest_coordinate))
+    if (!(spline.points.col(i).array().abs() <= internal::largest_coordinate).all()) // nor is NaN
       node.fail("has a <point> '" + points[i] + "' with a coordinate beyond 1e15");
   }
   spline.rows = static_cast<int>(points.size());
@@ -123,7 +123,7 @@ B_spline read_spline(const Xml_reader& node, bool is_sheet)
     if (weights.size() != points.size()) node.fail("does not have as many <weights> as points");
     spline.weights = Eigen::Map<const Eigen::VectorXd>(weights.data(), weights.size());
     constexpr double least = 1e-6, greatest = 1e6;
-    if (!(spline.weights.minCoeff() >= least && spline.weights.maxCoeff() <= greatest))
+    if (!(spline.weights.array() >= least && spline.weights.array() <= greatest).all())
       node.fail("has <weights> that are not between 1e-6 and 1e6");
   }
   return spline;

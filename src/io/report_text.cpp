@@ -17,6 +17,8 @@ const char* name_of(Abstraction_report::Method method)
     return "medial_axis";
   case Method::AXIS:
     return "axis";
+  case Method::PRISM:
+    return "prism";
   case Method::BOUNDING_BOX:
     return "bounding_box";
   case Method::COPY:

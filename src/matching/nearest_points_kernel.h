@@ -86,36 +86,26 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void nearest_squared(const Point_lanes& 
   }
 }
 
-#define CGAL_SHAPE_CORRESPONDENCE_NEAREST(name, instructions, width)                                                   \
-  CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
-  void nearest_squared_##name(const Point_lanes& p, const Point_lanes& q, double* p_from_q, double* q_from_p)          \
-  {                                                                                                                    \
-    nearest_squared<width>(p, q, p_from_q, q_from_p);                                                                  \
-  }
-CGAL_SHAPE_CORRESPONDENCE_NEAREST(plain, "sse2", 1)
-#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
-CGAL_SHAPE_CORRESPONDENCE_NEAREST(sse2, "sse2", 2)
-CGAL_SHAPE_CORRESPONDENCE_NEAREST(avx2, "avx2", 4)
-CGAL_SHAPE_CORRESPONDENCE_NEAREST(avx512, "avx512f", 8)
-#endif
-#undef CGAL_SHAPE_CORRESPONDENCE_NEAREST
-
 struct Nearest_squared_kernel
 {
   const char* name; // of the vector instructions
   void (*run)(const Point_lanes& p, const Point_lanes& q, double* p_from_q, double* q_from_p);
 };
 
+#define CGAL_SHAPE_CORRESPONDENCE_NEAREST(name, instructions, bytes)                                                   \
+  CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
+  void nearest_squared_##name(const Point_lanes& p, const Point_lanes& q, double* p_from_q, double* q_from_p)          \
+  {                                                                                                                    \
+    nearest_squared<vector_width<double>(bytes)>(p, q, p_from_q, q_from_p);                                            \
+  }                                                                                                                    \
+  constexpr Nearest_squared_kernel nearest_squared_kernel_##name{#name, nearest_squared_##name};
+CGAL_SHAPE_CORRESPONDENCE_FOR_INSTRUCTIONS(CGAL_SHAPE_CORRESPONDENCE_NEAREST)
+#undef CGAL_SHAPE_CORRESPONDENCE_NEAREST
+
 // The kernels that this machine can run, the fastest one last.
 inline std::vector<Nearest_squared_kernel> available_nearest_squared_kernels()
 {
-  std::vector<Nearest_squared_kernel> kernels{{"plain", nearest_squared_plain}};
-#ifdef CGAL_SHAPE_CORRESPONDENCE_X86
-  kernels.push_back({"sse2", nearest_squared_sse2});
-  if (__builtin_cpu_supports("avx2")) kernels.push_back({"avx2", nearest_squared_avx2});
-  if (__builtin_cpu_supports("avx512f")) kernels.push_back({"avx512", nearest_squared_avx512});
-#endif
-  return kernels;
+  return runnable<Nearest_squared_kernel>(CGAL_SHAPE_CORRESPONDENCE_VERSIONS(nearest_squared_kernel_));
 }
 
 inline const Nearest_squared_kernel& nearest_squared_kernel()

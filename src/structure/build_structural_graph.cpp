@@ -45,7 +45,7 @@ void check_numbers(const Shape_structure& shape)
   for (const Part_abstraction& part : shape.parts) {
     const Points& points = part.control_points();
     if (points.cols() < 2) fail("part '" + part.name + "' has fewer than two control points");
-    if (!(points.cwiseAbs().maxCoeff() <= largest_coordinate))
+    if (!(points.array().abs() <= largest_coordinate).all()) // nor is NaN
       fail("part '" + part.name + "' has a control point that is not finite or beyond 1e15; scale the shape down");
     for (double measure : {part.volume, part.hull_volume, part.area})
       if (!(measure >= 0 && measure <= largest_number))

@@ -8,11 +8,14 @@
 
 #include "model_files.h"
 
+#include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+
 #include <catch2/catch.hpp>
 
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <sstream>
 #include <string>
 
 struct Run
@@ -33,6 +36,15 @@ inline Run run(const std::string& arguments)
                                      .c_str());
   REQUIRE(WIFEXITED(status));
   return {WEXITSTATUS(status), model_files::text_of(folder.path("out")), model_files::text_of(folder.path("error"))};
+}
+
+/// Writes the graph into the folder. \return the path of the file
+inline std::string graph_file(const model_files::Temporary_folder& folder, const std::string& name,
+                              const CGAL::Shape_correspondence::Structural_graph& graph)
+{
+  std::ostringstream text;
+  CGAL::Shape_correspondence::IO::write_structural_graph_json(text, graph);
+  return folder.write(name, text.str());
 }
 
 #endif // SHAPE_CORRESPONDENCE_TEST_PROGRAM_H

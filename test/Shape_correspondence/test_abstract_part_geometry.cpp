@@ -22,7 +22,7 @@ TEST_CASE("A leg becomes a curve along its axis")
   const Part_abstraction part = abstraction_of(leg);
   REQUIRE_FALSE(part.is_sheet());
   CHECK_FALSE(part.is_closed_curve());
-  CHECK(part.report.method == Method::SKELETON);
+  CHECK(part.report.method == Method::PRISM);
   CHECK(part.report.repair == Abstraction_report::Repair::NONE);
   CHECK(part.volume == Approx(0.01));
   CHECK(part.hull_volume == Approx(0.01));
@@ -31,18 +31,37 @@ TEST_CASE("A leg becomes a curve along its axis")
   CHECK(part.hull.cols() == 8);
   const Points& points = part.control_points();
   REQUIRE(points.cols() == 16);
-  CHECK((points.row(0).array() - 0.05).abs().maxCoeff() < 0.02);
-  CHECK((points.row(2).array() - 0.05).abs().maxCoeff() < 0.02);
-  CHECK(points(1, 0) < 0.08);
-  CHECK(points(1, 15) > 0.92);
+  CHECK((points.row(0).array() - 0.05).abs().maxCoeff() < 1e-6);
+  CHECK((points.row(2).array() - 0.05).abs().maxCoeff() < 1e-6);
+  CHECK(points(1, 0) == Approx(0).margin(1e-6));
+  CHECK(points(1, 15) == Approx(1));
+}
+
+TEST_CASE("A tapered leg with corners becomes the line through its middle without flow")
+{
+  Part_mesh tapered = box({-0.06, 0, -0.06}, {0.06, 1, 0.06});
+  for (Eigen::Index v = 0; v < 8; ++v) {
+    const double width = 1 - 0.5 * tapered.points(1, v);
+    tapered.points(0, v) *= width;
+    tapered.points(2, v) *= width;
+  }
+  const Part_abstraction part = abstraction_of(tapered);
+  REQUIRE_FALSE(part.is_sheet());
+  CHECK(part.report.method == Method::MEDIAL_AXIS);
+  CHECK(part.report.iterations == 0);
+  const Points& points = part.control_points();
+  CHECK(points.row(0).cwiseAbs().maxCoeff() < 0.005);
+  CHECK(points.row(2).cwiseAbs().maxCoeff() < 0.005);
+  CHECK(points(1, 0) < 0.02);
+  CHECK(points(1, 15) > 0.98);
 }
 
 TEST_CASE("A plate becomes a sheet that reaches its rim")
 {
   const Part_abstraction part = abstraction_of(plate);
   REQUIRE(part.is_sheet());
-  CHECK(part.report.method == Method::MEDIAL_AXIS);
-  CHECK(part.report.residual < 0.02);
+  CHECK(part.report.method == Method::PRISM);
+  CHECK(part.report.residual == 0);
   CHECK(part.report.coverage == 1);
   CHECK_FALSE(part.report.branching);
   const Points& points = part.control_points();

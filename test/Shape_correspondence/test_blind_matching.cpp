@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "generated_shapes.h"
+#include "generator/benchmark/random.h"
 #include "generator/benchmark/shapes.h"
 #include "generator/writer.h"
 #include "program.h"

@@ -16,6 +16,7 @@
 #include <catch2/catch.hpp>
 
 #include <csignal>
+#include <sys/stat.h>
 
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;
@@ -133,11 +134,48 @@ TEST_CASE("Coordinates beyond 1e15 are refused, those at it are not")
   const std::string node = "<node><id>X</id><type>CURVE</type><point>0 0 0</point><point>1e308 0 -1e308</point></node>";
   CHECK_THAT(xml_complaint("<document>" + replaced(node, "X", "a") + replaced(node, "X", "b") + "</document>"),
              Contains("1e15"));
+  for (const char* point : {"nan 0 0", "0 nan 0", "0 0 nan"})
+    CHECK(!xml_complaint("<document>" + replaced(replaced(node, "X", "a"), "0 0 0", point) +
+                         replaced(replaced(node, "X", "b"), "1e308 0 -1e308", "1 0 0") + "</document>")
+               .empty());
   std::ostringstream good;
   IO::write_structural_graph_json(good, hand_made::table());
   CHECK(json_complaint(good.str()).empty());
   CHECK_THAT(json_complaint(replaced(good.str(), "\"points\":[[", "\"points\":[[1e200,0,0],[")), Contains("1e50"));
   CHECK_THAT(json_complaint(replaced(good.str(), "\"points\":[[", "\"points\":[[1e16,0,0],[")), Contains("1e15"));
+}
+
+TEST_CASE("Pipes and devices are refused before anything waits for them")
+{
+  const Temporary_folder folder;
+  for (const char* name : {"a.obj", "a.glb"})
+    REQUIRE(mkfifo(folder.path(name).c_str(), 0600) == 0);
+  alarm(60); // kills a test that waits
+  CHECK_THAT(read_complaint(folder.path("a.obj")), Contains("pipe"));
+  CHECK_THAT(read_complaint(folder.path("a.glb")), Contains("pipe"));
+  fs::create_symlink("/dev/zero", folder.path("endless.obj"));
+  CHECK_THAT(read_complaint(folder.path("endless.obj")), Contains("device"));
+  for (const char* buffer : {"a.obj", "/dev/zero"})
+    CHECK_THAT(
+        read_complaint(folder.write(
+            "a.gltf", std::string(R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":")") + buffer +
+                          R"("}],"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,)" +
+                          R"("componentType":5126,"count":3,"type":"VEC3"}],"meshes":[{"primitives":)" +
+                          R"([{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}]})")),
+        Contains("cannot be read"));
+  alarm(0);
+}
+
+TEST_CASE("Names that lead nowhere are refused, and the message says why")
+{
+  const Temporary_folder folder;
+  fs::create_symlink("loop.obj", folder.path("loop.obj"));
+  CHECK_THAT(read_complaint(folder.path("missing.obj")), Contains("no such file"));
+  CHECK_THAT(read_complaint(folder.path("loop.obj")), Contains("symbolic links"));
+  CHECK_THAT(read_complaint(folder.path(std::string(300, 'x') + ".obj")), Contains("too long"));
+  CHECK_THAT(read_complaint(folder.write("chair", "o seat")), Contains("no extension"));
+  CHECK_THAT(json_complaint(""), Contains("empty"));
+  CHECK_THAT(json_complaint("[1,"), Contains("not a JSON document (parse error"));
 }
 
 TEST_CASE("Documents nested deeply are refused")

@@ -344,6 +344,25 @@ TEST_CASE("What is overwritten keeps its mode, and links to it")
   CHECK((status.st_mode & 0777) == 0640);
 }
 
+TEST_CASE("A link to a file that is not there yet leads to the new file, links in a circle are refused")
+{
+  const Temporary_folder folder;
+  fs::create_directory(folder.path("new"));
+  fs::create_symlink("new/r.json", folder.path("first"));
+  fs::create_symlink(folder.path("first"), folder.path("second"));
+  IO::check_writable(folder.path("second"));
+  CHECK(files_of(folder.path("new")) == 0);
+  IO::write_atomically(folder.path("second"), [](std::ostream& out) { out << "text"; });
+  CHECK(text_of(folder.path("new/r.json")) == "text");
+  CHECK(fs::is_symlink(folder.path("first")));
+  CHECK(fs::is_symlink(folder.path("second")));
+  fs::create_symlink("loop", folder.path("loop"));
+  const auto write = [&] { IO::write_atomically(folder.path("loop"), [](std::ostream& out) { out << "text"; }); };
+  CHECK_THAT(complaint(write), Contains("loop") && Contains("symbolic links"));
+  CHECK_THAT(complaint([&] { IO::check_writable(folder.path("loop")); }), Contains("symbolic links"));
+  CHECK(fs::is_symlink(folder.path("loop")));
+}
+
 TEST_CASE("Two outputs of one file, and an output that is an input, are refused however they are spelt")
 {
   const Temporary_folder folder;
@@ -351,14 +370,15 @@ TEST_CASE("Two outputs of one file, and an output that is an input, are refused 
   fs::create_symlink("a.json", folder.path("link.json"));
   fs::create_symlink(".", folder.path("here"));
   fs::create_symlink("r.json", folder.path("r_link.json"));
+  fs::create_symlink("o1", folder.path("o1_link"));
   folder.write("r.json", "");
   const std::string match = "match " + quoted(a) + " " + quoted(a), o1 = folder.path("o1");
   for (const std::string& outputs :
        {" --json " + quoted(o1) + " --glb " + quoted(folder.path("./o1")),
         " --json " + quoted(o1) + " --glb " + quoted(folder.path("here/o1")),
         " --json " + quoted(folder.path("r.json")) + " --html " + quoted(folder.path("r_link.json")),
-        " --json " + quoted(a), " --glb " + quoted(folder.path("./a.json")),
-        " --html " + quoted(folder.path("link.json"))}) {
+        " --json " + quoted(o1) + " --glb " + quoted(folder.path("o1_link")), " --json " + quoted(a),
+        " --glb " + quoted(folder.path("./a.json")), " --html " + quoted(folder.path("link.json"))}) {
     INFO(outputs);
     const Run result = run(match + outputs);
     CHECK(result.status == 2);

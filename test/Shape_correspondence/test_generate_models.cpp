@@ -6,7 +6,9 @@
 #include "base/Disjoint_sets.h"
 #include "generator/benchmark/degrade.h"
 #include "generator/benchmark/random_designs.h"
+#include "generator/benchmark/shapes.h"
 #include "generator/models.h"
+#include "generator/surface_distance.h"
 #include "generator/writer.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -14,8 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <map>
-#include <set>
+#include <sys/stat.h>
 
 // The program from outside: exit status, messages, and what it leaves behind.
 
@@ -25,13 +24,6 @@ using Catch::Matchers::Contains;
 using nlohmann::json;
 
 namespace {
-
-std::string graph_file(const Temporary_folder& folder, const std::string& name, const Structural_graph& graph)
-{
-  std::ostringstream text;
-  IO::write_structural_graph_json(text, graph);
-  return folder.write(name, text.str());
-}
 
 /// An input that must be refused: status 1, one message on standard error that names the file, nothing left behind.
 std::string refused(const Temporary_folder& folder, const std::string& input)
@@ -263,6 +255,8 @@ TEST_CASE("The table of match: sets of parts, their operation and confidence, on
   CHECK_THAT(table.out, Contains("group in the source") && Contains("connectedness"));
   CHECK_THAT(table.error, Contains(" s, at most ") && Contains(" MB"));
   CHECK_THAT(run("match " + pair).out, !Contains("group in the source"));
+  const std::string airplanes = quoted(data + "/airplane_twin_engine") + " " + quoted(data + "/airplane_propeller");
+  CHECK_THAT(run("match " + airplanes + cache).out, Contains("role in an airplane"));
 
   const std::string csv = folder.path("distances.csv");
   REQUIRE(run("collection " + pair + " -q --csv " + quoted(csv)).status == 0);
@@ -294,6 +288,8 @@ TEST_CASE("Inputs that cannot be used end with status 1, a message and nothing l
   CHECK_THAT(refused(folder, folder.write("b.json", "{\"format\": 1}")), Contains("format"));
   fs::create_directories(folder.path("none"));
   CHECK_THAT(refused(folder, folder.path("none")), Contains("no part"));
+  REQUIRE(mkfifo(folder.path("pipe.json").c_str(), 0600) == 0);
+  CHECK_THAT(refused(folder, folder.path("pipe.json")), Contains("pipe.json: it is a pipe"));
   fs::create_symlink("loop", folder.path("loop"));
   const Run endless = run("collection " + quoted(folder.path("loop")));
   CHECK(endless.status == 1);
@@ -347,15 +343,6 @@ TEST_CASE("match writes a table, a JSON and a picture")
   CHECK(json::parse(piped.out)["pairs"] == result["pairs"]);
 }
 
-TEST_CASE("graph reads what it writes, over an older output")
-{
-  const Temporary_folder folder;
-  const std::string a = graph_file(folder, "a.json", hand_made::chair()), b = folder.write("b.json", "old");
-  CHECK(run("graph " + quoted(a) + " -o " + quoted(b)).status == 0);
-  CHECK(text_of(a) == text_of(b));
-  CHECK(folder.number_of_files() == 2);
-}
-
 TEST_CASE("Both commands write pages")
 {
   const Temporary_folder folder;
@@ -364,263 +351,4 @@ TEST_CASE("Both commands write pages")
   CHECK(run("match " + a + " " + a + " --quiet --html " + quoted(folder.path("m.html"))).status == 0);
   CHECK(text_of(folder.path("g.html")).find("<!DOCTYPE html>") == 0);
   CHECK(text_of(folder.path("m.html")).find("<!DOCTYPE html>") == 0);
-}
-
-TEST_CASE("A cache folder saves the abstraction, and is used only for the same model and options")
-{
-  const Temporary_folder folder;
-  const std::string table = folder.write("table.obj", obj_table());
-  const std::string command =
-      "match " + quoted(table) + " " + quoted(table) + " --json - --cache " + quoted(folder.path("cache"));
-  const auto result_of = [](const std::string& arguments) {
-    const Run done = run(arguments);
-    INFO(done.error);
-    REQUIRE(done.status == 0);
-    return json::parse(done.out);
-  };
-  json first = result_of(command), second = result_of(command);
-  CHECK(first["seconds"]["abstraction"] > 0);
-  CHECK(second["seconds"]["abstraction"] == 0);
-  CHECK(folder.number_of_files() == 2);
-  first.erase("seconds");
-  second.erase("seconds");
-  CHECK(first == second);
-  CHECK(result_of(command + " --kind curve")["seconds"]["abstraction"] > 0);
-  CHECK(folder.number_of_files() == 3);
-  const Run without = run("graph " + quoted(table) + " --cache " + quoted(table));
-  CHECK(without.status == 0);
-  CHECK_THAT(without.error, Contains("warning") && Contains("cache"));
-}
-
-TEST_CASE("Symmetries, contacts and the upright axis on demand")
-{
-  const Temporary_folder folder;
-  const std::string model = quoted(folder.write("table.obj", obj_table()));
-  const auto graph_of = [&](const std::string& options) {
-    const Run done = run("graph " + model + " --json - --abstraction boxes" + options);
-    INFO(done.error);
-    REQUIRE(done.status == 0);
-    return json::parse(done.out);
-  };
-  const auto sizes_of_groups = [](const json& graph) {
-    std::multiset<std::size_t> result;
-    for (const json& group : graph["groups"])
-      result.insert(group["parts"].size());
-    return result;
-  };
-  CHECK(sizes_of_groups(graph_of("")) == std::multiset<std::size_t>{1, 4});
-  CHECK(sizes_of_groups(graph_of(" --symmetries reflection")) == std::multiset<std::size_t>{1, 4});
-  CHECK(sizes_of_groups(graph_of(" --symmetries translation")) == std::multiset<std::size_t>{1, 2, 2});
-  CHECK(sizes_of_groups(graph_of(" --no-symmetry")) == std::multiset<std::size_t>{1, 1, 1, 1, 1});
-  CHECK(graph_of("")["contacts"].size() == 4);
-  CHECK(graph_of(" --contact-tolerance 0.5")["contacts"].size() == 8);
-
-  const json up = graph_of(" --up auto");
-  CHECK(up["up"] == graph_of("")["up"]);
-  CHECK_THAT(up["warnings"][0].get<std::string>(), Contains("upright axis was taken to be y"));
-}
-
-TEST_CASE("Files for graph tools")
-{
-  const Temporary_folder folder;
-  const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair()));
-  const std::string graphml = folder.path("g.graphml"), dot = folder.path("g.dot");
-  CHECK(run("graph " + a + " --quiet --graphml " + quoted(graphml) + " --dot " + quoted(dot)).status == 0);
-  CHECK_THAT(text_of(graphml), Contains("<graphml"));
-  CHECK_THAT(text_of(dot), Contains("graph"));
-  CHECK(run("graph " + a + " --graphml " + quoted(folder.path("no/folder.graphml"))).status == 1);
-  const Run xml = run("graph " + quoted(folder.write("g.xml", "<document/>")) + " --up auto");
-  CHECK(xml.status == 1);
-  CHECK_THAT(xml.error, Contains("--up x, y or z"));
-}
-
-TEST_CASE("Kinds and bounding boxes on demand")
-{
-  const Temporary_folder folder;
-  const std::string graph = "graph " + quoted(folder.write("table.obj", obj_table())) + " --json - --abstraction boxes";
-  const auto types = [&](const std::string& options) {
-    std::map<std::string, std::string> result;
-    const json document = json::parse(run(graph + options).out);
-    for (const json& part : document["parts"])
-      result[part["name"]] = part["type"];
-    return result;
-  };
-  CHECK(types("")["leg_1"] == "curve");
-  CHECK(types(" --kind sheet")["leg_1"] == "sheet");
-  CHECK(types(" --kind sheet --part-kind leg_1=curve")["leg_1"] == "curve");
-  CHECK(types(" --part-kind leg_1=sheet")["leg_2"] == "curve");
-}
-
-TEST_CASE("Ways of abstraction by their names")
-{
-  const Temporary_folder folder;
-  const std::string graph = "graph " + quoted(folder.write("table.obj", obj_table())) + " --json - --abstraction ";
-  const auto method_of_top = [&](const std::string& abstraction) -> std::string {
-    const json document = json::parse(run(graph + abstraction).out);
-    for (const json& part : document["parts"])
-      if (part["name"] == "top") return part["abstraction"]["method"];
-    return "";
-  };
-  CHECK(method_of_top("flow") == "meso_skeleton");
-  CHECK(method_of_top("fitted") == "medial_axis");
-  CHECK(method_of_top("boxes") == "bounding_box");
-}
-
-TEST_CASE("A model of one file through the program")
-{
-  const Temporary_folder folder;
-  const std::string table = folder.write("table.obj", obj_table());
-  const std::string graph = folder.path("table.json");
-  const Run written = run("graph " + quoted(table) + " -o " + quoted(graph) + " --progress always --threads 2");
-  INFO(written.error);
-  REQUIRE(written.status == 0);
-  CHECK_THAT(written.error, Contains("part 5 of 5"));
-  CHECK_THAT(written.out, Contains("leg_1"));
-  const Run single = run("graph " + quoted(table) + " --json - --threads 1");
-  CHECK(single.out == text_of(graph));
-  const Run self = run("match " + quoted(table) + " " + quoted(graph) + " --json -");
-  REQUIRE(self.status == 0);
-  CHECK(json::parse(self.out)["energy"].get<double>() == Approx(0).margin(1e-9));
-  CHECK(json::parse(self.out)["pairs"].size() == 5);
-}
-
-TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
-{
-  const Temporary_folder folder;
-  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
-  const std::string models =
-      "blend " + quoted(data + "/stool") + " " + quoted(data + "/stool") + " --abstraction boxes";
-  CHECK(run(models).status == 2); // no output
-  CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 1").status == 2);
-  CHECK(run(models + " -o " + quoted(folder.path("f")) + " --format stl").status == 2);
-  const std::string graph = graph_file(folder, "graph.json", hand_made::chair());
-  const Run refusal = run("blend " + quoted(graph) + " " + quoted(graph) + " -o " + quoted(folder.path("f")));
-  CHECK(refusal.status == 1);
-  CHECK_THAT(refusal.error, Contains("graph.json") && Contains("without surfaces"));
-  CHECK(folder.number_of_files() == 1);
-
-  const Run frames = run(models + " -o " + quoted(folder.path("f")) + " --frames 3 --json -");
-  CHECK(frames.status == 0);
-  CHECK(std::filesystem::exists(folder.path("f/frame_002.obj")));
-  const json report = json::parse(frames.out);
-  CHECK(report["format"] == "shape_correspondence/blend");
-  CHECK(report["frames"].size() == 3);
-  CHECK(report["schedules"].size() == 5);
-  CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 3").status == 1); // it is there already
-  CHECK(run(models + " -o " + quoted(folder.path("a.glb")) + " --frames 3 --quiet").status == 0);
-  CHECK(text_of(folder.path("a.glb")).substr(0, 4) == "glTF");
-  CHECK(run("blend " + quoted(graph) + " " + quoted(graph) + " -o " + quoted(folder.path("frames.obj"))).status == 2);
-  CHECK(run(models + " --quiet --frames 2 -o " + quoted(folder.path("b.html"))).status == 0);
-  const std::string page = text_of(folder.path("b.html"));
-  for (const char* id : {"match", "match.glb", "blend", "blend.glb"})
-    CHECK(page.find(std::string("id=\"") + id + "\">") != std::string::npos);
-}
-
-TEST_CASE("blend makes one shape, by one schedule or by all that differ, of a size that is asked for")
-{
-  const Temporary_folder folder;
-  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
-  const std::string models = "blend " + quoted(data + "/table_four_legged") + " " + quoted(data + "/table_trestle") +
-                             " --abstraction boxes --quiet --cache " + quoted(folder.path("cache")) + " -o ";
-  const auto out = [&](const std::string& name) { return models + quoted(folder.path(name)); };
-  CHECK(run(out("a.obj") + " --at 0.5 --size same").status == 0);
-  const std::string shape = text_of(folder.path("a.obj"));
-  CHECK(shape.find('~') != std::string::npos);
-  CHECK(run(out("a.ply") + " --at 0.5 --schedule all-at-once").status == 0);
-  CHECK(text_of(folder.path("a.ply")).substr(0, 3) == "ply");
-  CHECK(run(out("all") + " --at 0.5 --schedule all").status == 0);
-  int shapes = 0;
-  for (const auto& file : std::filesystem::directory_iterator(folder.path("all")))
-    shapes += file.path().extension() == ".obj";
-  CHECK(shapes > 1);
-  CHECK(run(out("b.obj") + " --at 1.5").status == 2);
-  CHECK(run(out("b") + " --at 0.5").status == 2); // one shape, no file
-  CHECK(run(out("b.glb") + " --schedule all").status == 2);
-  CHECK(run(out("b.glb") + " --schedule never").status == 2);
-  CHECK(run(out("b.glb") + " --size huge").status == 2);
-  // Nothing is believed: all shrinks and grows, and is told
-  const Run unsure = run(out("c.obj") + " --at 0.5 --min-confidence 1 --json -");
-  CHECK(unsure.status == 0);
-  const json report = json::parse(unsure.out);
-  for (const json& task : report["tasks"])
-    CHECK((task["task"] == "shrink" || task["task"] == "grow"));
-  CHECK_THAT(report["warnings"].dump(), Contains("--min-confidence"));
-  for (const auto& [measure, tolerance] : report["tolerances"].items())
-    CHECK(report["frames"][0]["quality"][measure] <= tolerance);
-}
-
-TEST_CASE("blend takes graphs whose parts name their meshes")
-{
-  const Temporary_folder folder;
-  const std::string model = std::string(SHAPE_CORRESPONDENCE_DATA_DIR) + "/stool", graph = folder.path("stool.json");
-  REQUIRE(run("graph " + quoted(model) + " -o " + quoted(graph) + " --abstraction boxes").status == 0);
-  json document = json::parse(text_of(graph));
-  std::filesystem::copy(model + "/parts", folder.path("meshes"));
-  for (json& part : document["parts"])
-    part["mesh"] = "meshes/" + part["name"].get<std::string>() + ".obj";
-  folder.write("stool.json", document.dump());
-  const auto blended = [&](const std::string& source, const std::string& out) {
-    return run("blend " + quoted(source) + " " + quoted(model) + " --abstraction boxes --frames 2 -o " +
-               quoted(folder.path(out)));
-  };
-  REQUIRE(blended(graph, "of_graph").status == 0);
-  REQUIRE(blended(model, "of_model").status == 0);
-  CHECK(text_of(folder.path("of_graph/frame_000.obj")) == text_of(folder.path("of_model/frame_000.obj")));
-
-  document["parts"][0].erase("mesh");
-  folder.write("stool.json", document.dump());
-  const Run some = blended(graph, "of_some");
-  CHECK(some.status == 1);
-  CHECK_THAT(some.error, Contains("stool.json") && Contains("\"mesh\""));
-  document["parts"][0]["mesh"] = "meshes/none.obj";
-  folder.write("stool.json", document.dump());
-  const Run missing = blended(graph, "of_none");
-  CHECK(missing.status == 1);
-  CHECK_THAT(missing.error, Contains("none.obj"));
-}
-
-TEST_CASE("blend takes a correspondence that was found before")
-{
-  const Temporary_folder folder;
-  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
-  const std::string models = quoted(data + "/chair_spindle") + " " + quoted(data + "/stool") + " --abstraction boxes";
-  const std::string result = folder.path("match.json"), other = folder.path("other.json");
-  REQUIRE(run("match " + models + " --json " + quoted(result)).status == 0);
-  const auto tasks = [&](const std::string& out, const std::string& options) {
-    const Run done = run("blend " + models + " -o " + quoted(folder.path(out)) + " --frames 2 --json - " + options);
-    REQUIRE(done.status == 0);
-    return json::parse(done.out)["tasks"];
-  };
-  CHECK(tasks("a", "--match " + quoted(result)) == tasks("b", ""));
-
-  json seats = json::parse(text_of(result));
-  seats["pairs"] = json::array({json::array({"saddle_seat", "round_board"})});
-  seats.erase("confidences");
-  folder.write("other.json", seats.dump());
-  const json of_seats = tasks("c", "--match " + quoted(other));
-  CHECK(std::count_if(of_seats.begin(), of_seats.end(), [](const json& task) { return task["task"] == "morph"; }) == 1);
-
-  // Below the default of --min-confidence, which is that they are more probably right than wrong, too
-  seats["confidences"] = {.49};
-  folder.write("other.json", seats.dump());
-  const auto morphs = [&](const std::string& out, const std::string& least) {
-    const json all = tasks(out, "--match " + quoted(other) + least);
-    return std::count_if(all.begin(), all.end(), [](const json& task) { return task["task"] == "morph"; });
-  };
-  CHECK(morphs("e", "") == 0);
-  CHECK(morphs("f", " --min-confidence .5") == 0);
-  CHECK(morphs("g", " --min-confidence .4") == 1);
-  seats["confidences"] = {.51};
-  folder.write("other.json", seats.dump());
-  CHECK(morphs("h", "") == 1);
-  seats.erase("confidences");
-
-  const std::string blend = "blend " + models + " -o " + quoted(folder.path("d"));
-  CHECK(run(blend + " --match " + quoted(result) + " --search beam").status == 2);
-  CHECK(run(blend + " --match " + quoted(folder.path("none.json"))).status == 1);
-  seats["pairs"][0][1] = "no_such_part";
-  folder.write("other.json", seats.dump());
-  const Run refusal = run(blend + " --match " + quoted(other));
-  CHECK(refusal.status == 1);
-  CHECK_THAT(refusal.error, Contains("other.json") && Contains("no_such_part") && Contains("stool"));
 }

@@ -336,7 +336,9 @@ TEST_CASE("Bad models are refused with file, part and reason")
     CHECK_THAT(refused(name, "Dear reader,\nthis is no model.\n"),
                Contains("cannot be read") || Contains("no triangle") || Contains("no face"));
   CHECK_THAT(refused("a.docx", "text"), Contains(".docx") && Contains("OBJ"));
-  CHECK_THAT(refused("nan.obj", "o leg\nv nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), Contains("'leg'"));
+  for (const char* point : {"nan 0 0", "0 nan 0", "0 0 nan", "0 0 -inf"})
+    CHECK_THAT(refused("nan.obj", "o seat\n" + triangle + "f 1 2 3\no leg\nv " + point + "\nf 1 2 4\n"),
+               Contains("'leg'") && Contains("finite"));
   CHECK_THAT(refused("nan.off", "OFF\n3 1 0\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), Contains("nan.off"));
   CHECK_THAT(refused("range.obj", "o leg\n" + triangle + "f 1 2 4\n"), Contains("line 5") && Contains("'leg'"));
   CHECK_THAT(refused("zero.obj", triangle + "f 0 1 2\n"), Contains("line 4"));

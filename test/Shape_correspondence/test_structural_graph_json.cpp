@@ -156,10 +156,14 @@ TEST_CASE("The keys are those of the format")
 TEST_CASE("How parts were abstracted is called what it is, and older names are understood")
 {
   using Method = Abstraction_report::Method;
-  const std::pair<const char*, Method> names[] = {
-      {"skeleton", Method::SKELETON}, {"meso_skeleton", Method::MESO_SKELETON}, {"medial_axis", Method::MEDIAL_AXIS},
-      {"axis", Method::AXIS},         {"bounding_box", Method::BOUNDING_BOX},   {"copy", Method::COPY},
-      {"given", Method::GIVEN}};
+  const std::pair<const char*, Method> names[] = {{"skeleton", Method::SKELETON},
+                                                  {"meso_skeleton", Method::MESO_SKELETON},
+                                                  {"medial_axis", Method::MEDIAL_AXIS},
+                                                  {"axis", Method::AXIS},
+                                                  {"prism", Method::PRISM},
+                                                  {"bounding_box", Method::BOUNDING_BOX},
+                                                  {"copy", Method::COPY},
+                                                  {"given", Method::GIVEN}};
   for (const auto& [name, method] : names) {
     Structural_graph graph = hand_made::chair();
     structure(graph).parts[0].report.method = method;

@@ -48,46 +48,21 @@ struct Solid
 };
 
 /// Six times the signed volume over six: positive when the faces look outwards.
-inline double volume(const Mesh& mesh)
-{
-  double sum = 0;
-  for (const auto& f : mesh.faces)
-    sum += mesh.points[f[0]].dot(mesh.points[f[1]].cross(mesh.points[f[2]]));
-  return sum / 6;
-}
+double volume(const Mesh& mesh);
 
-inline void flip_faces(Mesh& mesh)
-{
-  for (auto& f : mesh.faces)
-    std::swap(f[1], f[2]);
-}
+void flip_faces(Mesh& mesh);
 
 /// Turns a consistently oriented mesh so that its faces look outwards.
-inline Mesh outward(Mesh mesh)
-{
-  if (volume(mesh) < 0) flip_faces(mesh);
-  return mesh;
-}
+Mesh outward(Mesh mesh);
 
 /// Appends `other` as further components.
-inline void append(Mesh& mesh, const Mesh& other)
-{
-  const int shift = int(mesh.points.size());
-  mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
-  for (const auto& f : other.faces)
-    mesh.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
-}
+void append(Mesh& mesh, const Mesh& other);
 
 /// The nearest multiple of `grid_step`. Ties are broken away from zero by a margin far above rounding errors, so that
 /// the last printed decimal is the same on every machine and mirrored numbers stay mirrored.
-inline double snapped(double x)
-{
-  constexpr double tie_margin = 1e-4;
-  const double steps = std::floor(std::abs(x) / grid_step + 0.5 + tie_margin);
-  return steps == 0 ? 0. : std::copysign(steps * grid_step, x);
-}
+double snapped(double x);
 
-inline Point snapped(const Point& p) { return {snapped(p.x()), snapped(p.y()), snapped(p.z())}; }
+Point snapped(const Point& p);
 
 /// Applies `map` to every point, of the mesh and of the mid-line or mid-surface.
 template <class Map>
@@ -100,46 +75,20 @@ Solid mapped(Solid solid, const Map& map)
   return solid;
 }
 
-inline Solid snapped(const Solid& solid)
-{
-  return mapped(solid, [](const Point& p) { return snapped(p); });
-}
+Solid snapped(const Solid& solid);
 
 /// The mirror image in the plane where a coordinate is 0, outward again, points and faces in the same order.
-inline Solid mirrored(const Solid& solid, int axis = 0)
-{
-  Solid result = mapped(solid, [axis](Point p) {
-    p[axis] = p[axis] == 0 ? 0. : -p[axis];
-    return p;
-  });
-  flip_faces(result.mesh);
-  return result;
-}
+Solid mirrored(const Solid& solid, int axis = 0);
 
-inline Solid transformed(const Solid& solid, const Eigen::Isometry3d& motion)
-{
-  return mapped(solid, [&](const Point& p) -> Point { return motion * p; });
-}
+Solid transformed(const Solid& solid, const Eigen::Isometry3d& motion);
 
-inline Solid translated(const Solid& solid, const Point& by)
-{
-  return mapped(solid, [&](const Point& p) -> Point { return p + by; });
-}
+Solid translated(const Solid& solid, const Point& by);
 
 /// The rotation by `angle` about the line through `point` along `axis`.
-inline Eigen::Isometry3d rotation_about(const Point& point, const Point& axis, double angle)
-{
-  return Eigen::Translation3d(point) * Eigen::AngleAxisd(angle, axis.normalized()) * Eigen::Translation3d(-point);
-}
+Eigen::Isometry3d rotation_about(const Point& point, const Point& axis, double angle);
 
 /// The motion that takes the y axis to the line from `from` to `to`, the origin to `from`, by the smallest turn.
-inline Eigen::Isometry3d stand_on(const Point& from, const Point& to)
-{
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.linear() = Eigen::Quaterniond::FromTwoVectors(Point::UnitY(), to - from).toRotationMatrix();
-  motion.translation() = from;
-  return motion;
-}
+Eigen::Isometry3d stand_on(const Point& from, const Point& to);
 
 } // namespace generator
 } // namespace Shape_correspondence

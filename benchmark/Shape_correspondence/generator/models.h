@@ -6,12 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_MODELS_H
 #define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_MODELS_H
 
-#include "aeroplanes.h"
-#include "chairs.h"
-#include "furnishings.h"
-#include "tables.h"
-#include "tricycle.h"
-#include "velocipedes.h"
+#include "assembly.h"
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -25,24 +20,7 @@ struct Model
 };
 
 /// All models; the name is that of the shape that is made.
-inline const std::vector<Model>& models()
-{
-  static const std::vector<Model> all{{"airplane_propeller", airplane_propeller},
-                                      {"airplane_twin_engine", airplane_twin_engine},
-                                      {"bed_slatted", bed_slatted},
-                                      {"bicycle", bicycle},
-                                      {"chair_four_legged", chair_four_legged},
-                                      {"chair_slatted", chair_slatted},
-                                      {"chair_spindle", chair_spindle},
-                                      {"chair_swivel", chair_swivel},
-                                      {"lamp_desk", lamp_desk},
-                                      {"stool", stool},
-                                      {"table_four_legged", table_four_legged},
-                                      {"table_pedestal", table_pedestal},
-                                      {"table_trestle", table_trestle},
-                                      {"tricycle", tricycle}};
-  return all;
-}
+const std::vector<Model>& models();
 
 } // namespace generator
 } // namespace Shape_correspondence

@@ -18,19 +18,19 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// The size of in-between shapes, of models that may come in different units.
+/// The size of in-between shapes. The two models may be in different units.
 enum class Blend_size {
-  BLEND,  ///< from the source's to the target's, by equal factors in equal times
-  SOURCE, ///< the source's; the target is scaled to the same height, about the origin
-  TARGET, ///< the target's; the source is scaled to the same height, about the origin
-  SAME    ///< of height 1; both are scaled, about the origin
+  BLEND,  ///< from the source's size to the target's, by equal factors in equal times
+  SOURCE, ///< the source's size; the target is scaled to its height, about the origin
+  TARGET, ///< the target's size; the source is scaled to its height, about the origin
+  SAME    ///< height 1; both are scaled, about the origin
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `Shape_blend`.
 struct Blend_options
 {
-  /// Largest gap of parts in contact in the source or target, as a fraction of the height.
+  /// Largest gap between parts in contact in the source or target, as a fraction of the height, in [0, 1].
   double contact_tolerance = 0.02;
   int samples = 5; ///< number of in-between shapes by which a schedule is rated, 1 to 1000
   /// Pairs of lower confidence, in [0, 1], are left out: their parts shrink and grow. By default, those that are more
@@ -38,8 +38,9 @@ struct Blend_options
   double min_confidence = 0.5;
   Blend_size size = Blend_size::BLEND; ///< size of the in-between shapes
   std::string schedule;                ///< name of the schedule to use; empty: the best one
-  bool rank_all = false; ///< rate all schedules by all samples, also those that cannot be the best any more
-  /// Called before every schedule is judged, with the share that is done; `false` ends it: those not judged come last.
+  bool rank_all = false;               ///< rate all schedules by all samples, also those that can no longer be the best
+  /// Called before every schedule is rated, with the fraction done, in [0, 1]; `false` ends the rating: schedules that
+  /// are not rated come last.
   std::function<bool(double)> progress;
 };
 

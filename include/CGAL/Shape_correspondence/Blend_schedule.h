@@ -25,14 +25,14 @@ enum class Blend_task_type {
   SPLIT,  ///< a piece of a part becomes another part
   MERGE,  ///< a part, or a piece of it, becomes a piece of another
   SHRINK, ///< a part without counterpart vanishes where it touches the others
-  GROW    ///< the inverse
+  GROW    ///< the inverse of `SHRINK`
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
 /// What happens to one part, and when.
 struct Blend_task
 {
-  static constexpr std::size_t no_part = std::size_t(-1); ///< stands for a part where there is none
+  static constexpr std::size_t no_part = std::size_t(-1); ///< index of a part where there is none
 
   Blend_task_type type = Blend_task_type::MORPH; ///< what happens
   std::size_t source = no_part;                  ///< index of the source part, if there is one
@@ -42,19 +42,19 @@ struct Blend_task
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// How well an in-between shape holds together and looks like what its ends are made of; 0 is best. Lengths are over
-/// the shape's height.
+/// Measures of an in-between shape against the ends of the blend, the source and the target; 0 is best. Lengths are
+/// fractions of the shape's height.
 struct Blend_quality
 {
   double gap = 0;       ///< by how much a contact of parts that stay is wider than at the ends, at most
   double apart = 0;     ///< how far connected components came apart, at most, before they were reconnected
   double asymmetry = 0; ///< root mean square distance from the mirror image, if both ends have a mirror plane in common
   double ground = 0;    ///< how far a part that stands on the ground at both ends is off its height there, at most
-  double thinning = 0;  ///< by what share a part is thinner than where it is thinnest at the ends, at most
-  double area = 0;      ///< by what share the surface is larger than at the end where it is larger
-  double volume = 0;    ///< the same of the volume of closed parts
-  double torn = 0;      ///< share of the surface that is folded over, or stretched far more than the part that it is of
-  double overlap = 0;   ///< share of the surface that is inside closed parts that it is not in at either end
+  double thinning = 0;  ///< by what fraction a part is thinner than where it is thinnest at the ends, at most
+  double area = 0;      ///< by what fraction the surface is larger than at the end where it is larger
+  double volume = 0;    ///< the same for the volume of closed parts
+  double torn = 0;      ///< share of the surface that is folded over, or stretched far more than its part
+  double overlap = 0;   ///< share of the surface that is inside closed parts, but not inside them at either end
   double wobble = 0;    ///< how much farther a part that is the same at both ends moves than those it touches, at most
 };
 
@@ -62,17 +62,17 @@ struct Blend_quality
 /// Whether an in-between shape is within the tolerances of `Shape_blend`.
 struct Blend_check
 {
-  Blend_quality quality;           ///< how well the shape holds together
-  std::vector<std::string> faults; ///< what does not hold, and at which parts, in whole sentences
+  Blend_quality quality;           ///< the measures
+  std::vector<std::string> faults; ///< which tolerances are exceeded, and at which parts, in whole sentences
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
 /// A plausible order of the tasks of a blend.
 struct Blend_schedule
 {
-  std::string name;              ///< says in which order tasks come
+  std::string name;              ///< one of `Shape_blend::schedule_names()`
   std::vector<Blend_task> tasks; ///< the tasks and their times
-  Blend_quality quality;         ///< the worst of the in-between shapes that it is judged by
+  Blend_quality quality;         ///< the largest measures of the in-between shapes by which it is rated
 };
 
 } // namespace Shape_correspondence

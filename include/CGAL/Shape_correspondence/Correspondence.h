@@ -40,7 +40,7 @@ struct Group_match
   std::vector<std::size_t> target;        ///< part indices in the target shape
   Operation operation = Operation::MATCH; ///< what the GeoTopo transform did to the group
   double energy =
-      0; ///< its share of E_d + w_c E_c: half of that of contacts with other groups, all of that of contacts inside it
+      0; ///< its share of E_d + w_c E_c: the energies of contacts inside it and half of those with other groups
   double distortion = 0;     ///< its share of E_d
   double connectedness = 0;  ///< its share of E_c, before weighting
   double solidity_ratio = 1; ///< S_i of Eq. 5, its entry in E_s
@@ -50,7 +50,7 @@ struct Group_match
 };
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
-/// The energy of one pair of connected parts of the shape that was deformed.
+/// The energy of one pair of connected parts of the deformed shape.
 struct Contact_energy
 {
   std::array<std::size_t, 2> parts; ///< the two parts
@@ -62,26 +62,26 @@ struct Contact_energy
 /// A part-to-part correspondence between a source and a target shape.
 struct Correspondence
 {
-  /// Corresponding parts, sorted by source, then target, each once. A search for the least energy gives the images of
-  /// every part of the deformed shape, with the segments of cut curves. Matching by parts pairs sets of parts, every
+  /// Corresponding parts, sorted by source, then target, each pair once. A search for the least energy gives the images
+  /// of every part of the deformed shape, with the segments of cut curves. Matching by parts pairs sets of parts, every
   /// part of the one with every part of the other, and gives confidences.
   std::vector<Part_correspondence> pairs;
   std::vector<Group_match> groups;           ///< by group of the deformed shape
   std::vector<Contact_energy> contacts;      ///< by contact of the deformed shape
   std::vector<std::size_t> unmatched_source; ///< source parts without a counterpart, ascending
   std::vector<std::size_t> unmatched_target; ///< target parts without a counterpart, ascending
-  /// Deformation energy, E of Eq. 1: of whole parts after matching by parts, of the pieces of split sheets after a
-  /// search.
+  /// Deformation energy, E of Eq. 1. After matching by parts it is computed for whole parts, after a search with the
+  /// pieces of split sheets.
   double energy = 0;
   Energy_terms terms;                                ///< the terms of the energy
   Direction direction = Direction::SOURCE_TO_TARGET; ///< which shape was deformed into which
   bool complete = false; ///< every group of the deformed shape is assigned, or left unmatched where that is allowed
-  bool optimal = false;  ///< the energy is proven minimal over the labels, of this direction and turn of the target
+  bool optimal = false;  ///< the energy is proven minimal over all labels, for this direction and turn of the target
   int target_quarter_turns = 0;          ///< turns of the target by 90° about up that align it with the source
   Search_summary search;                 ///< effort of the search, and its lower bound
   std::string category;                  ///< category whose roles were used; empty: none
   std::vector<std::string> source_roles; ///< most probable role of each source part; empty without a category
-  std::vector<std::string> target_roles; ///< the same of the target parts
+  std::vector<std::string> target_roles; ///< the same for the target parts
   std::vector<std::string> warnings;     ///< approximations made and limits reached, in sentences
 };
 

@@ -34,9 +34,9 @@ struct Part_parameter
 /// (paper, section 1).
 ///
 /// Parts that correspond one to one are mapped as a whole, in the direction in which they are fitted to each other. A
-/// part that corresponds to many is divided among them as they lie: a curve into intervals of its parameter, a sheet
-/// into rectangles, which are mapped each; where they lie side by side across it, it is mapped to all of them. A curve
-/// that corresponds to a sheet runs along the middle of it, the long way. Continuous inside every piece.
+/// part that corresponds to several is divided among them by their places: a curve into intervals of its parameter, a
+/// sheet into rectangles, each mapped to one part; if they lie side by side across it, it is mapped to all of them. A
+/// curve that corresponds to a sheet runs along its middle, in the longer direction. Continuous inside every piece.
 class Correspondence_map
 {
 public:
@@ -44,8 +44,8 @@ public:
   Correspondence_map(const Structural_graph& source, const Structural_graph& target,
                      const Correspondence& correspondence);
 
-  /// The images of a place on the source: none on a part without counterpart, one, or several. On the border of two
-  /// pieces of the part, the images of both. O(pieces of the part)
+  /// The images of a place on the source: none if its part has no counterpart, otherwise one or several; on the border
+  /// of two pieces of the part, the images by both. Linear in the number of pieces of the part.
   std::vector<Part_parameter> operator()(const Part_parameter& place) const;
 
   /// The map from the target to the source.

@@ -56,9 +56,9 @@ double distortion_energy(double mean_squared_cosine);
 double connectedness_energy(double shortest_before, double shortest_after, double longest_before);
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// E_s (Eq. 5) of the vector S of solidity ratios, an entry a group of parts; 0 of no groups. S_i is the lesser
-/// solidity over the greater one of the group and of what it becomes, where their numbers of parts differ. It is 1
-/// elsewhere: for groups not matched yet, for groups of equal size (the paper names single parts, and charges
+/// E_s (Eq. 5) of the vector S of solidity ratios, one entry for each group of parts; 0 if there are no groups. If a
+/// group and its image differ in their numbers of parts, S_i is the smaller of their solidities divided by the larger.
+/// It is 1 for groups not matched yet, for groups of equal size (the paper mentions only single parts, and charges
 /// "one-to-many and many-to-one" only), and for rotational groups.
 double split_energy(const std::vector<double>& solidity_ratios);
 

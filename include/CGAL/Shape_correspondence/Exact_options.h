@@ -20,12 +20,12 @@ namespace Shape_correspondence {
 /// Options of `exact_search()`.
 struct Exact_options
 {
-  /// Largest number of entries of a table of the bound at first; larger tables are split. A long search restarts with
-  /// larger tables, up to a million entries.
+  /// Largest number of entries of a table of the bound at the start; larger tables are split. A long search restarts
+  /// with larger tables, up to a million entries.
   std::size_t table_limit = 1u << 12;
   std::size_t node_limit =
       2'000'000;             ///< maximum of nodes of the search tree; then the best solution so far is returned
-  double time_limit = 0;     ///< seconds, then the same; 0: no limit, so that results do not depend on speed
+  double time_limit = 0;     ///< in seconds, with the same effect; 0: none, so that results do not depend on speed
   std::size_t solutions = 1; ///< number of best assignments to return, at least 1
 };
 

@@ -41,7 +41,7 @@ struct Part_pair
 /// Options of the deformation energy and its labels.
 struct Matching_options
 {
-  /// An infinite cost.
+  /// An infinite cost, of what is not allowed.
   static constexpr double never = std::numeric_limits<double>::infinity();
 
   Energy_weights weights;              ///< weights of the terms of the energy
@@ -54,10 +54,10 @@ struct Matching_options
   /// of them. A search takes these parts out of their symmetry groups and charges no E_s for them.
   std::vector<Part_pair> pinned;
   std::vector<Part_pair> forbidden; ///< pairs that must not correspond
-  /// By how much the roles of a source part (row) and a target part (column), by their indices, disagree, between 0
-  /// and 1; empty: not at all. Each contact is charged, times `Energy_weights::roles`, the mean of what its two parts
-  /// have with their images, and each part without contacts the same once. `find_correspondence()` fills it from
-  /// `Search_options::roles`, where it is empty and the weight is not 0.
+  /// Disagreement of the roles of each source part (row) and target part (column), by their indices, between 0 and 1;
+  /// empty: 0. The energy of a contact is increased by `Energy_weights::roles` times the mean disagreement of its two
+  /// parts with their images; a part without contacts is charged once. If it is empty and the weight is not 0,
+  /// `find_correspondence()` computes it from `Search_options::roles`.
   Eigen::MatrixXd role_costs;
 };
 

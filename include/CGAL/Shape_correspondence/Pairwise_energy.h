@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// A label index by variable; `unassigned` where a variable has none yet.
+/// The index of the label of every variable; `unassigned` for a variable that has none yet.
 using Assignment = std::vector<int>;
 /// \ingroup PkgShapeCorrespondenceSearch
 /// The label of a variable that has none yet.
@@ -49,7 +49,7 @@ struct Pairwise_energy
     std::vector<Eigen::MatrixXd> edge;  ///< share of Q by edge and pair of labels; empty: none
   };
 
-  std::vector<Eigen::VectorXd> unary; ///< by variable, a cost for every label; as many labels as entries
+  std::vector<Eigen::VectorXd> unary; ///< for every variable, the cost of each of its labels
   std::vector<Edge> edges;            ///< the terms of two variables
   std::vector<Root_term> root_terms;  ///< the terms with a root
 
@@ -64,7 +64,7 @@ struct Pairwise_energy
   /// The energy of a complete assignment.
   double operator()(const Assignment& assignment) const;
 
-  /// No assignment has a lower energy: the sum of the least values of all terms.
+  /// A lower bound of the energy of all assignments: the sum of the least values of all terms.
   double lower_bound() const;
 };
 

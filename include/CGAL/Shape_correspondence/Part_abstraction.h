@@ -67,7 +67,8 @@ struct Abstraction_report
     AXIS,          ///< none: the axis of a body of revolution or of a block
     BOUNDING_BOX,  ///< the bounding box
     COPY,          ///< none: the abstraction of a congruent part, moved
-    GIVEN          ///< unknown: from a file or another abstractor
+    GIVEN,         ///< unknown: from a file or another abstractor
+    PRISM          ///< none: the axis or the middle layer of a prism that the faces show, as a box or a cylinder
   };
   /// How the surface of a part was closed.
   enum class Repair {
@@ -81,16 +82,16 @@ struct Abstraction_report
   Repair repair = Repair::NONE;    ///< how the surface was closed
   bool tube = false;               ///< a hollow tube, abstracted by its axis of revolution or a sheet across it
   bool blob = false;               ///< neither elongated nor flat: a curve along its axis, or through it
-  bool branching = false;          ///< the curve or sheet stands for it only roughly: `coverage` is less than 0.8
+  bool branching = false;          ///< the curve or sheet is a rough approximation: `coverage` is less than 0.8
   bool several_components = false; ///< the part's surface is not connected
   bool time_limit = false;         ///< the time limit was reached
-  std::string fallback;            ///< why the bounding box was used (of a copy: for its original); empty: it was not
+  std::string fallback;            ///< why the bounding box was used (for a copy: for its original); empty: it was not
   std::string copy_of;             ///< of a copy: the name of its original
   double residual = 0; ///< root mean square distance of the fitted points, as a fraction of the diagonal of the part
   double coverage = 1; ///< length of the curve divided by that of the skeleton; share of the sheet that is in the part
   int iterations = 0;  ///< steps of the flow
   double milliseconds = 0;   ///< time of the abstraction; not saved in files
-  Phase_milliseconds phases; ///< the same by phase
+  Phase_milliseconds phases; ///< time of each phase
 
   /// Whether the bounding box was used since no skeleton could be computed.
   bool is_fallback() const { return !fallback.empty(); }
@@ -105,7 +106,7 @@ struct Part_abstraction
   double volume = 0;                   ///< of the enclosed solid; 0 where unknown
   double hull_volume = 0;              ///< of the convex hull; 0 where unknown or flat
   double area = 0;                     ///< of the surface; 0 where unknown
-  Points surface;            ///< points spread evenly over the surface, as the first n of them are; empty where unknown
+  Points surface;            ///< points spread evenly over the surface; so are the first n, for any n; empty: unknown
   Points hull;               ///< vertices of the convex hull; empty where unknown
   Abstraction_report report; ///< how the abstraction was made
 
@@ -118,8 +119,8 @@ struct Part_abstraction
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Samples of a curve at e uniform parameters (0, 1/(e-1), …, 1; closed: 0, 1/e, …, (e-1)/e), of a sheet at e × e,
-/// row by row (paper, section 4.3, "Sampling").
+/// Samples of a curve at e uniform parameters (0, 1/(e-1), …, 1; closed: 0, 1/e, …, (e-1)/e), or of a sheet at e × e
+/// uniform parameters, row by row (paper, section 4.3, "Sampling").
 /// \pre `e >= 2`
 Points sample(const Curve& curve, int e);
 /// \ingroup PkgShapeCorrespondenceAbstraction

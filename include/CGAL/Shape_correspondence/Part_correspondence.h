@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
-/// Which of several equally long segments of a curve (paper, section 5, cutting); of one: the whole part. Small types,
-/// since sets of shapes keep millions of pairs.
+/// One of several equally long segments of a curve (paper, section 5, cutting); if it is the only one, the whole part.
+/// Small types, since sets of shapes keep millions of pairs.
 struct Curve_segment
 {
   short index = 0; ///< along the curve, from 0 on
@@ -31,7 +31,7 @@ struct Curve_segment
   /// Whether the part is not cut.
   bool is_whole_part() const { return count == 1; }
 
-  /// Whether both are the same segment of as many.
+  /// Whether both have equal indices and counts.
   friend bool operator==(const Curve_segment& a, const Curve_segment& b)
   {
     return a.index == b.index && a.count == b.count;
@@ -69,7 +69,7 @@ inline bool is_before(const Part_correspondence& a, const Part_correspondence& b
 }
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
-/// The same with source and target swapped.
+/// The pair with source and target swapped.
 inline Part_correspondence inverse(const Part_correspondence& pair)
 {
   return {pair.target, pair.source, pair.confidence, pair.target_segment, pair.source_segment};

@@ -26,7 +26,7 @@ struct Correspondence;
 /// shapes.
 struct Part_map
 {
-  /// Of whole parts, sorted by source, then target, each once; with a confidence, 1 where the method has none.
+  /// Pairs of whole parts, sorted by source, then target, each once; the confidence is 1 if the method computes none.
   std::vector<Part_correspondence> pairs;
 
   /// Whether all pairs and confidences are equal.
@@ -43,20 +43,20 @@ struct Shape_pair_map
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The pairs of a correspondence.
+/// The part map of a correspondence.
 Part_map part_map(const Correspondence& correspondence);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// Every part with itself, with certainty.
+/// Every part corresponds to itself, with confidence 1.
 Part_map identity_part_map(std::size_t parts);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The same with source and target swapped.
+/// The map with source and target swapped.
 Part_map inverse(const Part_map& map);
 
 /// \ingroup PkgShapeCorrespondenceSets
 /// First `first`, then `second`: two parts correspond if both correspond to some part in between, one-to-many matches
-/// included. The confidence is that of the most probable way, the product of its two.
+/// included. The confidence is the largest product of the two confidences over all parts in between.
 Part_map composed(const Part_map& first, const Part_map& second);
 
 } // namespace Shape_correspondence

@@ -17,10 +17,10 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// Past the input meshes the package computes with plain `double` numbers on Eigen types.
+/// A point. After reading the input meshes, the package computes with `double` numbers and Eigen types.
 using Point = Eigen::Vector3d;
 /// \ingroup PkgShapeCorrespondenceShapes
-/// A point a column.
+/// A list of points, one in each column.
 using Points = Eigen::Matrix3Xd;
 
 } // namespace Shape_correspondence

@@ -32,11 +32,11 @@ class Role_distances;
 }
 
 /// \ingroup PkgShapeCorrespondenceRoles
-/// The roles of parts, such as legs and seat of a chair, learned from labelled shapes. By category: a forest
-/// of extremely randomised trees (P. Geurts, D. Ernst, L. Wehenkel, *Extremely randomized trees*, 2006) that predicts
-/// the label of a part, its role and what it is more precisely (a front leg), from its place, size and shape in the
-/// upright shape that faces +z; and the labelled parts themselves, by which shapes of unknown categories are
-/// detected. For all categories: how probable a pair of parts is by their predicted labels and by their geometric
+/// The roles of parts, such as legs and seat of a chair, learned from labelled shapes. For each category, a model has a
+/// forest of extremely randomised trees (P. Geurts, D. Ernst, L. Wehenkel, *Extremely randomized trees*, 2006) that
+/// predicts the label of a part, its role and its fine label (a front leg), from its place, size and shape in the
+/// upright shape that faces +z; and the features of the labelled parts, by which shapes of unknown categories are
+/// detected. It also has the probability that a pair of parts corresponds, given their predicted labels and geometric
 /// match. Names and the order of parts are not used. Copies share their data; threads may share a model.
 class Role_model
 {
@@ -70,12 +70,12 @@ private:
 /// The roles of the parts of a shape, as far as a model knows them.
 struct Part_roles
 {
-  std::string category;           ///< of the shape; empty: none that the model knows
+  std::string category;           ///< category of the shape; empty: none that the model knows
   std::vector<std::string> roles; ///< names of the roles of the category
   Eigen::MatrixXd probabilities;  ///< part × role; every row sums up to 1
-  std::vector<Part_label> labels; ///< the likeliest one of every part: its role, and what it is more precisely
-  /// From the labelled parts of the category: mean over parts and features of the difference from the nearest one, in
-  /// standard deviations of the feature.
+  std::vector<Part_label> labels; ///< the most probable label of every part
+  /// Distance from the labelled parts of the category: mean over parts and features of the difference from the nearest
+  /// labelled part, in standard deviations of the feature.
   double distance = 0;
 };
 
@@ -83,7 +83,7 @@ struct Part_roles
 /// The roles of the parts of a shape that is upright and faces +z.
 /// \param graph the shape
 /// \param model the role model
-/// \param category of the shape; empty: the one whose labelled parts are clearly nearest, or none if none is
+/// \param category of the shape; empty: the one whose labelled parts are clearly nearest, or none if there is none such
 /// \throw Invalid_input if the model does not have the category
 Part_roles part_roles(const Structural_graph& graph, const Role_model& model, const std::string& category = "");
 
@@ -104,7 +104,7 @@ struct Labelled_graph
 /// Options of `train_role_model()`.
 struct Role_training_options
 {
-  int trees = 100;        ///< number of trees in the forest of a category, at least 1
+  int trees = 100;        ///< number of trees in the forest of a category, from 1 to 1000
   std::uint64_t seed = 0; ///< seed of the random numbers
 };
 
@@ -115,9 +115,9 @@ struct Role_training_options
 Role_model train_role_model(const std::vector<Labelled_graph>& shapes, const Role_training_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceRoles
-/// Learns roles from labelled shapes in addition to those that a model was learned from, such as a few shapes of one's
-/// own. A category that the model has is learned anew from the old and the new shapes together, whose labels must mean
-/// the same; other categories are added. The forests get as many trees as those of the model.
+/// Learns roles from labelled shapes in addition to those that a model was learned from, such as a few shapes of your
+/// own. A category that the model has is learned anew from the old and the new shapes together, whose labels must have
+/// the same meaning; other categories are added. The forests get as many trees as those of the model.
 /// \throw Invalid_input as `train_role_model()`
 Role_model extend_role_model(const Role_model& model, const std::vector<Labelled_graph>& shapes,
                              const Role_training_options& options = {});

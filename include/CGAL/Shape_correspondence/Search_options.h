@@ -47,7 +47,7 @@ struct Part_cost_weights
   double front = 3.5;       ///< distance of the centres of the bounding boxes along the front axis
   double orientation = 1.5; ///< Frobenius distance of the normalized square roots of the covariances of the surfaces
   double chamfer = 2;       ///< mean distance of points of either surface from the other one
-  double contacts = 2;      ///< share of the parts in contact with them that do not correspond
+  double contacts = 2;      ///< share of the neighbours of both parts, in contact with them, that do not correspond
   double chain = 50;        ///< one part is a ring of a chain and the other is not
 };
 
@@ -56,14 +56,14 @@ struct Part_cost_weights
 struct Part_matching_options
 {
   Part_cost_weights weights; ///< weights of the terms of a cost
-  /// A pair is matched if its cost is the least one of either part and exceeds the least costs of both parts by at most
-  /// this sum. Smaller values give fewer pairs of higher precision.
+  /// A pair is matched if its cost is the least one of the source part or of the target part, and exceeds the least
+  /// costs of both, added up, by at most this. Smaller values give fewer pairs of higher precision.
   double excess = 1.5;
   double confident_excess = 0.5;   ///< the same bound of costs for pairs that decide which sets of parts correspond
   double shared_counterpart = 3.5; ///< largest cost between parts of one shape that may share a counterpart
   bool panels = true;              ///< match panels as sets: rows of parts, and boards in one side of the shape
   bool support = true;             ///< match the parts that support a seat or table top as a set
-  bool chains = true; ///< shapes with a chain hang from it, and rings of chains correspond to each other only
+  bool chains = true; ///< a shape with a chain hangs from it, and rings of chains correspond only to rings of chains
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
@@ -100,8 +100,8 @@ struct Search_options
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// The paper's method: beam search with K = 20 and k = 4, of all alignments that the shapes' symmetry leaves (section
-/// 5, "Initial alignment"), in both directions; a coarse correspondence selects parts of the source alone
+/// The paper's method: beam search with K = 20 and k = 4 over all alignments that the symmetry of the shapes allows
+/// (section 5, "Initial alignment"), in both directions; a coarse correspondence selects parts of the source only
 /// (section 6.1).
 Search_options paper_options();
 

@@ -32,7 +32,7 @@ struct Solution
 struct Search_result
 {
   std::vector<Solution> solutions; ///< the best first; at least one
-  bool optimal = false;            ///< no assignments have lower energies than these
+  bool optimal = false;            ///< whether it is proven that no other assignment has a lower energy than these
   Search_summary summary;          ///< how the search went
 
   /// The first solution.

@@ -24,7 +24,7 @@ struct Search_summary
   std::string method = "beam"; ///< parts, beam or exact
   std::size_t states = 0;      ///< search states kept
   std::size_t evaluations = 0; ///< states whose energy, or a lower bound of it, was computed
-  double lower_bound = 0;      ///< no correspondence in the direction of the result costs less
+  double lower_bound = 0;      ///< no correspondence in the direction of the result has a lower energy
 };
 
 } // namespace Shape_correspondence

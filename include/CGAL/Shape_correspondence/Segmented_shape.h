@@ -23,11 +23,11 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// An indexed triangle mesh as files hold them: open, non-manifold and badly oriented ones included.
+/// An indexed triangle mesh as read from a file; it may be open, non-manifold or inconsistently oriented.
 struct Part_mesh
 {
-  Points points;              ///< a vertex a column
-  Eigen::Matrix3Xi triangles; ///< a triangle a column, indices into `points`
+  Points points;              ///< one vertex in each column
+  Eigen::Matrix3Xi triangles; ///< one triangle in each column: indices into `points`
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
@@ -50,7 +50,7 @@ public:
   /// \param up the upright direction, a unit vector
   explicit Segmented_shape(std::string name = "shape", const Point& up = Point(0, 1, 0));
 
-  /// Builds a shape of a range of pairs (name, triangle mesh).
+  /// Builds a shape from a range of pairs (name, triangle mesh).
   /// \tparam NamedMeshRange a range of pairs of a `std::string` and a model of `FaceListGraph`
   /// \param meshes the parts
   /// \param name names the shape in messages and files
@@ -60,8 +60,8 @@ public:
   static Segmented_shape from_meshes(const NamedMeshRange& meshes, std::string name = "shape",
                                      const Point& up = Point(0, 1, 0), const NamedParameters& np = NamedParameters());
 
-  /// Builds a shape of one triangle mesh and a map from faces to segment ids, as `CGAL::segmentation_from_sdf_values()`
-  /// makes it: the faces of an id become a part, parts in ascending order of their ids.
+  /// Builds a shape from one triangle mesh and a map from faces to segment ids, as from
+  /// `CGAL::segmentation_from_sdf_values()`: the faces of one id become a part. Parts are in ascending order of ids.
   /// \tparam TriangleMesh a model of `FaceListGraph`
   /// \tparam SegmentIdMap a model of `ReadablePropertyMap`, face descriptor to an integer
   /// \param mesh the surface of the shape
@@ -90,7 +90,7 @@ public:
   static Segmented_shape from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                                            std::string name = "shape", const Point& up = Point(0, 1, 0),
                                            const NamedParameters& np = NamedParameters());
-  /// The same, for a shape of the name "shape" that has y up.
+  /// The same, for a shape with the name "shape" and the y axis up.
   template <typename TriangleMesh, typename SegmentIdMap, typename T, typename Tag, typename Base>
   static Segmented_shape from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                                            const CGAL::Named_function_parameters<T, Tag, Base>& np)
@@ -119,7 +119,7 @@ public:
   template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   void add_mesh(std::string name, const TriangleMesh& mesh, const NamedParameters& np = NamedParameters());
 
-  /// Says which way is up.
+  /// Sets the upright direction, which is normalised.
   /// \throw Invalid_input if the direction is zero or not finite
   void set_up(const Point& up);
 

@@ -27,14 +27,14 @@ struct Image
 {
   int width = 0;                    ///< pixels in a row
   int height = 0;                   ///< rows
-  std::vector<std::uint8_t> pixels; ///< four bytes a pixel
+  std::vector<std::uint8_t> pixels; ///< four bytes for each pixel
 
   /// Whether there is no pixel.
   bool empty() const;
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// How a texture goes on outside of [0, 1].
+/// How a texture is continued outside of [0, 1].
 enum class Texture_wrap { REPEAT, MIRROR, CLAMP };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
@@ -49,7 +49,7 @@ struct Texture
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// A material, as far as it is carried along: its base colour, times a texture.
+/// A material, as far as it is transferred: its base colour, multiplied by a texture.
 struct Surface_material
 {
   std::string name;                   ///< as in the model
@@ -58,13 +58,13 @@ struct Surface_material
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// What the triangles of a part look like; a table beside its `Part_mesh`. What is empty is not known.
+/// What the triangles of a part look like, in addition to its `Part_mesh`. Empty: unknown.
 struct Part_appearance
 {
   std::vector<int> materials; ///< by triangle, index of its material; -1: none
   std::vector<Eigen::Vector2f>
-      coordinates;                      ///< three a triangle, by corner: texture coordinates, v downwards as in glTF
-  std::vector<Eigen::Vector3f> colours; ///< three a triangle, by corner: linear factors of the base colour, in [0, 1]
+      coordinates;                      ///< by corner, three per triangle: texture coordinates, v downwards as in glTF
+  std::vector<Eigen::Vector3f> colours; ///< by corner, three per triangle: linear factors of the base colour, in [0, 1]
 
   /// Whether nothing is known.
   bool empty() const;
@@ -78,23 +78,23 @@ struct Shape_appearance
   std::vector<Surface_material> materials; ///< of all parts
   std::vector<Texture> textures;           ///< of all materials
   std::vector<Part_appearance> parts;      ///< by part of the shape
-  std::vector<std::string> warnings;       ///< what the model names and is missing or damaged, in whole sentences
+  std::vector<std::string> warnings;       ///< which files named by the model are missing or damaged, in sentences
 
   /// Whether no part has a material or colours.
   bool empty() const;
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// What the triangles of a mesh look like that lies on the surface of another one, such as a piece of it, or the same
-/// subdivided: a triangle has the material of the one that its centroid is nearest to, and is within its texture
-/// coordinates. O(n log n).
-/// \param mesh, appearance the surface, and what it looks like
-/// \param on_it the mesh that lies on it
+/// Transfers the appearance of a mesh to another mesh on the same surface, such as a piece or a subdivision of it: a
+/// triangle gets the material of the triangle nearest to its centroid, whose texture coordinates and colours are
+/// interpolated. O(n log n).
+/// \param mesh, appearance the mesh and its appearance
+/// \param on_it the mesh on the same surface
 Part_appearance appearance_on(const Part_mesh& mesh, const Part_appearance& appearance, const Part_mesh& on_it);
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// What parts look like that `split_parts()` made of objects.
-/// \param objects, appearance the model, and what it looks like
+/// The appearance of the parts that `split_parts()` made of objects.
+/// \param objects, appearance the model and its appearance
 /// \param split its parts
 Shape_appearance appearance_of_parts(const Segmented_shape& objects, const Shape_appearance& appearance,
                                      const Part_split& split);

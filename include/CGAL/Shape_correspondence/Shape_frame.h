@@ -18,14 +18,14 @@ namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceShapes
 /// The frame of a shape (paper, section 5, "Initial alignment"): in it the shape stands on the ground, is centred above
-/// the origin, has height 1, and its dominant vertical mirror plane, where it has one, is x = 0. It is equivariant
+/// the origin, has height 1, and its dominant vertical mirror plane, if it has one, is x = 0. It is equivariant
 /// under translation, uniform scaling and rotation about the upright axis, up to quarter turns, which are determined
 /// when two shapes are aligned.
 struct Shape_frame
 {
   Point origin{0, 0, 0};                                 ///< on the ground, in world coordinates
   Eigen::Matrix3d axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; ///< columns: side x, up y, front z, a rotation
-  double height = 1;                                     ///< extent along up; of a flat shape its largest extent
+  double height = 1;                                     ///< extent along up; for a flat shape, its largest extent
   bool mirror_x = false;                                 ///< x = 0 is a mirror plane of the shape
   bool mirror_z = false;                                 ///< z = 0 is a mirror plane of the shape
 

@@ -51,8 +51,8 @@ struct Part_group
 {
   std::vector<std::size_t> parts; ///< indices into `Shape_structure::parts`, in the order along the generator
   Symmetry symmetry;              ///< the generator of the group
-  double volume = 0;              ///< summed over the parts
-  double hull_volume = 0;         ///< of the hull of their union
+  double volume = 0;              ///< volume, summed over the parts
+  double hull_volume = 0;         ///< volume of the convex hull of all parts
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph
@@ -63,8 +63,8 @@ struct Contact
   using Parameters = std::array<Eigen::Vector2d, 2>;
 
   std::array<std::size_t, 2> parts; ///< indices into `Shape_structure::parts`
-  Parameters parameters;            ///< of the region where they touch, of the largest if there are several
-  std::vector<Parameters> further;  ///< of the other regions, as of an arm that touches the back twice
+  Parameters parameters;            ///< of the region where they touch; of the largest if there are several
+  std::vector<Parameters> further;  ///< of the other regions, such as of an arm that touches the back twice
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph
@@ -79,9 +79,9 @@ struct Group_contact
 struct Shape_structure
 {
   std::string name;                    ///< name of the shape, as messages and files have it
-  Shape_frame frame;                   ///< the frame that shapes are compared in
+  Shape_frame frame;                   ///< the frame in which shapes are compared
   std::vector<Part_abstraction> parts; ///< the parts, in the order of the input
-  std::vector<Contact> contacts;       ///< between parts of one group, too; those have no edge
+  std::vector<Contact> contacts;       ///< contacts of parts, also inside one group, which are in no edge
   std::vector<std::string> warnings;   ///< approximations made and limits reached, in sentences
   bool automatic_parts = false;        ///< the parts come from an automatic segmentation
   std::string content;                 ///< hash of the meshes and options that the graph was made from; empty: unknown
@@ -115,9 +115,9 @@ Structural_graph make_structural_graph(Shape_structure shape, std::vector<Part_g
 bool is_valid_structural_graph(const Structural_graph& graph, bool verbose = false);
 
 /// \ingroup PkgShapeCorrespondenceGraph
-/// Whether two graphs are of the same shape up to its pose and the order of parts, groups and contacts: a similarity
-/// maps the abstractions of parts of the same name onto each other, and with them the symmetries of the groups, the
-/// order of their members, and the contacts.
+/// Whether two graphs are of the same shape up to a similarity transform and the order of parts, groups and contacts:
+/// the transform maps the abstractions of parts of the same name onto each other, and with them the symmetries of the
+/// groups, the order of their members, and the contacts.
 /// \param a,b the graphs
 /// \param tolerance on positions, as a fraction of the height of the shape
 bool are_same_structural_graphs(const Structural_graph& a, const Structural_graph& b, double tolerance = 1e-6);

@@ -32,14 +32,14 @@ struct Surface_place
   std::size_t part = 0;             ///< index of the part
   Eigen::Index triangle = 0;        ///< of the part's mesh
   Eigen::Vector3d weights{0, 0, 0}; ///< barycentric coordinates
-  Point point{0, 0, 0};             ///< in the world
+  Point point{0, 0, 0};             ///< in world coordinates
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// The map between the surfaces of two shapes: a point of a surface is taken by the parameters of the part's
-/// abstraction and the coordinates in the local frame, over the extents of the part's cross-section, to the same place
-/// of the other part, and from there to the nearest point of its surface that faces the same way. Splits and merges are
-/// those of the `Correspondence_map`.
+/// The map between the surfaces of two shapes. A point is described by its parameters on the abstraction of its part
+/// and by coordinates in the local frame, relative to the extents of the part's cross-section. It is mapped to the same
+/// coordinates on the other part, and from there to the nearest point of its surface that faces the same way. Splits
+/// and merges are those of the `Correspondence_map`.
 class Surface_map
 {
 public:
@@ -59,7 +59,7 @@ public:
   /// enumerated types) are taken from the nearest corner.
   /// \param values by source part and vertex
   /// \param none where there is no counterpart
-  /// \pre a value that is no label has + and multiplication by a number
+  /// \pre values other than labels can be added and multiplied by a number
   template <typename Value>
   std::vector<std::vector<Value>> transferred(const std::vector<std::vector<Value>>& values, const Value& none) const;
 

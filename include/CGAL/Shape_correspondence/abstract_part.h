@@ -38,9 +38,9 @@ enum class Abstraction_kind {
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Fits sheets and straight curves to the medial axis, and other curves to the skeleton that mean curvature flow leaves
-/// (paper, section 3; Tagliasacchi et al. 2012), extended to the surface; bodies of revolution and blocks get their
-/// axis. Parts that cannot be skeletonized get `Bounding_box_abstraction`; the report has the reason.
+/// Gives prisms, round bodies and blocks their axis or middle layer, and fits other sheets and straight curves to the
+/// medial axis, the rest to the skeleton that mean curvature flow leaves (paper, section 3; Tagliasacchi et al. 2012).
+/// Parts that cannot be skeletonized get `Bounding_box_abstraction`; the report has the reason.
 /// \cgalModels `PartAbstractor`
 struct Fitted_abstraction
 {
@@ -50,10 +50,10 @@ struct Fitted_abstraction
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
 /// Finds curves and sheets by `CGAL::Mean_curvature_flow_skeletonization` as it is: a curve is the longest path, or the
-/// cycle, of the converged skeleton; a sheet is fitted to the meso-skeleton, which is the flow stopped when
-/// `Abstraction_options::stop_volume` of the volume is left. Extents of the meso-skeleton along itself, by geodesic
-/// distances, determine which of the two a part becomes. Parts that cannot be skeletonized get
-/// `Bounding_box_abstraction`; the report has the reason.
+/// cycle, of the converged skeleton; a sheet is fitted to the meso-skeleton, the surface when
+/// `Abstraction_options::stop_volume` of the volume is left. The geodesic extents of the meso-skeleton determine which
+/// of the two a part becomes. Parts that cannot be skeletonized get `Bounding_box_abstraction`; the report has the
+/// reason.
 /// \cgalModels `PartAbstractor`
 struct Mean_curvature_abstraction
 {
@@ -62,8 +62,8 @@ struct Mean_curvature_abstraction
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Takes the medial line or rectangle of the part's bounding box, along its axes or those of the coordinates: rough,
-/// in microseconds.
+/// Takes the medial line or rectangle of the part's bounding box, which is oriented or parallel to the coordinate axes.
+/// Rough, but takes microseconds.
 /// \cgalModels `PartAbstractor`
 struct Bounding_box_abstraction
 {
@@ -88,7 +88,7 @@ struct Abstraction_options
   /// Seconds for one part; parts that need more get their bounding box, which the report states. Default: no limit, so
   /// that results do not depend on the speed of the machine.
   double time_limit = std::numeric_limits<double>::infinity();
-  int curve_points = 16; ///< control points of a curve, at least 2; as many again for every full turn
+  int curve_points = 16; ///< control points of a curve, at least 2; as many more for every full turn
   int sheet_points = 8;  ///< control points along each side of a sheet, at least 2
   /// Called after every part with the number of parts done and their total; from one thread at a time.
   std::function<void(std::size_t, std::size_t)> progress;
@@ -98,7 +98,7 @@ struct Abstraction_options
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Finds the curve or sheet of one part by the abstractor of the options, and its hull, area and surface samples. The
+/// Finds the curve or sheet of one part by the abstractor in the options, and its hull, area and surface samples. The
 /// abstractors of this package succeed on every part that `Segmented_shape` accepts. Deterministic.
 /// \param part the part
 /// \param options of the abstraction
@@ -106,9 +106,9 @@ struct Abstraction_options
 Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Finds the abstractions of all parts of a shape, in the frame `frame` (so that the result does not depend on the
-/// orientation), in world coordinates. Of parts that are copies of each other by a rigid motion or a reflection, one is
-/// abstracted, and its abstraction is moved to the others.
+/// Finds the abstractions of all parts of a shape, in world coordinates. They are computed in the frame `frame`, so
+/// that the result does not depend on the orientation. Of parts that are copies of each other by a rigid motion or a
+/// reflection, one is abstracted, and its abstraction is moved to the others.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is bitwise identical
 /// \param shape the shape
 /// \param frame its frame
@@ -119,7 +119,7 @@ std::vector<Part_abstraction> abstract_parts(const Segmented_shape& shape, const
                                              const Abstraction_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Points spread evenly over the surface of a mesh, `n` of them, the same ones for the same mesh.
+/// `n` points spread evenly over the surface of a mesh. Deterministic.
 Points sample_surface(const Part_mesh& mesh, std::size_t n);
 
 /// \ingroup PkgShapeCorrespondenceAbstraction

@@ -29,13 +29,13 @@ class Blend_structure;
 }
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// A closed surface, or an open one where the input's is open, that lasts for a part of a blend.
+/// A surface that exists during a part of a blend; closed if the surface of the input is.
 struct Blend_surface
 {
   std::string name; ///< `s~t`: of source part s that becomes t; `s~`: of s that vanishes; `~t`: of t that grows
   Blend_task task;  ///< the task that the surface belongs to
-  Eigen::Matrix3Xi triangles; ///< a triangle a column, indices into the points of the surface
-  double begin = 0;           ///< it is there at times t between `begin` and `end`, these excluded
+  Eigen::Matrix3Xi triangles; ///< one triangle in each column: indices into the points of the surface
+  double begin = 0;           ///< the surface exists at times t with `begin` < t < `end`
   double end = 1;             ///< see `begin`
 };
 
@@ -51,20 +51,20 @@ struct Blend_surface
 ///   from each other, to a straight segment. Attachments that diverge are given up.
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two, and both move alike.
-/// - *Contact constraints* of matched parts and feet on the ground are enforced by relaxation: all parts are moved by
-///   affine motions at once, as little as that takes. *Connected components* that have come apart all the same are
-///   moved together.
+/// - *Contact constraints* of matched parts and feet on the ground are enforced by relaxation: all parts are moved at
+///   once by the least affine motions that satisfy them. *Connected components* that have still come apart are moved
+///   together.
 ///
 /// Closing gaps stretches parts by factors between 0.7 and 1.4 only; `check()` reports gaps that remain.
 ///
 /// Schedules have no idle time. The one with the best `Blend_quality` is used, that is the least sum of its measures,
-/// each divided by its tolerance. `check()` returns what does not hold. Deterministic.
+/// each divided by its tolerance. `check()` returns which tolerances are exceeded. Deterministic.
 class Shape_blend
 {
 public:
-  // Over the shape's height
+  // Fractions of the shape's height
   static constexpr double contact_tolerance = 0.005;  ///< of `Blend_quality::gap`
-  static constexpr double symmetry_tolerance = 0.005; ///< of `Blend_quality::asymmetry`, over that of the ends
+  static constexpr double symmetry_tolerance = 0.005; ///< of `Blend_quality::asymmetry`, above that of the ends
   static constexpr double ground_tolerance = 0.005;   ///< of `Blend_quality::ground`
   static constexpr double wobble_tolerance = 0.02;    ///< of `Blend_quality::wobble`
   // Shares
@@ -74,40 +74,39 @@ public:
   static constexpr double torn_tolerance = 0.02;    ///< of `Blend_quality::torn`
   static constexpr double overlap_tolerance = 0.03; ///< of `Blend_quality::overlap`
 
-  /// Prepares a blend. O(v log v) for v vertices of the models and of their subdivision (a box of 8 vertices becomes
-  /// one of some hundreds).
+  /// Prepares a blend. O(v log v) for v vertices of the subdivided models (a box of 8 vertices gets some hundreds).
   /// \param source,target the structural graphs
   /// \param source_shape,target_shape the models that the graphs were built from
   /// \param correspondence of the graphs
-  /// \param options the tolerance of contacts, and how schedules are judged
+  /// \param options the tolerance of contacts, the size, and how schedules are rated
   /// \throw Invalid_input if a model does not have the parts of its graph, there is no such schedule, or an option is
   /// out of range
   Shape_blend(const Structural_graph& source, const Segmented_shape& source_shape, const Structural_graph& target,
               const Segmented_shape& target_shape, const Correspondence& correspondence,
               const Blend_options& options = {});
 
-  /// The shape at `t` in [0, 1]: the source itself at 0, the target itself at 1, but for the size that is asked for; in
-  /// between, the parts are those surfaces that there are, and position, size and orientation go over from the one
-  /// input to the other. All motions start and stop gently.
+  /// The shape at `t` in [0, 1]: the source at 0 and the target at 1, scaled as `Blend_options::size` asks; in between,
+  /// its parts are the surfaces that exist at `t`, and position, size and orientation change from those of the source
+  /// to those of the target. All motions start and stop gently.
   Segmented_shape operator()(double t) const;
 
-  /// The schedules, the best first, which is the one of the blend. One that is worse by the samples that it has been
-  /// judged by than the best one by all has not been judged further, unless `Blend_options::rank_all` says so.
+  /// The schedules, the best first, which is the one of the blend. Unless `Blend_options::rank_all` is set, a schedule
+  /// is not rated by further samples once it is worse by some than the best one by all.
   const std::vector<Blend_schedule>& schedules() const { return schedules_; }
 
-  /// The names of the schedules that there are.
+  /// The names of all schedules.
   static std::vector<std::string> schedule_names();
 
   /// The same blend by each of the schedules that make different in-between shapes, the best first (Alhashim et al.
   /// 2014, section 6): those whose shapes are nearly those of a better one are left out.
   std::vector<Shape_blend> different_blends() const;
 
-  /// How well the shape at `t` holds together; the ends are without fault.
+  /// The quality of the shape at `t`, and the tolerances that it exceeds; the ends have no faults.
   Blend_check check(double t) const;
 
   /// All surfaces of the blend, for animations.
   std::vector<Blend_surface> surfaces() const;
-  /// The points of each of `surfaces()` at `t`; where a surface is not there at `t`, it is continued.
+  /// The points of each of `surfaces()` at `t`; for a surface that does not exist at `t`, its motion is continued.
   std::vector<Points> points(double t) const;
 
 private:

@@ -25,8 +25,8 @@ namespace Shape_correspondence {
 struct Co_analysis_options
 {
   Markov_clustering_options clustering; ///< options of the clustering
-  /// A pair of parts is an outlier if less than this share of the third shapes that could confirm it do, in [0, 1]. 0:
-  /// no outliers.
+  /// A pair of parts is an outlier if less than this share of the third shapes that could confirm it do so, in [0, 1].
+  /// 0: no outliers.
   double least_cycle_support = 0.5;
 };
 
@@ -38,22 +38,22 @@ struct Co_analysis
 
   std::vector<std::vector<int>> labels; ///< by shape and part; 0 is the largest cluster, `none`: in no cluster
   int number_of_labels = 0;             ///< labels are 0 to `number_of_labels` - 1
-  std::size_t part_pairs = 0;           ///< in the matrix, unordered
-  std::size_t rejected_pairs = 0;       ///< as outliers
+  std::size_t part_pairs = 0;           ///< number of unordered pairs of parts in the matrix
+  std::size_t rejected_pairs = 0;       ///< number of pairs left out as outliers
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
 /// Finds which parts of a set of shapes correspond over the set: clusters the matrix of all part correspondences by
-/// Markov clustering, each cluster a label (paper, section 6.2). A cluster of parts of one shape only is no label.
+/// Markov clustering, where each cluster is a label (paper, section 6.2), unless all of its parts are of one shape.
 /// Memory: that of `part_matrix()` (part_matrix.h), then that of `markov_clustering()`.
 /// `part_counts` are the numbers of parts of the shapes, `maps` are of any pairs of shapes.
-/// \throw Invalid_input if a map has a part or a shape that is not there, or an option is out of its range
+/// \throw Invalid_input if a map has a part or a shape that does not exist, or an option is out of its range
 Co_analysis co_analysis(const std::vector<std::size_t>& part_counts, const std::vector<Shape_pair_map>& maps,
                         const Co_analysis_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The pairs of parts that are in one cluster: those that the whole set confirms. Fewer of the pairs of two shapes,
-/// which are right more often.
+/// The maps with only those pairs of parts that are in one cluster, and so confirmed by the whole set. These are fewer
+/// pairs, which are right more often.
 std::vector<Shape_pair_map> agreeing_maps(std::vector<Shape_pair_map> maps, const Co_analysis& analysis);
 
 } // namespace Shape_correspondence

@@ -26,15 +26,15 @@ namespace Shape_correspondence {
 /// Options of `detect_contacts()`.
 struct Contact_options
 {
-  double tolerance = 0.02; ///< largest gap of parts in contact, as a fraction of the bounding-box diagonal of the shape
+  double tolerance = 0.02; ///< largest gap between parts in contact, as a fraction of the diagonal of the shape
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph
 /// Finds the pairs of parts whose surfaces touch, interpenetrate or nearly touch, and where (paper, section 3: "a point
-/// from each part with minimum distance"; of all such points, the middle). A part inside another touches it. One
-/// contact for each pair of parts, with a region for every place where the two come as near as within half the
-/// tolerance of their least distance. A shape that falls into pieces is joined by its closest pairs; every such pair
-/// adds a sentence to `warnings`. Contacts are sorted by part indices. Distances of surfaces are exact up to rounding.
+/// from each part with minimum distance"; of all such points, the middle). A part inside another touches it. Each pair
+/// of parts has one contact, with a region for every place where their distance exceeds the least one by at most half
+/// the tolerance. A shape that falls into pieces is joined by its closest pairs; every such pair adds a sentence to
+/// `warnings`. Contacts are sorted by part indices. Distances of surfaces are exact up to rounding.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is bitwise identical
 /// \param shape the shape
 /// \param parts the abstractions of its parts, for the parameters of contacts

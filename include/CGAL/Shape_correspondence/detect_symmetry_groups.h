@@ -29,15 +29,15 @@ struct Symmetry_options
 
 /// \ingroup PkgShapeCorrespondenceGraph
 /// Detects the symmetry groups of parts (paper, section 3): congruent parts that are images of each other under one
-/// symmetry. Two parts are congruent if hull, surface points, area and volume of the image of one and of the other
-/// agree within the tolerance; their meshes may differ. In rings, rows, and pairs under a rotation or translation, the
+/// symmetry. Two parts are congruent if the image of one and the other agree in hull, surface points, area and volume
+/// within the tolerance; their meshes may differ. In rings, rows, and pairs under a rotation or translation, the
 /// widths in all directions must agree, too, except for wheels, whose hubs may differ. Noise of 0.5 % of the shape's
-/// diagonal on the vertices does not matter. Where several groups overlap, the one with most parts is taken; of equally
-/// many, the first in this list:
-/// 1. a star: a complete ring of 3 parts or more about a vertical or horizontal axis that reach in to the axis
+/// diagonal on the vertices does not change the groups. Where several groups overlap, the one with the most parts is
+/// taken; of those with equally many, the first in this list:
+/// 1. a star: a complete ring of 3 parts or more about a vertical or horizontal axis that extend to the axis
 ///    (the feet of an office chair, the blades of a propeller);
 /// 2. four parts that are images of each other in two orthogonal vertical planes (the legs of a table): a reflection
-///    in the plane that explains more of the shape, each of the pairs of that plane in a row, the front pair first;
+///    in the plane that mirrors more of the shape, with the parts listed pair by pair, the front pair first;
 /// 3. any other complete ring of 3 parts or more about a vertical axis, of 5 or more about a horizontal one;
 /// 4. a row: 3 parts or more in a line, their steps within 30 % of the mean one: a translation;
 /// 5. a pair mirrored in a vertical plane that mirrors most of the shape (the arms of a chair);
@@ -51,10 +51,10 @@ struct Symmetry_options
 ///
 /// Any other part is a group of its own: `SELF`, with the normal of its own mirror plane as direction, or `NONE`.
 /// Members come in the order along the generator: of a pair, the one with the larger x (z) in the frame first; of a
-/// ring, by angle; of a row, along the vector. Groups come in the order of their first part, volumes and hulls filled
-/// in. The result does not depend on the order of the parts, nor on the shape's pose. O(n²) comparisons of hulls for n
-/// parts. Where k of the pairs of parts are congruent and k n is more than 1.5e7, which it cannot be up to 240 parts,
-/// no groups are detected: every part is one.
+/// ring, by angle; of a row, along the vector. Groups come in the order of their first part, with volumes and hull
+/// volumes. The result does not depend on the order of the parts, nor on the shape's pose. O(n²) comparisons of hulls
+/// for n parts. If k of the pairs of parts are congruent and k n is more than 1.5e7, which is impossible with up to 240
+/// parts, no groups are detected: every part is a group of its own.
 /// \param parts the abstractions of the shape's parts
 /// \param frame the frame of the shape
 /// \param options the kinds of symmetry to detect, and the tolerance

@@ -32,10 +32,11 @@ namespace Shape_correspondence {
 struct Energy_matrix_options
 {
   Search_options search; ///< options of every match
-  /// Energy of a pair of connected parts of which one has no counterpart, not negative: about that of a badly deformed
-  /// pair.
+  /// Energy of a pair of connected parts of which one has no counterpart, not negative. The default is about that of a
+  /// badly deformed pair.
   double unmatched_energy = 0.5;
-  /// Called after pairs of shapes, by one thread at a time, with the number of completed pairs; `false` ends the work.
+  /// Called after pairs of shapes, by one thread at a time, with the numbers of completed and of all pairs; `false`
+  /// ends the work.
   std::function<bool(std::size_t done, std::size_t total)> progress;
 };
 
@@ -48,15 +49,15 @@ struct Rated_map
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The distance of two shapes: E of Eq. 1 for each pair of connected parts of the deformed shape, so that shapes of few
-/// and of many parts can be compared. A pair of which a part has no counterpart counts
-/// `unmatched_energy`, unless the search charged it; a part without contacts counts as a pair. So a match of few
-/// parts does not give a small distance.
+/// The distance of two shapes: E of Eq. 1 per pair of connected parts of the deformed shape, so that shapes of few and
+/// of many parts can be compared. A pair of which a part has no counterpart counts `unmatched_energy`, unless the
+/// search charged it already; a part without contacts counts as a pair. So a match of few parts does not give a small
+/// distance.
 double distance_energy(const Correspondence& correspondence, double unmatched_energy);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// Matches ordered pairs of shapes (source, target), in this order. Every shape is aligned once. Bitwise identical
-/// sequentially and in parallel (`CGAL::Parallel_tag`, with TBB).
+/// Matches the given ordered pairs of shapes (source, target); results are in the order of the pairs. Every shape is
+/// aligned once. Bitwise identical sequentially and in parallel (`CGAL::Parallel_tag`, with TBB).
 /// \pre the graphs are valid
 /// \throw Invalid_input if an option is out of its range
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
@@ -75,9 +76,9 @@ std::vector<Rated_map> match_pairs(const std::vector<Prepared_shape>& shapes,
 /// The energies and part maps of all ordered pairs of a set of shapes.
 struct Energy_matrix
 {
-  Eigen::MatrixXd energies;   ///< source × target; 0 on the diagonal
+  Eigen::MatrixXd energies;   ///< `distance_energy()` of source × target; 0 on the diagonal
   std::vector<Part_map> maps; ///< source after source
-  bool complete = true;       ///< `progress` ended nothing
+  bool complete = true;       ///< false if `progress` ended the work
 
   /// The part map of a pair of shapes.
   const Part_map& map(std::size_t source, std::size_t target) const

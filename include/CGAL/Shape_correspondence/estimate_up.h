@@ -23,24 +23,24 @@ namespace Shape_correspondence {
 struct Up_estimate
 {
   Point up;              ///< a unit vector along an axis
-  double confidence = 0; ///< how probable it is, from 1/3 to 1
+  double confidence = 0; ///< probability that it is right, from 1/3 to 1
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// Estimates which of the axes x, y and z points up: the one along which the shape stands firmly, has much horizontal
-/// surface, most of it above the ground, and differs most from its image upside down. It can be wrong for shapes
-/// that stand on several sides; models that are upside down or tilted are not detected. Of equal axes the first of y,
-/// z, x. O(n log n) in the number of vertices.
-/// \param shape its up direction does not matter
-/// \param odds_of_y how many times as probable y is as each other axis before the shape is looked at
+/// Estimates which of the axes x, y and z points up: the one along which the shape stands most stably, has the largest
+/// horizontal surface, most of it above the ground, and differs most from itself turned upside down. It can be wrong
+/// for shapes that can stand on several sides; models that are upside down or tilted are not detected. Of equal axes
+/// the first of y, z, x is taken. O(n log n) in the number of vertices.
+/// \param shape the shape; its up direction is not used
+/// \param odds_of_y prior odds of the y axis against each other axis
 /// \pre the shape has a part
 Up_estimate estimate_up(const Segmented_shape& shape, double odds_of_y = 1);
 
 /// \ingroup PkgShapeCorrespondenceShapes
 /// The same for two shapes of one category, whose proportions should be similar.
 /// \param source,target the shapes
-/// \param is_known whether the up direction of the source and of the target, along an axis, is right as it is
-/// \param odds_of_y how many times as probable y is as each other axis before the shapes are looked at
+/// \param is_known whether the up direction of the source and of the target, along an axis, is known to be right
+/// \param odds_of_y prior odds of the y axis against each other axis
 /// \pre the shapes have parts
 std::array<Up_estimate, 2> estimate_up_of_pair(const Segmented_shape& source, const Segmented_shape& target,
                                                const std::array<bool, 2>& is_known, double odds_of_y = 1);

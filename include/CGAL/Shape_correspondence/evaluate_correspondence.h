@@ -39,9 +39,9 @@ struct Ground_truth
 };
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
-/// The pairs of parts that correspond according to their labels, by part. Parts correspond when their coarse labels are
-/// equal and, where every part on both sides with that coarse label has a fine one and the two sets of fine labels
-/// share at least half of the smaller, the fine labels are equal, too. O(n m).
+/// The pairs of parts that correspond according to their labels, given by part. Parts correspond if their coarse labels
+/// are equal and, where every part of both shapes with that coarse label has a fine label and the two sets of fine
+/// labels share at least half of the smaller one, their fine labels are equal, too. O(n m).
 /// \throw Invalid_input if a coarse label is empty
 Ground_truth ground_truth(const std::vector<Part_label>& source, const std::vector<Part_label>& target);
 
@@ -51,12 +51,12 @@ struct Correspondence_score
 {
   std::size_t matched = 0;      ///< pairs of the correspondence
   std::size_t expected = 0;     ///< pairs of the ground truth
-  std::size_t right = 0;        ///< pairs of both
+  std::size_t right = 0;        ///< pairs that are in both
   std::size_t right_coarse = 0; ///< pairs of the correspondence that have equal coarse labels
 
   double precision() const;        ///< right / matched; 0 if nothing is matched
   double recall() const;           ///< right / expected; if nothing is expected, 1 where nothing is matched and else 0
-  double f1() const;               ///< harmonic mean of precision and recall; 0 if both are
+  double f1() const;               ///< harmonic mean of precision and recall; 0 if both are 0
   double coarse_precision() const; ///< right_coarse / matched; 0 if nothing is matched
 };
 
@@ -116,9 +116,9 @@ struct Evaluation
 /// Means of scores by category and over categories. The F1 of a category is the mean of its correspondences' F1.
 ///
 /// The intervals are those of a bootstrap over shapes: correspondences that share a shape are not independent, so
-/// shapes are drawn with replacement, and a correspondence counts as often as its two shapes' draws multiply to (A.
-/// Owen, *The pigeonhole bootstrap*, 2007). Of two shapes there is but one mean, and the interval is that point. The
-/// same seed gives the same result. O(resamples × correspondences).
+/// shapes are drawn with replacement, and the weight of a correspondence is the product of the numbers of times that
+/// its two shapes are drawn (A. Owen, *The pigeonhole bootstrap*, 2007). For only two shapes, the interval is a single
+/// point. The same seed gives the same result. O(resamples × correspondences).
 /// \throw Invalid_input if there are no scores, or options are out of range
 Evaluation mean_scores(const std::vector<Scored_correspondence>& scores, const Evaluation_options& options = {});
 

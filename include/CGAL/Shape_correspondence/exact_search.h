@@ -25,10 +25,10 @@ namespace Shape_correspondence {
 /// leaves a sum of terms of one and of two variables. Bucket elimination along a min-fill order solves it exactly where
 /// its tables fit; else message passing (TRW-S; Kolmogorov 2006) moves costs to where mini-buckets (Dechter and Rish
 /// 2003) bound it well. A depth-first branch and bound over what the bound leaves makes the result optimal for the
-/// energy itself; if it takes long, it starts again with larger tables. Deterministic, but for a time limit.
+/// energy itself; if it takes long, it starts again with larger tables. Deterministic, unless a time limit ends it.
 ///
 /// Time: O(number of variables · labels^(w + 1)) for tables of induced width w that fit, exponential in the worst case.
-/// Where a limit ends the search, `optimal` is false and `summary.lower_bound` tells the gap.
+/// Where a limit ends the search, `optimal` is false and `summary.lower_bound` is the proven lower bound.
 class Exact_search
 {
 public:
@@ -41,7 +41,7 @@ public:
   Search_result run();
 
   /// The min-marginals, by variable: the increase of the least energy if the variable may not have its label in
-  /// `result`. Infinite for a variable with one label. Where a limit ends a search, the rise to the best solution
+  /// `result`. Infinite for a variable with one label. Where a limit ends a search, the increase to the best solution
   /// found.
   std::vector<double> min_marginals(const Search_result& result);
 

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// A shape that is matched many times: it is aligned once for every quarter turn that a match asks for. Threads may
+/// A shape that is matched many times: it is aligned only once for every quarter turn that matches need. Threads may
 /// share it; copies share what was computed.
 class Prepared_shape
 {
@@ -32,7 +32,7 @@ public:
   /// Keeps the graph by reference.
   explicit Prepared_shape(const Structural_graph& graph);
 
-  /// Reads the roles of the parts now, rather than when the shape is first matched by options with this model.
+  /// Predicts the roles of the parts now, rather than when the shape is first matched with this model.
   void read_roles(const std::shared_ptr<const Role_model>& model) const;
 
   /// The graph that the object was made of.
@@ -47,11 +47,11 @@ private:
 };
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
-/// A label that a part of a target has from a part of the source.
+/// A label that was transferred to a part of a target from a part of the source.
 struct Transferred_label
 {
-  Part_label label;      ///< empty where the part did not take part in the match
-  double confidence = 0; ///< probability that the two parts correspond; 0: nearest by cost only
+  Part_label label;      ///< empty if the options left the part out of the match
+  double confidence = 0; ///< probability that the two parts correspond; 0: the source part of least cost was taken
 };
 
 /// \ingroup PkgShapeCorrespondenceFunctions
@@ -62,14 +62,14 @@ public:
   /// \pre the graph is valid (`is_valid_structural_graph()`)
   /// \throw Invalid_input if an option is out of its range
   explicit Correspondence_finder(const Structural_graph& source, const Search_options& options = {});
-  /// The same with a shape that is aligned already where other matches asked for it.
+  /// The same with a shape that keeps the alignments that other matches computed.
   explicit Correspondence_finder(const Prepared_shape& source, const Search_options& options = {});
 
   /// Like `find_correspondence()`.
   Correspondence operator()(const Structural_graph& target) const;
   /// Like `find_correspondence()`.
   Correspondence operator()(const Prepared_shape& target) const;
-  /// The correspondence of the source and the target, and that of the target and the source with the same options.
+  /// The correspondences of the source with the target, and of the target with the source, with the same options.
   /// `Search_method::PARTS`, which treats both shapes alike, matches them once for both.
   std::array<Correspondence, 2> both_orders(const Prepared_shape& target) const;
   /// Like `find_correspondences()`.
@@ -77,16 +77,16 @@ public:
   /// Like `find_correspondences()`.
   std::vector<Correspondence> ranked(const Prepared_shape& target) const;
 
-  /// Transfers the labels of the source's parts to the parts of a target, each the label of the source part to which
-  /// it corresponds most probably: by roles and geometry as far as `Search_options::roles` tells the category, else by
-  /// geometry. \param labels by part of the source \param target the shape whose parts get labels
+  /// Transfers the labels of the source's parts to the parts of a target. Each gets the label of the source part to
+  /// which it corresponds most probably: by roles and geometry if `Search_options::roles` knows the category, otherwise
+  /// by geometry. \param labels by part of the source \param target the shape whose parts get labels
   /// \throw Invalid_input if there is not a label for every part, or the method is not `Search_method::PARTS`
   std::vector<Transferred_label> transfer_labels(const std::vector<Part_label>& labels,
                                                  const Prepared_shape& target) const;
 
-  /// A lower bound of the `distance_energy()` of what is found, without a search: the sum of the least values of the
-  /// terms of one and of two groups; of `Search_method::PARTS`, where every part may correspond to every other, those
-  /// of parts. 0 where no bound is known. `unmatched_energy` is that of `distance_energy()`.
+  /// A lower bound of the `distance_energy()` of the correspondence, without a search: the sum of the least values of
+  /// the terms of one and of two groups; for `Search_method::PARTS`, where every part may correspond to every other, of
+  /// one and of two parts. 0 if no bound is known. `unmatched_energy` is that of `distance_energy()`.
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
 private:
@@ -102,15 +102,15 @@ private:
 /// energy of the source under the paper's GeoTopo transform (sections 4 and 5). With `Search_method::BEAM` or `EXACT`,
 /// the correspondence of least deformation energy is searched for: the source is deformed into the target and, by
 /// default, the target into the source; the direction with the lower energy per pair of connected parts is taken, so
-/// that the simpler shape does not win for having fewer pairs.
-/// Deterministic; no result depends on part order, position, scale or a turn of less than 45° about the up axis.
-/// If `Search_options::progress` ends the search, the result is the best so far, `complete` is false and a warning
-/// says so.
+/// that the simpler shape is not preferred for having fewer pairs.
+/// Deterministic; the result does not depend on part order, position, scale or a turn of less than 45° about the up
+/// axis. If `Search_options::progress` ends the search, the result is the best so far, `complete` is false and a
+/// warning says so.
 /// \param source,target the structural graphs of the shapes
 /// \param options of the method, the search and the energy
 /// \pre both graphs are valid (`is_valid_structural_graph()`)
-/// \throw Invalid_input if an option is out of its range, or if `Search_method::BEAM` would deform a shape of more than
-/// 180 groups of parts, `EXACT` one of more than 500
+/// \throw Invalid_input if an option is out of its range, pinned and forbidden pairs contradict each other, or a shape to
+/// be deformed has more than 180 groups of parts with `Search_method::BEAM` or 500 with `EXACT`
 Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,
                                    const Search_options& options = {});
 
@@ -121,8 +121,8 @@ Correspondence find_correspondence(const Structural_graph& source, const Structu
 /// \param source,target the structural graphs of the shapes
 /// \param options of the method, the search and the energy
 /// \pre both graphs are valid (`is_valid_structural_graph()`)
-/// \throw Invalid_input if an option is out of its range, or if `Search_method::BEAM` would deform a shape of more than
-/// 180 groups of parts, `EXACT` one of more than 500
+/// \throw Invalid_input if an option is out of its range, pinned and forbidden pairs contradict each other, or a shape to
+/// be deformed has more than 180 groups of parts with `Search_method::BEAM` or 500 with `EXACT`
 std::vector<Correspondence> find_correspondences(const Structural_graph& source, const Structural_graph& target,
                                                  const Search_options& options);
 

@@ -28,7 +28,7 @@ namespace Shape_correspondence {
 struct Near_shape
 {
   std::size_t shape = 0; ///< its index
-  double distance = 0;   ///< mean of the `distance_energy()` of either direction
+  double distance = 0;   ///< mean of the `distance_energy()` of both directions
   Part_map map;          ///< query to shape
 };
 
@@ -41,14 +41,14 @@ struct Nearest_shapes
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The `k` shapes of a set that are nearest to a query, without matching all of them: their distances are bounded from
-/// below (`Correspondence_finder::lower_bound()`), and evaluated in the order of these bounds until no bound is less
-/// than the k-th distance. So the result is that of matching all, bitwise identical sequentially and in parallel.
+/// The `k` shapes of a set that are nearest to a query, without matching all of them: distances are bounded from below
+/// (`Correspondence_finder::lower_bound()`) and computed in the order of these bounds until no bound is less than the
+/// k-th distance. So the result is that of matching all, bitwise identical sequentially and in parallel.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`
 /// \param query the structural graph of the query
-/// \param number_of_shapes of the set
-/// \param graph a shape by its index, valid; called for each once, and once more for those that are matched; by several
-/// threads at a time with `CGAL::Parallel_tag`
+/// \param number_of_shapes number of shapes in the set
+/// \param graph returns the graph of a shape by its index; called once for each shape, and once more for those that are
+/// matched; by several threads at a time with `CGAL::Parallel_tag`. \pre the graphs are valid
 /// \param k number of shapes to find
 /// \param options of the matches and the distance
 /// \throw Invalid_input if an option is out of its range

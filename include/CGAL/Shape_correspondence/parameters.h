@@ -21,8 +21,8 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
-/// CGAL named parameters of this package, an alternative to the option structures; a name is a field of theirs, and
-/// what is not named keeps its default. Chain them: `parameters::beam_width(40).expansions(8)`.
+/// CGAL named parameters of this package, an alternative to the option structures; each sets one of their fields, and
+/// all other fields keep their defaults. Chain them: `parameters::beam_width(40).expansions(8)`.
 namespace parameters {
 
 /// \cond SKIP_IN_MANUAL
@@ -130,19 +130,19 @@ Options options_from(const NamedParameters& np)
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_length}
-///     \cgalParamDescription{target edge length of the remeshing before the mean curvature flow, over the diagonal of
-///                           the part's bounding box}
+///     \cgalParamDescription{edge length of the remeshed part, as a fraction of the diagonal of the part's bounding
+///                           box}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.02`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{stop_volume}
-///     \cgalParamDescription{the part counts as hollow or not by what the flow has left of it when its volume is this
-///                           fraction of the original one}
+///     \cgalParamDescription{fraction of the volume at which the mean curvature flow is stopped to detect sheets and
+///                           hollow parts}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.02`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{time_limit}
-///     \cgalParamDescription{seconds for one part; the bounding box stands in for a part that needs more}
+///     \cgalParamDescription{seconds for one part; a part that needs more is represented by its bounding box}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
@@ -158,7 +158,7 @@ Options options_from(const NamedParameters& np)
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{symmetry_tolerance}
-///     \cgalParamDescription{how far a part may be from its image, over the part's diagonal}
+///     \cgalParamDescription{largest distance of a part from its image, as a fraction of the diagonal of the part}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.05`}
 ///   \cgalParamNEnd
@@ -178,14 +178,14 @@ Options options_from(const NamedParameters& np)
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{contact_tolerance}
-///     \cgalParamDescription{the widest gap between two parts that still is a contact, over the diagonal of the shape's
+///     \cgalParamDescription{largest gap between parts in contact, as a fraction of the diagonal of the shape's
 ///                           bounding box}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.02`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \throw Invalid_input if the shape has fewer than two parts
+/// \throw Invalid_input if the shape has fewer than two parts or more than 2000
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename T, typename Tag, typename Base>
 Structural_graph build_structural_graph(const Segmented_shape& shape,
                                         const CGAL::Named_function_parameters<T, Tag, Base>& np)
@@ -205,7 +205,7 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 ///     \cgalParamDefault{`Search_method::PARTS`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{min_confidence}
-///     \cgalParamDescription{pairs that are less probable are left out, by `Search_method::PARTS`}
+///     \cgalParamDescription{pairs of lower confidence are left out; for `Search_method::PARTS`}
 ///     \cgalParamType{`double` in [0, 1]}
 ///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd
@@ -240,12 +240,13 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 ///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{energy_norm}
-///     \cgalParamDescription{whether energies are summed over connected pairs of parts or pooled over all rods}
+///     \cgalParamDescription{whether energies are summed over connected pairs of parts, or pooled in one norm over all
+///                           rods}
 ///     \cgalParamType{`Energy_norm`}
 ///     \cgalParamDefault{`Energy_norm::SUM`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{cut_curves}
-///     \cgalParamDescription{whether curves may be cut into segments and joined, beside splitting and merging}
+///     \cgalParamDescription{whether curves may be cut into segments and joined, in addition to splitting and merging}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
@@ -255,27 +256,28 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 ///     \cgalParamDefault{`Matching_options::never`: every group is matched}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{pinned}
-///     \cgalParamDescription{pairs that correspond, and the only ones of their parts, see `Matching_options::pinned`}
+///     \cgalParamDescription{pairs that must correspond, and to no other parts, see `Matching_options::pinned`}
 ///     \cgalParamType{`std::vector<Part_pair>`}
 ///     \cgalParamDefault{empty}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{forbidden}
-///     \cgalParamDescription{pairs that do not correspond}
+///     \cgalParamDescription{pairs that must not correspond}
 ///     \cgalParamType{`std::vector<Part_pair>`}
 ///     \cgalParamDefault{empty}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{both_directions}
-///     \cgalParamDescription{whether either shape is deformed into the other and the lower energy kept}
+///     \cgalParamDescription{whether either shape is deformed into the other, and the one with the lower energy per
+///                           pair of connected parts is taken}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_parts}
-///     \cgalParamDescription{only so many parts are matched, the most prominent ones; `0`: all}
+///     \cgalParamDescription{number of largest parts to match; `0`: all parts}
 ///     \cgalParamType{`int`}
 ///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{coarse_target}
-///     \cgalParamDescription{whether `maximum_parts` is of both shapes, or of the source alone, as in the paper}
+///     \cgalParamDescription{whether `maximum_parts` applies to both shapes, or to the source only, as in the paper}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
@@ -290,13 +292,13 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 ///     \cgalParamDefault{empty}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{alignments}
-///     \cgalParamDescription{how many turns of the target about the up axis are tried, the one nearest to the given
+///     \cgalParamDescription{number of turns of the target about the up axis to try, the one nearest to the given
 ///                           orientation first; `0`: all}
 ///     \cgalParamType{`int`}
 ///     \cgalParamDefault{`1`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{solutions}
-///     \cgalParamDescription{how many of the best solutions the search ranks, as by `find_correspondences()`; this
+///     \cgalParamDescription{number of best solutions that the search ranks, see `find_correspondences()`; this
 ///                           function returns the first}
 ///     \cgalParamType{`int`}
 ///     \cgalParamDefault{`1`}

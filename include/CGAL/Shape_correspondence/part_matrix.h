@@ -26,19 +26,19 @@ namespace Shape_correspondence {
 struct Part_matrix
 {
   std::vector<std::size_t> first; ///< by shape, the number of its first part; the number of all parts at the end
-  Eigen::SparseMatrix<double> confidences; ///< symmetric; the mean of the maps of either direction
+  Eigen::SparseMatrix<double> confidences; ///< symmetric; the mean of the maps of both directions
   std::size_t rejected = 0;                ///< pairs of parts left out as outliers
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
 /// Encodes maps of pairs of shapes, as many as are given, in one matrix (paper, section 6.2). Two parts are confirmed
 /// by a third shape if they have a common counterpart there, and contradicted if each has one, but no common one; pairs
-/// that too few confirm are left out (cycle consistency). O(m d) time for m pairs of parts that have up to d
-/// counterparts; 100 bytes a pair besides the maps.
+/// that too few shapes confirm are left out (cycle consistency). O(m d) time for m pairs of parts that have up to d
+/// counterparts; 100 bytes for each pair in addition to the maps.
 /// \param part_counts by shape, the number of its parts
 /// \param maps part maps of pairs of shapes
 /// \param least_cycle_support see `Co_analysis_options::least_cycle_support`
-/// \throw Invalid_input if a map has a part or a shape that is not there
+/// \throw Invalid_input if a map has a part or a shape that does not exist
 Part_matrix part_matrix(const std::vector<std::size_t>& part_counts, const std::vector<Shape_pair_map>& maps,
                         double least_cycle_support);
 

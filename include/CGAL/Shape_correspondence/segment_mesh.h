@@ -32,14 +32,14 @@ struct Segmentation_options
 struct Mesh_segmentation
 {
   Segmented_shape shape;           ///< the parts
-  std::size_t pieces_left_out = 0; ///< components and segments without area, which can be no parts
+  std::size_t pieces_left_out = 0; ///< number of components and segments without area, which cannot be parts
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// Makes parts of a mesh that has none: its connected components, and of each closed one the segments that CGAL's
+/// Divides a mesh into parts: its connected components, each closed one divided further into the segments that CGAL's
 /// package Triangulated Surface Mesh Segmentation finds by the shape diameter function (Shapira, Shamir and Cohen-Or
-/// 2008). Pieces without area are left out, and counted. Part names are `segment_0`, `segment_1`, … Rough compared
-/// with a manual segmentation. `up` is the upright direction of the result.
+/// 2008). Pieces without area are left out, and counted. Part names are `segment_0`, `segment_1`, … The segments are
+/// rough compared with a manual segmentation. `up` is the upright direction of the result.
 /// \throw Invalid_input if the mesh cannot be used
 Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options = {},
                                std::string name = "shape", const Point& up = Point(0, 1, 0));

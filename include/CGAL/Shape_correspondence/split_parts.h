@@ -25,14 +25,14 @@ namespace Shape_correspondence {
 /// \ingroup PkgShapeCorrespondenceOptions
 /// How parts are made of the objects of a model.
 enum class Part_splitting {
-  AUTO,       ///< objects; those of unrelated loose pieces are split
-  FILE,       ///< every object
-  COMPONENTS, ///< every loose piece
-  SEGMENTS    ///< every loose piece, and of each closed one the segments that `segment_mesh()` finds
+  AUTO,       ///< every object is a part, but objects of unrelated loose pieces are split
+  FILE,       ///< every object is a part
+  COMPONENTS, ///< every loose piece is a part
+  SEGMENTS    ///< every loose piece is a part; closed ones are divided by `segment_mesh()`
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// Options of `split_parts()`. Lengths are fractions of the size of the model, about its diameter.
+/// Options of `split_parts()`. Lengths are fractions of the size of the model, which is about its diameter.
 struct Part_splitting_options
 {
   Part_splitting mode = Part_splitting::AUTO; ///< how parts are made
@@ -44,18 +44,18 @@ struct Part_splitting_options
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// The part of a piece that is in none.
+/// The part index of a piece that is in no part.
 constexpr std::size_t no_part = std::size_t(-1);
 
 /// \ingroup PkgShapeCorrespondenceShapes
 /// A loose piece of an object: triangles that are connected through vertices, or a segment of them.
 struct Model_piece
 {
-  std::string name;       ///< that of its object, with `#1`, `#2`, … where that has several
+  std::string name;       ///< name of its object, with `#1`, `#2`, … if the object has several pieces
   std::size_t object = 0; ///< index of the object
   std::size_t part = 0;   ///< index of the part that it belongs to; `no_part` if it is left out
   bool closed = false;    ///< whether two triangles meet at every edge
-  double size = 0;        ///< over that of the model
+  double size = 0;        ///< as a fraction of the size of the model
   std::string reason;     ///< why it is in a part with others; empty for the largest of its part
 };
 
@@ -64,35 +64,37 @@ struct Model_piece
 struct Part_split
 {
   Segmented_shape shape;              ///< the parts
-  std::vector<Model_piece> pieces;    ///< by object; in one, by their first triangles
-  std::vector<std::string> decisions; ///< by object: what became of it, and why
+  std::vector<Model_piece> pieces;    ///< sorted by object, then by their first triangles
+  std::vector<std::string> decisions; ///< for every object: what became of it, and why
   bool by_segments = false;           ///< whether pieces are segments
   std::size_t pieces_left_out = 0;    ///< pieces without area
 
   /// Whether the parts are others than the objects.
   bool changes_objects() const;
-  /// Whether a piece of an object is in a part that has not all of that object.
+  /// Whether the pieces of an object are in several parts.
   bool is_split(std::size_t object) const;
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
 /// Makes parts of the objects of a model. An object may have pieces that only share a material, such as four legs, and
 /// one part may have several pieces, such as the spokes of a wheel. In mode `Part_splitting::AUTO`
-/// - an object stays whole if it is one piece, if the hull of its largest piece holds all others (a spoked wheel, a
-///   cushion with its piping), or if it is smaller than .3 of the model and its pieces touch, unless it is all of the
-///   model;
+/// - an object stays whole if it is one piece, if the hull of its largest piece contains all others (a spoked wheel, a
+///   cushion with its piping), or if it is smaller than .3 of the model and its pieces touch, unless it is the only
+///   object;
 /// - of other objects every piece is a part, but a piece joins the one that it lies on (a lining, a screw, the other
 ///   shell of a panel), a small one the one that it touches, and pieces that touch and are deep in each other's hulls
-///   stay together; what is smaller than .01 joins what it touches of other objects, too;
-/// - what most of three or more copies of a piece do, all of them do;
-/// - an object that has more than 1000 pieces, or would become more than `most_parts` parts, stays as it is;
+///   stay together; a piece smaller than .01 also joins a piece of another object that it touches;
+/// - three or more copies of a piece are all treated like the majority of them;
+/// - an object that has more than 1000 pieces stays as it is, and so does one of several objects if it would become
+/// more
+///   than `most_parts` parts;
 /// - a model that would be one part becomes its pieces, and one that is one piece its segments, if they are at most 30.
 ///
-/// Does not depend on position, size, rotation (but for rounding) and order. Parts have the name of their object, with
-/// `#2`, `#3`, … for those after the first. An object of which nothing is split keeps its mesh as it is. Loose pieces
-/// without area are left out, and counted. O(n log n) in the number of triangles, and quadratic in that of an object's
-/// pieces.
-/// \param objects the model, an object a part
+/// The result does not depend on position, size, rotation (except for rounding) and order. Parts have the name of their
+/// object, with `#2`, `#3`, … for those after the first. An object that is not split keeps its mesh as it is. Loose
+/// pieces without area are left out, and counted. O(n log n) in the number of triangles, and quadratic in the number of
+/// pieces of an object.
+/// \param objects the model, whose parts are the objects
 /// \param options the mode, and what it depends on
 /// \throw Invalid_input if the model has no part
 Part_split split_parts(const Segmented_shape& objects, const Part_splitting_options& options = {});
@@ -100,10 +102,10 @@ Part_split split_parts(const Segmented_shape& objects, const Part_splitting_opti
 /// \ingroup PkgShapeCorrespondenceShapes
 /// The same with given parts.
 /// \param objects the model
-/// \param part_of_piece by name of the piece the name of its part; an empty name leaves the piece out
+/// \param part_of_piece the name of the part for the name of every piece; an empty name leaves the piece out
 /// \param by_segments whether pieces are those of `Part_splitting::SEGMENTS`
 /// \param segmentation how segments are made
-/// \throw Invalid_input if a piece is missing or there is none of a name
+/// \throw Invalid_input if a piece is missing, or a name is not that of a piece
 Part_split split_parts(const Segmented_shape& objects, const std::map<std::string, std::string>& part_of_piece,
                        bool by_segments = false, const Segmentation_options& segmentation = {});
 

@@ -42,15 +42,15 @@ struct Sampled_medoid
 {
   std::size_t shape = 0;       ///< index of the medoid
   double mean_distance = 0;    ///< to the other shapes
-  std::size_t evaluations = 0; ///< of distances, out of n (n - 1) / 2
+  std::size_t evaluations = 0; ///< number of distances that were evaluated, out of n (n - 1) / 2
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The medoid without all distances. Candidates are compared with random shapes, and set aside when by the confidence
-/// interval of the difference their mean distance is not the least (successive elimination as in BanditPAM; Tiwari et
-/// al. 2020). All distances of those that remain are evaluated. With a failure probability of 0, each one set aside is
-/// then refuted: the sum of some of its distances exceeds the sum of all distances of the best one. So the result is
-/// that of `topological_medoid()`. Deterministic; O(n²) memory.
+/// The medoid without all distances. Candidates are compared with random shapes, and set aside if a confidence interval
+/// shows that their mean distance is not the least (successive elimination as in BanditPAM; Tiwari et al. 2020). All
+/// distances of the remaining ones are evaluated. With a failure probability of 0, each one set aside is then refuted:
+/// the sum of some of its distances exceeds the sum of all distances of the best one. So the result is that of
+/// `topological_medoid()`. Deterministic; O(n²) memory.
 /// \param n the number of shapes
 /// \param distance symmetric and not negative; called at most once for a pair, the smaller index first
 /// \param options the probability of failure, and how shapes are drawn

@@ -28,22 +28,22 @@ namespace Shape_correspondence {
 struct Transfer_options
 {
   int size = 1024; ///< width and height of the texture in pixels, at least 16, at most 8192
-  int margin = 4;  ///< pixels by which the colours of a chart go on past its border, at least 1, at most 64
-  int samples = 2; ///< the colour of a pixel is the mean of so many times so many points, at most 8
+  int margin = 4;  ///< pixels by which the colours of a chart are continued past its border, at least 1, at most 64
+  int samples = 2; ///< n, from 1 to 8: the colour of a pixel is the mean of n × n points
   bool new_coordinates = false; ///< lay out texture coordinates anew, also where those of the target can be used
-  Eigen::Vector3d neutral = {0.45, 0.45, 0.45}; ///< linear colour of what has no looks
+  Eigen::Vector3d neutral = {0.45, 0.45, 0.45}; ///< linear colour of parts without looks
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// Where the looks of a target part are from.
+/// Where the looks (materials, textures and colours) of a target part come from.
 enum class Looks_origin {
   SOURCE, ///< the parts of the source that it corresponds to
   TARGET, ///< the target: it has no counterpart
-  NEUTRAL ///< nothing is known: it is grey
+  NEUTRAL ///< unknown: the part is grey
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// What a target part got.
+/// What was transferred to a target part.
 struct Transferred_part
 {
   Looks_origin origin = Looks_origin::NEUTRAL; ///< where its looks are from
@@ -61,15 +61,15 @@ struct Transferred_appearance
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// Carries colours and textures from the source to the target along a correspondence: they are baked, pixel by pixel,
-/// into one texture of the target. A point of the target looks like the point of the source that the surfaces are
-/// mapped to each other by, as in `Surface_map`. Where a part corresponds to several, the one goes over into the next
-/// in a band of .15 of their extent on both sides of their border, so that there is no seam. Parts without counterpart
-/// keep their own looks, or are grey.
+/// Transfers colours and textures from the source to the target along a correspondence: they are baked, pixel by pixel,
+/// into one texture of the target. A point of the target gets the colour of the point of the source that it is mapped
+/// to, as in `Surface_map`. Where a part corresponds to several, their colours are blended in a band of .15 of their
+/// extent on both sides of their border, so that there is no seam. Parts without counterpart keep their own looks, or
+/// are grey.
 ///
 /// The texture has the texture coordinates of the target if all of its parts have them, within [0, 1], and no two
-/// triangles overlap. Otherwise they are laid out anew: a part is cut into charts of triangles that face alike, which
-/// are projected in parallel and packed at one scale. O(p log n) for p pixels and n triangles.
+/// triangles overlap. Otherwise they are laid out anew: a part is cut into charts of triangles of similar orientation,
+/// which are projected in parallel and packed at one scale. O(p log n) for p pixels and n triangles.
 /// \param source,target the structural graphs
 /// \param source_shape,target_shape the models that the graphs were built from
 /// \param source_appearance,target_appearance the looks of the models, textures decoded
@@ -84,9 +84,9 @@ Transferred_appearance transfer_appearance(const Structural_graph& source, const
                                            const Correspondence& correspondence, const Transfer_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// The same for labels of the source's parts, each of which has a colour. The label of a triangle is the one that most
-/// of it is mapped to, then, three times, that of most of its neighbours in the part, so that borders of labels are
-/// smooth.
+/// The same for labels of the source's parts, each of which has a colour. The label of a triangle is that of most of
+/// its points, smoothed in three rounds to the label of most of its neighbours in the part, so that borders of labels
+/// are smooth.
 /// \param source,target the structural graphs
 /// \param source_shape,target_shape the models that the graphs were built from
 /// \param labels by source part

@@ -34,12 +34,12 @@ using Shape_pair = std::pair<std::size_t, std::size_t>;
 std::vector<Shape_pair> minimum_spanning_tree(const Eigen::Ref<const Eigen::MatrixXd>& distances);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The shapes on the way from one to another in a tree, both ends included. O(n)
+/// The shapes on the path from one to another in a tree, both ends included. O(n)
 /// \pre the tree joins the two
 std::vector<std::size_t> tree_path(const std::vector<Shape_pair>& tree, std::size_t source, std::size_t target);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// A way from shape to shape and what it costs, the sum of the energies of its steps.
+/// A chain of shapes and its energy, the sum of the energies of its steps.
 struct Shape_chain
 {
   std::vector<std::size_t> shapes; ///< the source, the shapes in between, the target
@@ -54,18 +54,18 @@ struct Shape_chain
 Shape_chain direct_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// By way of the one other shape, the bridge, that makes the least sum of energies (paper, section 6.1, Figure 13);
+/// The chain through the one other shape, the bridge, with the least sum of energies (paper, section 6.1, Figure 13);
 /// the direct one if there is no third shape. O(n)
 Shape_chain bridge_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// Along the tree. `energies` are those of `Energy_matrix`.
+/// The chain along the tree. `energies` are those of `Energy_matrix`.
 Shape_chain tree_chain(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree, std::size_t source,
                        std::size_t target);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The best of the three, `direct_chain()`, `bridge_chain()` and `tree_chain()`: the one of the least sum of
-/// `energies`, of the fewest steps among equals. `tree` is a spanning tree.
+/// The best of `direct_chain()`, `bridge_chain()` and `tree_chain()`: the one with the least sum of `energies`, among
+/// equals the one with the fewest steps. `tree` is a spanning tree.
 Shape_chain best_chain(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree, std::size_t source,
                        std::size_t target);
 
@@ -75,17 +75,17 @@ std::vector<Shape_chain> best_chains(const Eigen::MatrixXd& energies, const std:
                                      std::size_t source);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// A correspondence that may go by way of other shapes.
+/// A correspondence that may be composed along other shapes.
 struct Transitive_correspondence
 {
-  Shape_chain chain;        ///< the way taken
+  Shape_chain chain;        ///< the chain that was taken
   double direct_energy = 0; ///< the energy without a shape in between
   Part_map map;             ///< of source and target, composed along the chain
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The part correspondence of two shapes of a set along the best chain: the direct one unless another one costs less,
-/// or if the composed map of the other one is empty. `tree` is a spanning tree.
+/// The part correspondence of two shapes of a set along the best chain. The direct one is taken unless another chain
+/// has less energy and its composed map is not empty. `tree` is a spanning tree.
 /// \pre the matrix is complete
 Transitive_correspondence transitive_correspondence(const Energy_matrix& matrix, const std::vector<Shape_pair>& tree,
                                                     std::size_t source, std::size_t target);

@@ -102,8 +102,8 @@ class Scratch:
 
 
 def table_text(mutations):
-    lines = ["# What the tests notice", "",
-             "The mistakes of `mutations.txt`, each made alone, and a test case that failed, by `mutate.py --table`.",
+    lines = ["# Mistakes that the tests detect", "",
+             "The mistakes of `mutations.txt`, each made alone, and a test case that failed; `mutate.py --table` writes this table.",
              "", "| file | mistake | test case |", "|---|---|---|"]
     lines += [f"| `{m.file}` | {m.what} | `{m.test}`: {m.case} |" for m in mutations]
     return "\n".join(lines) + "\n"

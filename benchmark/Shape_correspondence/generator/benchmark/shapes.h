@@ -6,40 +6,15 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_SHAPES_H
 #define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_SHAPES_H
 
-#include "aeroplane_designs.h"
-#include "bed_designs.h"
-#include "chair_designs.h"
-#include "lamp_designs.h"
-#include "table_designs.h"
-#include "velocipede_designs.h"
+#include "../assembly.h"
 
 namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
 
-/// The shapes of designs, each with a seed of its own.
-template <typename Design, typename Make>
-void add_shapes(const std::vector<Design>& designs, std::uint64_t seed, const Make& make, std::vector<Assembly>& shapes)
-{
-  for (const Design& design : designs)
-    shapes.push_back(make(design, seed++));
-}
-
 /// The shapes that methods are compared on: fifteen of each category, no two of one design. Their measures are drawn
 /// from fixed seeds.
-inline std::vector<Assembly> benchmark_shapes()
-{
-  std::vector<Assembly> shapes;
-  add_shapes(aeroplane_designs(), 100, aeroplane, shapes);
-  add_shapes(bed_designs(), 200, bed, shapes);
-  add_shapes(chair_designs(), 300, chair, shapes);
-  for (const Assembly& lamp : lamps(400))
-    shapes.push_back(lamp);
-  add_shapes(table_designs(), 500, table, shapes);
-  for (const Assembly& velocipede : velocipedes(600))
-    shapes.push_back(velocipede);
-  return shapes;
-}
+std::vector<Assembly> benchmark_shapes();
 
 } // namespace generator
 } // namespace Shape_correspondence

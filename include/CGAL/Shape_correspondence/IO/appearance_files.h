@@ -27,14 +27,15 @@ namespace IO {
 void decode_textures(Shape_appearance& appearance, std::vector<std::string>& warnings);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a shape with what was transferred to it, and reads back as such:
+/// Writes a shape with what was transferred to it:
 /// - `.glb`: binary glTF 2.0 with the texture in it;
 /// - `.obj`: Wavefront OBJ with `FILE.mtl` and `FILE.png` beside it;
-/// - `.ply`: binary PLY with colours of vertices, for which triangles are divided, and the properties `part` and, where
-///   there are labels, `label` of faces; comments tell the names of parts and labels.
-/// \param path the file to write; its extension tells the format
+/// - `.ply`: binary PLY with colours of vertices, for which triangles are divided, and the face properties `part` and,
+/// if
+///   there are labels, `label`; comments list the names of parts and labels.
+/// \param path the file to write; its extension determines the format
 /// \param shape the target
-/// \param transferred what it got
+/// \param transferred what was transferred to it
 /// \param labels the names of labels
 /// \throw Invalid_input if a file cannot be written, or the extension is none of these
 void write_transferred_shape(const std::string& path, const Segmented_shape& shape,

@@ -26,11 +26,11 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// The most shapes whose energies are in the JSON of a collection; those of more belong in a file of a matrix.
+/// Largest number of shapes whose energies are written into the JSON of a collection; for more, write a matrix file.
 constexpr std::size_t largest_written_matrix = 1000;
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// What is found out about a set of shapes.
+/// The results of the analysis of a set of shapes.
 struct Collection
 {
   /// A shape of the set.
@@ -40,7 +40,7 @@ struct Collection
     std::string file;               ///< the file or folder that it was read from
     std::vector<std::string> parts; ///< names of its parts
   };
-  /// Two shapes that match better by way of others.
+  /// Two shapes that match better through others.
   struct Bridge
   {
     std::size_t source;                       ///< index of the source shape
@@ -54,15 +54,15 @@ struct Collection
   std::size_t medoid = 0;                  ///< index of the `topological_medoid()`
   std::vector<Shape_pair> tree;            ///< a minimum spanning tree by `symmetric_distances()`
   std::vector<Bridge> bridges;             ///< pairs of shapes for which a chain costs less, the largest gain first
-  std::size_t bridge_count = 0;            ///< how many such pairs there are in all
+  std::size_t bridge_count = 0;            ///< number of such pairs, also of those not in `bridges`
   Co_analysis co_analysis;                 ///< labels of parts
-  std::size_t co_analysis_shape_pairs = 0; ///< unordered, whose maps it is made of
-  std::vector<Shape_pair_map> matches;     ///< of ordered pairs of shapes, as far as they are to be written
+  std::size_t co_analysis_shape_pairs = 0; ///< number of unordered pairs of shapes whose maps were clustered
+  std::vector<Shape_pair_map> matches;     ///< maps of ordered pairs of shapes that are to be written
   std::vector<std::string> warnings;       ///< what was approximated or ended early, in whole sentences
 };
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes what is found out about a set of shapes in the JSON format `shape_correspondence/collection`, version 1.
+/// Writes the analysis of a set of shapes in the JSON format `shape_correspondence/collection`, version 1.
 /// Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
 void write_collection_json(std::ostream& out, const Collection& collection);
 
@@ -77,7 +77,7 @@ struct Nearest_in_collection
 };
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes what was `found` in the JSON format `shape_correspondence/nearest`, version 1.
+/// Writes the nearest shapes `found` in the JSON format `shape_correspondence/nearest`, version 1.
 void write_nearest_json(std::ostream& out, const Nearest_in_collection& found);
 
 } // namespace IO

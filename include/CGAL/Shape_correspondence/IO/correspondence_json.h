@@ -24,7 +24,7 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Seconds per phase of a match, as the result file reports them.
+/// Seconds of each phase of a match, as written to the result file.
 struct Match_seconds
 {
   double read = 0;        ///< reading both models
@@ -67,24 +67,24 @@ struct Named_correspondence
   std::string target;                           ///< the target as the user named it
   std::vector<Named_part_correspondence> pairs; ///< in the order of the file
   bool complete = false;                        ///< see `Correspondence::complete`
-  int target_quarter_turns = 0;                 ///< of the target about up, into the source's frame
+  int target_quarter_turns = 0;                 ///< see `Correspondence::target_quarter_turns`
 };
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Reads a result in the JSON format `shape_correspondence/match`; of ranked solutions, the first.
-/// \throw Invalid_input if the file cannot be read or is no such result; names the file and what is wrong
+/// \throw Invalid_input if the file cannot be read or is no such result; the message gives the file and what is wrong
 Named_correspondence read_correspondence_json(const std::string& file);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// The pairs, completeness and turn of a result, by the indices of its parts in graphs of the shapes.
-/// Messages name `file`.
+/// Converts a result that was read: pairs by the indices of parts in the graphs, completeness and turn. Messages name
+/// `file`.
 /// \throw Invalid_input if a shape does not have one of the parts
 Correspondence correspondence_of(const Named_correspondence& named, const Structural_graph& source,
                                  const Structural_graph& target, const std::string& file);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Whether a JSON file is a result in that format, and not something else.
-/// \throw Invalid_input if it is no JSON
+/// Whether a JSON file is a result in that format.
+/// \throw Invalid_input if it is not JSON
 bool is_correspondence_json(const std::string& file);
 
 } // namespace IO

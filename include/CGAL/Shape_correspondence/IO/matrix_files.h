@@ -22,13 +22,13 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a matrix in NumPy's format `.npy`, version 1.0: doubles, row after row; `numpy.load()` reads the same bits.
+/// Writes a matrix in NumPy's format `.npy`, version 1.0: doubles, row by row; `numpy.load()` reads identical values.
 void write_npy(std::ostream& out, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a matrix as CSV (RFC 4180): a first line and a first column of names, numbers in the fewest digits that read
-/// back to the same double.
-/// \pre a name a row and a column
+/// Writes a matrix as CSV (RFC 4180): the first line and the first column are names; numbers have the fewest digits
+/// from which the same double is read.
+/// \pre the matrix is square, with one name for each row
 void write_csv(std::ostream& out, const Eigen::Ref<const Eigen::MatrixXd>& matrix,
                const std::vector<std::string>& names);
 

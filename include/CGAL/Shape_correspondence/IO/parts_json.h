@@ -21,14 +21,14 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes which piece of a model is in which part, for people to edit; the manual describes the format. Link
+/// Writes which piece of a model is in which part, to be edited by hand; the manual describes the format. Link
 /// `CGAL::Shape_correspondence_IO`.
 /// \param out the stream
 /// \param split the pieces and parts
 void write_parts_json(std::ostream& out, const Part_split& split);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Makes the parts of a model that such a file says.
+/// Makes the parts of a model that such a file defines.
 /// \param objects the model
 /// \param path the file
 /// \return the parts

@@ -21,14 +21,14 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// A shape whose parts a person has labelled.
+/// A shape with labelled parts.
 struct Labelled_shape
 {
   std::string file;               ///< its `labels.json`
-  std::string name;               ///< of its folder
-  std::string category;           ///< as the file says, or else the name of the folder around the shape's
-  std::string source;             ///< where the shape is from; empty where the file does not say
-  std::string license;            ///< of the shape; empty where the file does not say
+  std::string name;               ///< name of its folder
+  std::string category;           ///< from the file; if not given there, the name of the parent folder
+  std::string source;             ///< where the shape comes from; empty if not given
+  std::string license;            ///< licence of the shape; empty if not given
   std::vector<std::string> parts; ///< names, each once
   std::vector<Part_label> labels; ///< by part
 
@@ -37,10 +37,10 @@ struct Labelled_shape
 };
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Reads labels: `path` is a `labels.json`, or a folder that holds one, or SHAPE/labels.json, or
-/// CATEGORY/SHAPE/labels.json. A file is an object with `parts`: a list of objects with `name`, `coarse` and, where
-/// there is one, `fine`; and `category`, `source` and `license`, not required. Shapes come sorted by path.
-/// \throw Invalid_input if there are none, or one cannot be used; names the file and what is wrong
+/// Reads labels: `path` is a `labels.json`, or a folder that contains one, or SHAPE/labels.json, or
+/// CATEGORY/SHAPE/labels.json. A file is an object with `parts`, a list of objects with `name`, `coarse` and,
+/// optionally, `fine`; and, optionally, `category`, `source` and `license`. Shapes are sorted by path.
+/// \throw Invalid_input if there are none, or one cannot be used; the message gives the file and what is wrong
 std::vector<Labelled_shape> read_part_labels(const std::string& path);
 
 } // namespace IO

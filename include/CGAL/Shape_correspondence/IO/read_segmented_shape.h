@@ -23,27 +23,27 @@ namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Reads a model file (OBJ, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D; every node that owns triangles is a
-/// part) or a folder of part meshes (every model file in it, or in its sub-folder `parts`, is a part, its stem the
-/// name; sorted by name). Vertices at the same place are welded, polygons triangulated; faces of fewer than three
+/// part) or a folder of part meshes (every model file in it, or in its sub-folder `parts`, is a part, named after the
+/// file; sorted by name). Vertices at the same place are merged, polygons triangulated; faces of fewer than three
 /// corners, and parts of a file that have no area, are left out.
 ///
 /// In OBJ every `o` or `g` statement with faces is a part, in STL every solid; groups of one name in several objects
-/// are named `object/group`; of one object that is mostly one piece the materials are the parts. Later parts of a name
-/// get a number: `leg`, `leg#2`. Names become UTF-8; those that are no UTF-8 are taken for Latin-1. OBJ, OFF, PLY and
-/// STL keep double precision, the other formats are read in single precision. COLLADA files say which way is up: they
-/// are turned to y up.
+/// are named `object/group`; if there is only one object, mostly one piece, its materials are the parts. If a name
+/// occurs again, it gets a number: `leg`, `leg#2`. Names become UTF-8; those that are not UTF-8 are read as Latin-1.
+/// OBJ, OFF, PLY and STL keep double precision, the other formats are read in single precision. COLLADA files define
+/// the upright axis: they are turned to y up.
 ///
-/// Formats but OBJ, OFF, PLY and STL are read by assimp, in a process of its own, a `fork()` of the caller's, which
-/// ends in an error if it takes more than 2 GB of memory or 60 seconds of processor time. Link
+/// Formats other than OBJ, OFF, PLY and STL are read by assimp in a process of its own, a `fork()` of the caller's. If
+/// it takes more than 2 GB of memory or 60 seconds of processor time, that is an error. Link
 /// `CGAL::Shape_correspondence_IO`.
 /// \param path the file or folder
 /// \param up the upright direction
-/// \param warnings where not null, is told what was left out
-/// \param appearance where not null, gets the materials (base colours of MTL libraries and of the formats of assimp),
+/// \param warnings if not null, sentences on what was left out are appended
+/// \param appearance if not null, gets the materials (base colours of MTL libraries and of the formats of assimp),
 /// textures (PNG and JPEG of up to 64 MB, inside the model, relative to it or beside it), texture coordinates and
 /// colours of vertices and faces; what is missing or damaged of them is left out, with a warning
 /// \throw Invalid_input if the file is missing, empty, of an unknown format, damaged or beyond the limits, if it has no
-/// parts or more than 1000, or a part that `Segmented_shape::add_part()` refuses; the message names the file and the
+/// parts or more than 2000, or a part that `Segmented_shape::add_part()` refuses; the message names the file and the
 /// part
 Segmented_shape read_segmented_shape(const std::string& path, const Point& up = Point(0, 1, 0),
                                      std::vector<std::string>* warnings = nullptr,

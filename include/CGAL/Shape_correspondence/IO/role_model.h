@@ -27,7 +27,7 @@ void write_role_model(const std::string& path, const Role_model& model);
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Reads the file `path` that `write_role_model()` has written. \throw Invalid_input if there is no such file, or it is
-/// damaged or of another version; names the file
+/// damaged or of another version; the message names the file
 Role_model read_role_model(const std::string& path);
 
 /// \ingroup PkgShapeCorrespondenceIO

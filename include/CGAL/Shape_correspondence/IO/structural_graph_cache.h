@@ -23,13 +23,13 @@ namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Identifies what `build_structural_graph()` makes of a shape: a hash (SHA-1) of all names, coordinates and triangles
-/// (bitwise), of all options that the graph depends on but the time limit, and of the version of the algorithms. Of
-/// the abstractor it holds the type only: one that has a state needs a folder for every state. Linear time.
+/// (bitwise), of all options that the graph depends on except the time limit, and of the version of the algorithms. Of
+/// the abstractor, only the type is hashed: use a folder for each state of an abstractor that has a state. Linear time.
 std::string content_hash(const Segmented_shape& shape, const Structure_options& options);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// A folder of structural graphs, each under the content hash of what it was built from. Many processes may use one
-/// folder at a time. A file that is damaged, or is not what its name says, counts as missing.
+/// A folder of structural graphs, each under the content hash of what it was built from. Several processes may use one
+/// folder at a time. A file that is damaged, or does not match its name, counts as missing.
 class Structural_graph_cache
 {
 public:
@@ -38,14 +38,14 @@ public:
   explicit Structural_graph_cache(std::string folder);
 
   /// The graph of this content, bitwise identical except for the hulls and most surface samples of the parts, which are
-  /// not saved (those that matching uses are); none if it is not there.
+  /// not saved (the samples that matching uses are); none if there is none.
   std::optional<Structural_graph> find(const std::string& content) const;
 
-  /// Whether there is a file for this content, which is damaged.
+  /// Whether there is a file for this content that is damaged.
   bool is_damaged(const std::string& content) const;
 
-  /// Saves a graph under its `content`, in place of what was there. One that depends on the machine's speed, since a
-  /// part reached the time limit, is not saved.
+  /// Saves a graph under its `content`, and replaces an earlier one. A graph with a part that reached the time limit is
+  /// not saved, since it depends on the speed of the machine.
   /// \throw Invalid_input if the file cannot be written
   void insert(const Structural_graph& graph) const;
 

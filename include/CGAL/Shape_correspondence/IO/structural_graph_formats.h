@@ -21,8 +21,8 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes the graph for graph tools: a node a group, with the names of its `parts`, its `symmetry` and its `solidity`;
-/// an edge for every two groups in contact, with the number of its `contacts`. Geometry is left out.
+/// Writes the graph for graph tools: a node for every group, with the names of its `parts`, its `symmetry` and its
+/// `solidity`; an edge for every two groups in contact, with the number of its `contacts`. Geometry is left out.
 void write_structural_graph_graphml(std::ostream& out, const Structural_graph& graph);
 
 /// \ingroup PkgShapeCorrespondenceIO
@@ -33,8 +33,8 @@ void write_structural_graph_dot(std::ostream& out, const Structural_graph& graph
 /// Reads a structure graph in the XML that programs for topology-varying shape matching exchange: a `document` of
 /// - `node`s: an `id`, a `type` (`CURVE` or `SHEET`), of a sheet `controls` with two counts `c`, the control `point`s
 ///   of a cubic B-spline with clamped uniform knots, and their `weights`, 1 if there are none;
-/// - `edge`s: two nodes `n`, and for each a `coord` of parameters `uv`, a contact region each; without `coord`s the
-///   edge is where its parts are nearest;
+/// - `edge`s: two nodes `n`, and for each a `coord` of parameters `uv`, one for each contact region; without `coord`s
+///   the contact is where the parts are nearest;
 /// - `group`s: nodes `n`. Their symmetry is the detected one, or else the mirror plane half-way between two members, or
 ///   the mean step between more. Without `group`s, these are detected.
 ///

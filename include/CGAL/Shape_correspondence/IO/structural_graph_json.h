@@ -25,25 +25,26 @@ namespace IO {
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a structural graph in the JSON format `shape_correspondence/graph`, version 1. The graph that is read
 /// back is bitwise identical, except for the hulls of the parts, which are not saved, and their surface points, of
-/// which the first 32 are (key `surface` of a part: a list of points, not required), as many as matching needs. The key
-/// `method` of a part's `abstraction` is the value of `Abstraction_report::Method` in small letters. Needs
+/// which only the first 32 are saved, as many as matching needs (key `surface` of a part: a list of points, optional).
+/// The key `method` of a part's `abstraction` is the value of `Abstraction_report::Method` in lower case. Needs
 /// nlohmann-json: link `CGAL::Shape_correspondence_IO`.
 void write_structural_graph_json(std::ostream& out, const Structural_graph& graph);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Reads a structural graph; groups, contacts and the frame are detected where the file has none. Parts that the given
-/// groups leave out are groups of their own. With `options.symmetry.enabled` false all parts are.
+/// Reads a structural graph; groups, contacts and the frame are computed if the file has none. Parts that are in none
+/// of the given groups are groups of their own. If `options.symmetry.enabled` is false, all parts are.
 /// \param in the text
 /// \param file_name names the input in messages
 /// \param options of what is detected
-/// \throw Invalid_input if the text is not JSON, not a structural graph, or not a valid one; says where and what
+/// \throw Invalid_input if the text is not JSON, not a structural graph, or not a valid one; the message says where
 Structural_graph read_structural_graph_json(std::istream& in, const std::string& file_name,
                                             const Structure_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// The model that a graph file was built from, where its parts name their meshes: a model file each, under the key
-/// `mesh`, its path relative to the graph file's folder. None if no part names one. Reads the graph file once more.
-/// \throw Invalid_input if only some parts name one, or one cannot be used
+/// The model that a graph file was built from, if its parts name their meshes: each part a model file, with the key
+/// `mesh`, by its path relative to the folder of the graph file. None if no part names a mesh. Reads the graph file
+/// again.
+/// \throw Invalid_input if only some parts name a mesh, or one cannot be used
 std::optional<Segmented_shape> read_part_meshes(const std::string& graph_file, const Structural_graph& graph);
 
 } // namespace IO

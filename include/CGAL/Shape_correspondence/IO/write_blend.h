@@ -22,17 +22,17 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a shape as Wavefront OBJ: an object a part, with the part's name; coordinates that read back to the same.
+/// Writes a shape as Wavefront OBJ: one object for each part, with the part's name. Coordinates are read back exactly.
 void write_segmented_shape_obj(std::ostream& out, const Segmented_shape& shape);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a shape as binary PLY, one mesh with the number of its part as the property `part` of every face; comments
-/// tell the parts' names.
+/// Writes a shape as binary PLY: one mesh, with the number of the part as the property `part` of every face; comments
+/// list the names of the parts.
 void write_segmented_shape_ply(std::ostream& out, const Segmented_shape& shape);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a blend as binary glTF 2.0 with an animation: the source, for half a second, `frames` in-between shapes at
-/// even times, the ends among them, in two seconds, with linear motion in between; the target, for half a second.
+/// Writes a blend as binary glTF 2.0 with an animation: the source for half a second; `frames` shapes at equal time
+/// steps, the source and target included, in two seconds, with linear motion in between; the target for half a second.
 /// Parts that correspond have one colour. Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
 /// \pre `frames >= 2`
 void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Correspondence& correspondence, int frames);
@@ -47,18 +47,18 @@ struct Blend_appearance
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// The same with the shapes' own materials and textures. Where a part of one colour becomes one of another colour, the
-/// colour goes over in five steps, since glTF cannot animate materials. Textures, colours of vertices, and several
-/// materials of a part do not fade: they are on the part's surface until it is exchanged for the target's.
+/// colour changes in five steps, since glTF cannot animate materials. Textures, colours of vertices, and several
+/// materials of a part do not fade: they stay on the part's surface until it is replaced by the target's.
 /// \pre `frames >= 2`
 void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Blend_appearance& appearance, int frames);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes the shape at `t` as binary glTF 2.0 with materials and textures, as above; colours go over steadily.
+/// Writes the shape at `t` as binary glTF 2.0 with materials and textures, as above; colours change continuously.
 void write_blend_frame_glb(std::ostream& out, const Shape_blend& blend, const Blend_appearance& appearance, double t);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes what happens in a blend in the JSON format `shape_correspondence/blend`, version 1: schedules with their
-/// tasks, and how well every frame holds together. `source_file` and `target_file` are the inputs as the user named
+/// Writes a description of a blend in the JSON format `shape_correspondence/blend`, version 1: schedules with their
+/// tasks, and the quality of every frame. `source_file` and `target_file` are the inputs as the user named
 /// them, `output` is the file or folder of the frames, `warnings` are sentences to add.
 void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structural_graph& source,
                       const Structural_graph& target, const std::string& source_file, const std::string& target_file,

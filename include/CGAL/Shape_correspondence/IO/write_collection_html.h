@@ -25,19 +25,19 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Shapes that a page shows at most, so that a browser can open it.
+/// Largest number of shapes on a page, so that a browser can open it.
 constexpr std::size_t largest_pictured = 1000;
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a collection as a web page that needs no network: a gallery of the shapes with the medoid marked, the minimum
 /// spanning tree with the medoid as its root, and the correspondence of two shapes that are clicked. Parts of one
 /// cluster have one colour everywhere. Surfaces are simplified to 400 000 triangles in all. Of more than
-/// `largest_pictured` shapes the page shows so many, the medoid and others evenly from all branches of the spanning
-/// tree, and says so. Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
+/// `largest_pictured` shapes the page shows only so many: the medoid, and others drawn evenly from all branches of the
+/// spanning tree. Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
 /// \param out the stream
 /// \param collection what is shown
 /// \param graph the structural graph of a shape by its index, called once for each
-/// \param maps those that the page shows when their two shapes are clicked; for others it says which command matches them
+/// \param maps those that the page shows if their two shapes are clicked; for others it shows the command to match them
 /// \param model the surfaces of a shape, called once for each, with the parts of its graph in the same order; if it is
 /// empty or returns nothing, the page shows curves and sheets
 void write_collection_html(std::ostream& out, const Collection& collection,

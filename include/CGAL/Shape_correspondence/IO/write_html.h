@@ -32,9 +32,9 @@ void write_structural_graph_html(std::ostream& out, const Structural_graph& grap
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a correspondence as such a page: both shapes side by side under one camera, source on the left, parts that
-/// correspond in one colour, unmatched parts grey, and a table of what corresponds. A part that is pointed at lights up
-/// with its counterparts. `source_shape` and `target_shape` are null for shapes without meshes. The page holds what
-/// `write_correspondence_glb()` and `write_correspondence_json()` write.
+/// correspond in one colour, unmatched parts grey, and a table of what corresponds. A part that is pointed at is
+/// highlighted with its counterparts. `source_shape` and `target_shape` are null for shapes without meshes. The page
+/// holds what `write_correspondence_glb()` and `write_correspondence_json()` write.
 void write_correspondence_html(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                                const Structural_graph& target, const Segmented_shape* source_shape = nullptr,
                                const Segmented_shape* target_shape = nullptr);

@@ -51,7 +51,7 @@ auto vertex_point_map(const Mesh& mesh, const NamedParameters& np)
     return get(CGAL::vertex_point, mesh);
 }
 
-/// The name of the part that a segment becomes: of the named parameter `part_names`, or made of the id.
+/// The name of the part that a segment becomes: from the named parameter `part_names`, or made from the id.
 template <typename NamedParameters>
 std::string part_name(long long id, const NamedParameters& np)
 {
@@ -81,7 +81,7 @@ private:
   std::vector<Eigen::Vector3i> triangles_;
 };
 
-/// Collects faces of a mesh as an indexed triangle mesh that holds their vertices only.
+/// Collects faces of a mesh as an indexed triangle mesh with only the vertices of these faces.
 template <typename Mesh, typename VertexPointMap>
 class Part_mesh_builder
 {

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "shapes.h"
+
+#include "aeroplane_designs.h"
+#include "bed_designs.h"
+#include "chair_designs.h"
+#include "lamp_designs.h"
+#include "table_designs.h"
+#include "velocipede_designs.h"
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace generator {
+
+namespace {
+
+/// The shapes of designs, each with a seed of its own.
+template <typename Design, typename Make>
+void add_shapes(const std::vector<Design>& designs, std::uint64_t seed, const Make& make, std::vector<Assembly>& shapes)
+{
+  for (const Design& design : designs)
+    shapes.push_back(make(design, seed++));
+}
+
+} // namespace
+
+std::vector<Assembly> benchmark_shapes()
+{
+  std::vector<Assembly> shapes;
+  add_shapes(aeroplane_designs(), 100, aeroplane, shapes);
+  add_shapes(bed_designs(), 200, bed, shapes);
+  add_shapes(chair_designs(), 300, chair, shapes);
+  for (const Assembly& lamp : lamps(400))
+    shapes.push_back(lamp);
+  add_shapes(table_designs(), 500, table, shapes);
+  for (const Assembly& velocipede : velocipedes(600))
+    shapes.push_back(velocipede);
+  return shapes;
+}
+
+} // namespace generator
+} // namespace Shape_correspondence
+} // namespace CGAL

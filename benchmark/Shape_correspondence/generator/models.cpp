@@ -1,0 +1,40 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "models.h"
+
+#include "aeroplanes.h"
+#include "chairs.h"
+#include "furnishings.h"
+#include "tables.h"
+#include "tricycle.h"
+#include "velocipedes.h"
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace generator {
+
+const std::vector<Model>& models()
+{
+  static const std::vector<Model> all{{"airplane_propeller", airplane_propeller},
+                                      {"airplane_twin_engine", airplane_twin_engine},
+                                      {"bed_slatted", bed_slatted},
+                                      {"bicycle", bicycle},
+                                      {"chair_four_legged", chair_four_legged},
+                                      {"chair_slatted", chair_slatted},
+                                      {"chair_spindle", chair_spindle},
+                                      {"chair_swivel", chair_swivel},
+                                      {"lamp_desk", lamp_desk},
+                                      {"stool", stool},
+                                      {"table_four_legged", table_four_legged},
+                                      {"table_pedestal", table_pedestal},
+                                      {"table_trestle", table_trestle},
+                                      {"tricycle", tricycle}};
+  return all;
+}
+
+} // namespace generator
+} // namespace Shape_correspondence
+} // namespace CGAL

@@ -1,0 +1,236 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "matching/Correspondence_finder_impl.h"
+#include "matching/Search_run.h"
+#include "matching/aligned_matching.h"
+#include "matching/participants.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace CGAL::Shape_correspondence {
+using namespace internal;
+
+namespace {
+
+// Another alignment than the one nearest to the given orientation must cost less than this share of it: a shape that is
+// alike from both sides costs about the same either way, and then the orientation of the file is the better guess. Set
+// on the development and the generated set.
+constexpr double clearly_cheaper = 0.95;
+
+} // namespace
+
+// To the side and to the front, places count differently, so that it matters by a quarter turn in whose frame shapes
+// are compared: in the frame of the one that comes first, whichever is the source.
+Part_matching Correspondence_finder::Impl::matched_in_common_frame(const Prepared_shape& target,
+                                                                   const Shared_shape& shape, int turn) const
+{
+  if (turn % 2 == 0 || !comes_first(*shape, *source_))
+    return match_parts(*features(prepared_source_, source_, 0), *features(target, shape, turn), options_.parts,
+                       constraints(*source_, *shape));
+  return matched_in_frames(target, *shape, -turn, 0);
+}
+
+Part_matching Correspondence_finder::Impl::matched_in_frames(const Prepared_shape& target, const Aligned_shape& shape,
+                                                             int source_turn, int target_turn) const
+{
+  const Shared_shape b = aligned(target, target_turn),
+                     a = regrouped(participating(prepared_source_.alignments_->aligned(source_turn), source_->original),
+                                   pinned_.source);
+  return renumbered(match_parts(*features(prepared_source_, a, source_turn), *features(target, b, target_turn),
+                                options_.parts, constraints(*a, *b)),
+                    *a, *source_, *b, shape);
+}
+
+std::shared_ptr<const Shape_features> Correspondence_finder::Impl::features(const Prepared_shape& of,
+                                                                            const Shared_shape& shape, int turn) const
+{
+  Alignments& shapes = *of.alignments_;
+  return shape == shapes.aligned(turn) ? shapes.features(turn, options_.parts)
+                                       : std::make_shared<Shape_features>(*shape, options_.parts);
+}
+
+std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(const Prepared_shape& target,
+                                                                                Pair_category& category) const
+{
+  std::vector<Way> result;
+  const Shape_frame& target_frame = structure(target.graph()).frame;
+  if (options_.roles) {
+    const Role_model_data& model = options_.roles->data();
+    category.index = model.index(options_.category);
+    Alignments &a = *prepared_source_.alignments_, &b = *target.alignments_;
+    if (options_.alignments == 1) {
+      if (options_.category.empty())
+        category = category_of_pair(*a.roles(options_.roles), *b.roles(options_.roles), model);
+    } else {
+      const Turned_roles source = a.roles_by_turn(options_.roles), of_target = b.roles_by_turn(options_.roles);
+      if (options_.category.empty()) category = category_of_pair(source, of_target, model);
+      if (category.index < model.categories.size())
+        for (int from : front_turns(source, category.index, model.trees))
+          for (int to : front_turns(of_target, category.index, model.trees))
+            result.push_back(
+                {given_quarter_turns(target_frame) + to - given_quarter_turns(source_frame_) - from, from, to, true});
+    }
+  }
+  // Of ways that cost the same the first is taken: the same one, whichever shape is the source
+  if (!result.empty() && comes_first(*aligned(target, 0), *source_))
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Way& a, const Way& b) { return a.target_front < b.target_front; });
+  if (result.empty())
+    for (int turn : tried_turns(target))
+      result.push_back({turn, 0, 0, false});
+  return result;
+}
+
+Part_matching Correspondence_finder::Impl::matched_way(const Prepared_shape& target, const Shared_shape& shape,
+                                                       const Way& way) const
+{
+  if (!way.by_roles) return matched_in_common_frame(target, shape, way.turn);
+  return matched_in_frames(target, *shape, given_quarter_turns(source_frame_) + way.source_front,
+                           given_quarter_turns(structure(target.graph()).frame) + way.target_front);
+}
+
+Correspondence_finder::Impl::Found Correspondence_finder::Impl::matched_parts(const Prepared_shape& target) const
+{
+  Found found;
+  Pair_category category;
+  const std::vector<Way> tried = ways(target, category);
+  found.way = tried.front();
+  found.ways = tried.size();
+  double best_cost = std::numeric_limits<double>::infinity();
+  for (const Way& way : tried) {
+    if (options_.progress && !options_.progress(double(found.done) / double(tried.size()))) break;
+    const Shared_shape shape = aligned(target, way.turn);
+    Part_matching matching = matched_way(target, shape, way);
+    const double preference = found.done == 0 ? clearly_cheaper : 1;
+    ++found.done;
+    const double cost = tried.size() == 1 ? 0 : preference * double(alignment_cost(matching, *source_, *shape));
+    if (cost >= best_cost) continue;
+    best_cost = cost;
+    found.way = way;
+    found.matching = std::move(matching);
+    found.target = shape;
+  }
+  if (found.done == 0) found.target = aligned(target, found.way.turn);
+  if (options_.roles && found.done > 0)
+    join_roles(target, *found.target, category, found.way, found.matching, found.known);
+  return found;
+}
+
+Correspondence_finder::Impl::Found Correspondence_finder::Impl::without_unsure(Found found) const
+{
+  const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
+  std::vector<Part_correspondence>& pairs = found.matching.pairs;
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), unsure), pairs.end());
+  return found;
+}
+
+Correspondence Correspondence_finder::Impl::rated(const Shared_shape& source, const Found& found) const
+{
+  const Search_run run(source, found.target, found.way.turn, group_labels(found.matching, *source, *found.target),
+                       options_);
+  Correspondence result = correspondence_of(run, run.result.best(), {});
+  result.pairs = original_pairs(found.matching, *source, *found.target);
+  take_roles(found.known, result);
+  if (found.done < found.ways) mark_cancelled(found.done, found.ways, result);
+  return result;
+}
+
+std::vector<Transferred_label> Correspondence_finder::Impl::transferred_labels(const std::vector<Part_label>& labels,
+                                                                               const Prepared_shape& target) const
+{
+  if (options_.method != Search_method::PARTS)
+    throw Invalid_input("transfer_labels: labels are transferred by Search_method::PARTS only");
+  if (labels.size() != number_of_parts_)
+    throw Invalid_input("transfer_labels: there are " + std::to_string(labels.size()) + " labels of " +
+                        std::to_string(number_of_parts_) + " parts of the source");
+  const Found best = matched_parts(target);
+  std::vector<Transferred_label> result(structure(target.graph()).parts.size());
+  if (best.done == 0) return result; // it was cancelled
+  for (std::size_t j = 0; j < best.target->parts.size(); ++j) {
+    const Part_correspondence from = likeliest_source(best.matching, j);
+    result[best.target->original[j]] = {labels[source_->original[from.source]], from.confidence};
+  }
+  return result;
+}
+
+Correspondence Correspondence_finder::Impl::rated_backwards(Found found) const
+{
+  for (Part_correspondence& pair : found.matching.pairs)
+    pair = inverse(pair);
+  std::sort(found.matching.pairs.begin(), found.matching.pairs.end(), is_before);
+  std::swap(found.known.source_roles, found.known.target_roles);
+  const Shared_shape source = std::exchange(found.target, source_);
+  return rated(source, found);
+}
+
+bool Correspondence_finder::Impl::takes_shapes_as_they_are() const
+{
+  return options_.maximum_parts == 0 && options_.source_parts.empty() && options_.target_parts.empty() &&
+         options_.matching.pinned.empty() && options_.matching.forbidden.empty() &&
+         options_.matching.role_costs.size() == 0;
+}
+
+std::array<Correspondence, 2> Correspondence_finder::Impl::both_orders(const Prepared_shape& target) const
+{
+  if (options_.method == Search_method::PARTS && takes_shapes_as_they_are()) {
+    const Found found = without_unsure(matched_parts(target));
+    if (found.way.turn == 0 && found.ways == 1) {
+      std::array<Correspondence, 2> result{rated(source_, found), rated_backwards(found)};
+      const std::size_t of_target = structure(target.graph()).parts.size();
+      collect_unmatched(number_of_parts_, of_target, result[0]);
+      collect_unmatched(of_target, number_of_parts_, result[1]);
+      return result;
+    }
+  }
+  return {std::move(ranked(target).front()), std::move(Impl(target, options_).ranked(prepared_source_).front())};
+}
+
+void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target,
+                                             const Pair_category& category, const Way& way, Part_matching& matching,
+                                             Correspondence& result) const
+{
+  const Role_model_data& model = options_.roles->data();
+  const std::optional<Pair_votes> votes = votes_of(target, category, way, result);
+  if (!votes) {
+    state_confidences(model.geometric_confidence, matching);
+    constrain(constraints(*source_, aligned_target), matching);
+    return;
+  }
+  const auto& [source, of_target] = *votes;
+  const Pair_terms terms = pair_terms(source, source_->original, of_target, aligned_target.original, matching);
+  const Match_constraints constrained = constraints(*source_, aligned_target);
+  const Category_roles& known = model.categories[category.index];
+  matching = match_by_terms(terms, known.weights, std::move(matching), constrained);
+  state_confidences(known.confidence, matching);
+  constrain(constrained, matching);
+}
+
+std::optional<Correspondence_finder::Impl::Pair_votes>
+Correspondence_finder::Impl::votes_of(const Prepared_shape& target, const Pair_category& category, const Way& way,
+                                      Correspondence& result) const
+{
+  const Role_model_data& model = options_.roles->data();
+  if (category.index == model.categories.size()) {
+    result.warnings.push_back(category.note);
+    return std::nullopt;
+  }
+  const Pair_votes votes{prepared_source_.alignments_->roles(options_.roles, way.source_front)->votes(category.index),
+                         target.alignments_->roles(options_.roles, way.target_front)->votes(category.index)};
+  result.category = model.categories[category.index].name;
+  for (const Part_label& label : votes.source.labels)
+    result.source_roles.push_back(label.coarse);
+  for (const Part_label& label : votes.target.labels)
+    result.target_roles.push_back(label.coarse);
+  return votes;
+}
+
+} // namespace CGAL::Shape_correspondence

@@ -1,0 +1,160 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hand_made_graphs.h"
+#include "model_files.h"
+#include "program.h"
+
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+// The command blend from outside.
+
+using namespace CGAL::Shape_correspondence;
+using namespace model_files;
+using Catch::Matchers::Contains;
+using nlohmann::json;
+
+TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
+{
+  const Temporary_folder folder;
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
+  const std::string models =
+      "blend " + quoted(data + "/stool") + " " + quoted(data + "/stool") + " --abstraction boxes";
+  CHECK(run(models).status == 2); // no output
+  CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 1").status == 2);
+  CHECK(run(models + " -o " + quoted(folder.path("f")) + " --format stl").status == 2);
+  const std::string graph = graph_file(folder, "graph.json", hand_made::chair());
+  const Run refusal = run("blend " + quoted(graph) + " " + quoted(graph) + " -o " + quoted(folder.path("f")));
+  CHECK(refusal.status == 1);
+  CHECK_THAT(refusal.error, Contains("graph.json") && Contains("without surfaces"));
+  CHECK(folder.number_of_files() == 1);
+
+  const Run frames = run(models + " -o " + quoted(folder.path("f")) + " --frames 3 --json -");
+  CHECK(frames.status == 0);
+  CHECK(std::filesystem::exists(folder.path("f/frame_002.obj")));
+  const json report = json::parse(frames.out);
+  CHECK(report["format"] == "shape_correspondence/blend");
+  CHECK(report["frames"].size() == 3);
+  CHECK(report["schedules"].size() == 5);
+  CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 3").status == 1); // it is there already
+  CHECK(run(models + " -o " + quoted(folder.path("a.glb")) + " --frames 3 --quiet").status == 0);
+  CHECK(text_of(folder.path("a.glb")).substr(0, 4) == "glTF");
+  CHECK(run("blend " + quoted(graph) + " " + quoted(graph) + " -o " + quoted(folder.path("frames.obj"))).status == 2);
+  CHECK(run(models + " --quiet --frames 2 -o " + quoted(folder.path("b.html"))).status == 0);
+  const std::string page = text_of(folder.path("b.html"));
+  for (const char* id : {"match", "match.glb", "blend", "blend.glb"})
+    CHECK(page.find(std::string("id=\"") + id + "\">") != std::string::npos);
+}
+
+TEST_CASE("blend makes one shape, by one schedule or by all that differ, of a size that is asked for")
+{
+  const Temporary_folder folder;
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
+  const std::string models = "blend " + quoted(data + "/table_four_legged") + " " + quoted(data + "/table_trestle") +
+                             " --abstraction boxes --quiet --cache " + quoted(folder.path("cache")) + " -o ";
+  const auto out = [&](const std::string& name) { return models + quoted(folder.path(name)); };
+  CHECK(run(out("a.obj") + " --at 0.5 --size same").status == 0);
+  const std::string shape = text_of(folder.path("a.obj"));
+  CHECK(shape.find('~') != std::string::npos);
+  CHECK(run(out("a.ply") + " --at 0.5 --schedule all-at-once").status == 0);
+  CHECK(text_of(folder.path("a.ply")).substr(0, 3) == "ply");
+  CHECK(run(out("all") + " --at 0.5 --schedule all").status == 0);
+  int shapes = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder.path("all")))
+    shapes += file.path().extension() == ".obj";
+  CHECK(shapes > 1);
+  CHECK(run(out("b.obj") + " --at 1.5").status == 2);
+  CHECK(run(out("b") + " --at 0.5").status == 2); // one shape, no file
+  CHECK(run(out("b.glb") + " --schedule all").status == 2);
+  CHECK(run(out("b.glb") + " --schedule never").status == 2);
+  CHECK(run(out("b.glb") + " --size huge").status == 2);
+  // Nothing is believed: all shrinks and grows, and is told
+  const Run unsure = run(out("c.obj") + " --at 0.5 --min-confidence 1 --json -");
+  CHECK(unsure.status == 0);
+  const json report = json::parse(unsure.out);
+  for (const json& task : report["tasks"])
+    CHECK((task["task"] == "shrink" || task["task"] == "grow"));
+  CHECK_THAT(report["warnings"].dump(), Contains("--min-confidence"));
+  for (const auto& [measure, tolerance] : report["tolerances"].items())
+    CHECK(report["frames"][0]["quality"][measure] <= tolerance);
+}
+
+TEST_CASE("blend takes graphs whose parts name their meshes")
+{
+  const Temporary_folder folder;
+  const std::string model = std::string(SHAPE_CORRESPONDENCE_DATA_DIR) + "/stool", graph = folder.path("stool.json");
+  REQUIRE(run("graph " + quoted(model) + " -o " + quoted(graph) + " --abstraction boxes").status == 0);
+  json document = json::parse(text_of(graph));
+  std::filesystem::copy(model + "/parts", folder.path("meshes"));
+  for (json& part : document["parts"])
+    part["mesh"] = "meshes/" + part["name"].get<std::string>() + ".obj";
+  folder.write("stool.json", document.dump());
+  const auto blended = [&](const std::string& source, const std::string& out) {
+    return run("blend " + quoted(source) + " " + quoted(model) + " --abstraction boxes --frames 2 -o " +
+               quoted(folder.path(out)));
+  };
+  REQUIRE(blended(graph, "of_graph").status == 0);
+  REQUIRE(blended(model, "of_model").status == 0);
+  CHECK(text_of(folder.path("of_graph/frame_000.obj")) == text_of(folder.path("of_model/frame_000.obj")));
+
+  document["parts"][0].erase("mesh");
+  folder.write("stool.json", document.dump());
+  const Run some = blended(graph, "of_some");
+  CHECK(some.status == 1);
+  CHECK_THAT(some.error, Contains("stool.json") && Contains("\"mesh\""));
+  document["parts"][0]["mesh"] = "meshes/none.obj";
+  folder.write("stool.json", document.dump());
+  const Run missing = blended(graph, "of_none");
+  CHECK(missing.status == 1);
+  CHECK_THAT(missing.error, Contains("none.obj"));
+}
+
+TEST_CASE("blend takes a correspondence that was found before")
+{
+  const Temporary_folder folder;
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
+  const std::string models = quoted(data + "/chair_spindle") + " " + quoted(data + "/stool") + " --abstraction boxes";
+  const std::string result = folder.path("match.json"), other = folder.path("other.json");
+  REQUIRE(run("match " + models + " --json " + quoted(result)).status == 0);
+  const auto tasks = [&](const std::string& out, const std::string& options) {
+    const Run done = run("blend " + models + " -o " + quoted(folder.path(out)) + " --frames 2 --json - " + options);
+    REQUIRE(done.status == 0);
+    return json::parse(done.out)["tasks"];
+  };
+  CHECK(tasks("a", "--match " + quoted(result)) == tasks("b", ""));
+
+  json seats = json::parse(text_of(result));
+  seats["pairs"] = json::array({json::array({"saddle_seat", "round_board"})});
+  seats.erase("confidences");
+  folder.write("other.json", seats.dump());
+  const json of_seats = tasks("c", "--match " + quoted(other));
+  CHECK(std::count_if(of_seats.begin(), of_seats.end(), [](const json& task) { return task["task"] == "morph"; }) == 1);
+
+  // Below the default of --min-confidence, which is that they are more probably right than wrong, too
+  seats["confidences"] = {.49};
+  folder.write("other.json", seats.dump());
+  const auto morphs = [&](const std::string& out, const std::string& least) {
+    const json all = tasks(out, "--match " + quoted(other) + least);
+    return std::count_if(all.begin(), all.end(), [](const json& task) { return task["task"] == "morph"; });
+  };
+  CHECK(morphs("e", "") == 0);
+  CHECK(morphs("f", " --min-confidence .5") == 0);
+  CHECK(morphs("g", " --min-confidence .4") == 1);
+  seats["confidences"] = {.51};
+  folder.write("other.json", seats.dump());
+  CHECK(morphs("h", "") == 1);
+  seats.erase("confidences");
+
+  const std::string blend = "blend " + models + " -o " + quoted(folder.path("d"));
+  CHECK(run(blend + " --match " + quoted(result) + " --search beam").status == 2);
+  CHECK(run(blend + " --match " + quoted(folder.path("none.json"))).status == 1);
+  seats["pairs"][0][1] = "no_such_part";
+  folder.write("other.json", seats.dump());
+  const Run refusal = run(blend + " --match " + quoted(other));
+  CHECK(refusal.status == 1);
+  CHECK_THAT(refusal.error, Contains("other.json") && Contains("no_such_part") && Contains("stool"));
+}

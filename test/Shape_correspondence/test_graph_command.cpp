@@ -1,0 +1,155 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hand_made_graphs.h"
+#include "model_files.h"
+#include "program.h"
+
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <set>
+
+// The command graph from outside.
+
+using namespace CGAL::Shape_correspondence;
+using namespace model_files;
+using Catch::Matchers::Contains;
+using nlohmann::json;
+
+TEST_CASE("graph reads what it writes, over an older output")
+{
+  const Temporary_folder folder;
+  const std::string a = graph_file(folder, "a.json", hand_made::chair()), b = folder.write("b.json", "old");
+  CHECK(run("graph " + quoted(a) + " -o " + quoted(b)).status == 0);
+  CHECK(text_of(a) == text_of(b));
+  CHECK(folder.number_of_files() == 2);
+}
+
+TEST_CASE("A cache folder saves the abstraction, and is used only for the same model and options")
+{
+  const Temporary_folder folder;
+  const std::string table = folder.write("table.obj", obj_table());
+  const std::string command =
+      "match " + quoted(table) + " " + quoted(table) + " --json - --cache " + quoted(folder.path("cache"));
+  const auto result_of = [](const std::string& arguments) {
+    const Run done = run(arguments);
+    INFO(done.error);
+    REQUIRE(done.status == 0);
+    return json::parse(done.out);
+  };
+  json first = result_of(command), second = result_of(command);
+  CHECK(first["seconds"]["abstraction"] > 0);
+  CHECK(second["seconds"]["abstraction"] == 0);
+  CHECK(folder.number_of_files() == 2);
+  first.erase("seconds");
+  second.erase("seconds");
+  CHECK(first == second);
+  CHECK(result_of(command + " --kind curve")["seconds"]["abstraction"] > 0);
+  CHECK(folder.number_of_files() == 3);
+  const Run without = run("graph " + quoted(table) + " --cache " + quoted(table));
+  CHECK(without.status == 0);
+  CHECK_THAT(without.error, Contains("warning") && Contains("cache"));
+}
+
+TEST_CASE("Symmetries, contacts and the upright axis on demand")
+{
+  const Temporary_folder folder;
+  const std::string model = quoted(folder.write("table.obj", obj_table()));
+  const auto graph_of = [&](const std::string& options) {
+    const Run done = run("graph " + model + " --json - --abstraction boxes" + options);
+    INFO(done.error);
+    REQUIRE(done.status == 0);
+    return json::parse(done.out);
+  };
+  const auto sizes_of_groups = [](const json& graph) {
+    std::multiset<std::size_t> result;
+    for (const json& group : graph["groups"])
+      result.insert(group["parts"].size());
+    return result;
+  };
+  CHECK(sizes_of_groups(graph_of("")) == std::multiset<std::size_t>{1, 4});
+  CHECK(sizes_of_groups(graph_of(" --symmetries reflection")) == std::multiset<std::size_t>{1, 4});
+  CHECK(sizes_of_groups(graph_of(" --symmetries translation")) == std::multiset<std::size_t>{1, 2, 2});
+  CHECK(sizes_of_groups(graph_of(" --no-symmetry")) == std::multiset<std::size_t>{1, 1, 1, 1, 1});
+  CHECK(graph_of("")["contacts"].size() == 4);
+  CHECK(graph_of(" --contact-tolerance 0.5")["contacts"].size() == 8);
+
+  const json up = graph_of(" --up auto");
+  CHECK(up["up"] == graph_of("")["up"]);
+  CHECK_THAT(up["warnings"][0].get<std::string>(), Contains("upright axis was taken to be y"));
+}
+
+TEST_CASE("Files for graph tools")
+{
+  const Temporary_folder folder;
+  const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair()));
+  const std::string graphml = folder.path("g.graphml"), dot = folder.path("g.dot");
+  CHECK(run("graph " + a + " --quiet --graphml " + quoted(graphml) + " --dot " + quoted(dot)).status == 0);
+  CHECK_THAT(text_of(graphml), Contains("<graphml"));
+  CHECK_THAT(text_of(dot), Contains("graph"));
+  CHECK(run("graph " + a + " --graphml " + quoted(folder.path("no/folder.graphml"))).status == 1);
+  const Run xml = run("graph " + quoted(folder.write("g.xml", "<document/>")) + " --up auto");
+  CHECK(xml.status == 1);
+  CHECK_THAT(xml.error, Contains("--up x, y or z"));
+}
+
+TEST_CASE("Kinds and bounding boxes on demand")
+{
+  const Temporary_folder folder;
+  const std::string model = quoted(folder.write("table.obj", obj_table()));
+  const std::string graph = "graph " + model + " --json - --abstraction boxes";
+  const auto types = [&](const std::string& options) {
+    std::map<std::string, std::string> result;
+    const json document = json::parse(run(graph + options).out);
+    for (const json& part : document["parts"])
+      result[part["name"]] = part["type"];
+    return result;
+  };
+  CHECK(types("")["leg_1"] == "curve");
+  CHECK(types(" --kind sheet")["leg_1"] == "sheet");
+  CHECK(types(" --kind sheet --part-kind leg_1=curve")["leg_1"] == "curve");
+  CHECK(types(" --part-kind leg_1=sheet")["leg_2"] == "curve");
+  for (const std::string& command : {"graph " + model, "label " + model, "match " + model + " " + model}) {
+    const Run unknown = run(command + " --abstraction boxes --part-kind leg_9=curve");
+    CHECK(unknown.status == 2);
+    CHECK_THAT(unknown.error, Contains("no part 'leg_9'; did you mean 'leg_"));
+  }
+}
+
+TEST_CASE("Ways of abstraction by their names")
+{
+  const Temporary_folder folder;
+  const std::string graph = "graph " + quoted(folder.write("table.obj", obj_table())) + " --json - --abstraction ";
+  const auto method_of_top = [&](const std::string& abstraction) -> std::string {
+    const json document = json::parse(run(graph + abstraction).out);
+    for (const json& part : document["parts"])
+      if (part["name"] == "top") return part["abstraction"]["method"];
+    return "";
+  };
+  CHECK(method_of_top("flow") == "meso_skeleton");
+  CHECK(method_of_top("fitted") == "medial_axis");
+  CHECK(method_of_top("boxes") == "bounding_box");
+}
+
+TEST_CASE("A model of one file through the program")
+{
+  const Temporary_folder folder;
+  const std::string table = folder.write("table.obj", obj_table());
+  const std::string graph = folder.path("table.json");
+  const Run written = run("graph " + quoted(table) + " -o " + quoted(graph) + " --progress always --threads 2");
+  INFO(written.error);
+  REQUIRE(written.status == 0);
+  CHECK_THAT(written.error, Contains("part 5 of 5"));
+  CHECK_THAT(written.out, Contains("leg_1"));
+  const Run single = run("graph " + quoted(table) + " --json - --threads 1");
+  CHECK(single.out == text_of(graph));
+  const Run self = run("match " + quoted(table) + " " + quoted(graph) + " --json -");
+  REQUIRE(self.status == 0);
+  CHECK(json::parse(self.out)["energy"].get<double>() == Approx(0).margin(1e-9));
+  CHECK(json::parse(self.out)["pairs"].size() == 5);
+}
