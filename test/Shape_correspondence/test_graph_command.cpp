@@ -132,7 +132,7 @@ TEST_CASE("Ways of abstraction by their names")
     return "";
   };
   CHECK(method_of_top("flow") == "meso_skeleton");
-  CHECK(method_of_top("fitted") == "medial_axis");
+  CHECK(method_of_top("fitted") == "prism");
   CHECK(method_of_top("boxes") == "bounding_box");
 }
 
