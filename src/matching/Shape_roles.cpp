@@ -220,7 +220,7 @@ Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weight
 {
   const auto m = std::size_t(geometric.costs.cols());
   Eigen::ArrayXd probable = probabilities(terms, weights);
-  for (const auto& [i, j] : same_parts(geometric, options.whole))
+  for (const auto& [i, j] : same_parts(geometric, options.tolerance))
     for (std::size_t k = 0; k < std::size_t(probable.size()); ++k)
       if ((k / m == i) != (k % m == j)) probable[Eigen::Index(k)] = 0;
   for (std::size_t k = 0; !constraints.empty() && k < std::size_t(probable.size()); ++k) {

@@ -85,7 +85,7 @@ Pair_terms with_geometric_terms(Pair_terms role_terms, const Part_matching& geom
 
 // The geometric match with the pairs of greatest expected F1 in place of its own, by source, then target, and with the
 // probabilities of all pairs, which are the confidences. Parts that the geometric match takes for the same part, at
-// no more than `Part_matching_options::whole`, correspond to each other only: however many parts have the same label, a shape corresponds to itself
+// no more than `Part_matching_options::tolerance`, correspond to each other only: however many parts have the same label, a shape corresponds to itself
 // part by part. Pinned pairs are certain, others of their parts impossible.
 Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weights, Part_matching geometric,
                              const Match_constraints& constraints = {},

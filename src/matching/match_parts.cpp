@@ -70,7 +70,7 @@ bool are_same_parts(const Block& block, const Match_matrix& confident, const Eig
   for (std::size_t i : block.source)
     for (std::size_t j : block.target)
       if (confident(Eigen::Index(i), Eigen::Index(j)) &&
-          quantized(costs(Eigen::Index(i), Eigen::Index(j))) > quantized(options.whole))
+          quantized(costs(Eigen::Index(i), Eigen::Index(j))) > quantized(options.tolerance))
         return false;
   return true;
 }

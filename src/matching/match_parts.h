@@ -34,7 +34,7 @@ bool comes_first(const Aligned_shape& a, const Aligned_shape& b);
 /// block with as many parts of either shape keeps its pairs (four legs and four legs); of one with different numbers
 /// every part corresponds to every other (a back of five slats and one of seven; a pedestal and four legs), as in a
 /// block with a panel, whose parts have no places of their own, unless they pair one to one at no more than
-/// `Part_matching_options::whole`: those are the same parts.
+/// `Part_matching_options::tolerance`: those are the same parts.
 ///
 /// The supports of the shapes (`Part_assemblies::support`) are matched as sets, and with nothing else, unless their
 /// parts pair one to one, but for some that stand on the ground apart from the others (a ladder beside the legs of a
