@@ -165,8 +165,8 @@ std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, in
   std::array<long, 4> agreement{};
   for (std::size_t turn = 0; turn < 4; ++turn)
     agreement[turn] = quantized(agreement_of_trees(*shape[turn], category, trees));
-  const long least = *std::max_element(agreement.begin(), agreement.end()) +
-                     quantized(std::log(1 - options.clearly_better));
+  const long least =
+      *std::max_element(agreement.begin(), agreement.end()) + quantized(std::log(1 - options.clearly_better));
   std::vector<int> result;
   for (int turn = 0; turn < 4; ++turn)
     if (agreement[std::size_t(turn)] >= least) result.push_back(turn);

@@ -437,8 +437,8 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
     return;
   }
   const auto& [source, of_target] = *votes;
-  const Pair_terms terms = with_geometric_terms(
-      role_terms(source, source_->original, of_target, aligned_target.original), matching);
+  const Pair_terms terms =
+      with_geometric_terms(role_terms(source, source_->original, of_target, aligned_target.original), matching);
   const Match_constraints constrained = constraints(*source_, aligned_target);
   const Category_roles& known = model.categories[category.index];
   matching = match_by_terms(terms, known.weights, std::move(matching), constrained, options_.parts);

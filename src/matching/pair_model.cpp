@@ -14,8 +14,8 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr double largest_excess = 5; // cost: what is far off is not less likely than what is farther
-constexpr int newton_steps = 15;      // at most
+constexpr double largest_excess = 5;   // cost: what is far off is not less likely than what is farther
+constexpr int newton_steps = 15;       // at most
 constexpr double newton_change = 1e-9; // of a weight: less is the end, as the next step would be far smaller
 
 } // namespace
