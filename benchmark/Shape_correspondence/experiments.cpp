@@ -48,7 +48,7 @@ of shapes of a category are matched, or those of DATA/pairs.json: [[CATEGORY, SO
   abstraction  methods of part abstraction: deviation from structure.json, kinds, residual, scores, seconds
   ablation     the default method without each of its costs and rules; also by halves of the shapes
   fit          the constants of the default method without roles, fitted to DATA and FURTHER_DATA by coordinate descent from
-               the present values, and judged on the category that the fit does not see; FOLDER/Part_matching_options.h
+               the present values, and tested on the category that the fit does not see; FOLDER/Part_matching_options.h
   constants    the default method with and without roles, with every constant changed and every rule switched off; roles
                are learned from all shapes but the two
   pose         the default method on shapes turned about the up axis

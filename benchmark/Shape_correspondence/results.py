@@ -33,7 +33,7 @@ EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
     ("figure19", 8, "Figure 19: quality of the segmentation against energy"),
     ("abstraction", 20, "Methods of part abstraction: deviations from the true curves and sheets, and F1 of matching"),
     ("ablation", 0, "The default method without each of its costs and rules"),
-    ("fit", 0, "Constants of the default method without roles, fitted, and judged on the category left out"),
+    ("fit", 15, "Constants of the default method without roles, fitted, and judged on the category left out"),
     ("constants", 0, "The default method with every constant changed and every rule switched off, without and with roles"),
     ("pose", 0, "Shapes turned about the up axis"),
     ("reliability", 0, "Confidences: how often pairs of a confidence are right"),

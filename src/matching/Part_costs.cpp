@@ -95,7 +95,8 @@ Eigen::MatrixXd part_costs(const Normalized_shape& source, const Normalized_shap
   return ranked_part_costs(source, target, options);
 }
 
-Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target, const Part_matching_options& options)
+Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
+                           const Part_matching_options& options)
 {
   return part_costs(normalized_shape(source, part_assemblies(source, options), options),
                     normalized_shape(target, part_assemblies(target, options), options), options);

@@ -20,7 +20,8 @@ namespace CGAL::Shape_correspondence {
 ///
 /// The boxes are compared as they are and after either shape was warped towards the other, axis by axis, where the most
 /// alike parts ask for it; the three are averaged. A group of `repetition` parts or more, or a panel
-/// (`Part_assemblies`), may cost less as a whole (legs for a pedestal, slats for a board). O(n m k²) for n and m parts with k = `surface_samples` points each.
+/// (`Part_assemblies`), may cost less as a whole (legs for a pedestal, slats for a board). O(n m k²) for n and m parts
+/// with k = `surface_samples` points each.
 Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
                            const Part_matching_options& options = {});
 

@@ -165,8 +165,8 @@ std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, in
   std::array<long, 4> agreement{};
   for (std::size_t turn = 0; turn < 4; ++turn)
     agreement[turn] = quantized(agreement_of_trees(*shape[turn], category, trees));
-  const long least = *std::max_element(agreement.begin(), agreement.end()) +
-                     quantized(std::log(1 - options.clearly_better));
+  const long least =
+      *std::max_element(agreement.begin(), agreement.end()) + quantized(std::log(1 - options.clearly_better));
   std::vector<int> result;
   for (int turn = 0; turn < 4; ++turn)
     if (agreement[std::size_t(turn)] >= least) result.push_back(turn);
@@ -220,7 +220,7 @@ Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weight
 {
   const auto m = std::size_t(geometric.costs.cols());
   Eigen::ArrayXd probable = probabilities(terms, weights);
-  for (const auto& [i, j] : same_parts(geometric, options.whole))
+  for (const auto& [i, j] : same_parts(geometric, options.tolerance))
     for (std::size_t k = 0; k < std::size_t(probable.size()); ++k)
       if ((k / m == i) != (k % m == j)) probable[Eigen::Index(k)] = 0;
   for (std::size_t k = 0; !constraints.empty() && k < std::size_t(probable.size()); ++k) {

@@ -75,8 +75,8 @@ Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& t
 // Cosine of the votes for the roles of every source part and every target part.
 Eigen::MatrixXd agreement_of_votes(const Role_votes& source, const Role_votes& target);
 
-// What roles tell of all pairs of parts, source by source. `source_parts`, `target_parts`: the rows of the votes that the
-// parts of the match have.
+// What roles tell of all pairs of parts, source by source. `source_parts`, `target_parts`: the rows of the votes that
+// the parts of the match have.
 Pair_terms role_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,
                       const std::vector<std::size_t>& target_parts);
 
@@ -85,11 +85,10 @@ Pair_terms with_geometric_terms(Pair_terms role_terms, const Part_matching& geom
 
 // The geometric match with the pairs of greatest expected F1 in place of its own, by source, then target, and with the
 // probabilities of all pairs, which are the confidences. Parts that the geometric match takes for the same part, at
-// no more than `Part_matching_options::whole`, correspond to each other only: however many parts have the same label, a shape corresponds to itself
-// part by part. Pinned pairs are certain, others of their parts impossible.
+// no more than `Part_matching_options::tolerance`, correspond to each other only: however many parts have the same
+// label, a shape corresponds to itself part by part. Pinned pairs are certain, others of their parts impossible.
 Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weights, Part_matching geometric,
-                             const Match_constraints& constraints = {},
-                             const Part_matching_options& options = {});
+                             const Match_constraints& constraints = {}, const Part_matching_options& options = {});
 
 // Puts how likely the pairs are right in the place of their probabilities.
 void state_confidences(const Confidence_weights& weights, Part_matching& matching);

@@ -65,8 +65,7 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
 
 long alignment_cost(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& target)
 {
-  return quantized(mean_least_cost(matching.costs) +
-                   std::abs(log_proportion(source) - log_proportion(target)));
+  return quantized(mean_least_cost(matching.costs) + std::abs(log_proportion(source) - log_proportion(target)));
 }
 
 std::vector<Part_correspondence> original_pairs(const Part_matching& matching, const Aligned_shape& source,

@@ -106,7 +106,8 @@ Eigen::MatrixXd costs_after_warping(const Boxes& a, const Boxes& b, const Eigen:
   const Eigen::MatrixXd given = costs_of_boxes(a, b, options);
   const Anchors there = anchors_of(a, b, costs_of_kind + given, options.anchor),
                 back{there.to, there.from, there.weights};
-  const Eigen::MatrixXd source_warped = costs_of_boxes(warped(a, there, options.warp_width, options.anchor), b, options);
+  const Eigen::MatrixXd source_warped =
+      costs_of_boxes(warped(a, there, options.warp_width, options.anchor), b, options);
   const Eigen::MatrixXd target_warped = costs_of_boxes(a, warped(b, back, options.warp_width, options.anchor), options);
   return costs_of_kind + (given + (source_warped + target_warped)) / 3;
 }

@@ -215,7 +215,8 @@ public:
 
   // Both shapes turned by angles that are drawn by the number of the pair. \param weights, confidence of the category
   Turned_match turned_match(const Validation_pair& pair, std::size_t number, const Validation_options& options,
-                            const Part_matching_options& parts, const Pair_weights& weights, const Confidence_weights& confidence) const
+                            const Part_matching_options& parts, const Pair_weights& weights,
+                            const Confidence_weights& confidence) const
   {
     auto [told, data] = left_out_model(pair, number, options);
     for (Category_roles& category : data.categories) {
@@ -348,8 +349,7 @@ void Role_validation::match(const Part_matching_options& parts)
     const auto& [source, target] = pairs_[i].shapes;
     geometric[i] = geometric_match(*shapes_[source].labelled.graph, *shapes_[target].labelled.graph, parts);
     if (seen[i].told.rows() > 0)
-      examples_[i] =
-          judged_terms(with_geometric_terms(seen[i].told, geometric[i]), seen[i].truth, seen[i].target_size);
+      examples_[i] = judged_terms(with_geometric_terms(seen[i].told, geometric[i]), seen[i].truth, seen[i].target_size);
   });
 
   std::map<std::string, Pair_weights> of_others;

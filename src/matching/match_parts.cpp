@@ -20,9 +20,9 @@ namespace {
 void check(const Part_matching_options& options)
 {
   const Part_cost_weights& w = options.weights;
-  for (double value : {w.overlap, w.extent, w.ground, w.place, w.orientation, w.chamfer, options.whole,
-                       options.excess, options.confident_excess, options.shared_counterpart, options.main_surface,
-                       options.side_depth, options.wall_width})
+  for (double value : {w.overlap, w.extent, w.ground, w.place, w.orientation, w.chamfer, options.whole, options.excess,
+                       options.confident_excess, options.shared_counterpart, options.main_surface, options.side_depth,
+                       options.wall_width})
     if (!(value >= 0) || !std::isfinite(value))
       throw Invalid_input("match_parts: the weights and bounds of costs must be finite and not negative");
   for (double value : {options.tolerance, options.anchor, options.warp_width})
@@ -70,7 +70,7 @@ bool are_same_parts(const Block& block, const Match_matrix& confident, const Eig
   for (std::size_t i : block.source)
     for (std::size_t j : block.target)
       if (confident(Eigen::Index(i), Eigen::Index(j)) &&
-          quantized(costs(Eigen::Index(i), Eigen::Index(j))) > quantized(options.whole))
+          quantized(costs(Eigen::Index(i), Eigen::Index(j))) > quantized(options.tolerance))
         return false;
   return true;
 }
@@ -151,8 +151,7 @@ Match_matrix matched(const Eigen::MatrixXd& costs, const Shape_features& source,
 {
   const Match_matrix confident = pairs_within(costs, options.confident_excess);
   Match_matrix pairs = pairs_within(costs, options.excess);
-  complete_blocks(joined_blocks(confident, source, target, options), confident, costs, source, target, options,
-                  pairs);
+  complete_blocks(joined_blocks(confident, source, target, options), confident, costs, source, target, options, pairs);
   if (support_as_sets(confident, source.assemblies, target.assemblies)) {
     separate_supports(source, target, pairs);
     match_all(source.assemblies.legs, target.assemblies.legs, pairs);

@@ -34,11 +34,12 @@ bool comes_first(const Aligned_shape& a, const Aligned_shape& b);
 /// block with as many parts of either shape keeps its pairs (four legs and four legs); of one with different numbers
 /// every part corresponds to every other (a back of five slats and one of seven; a pedestal and four legs), as in a
 /// block with a panel, whose parts have no places of their own, unless they pair one to one at no more than
-/// `Part_matching_options::whole`: those are the same parts.
+/// `Part_matching_options::tolerance`: those are the same parts.
 ///
 /// The supports of the shapes (`Part_assemblies::support`) are matched as sets, and with nothing else, unless their
 /// parts pair one to one, but for some that stand on the ground apart from the others (a ladder beside the legs of a
-/// bed). Where one of the two shapes has a chain, it hangs, and is turned over. Pinned pairs are in the result, with confidence 1; pairs that are not allowed are not.
+/// bed). Where one of the two shapes has a chain, it hangs, and is turned over. Pinned pairs are in the result, with
+/// confidence 1; pairs that are not allowed are not.
 ///
 /// Deterministic; the source and the target have the same standing. O(n m k²) as `part_costs()`, and O(b³) for b
 /// blocks. \throw Invalid_input if a weight or an option is negative or not finite

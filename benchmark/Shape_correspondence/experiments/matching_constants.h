@@ -62,11 +62,10 @@ inline const std::vector<Matching_constant>& matching_constants()
        "Frobenius distance of the normalized square roots of the covariances of the surfaces"},
       {"chamfer", &W::chamfer, true, "mean distance of points of either surface from the other one"},
       {"whole", &O::whole, true,
-       "Cost. Added where a part corresponds to a panel or a regular arrangement as a whole. Parts that pair one to "
-       "one at no more than this cost are the same."},
+       "Cost. Added where a part corresponds to a panel or a regular arrangement as a whole."},
       {"tolerance", &O::tolerance, true,
        "Length. What is shorter is as good as 0: added to the sides of bounding boxes, and the height up to which a "
-       "part stands on the ground."},
+       "part stands on the ground. Parts that pair one to one at no more than this cost are the same."},
       {"anchor", &O::anchor, true,
        "Likelihood, in [0, 1]. Pairs above it warp one shape towards the other; staying in place has this weight."},
       {"warp_width", &O::warp_width, true, "Length. Standard deviation of the influence of such a pair."},

@@ -45,11 +45,10 @@ struct Part_cost_weights
 struct Part_matching_options
 {
   Part_cost_weights weights; ///< weights of the terms of a cost
-  /// Cost. Added where a part corresponds to a panel or a regular arrangement as a whole. Parts that pair one to one at
-  /// no more than this cost are the same.
+  /// Cost. Added where a part corresponds to a panel or a regular arrangement as a whole.
   double whole = 1;
   /// Length. What is shorter is as good as 0: added to the sides of bounding boxes, and the height up to which a part
-  /// stands on the ground.
+  /// stands on the ground. Parts that pair one to one at no more than this cost are the same.
   double tolerance = 0.03;
   /// Likelihood, in [0, 1]. Pairs above it warp one shape towards the other; staying in place has this weight.
   double anchor = 0.2;
