@@ -155,11 +155,15 @@ Named_correspondence read_correspondence_json(const std::string& file)
     const std::vector<Json_field> names = pair.elements(2, "a pair of part names");
     result.pairs.push_back({names[0].text(), names[1].text()});
   }
-  if (root.has("target_quarter_turns")) result.target_quarter_turns = root["target_quarter_turns"].integer();
+  if (root.has("target_quarter_turns")) {
+    result.target_quarter_turns = root["target_quarter_turns"].integer();
+    if (result.target_quarter_turns < 0 || result.target_quarter_turns > 3)
+      root["target_quarter_turns"].fail("is not 0, 1, 2 or 3");
+  }
   if (!root.has("confidences")) return result;
   auto pair = result.pairs.begin();
   for (const Json_field& confidence : root["confidences"].elements(result.pairs.size(), "a confidence for each pair"))
-    pair++->confidence = confidence.number_at_least_0();
+    if ((pair++->confidence = confidence.number_at_least_0()) > 1) confidence.fail("is greater than 1");
   return result;
 }
 

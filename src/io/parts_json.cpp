@@ -42,8 +42,9 @@ Part_split split_parts_by_json(const Segmented_shape& objects, const std::string
   for (const Json_field& entry : document["pieces"].elements())
     if (!part_of_piece.emplace(entry["piece"].text(), entry["part"].text()).second)
       entry["piece"].fail("names a piece that is listed before");
+  const bool by_segments = document["segments"].boolean();
   try {
-    return split_parts(objects, part_of_piece, document["segments"].boolean());
+    return split_parts(objects, part_of_piece, by_segments);
   } catch (const Invalid_input& error) {
     throw Invalid_input(path + ": " + error.what() +
                         "; write the list anew with `shape_correspondence graph "

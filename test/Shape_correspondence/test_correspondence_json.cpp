@@ -6,6 +6,7 @@
 #include "hand_made_graphs.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <catch2/catch.hpp>
 
@@ -117,5 +118,34 @@ TEST_CASE("A correspondence that was written is read: its pairs by name, with co
     CHECK(read.target_quarter_turns == 2);
     CHECK_THROWS_WITH(IO::correspondence_of(named, target, source, file), Catch::Contains("does not have"));
   }
+  std::remove(file.c_str());
+}
+
+TEST_CASE("Correspondences with turns, confidences or pairs that make no sense are refused")
+{
+  const std::string file = "test_correspondence_json_refused.json";
+  Correspondence c = back_splits();
+  for (Part_correspondence& pair : c.pairs)
+    pair.confidence = 0.5;
+  const json good = written(c);
+  const auto complaint = [&](const char* key, const json& value) {
+    json changed = good;
+    changed[key] = value;
+    std::ofstream(file) << changed;
+    try {
+      IO::read_correspondence_json(file);
+    } catch (const Invalid_input& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(complaint("target_quarter_turns", 3).empty());
+  for (int turns : {-1, 4, 99})
+    CHECK(complaint("target_quarter_turns", turns) == file + ": target_quarter_turns is not 0, 1, 2 or 3");
+  CHECK(complaint("confidences", {0, 1, 0.5}).empty());
+  CHECK(complaint("confidences", {0.5, 0.5, 1.1}) == file + ": confidences[2] is greater than 1");
+  CHECK(complaint("confidences", {0.5, -0.5, 0}) == file + ": confidences[1] is negative");
+  CHECK(!complaint("confidences", {0.5}).empty());
+  CHECK(!complaint("pairs", {{"seat"}}).empty());
   std::remove(file.c_str());
 }
