@@ -22,9 +22,12 @@ void check(const Part_matching_options& options)
   const Part_cost_weights& w = options.weights;
   for (double value : {w.overlap, w.extent, w.ground, w.place, w.orientation, w.chamfer, options.whole, options.excess,
                        options.confident_excess, options.shared_counterpart, options.main_surface, options.side_depth,
-                       options.wall_width})
+                       options.wall_width, options.category_ratio, options.category_distance, options.clearly_better})
     if (!(value >= 0) || !std::isfinite(value))
       throw Invalid_input("match_parts: the weights and bounds of costs must be finite and not negative");
+  if (options.clearly_better > 1)
+    throw Invalid_input("match_parts: a front or an alignment cannot be better by more than all, a share of 1");
+  if (options.repetition < 2) throw Invalid_input("match_parts: a regular arrangement has two parts or more");
   for (double value : {options.tolerance, options.anchor, options.warp_width})
     if (!(value > 0) || !std::isfinite(value))
       throw Invalid_input("match_parts: the tolerance, the anchor and the width of warps must be finite and above 0");

@@ -14,7 +14,6 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr double largest_excess = 5;   // cost: what is far off is not less likely than what is farther
 constexpr int newton_steps = 15;       // at most
 constexpr double newton_change = 1e-9; // of a weight: less is the end, as the next step would be far smaller
 
@@ -42,8 +41,7 @@ Eigen::MatrixXd excess_of_pairs(const Eigen::MatrixXd& costs)
   Eigen::MatrixXd result(costs.rows(), costs.cols());
   for (Eigen::Index j = 0; j < costs.cols(); ++j)
     for (Eigen::Index i = 0; i < costs.rows(); ++i)
-      result(i, j) =
-          std::min(largest_excess, costs(i, j) - of_source[i]) + std::min(largest_excess, costs(i, j) - of_target[j]);
+      result(i, j) = 2 * costs(i, j) - of_source[i] - of_target[j];
   return result;
 }
 

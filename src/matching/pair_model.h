@@ -18,7 +18,7 @@ enum Pair_term : int {
   SAME_ROLE,      // 1 or 0: the likeliest roles of the two parts are the same
   VOTES_AGREE,    // cosine of the votes for the roles of the two parts
   GEOMETRIC_PAIR, // 1 or 0: the geometric match has the pair
-  EXCESS,         // how much more the pair costs than the best one of either part, added; at most `largest_excess` each
+  EXCESS,         // how much more the pair costs than the best one of either part, added
   CONSTANT,       // 1
   PAIR_TERM_COUNT
 };

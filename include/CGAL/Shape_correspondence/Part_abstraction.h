@@ -65,10 +65,10 @@ struct Abstraction_report
     MESO_SKELETON, ///< the meso-skeleton, by mean curvature flow until little of the enclosed volume is left
     MEDIAL_AXIS,   ///< the medial axis
     AXIS,          ///< none: the axis of a body of revolution or of a block
+    PRISM,         ///< none: the axis or the middle layer of a prism whose faces show it, such as a box or a cylinder
     BOUNDING_BOX,  ///< the bounding box
     COPY,          ///< none: the abstraction of a congruent part, moved
-    GIVEN,         ///< unknown: from a file or another abstractor
-    PRISM          ///< none: the axis or the middle layer of a prism that the faces show, as a box or a cylinder
+    GIVEN          ///< unknown: from a file or another abstractor
   };
   /// How the surface of a part was closed.
   enum class Repair {
