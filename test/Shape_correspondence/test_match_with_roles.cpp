@@ -1,0 +1,178 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Roles in the matching of parts, in the energy, and in the search for fronts.
+#include "labelled_furniture.h"
+#include "matching/Shape_roles.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+
+#include <catch2/catch.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+using namespace CGAL::Shape_correspondence;
+using namespace labelled_furniture;
+using namespace CGAL::Shape_correspondence::internal;
+using Catch::Matchers::Contains;
+
+TEST_CASE("Labels are transferred to the parts that correspond most probably")
+{
+  const Furniture a = shelf(0.06, 3), b = shelf(0.1, 5);
+  Search_options options;
+  for (const bool with_roles : {true, false}) {
+    if (with_roles)
+      options.roles = std::make_shared<const Role_model>(train_role_model(labelled(examples())));
+    else
+      options.roles = nullptr;
+    const std::vector<Transferred_label> labels =
+        Correspondence_finder(a.graph, options).transfer_labels(a.labels, Prepared_shape(b.graph));
+    REQUIRE(labels.size() == b.labels.size());
+    const Correspondence match = find_correspondence(a.graph, b.graph, options);
+    for (std::size_t part = 0; part < labels.size(); ++part) {
+      CHECK(labels[part].label.coarse == b.labels[part].coarse);
+      CHECK(labels[part].label.fine == b.labels[part].fine);
+      double most = 0;
+      for (const Part_correspondence& pair : match.pairs)
+        if (pair.target == part) most = std::max(most, pair.confidence);
+      if (most > 0) CHECK(labels[part].confidence == most);
+    }
+  }
+  const Correspondence_finder finder(a.graph, options);
+  CHECK_THROWS_WITH(finder.transfer_labels({}, Prepared_shape(b.graph)), Contains("0 labels of 5 parts"));
+  options.method = Search_method::EXACT;
+  CHECK_THROWS_WITH(Correspondence_finder(a.graph, options).transfer_labels(a.labels, Prepared_shape(b.graph)),
+                    Contains("Search_method::PARTS"));
+  options.method = Search_method::PARTS;
+  options.target_parts = {0, 2};
+  const auto some = Correspondence_finder(a.graph, options).transfer_labels(a.labels, Prepared_shape(b.graph));
+  CHECK(some[0].label.coarse == "side");
+  CHECK(some[1].label.coarse.empty());
+}
+
+TEST_CASE("Roles joined to the energy")
+{
+  const Furniture a = shelf(0.06, 3), b = shelf(0.1, 5);
+  const auto model = std::make_shared<const Role_model>(train_role_model(labelled(examples())));
+  for (const Search_method method : {Search_method::EXACT, Search_method::BEAM}) {
+    Search_options options;
+    options.method = method;
+    const Correspondence without = find_correspondence(a.graph, b.graph, options);
+    options.roles = model;
+    const Correspondence off = find_correspondence(a.graph, b.graph, options); // the weight is 0
+    CHECK(off.pairs == without.pairs);
+    CHECK(off.energy == without.energy);
+    CHECK(off.category.empty());
+    options.matching.weights.roles = 100; // decides alone
+    const Correspondence with = find_correspondence(a.graph, b.graph, options);
+    CHECK(with.category == "shelf");
+    CHECK(with.source_roles == roles(a.labels));
+    for (const Part_correspondence& pair : with.pairs)
+      CHECK(a.labels[pair.source].coarse == b.labels[pair.target].coarse);
+    CHECK(with.terms.roles < 0.1);
+    CHECK(with.energy == Approx(deformation_energy(with.terms, options.matching.weights)));
+    // From either shape
+    const Correspondence back = find_correspondence(b.graph, a.graph, options);
+    CHECK(back.energy == Approx(with.energy));
+    // No model, nothing to charge
+    options.roles = nullptr;
+    CHECK(find_correspondence(a.graph, b.graph, options).energy == without.energy);
+    options.matching.role_costs = Eigen::MatrixXd::Zero(2, 2);
+    CHECK_THROWS_WITH(find_correspondence(a.graph, b.graph, options), Contains("2 x 2"));
+    options.matching.role_costs = Eigen::MatrixXd::Constant(5, 7, 1.5);
+    CHECK_THROWS_WITH(find_correspondence(a.graph, b.graph, options), Contains("between 0 and 1"));
+    options.matching.weights.roles = -1;
+    CHECK_THROWS_WITH(find_correspondence(a.graph, b.graph, options), Contains("weight of roles"));
+  }
+}
+
+TEST_CASE("Matching with roles")
+{
+  Search_options options;
+  options.roles = std::make_shared<const Role_model>(train_role_model(labelled(examples())));
+  const Furniture a = shelf(0.06, 3), b = shelf(0.1, 5);
+  const Correspondence ab = find_correspondence(a.graph, b.graph, options),
+                       ba = find_correspondence(b.graph, a.graph, options);
+  CHECK(ab.category == "shelf");
+  CHECK(ab.source_roles == roles(a.labels));
+  CHECK(ab.target_roles == roles(b.labels));
+
+  // Every board with every board, and sides with sides only
+  std::size_t boards = 0;
+  for (const Part_correspondence& pair : ab.pairs) {
+    CHECK(a.labels[pair.source].coarse == b.labels[pair.target].coarse);
+    CHECK(a.labels[pair.source].fine == b.labels[pair.target].fine);
+    boards += a.labels[pair.source].coarse == "board";
+  }
+  CHECK(boards == 15);
+
+  // Neither shape comes first
+  std::vector<Part_correspondence> inverted;
+  for (const Part_correspondence& pair : ba.pairs)
+    inverted.push_back(inverse(pair));
+  std::sort(inverted.begin(), inverted.end(), is_before);
+  CHECK(ab.pairs == inverted);
+
+  // A shape of no known category is matched by geometry alone, and says so
+  options.category = "";
+  const Furniture rods =
+      furniture("rods", {box("a", {-9, 0, 0}, {9, 0.1, 0.1}), box("b", {-9, 6, 0}, {-3, 6.1, 9})}, {});
+  const Correspondence unknown = find_correspondence(rods.graph, rods.graph, options),
+                       geometric = find_correspondence(rods.graph, rods.graph);
+  CHECK(unknown.category.empty());
+  CHECK(unknown.pairs == geometric.pairs);
+  REQUIRE(!unknown.warnings.empty());
+  CHECK_THAT(unknown.warnings.back(), Contains("geometry alone"));
+  options.category = "boat";
+  CHECK_THROWS_AS(find_correspondence(a.graph, b.graph, options), Invalid_input);
+}
+
+TEST_CASE("The fronts of shapes of a known category are found by the roles of their parts")
+{
+  Search_options options;
+  options.roles = std::make_shared<const Role_model>(train_role_model(labelled(examples())));
+  options.alignments = 0;
+  const Furniture source = chair(0.17, 1.9);
+  Furniture target = chair(0.22, 2.1);
+  const Eigen::Matrix3d quarter = Eigen::AngleAxisd(EIGEN_PI / 2, Point::UnitY()).toRotationMatrix();
+  for (int turn = 0; turn < 4; ++turn) {
+    INFO(turn);
+    for (const bool swap : {false, true}) {
+      const Furniture &a = swap ? target : source, &b = swap ? source : target;
+      const Correspondence found = find_correspondence(a.graph, b.graph, options);
+      CHECK(found.category == "chair");
+      CHECK(found.pairs.size() == 6);
+      for (const Part_correspondence& pair : found.pairs)
+        CHECK(a.labels[pair.source].fine == b.labels[pair.target].fine);
+    }
+    for (Part_abstraction& part : structure(target.graph).parts) {
+      Points& line = std::get<Curve>(part.geometry).points;
+      line = (quarter * line).eval();
+      part.surface = (quarter * part.surface).eval();
+    }
+  }
+}
+
+TEST_CASE("A shape between two categories is of neither, a shape like one of them is of that one")
+{
+  std::deque<Furniture> shapes = examples();
+  std::vector<Labelled_graph> twice = labelled(shapes);
+  const std::size_t count = twice.size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (twice[i].category == "chair") {
+      twice.push_back(twice[i]);
+      twice.back().category = "seat";
+    }
+  const Role_model model = train_role_model(twice);
+  const Furniture usual = chair(0.17, 1.9),
+                  odd = furniture("odd", {box("a", {-9, 0, 0}, {9, 0.1, 0.1}), box("b", {-9, 6, 0}, {-3, 6.1, 9})}, {});
+  CHECK(part_roles(usual.graph, model).category == "chair"); // the first of equals, since it is near
+  CHECK(part_roles(odd.graph, model).category.empty());      // it is as far from chairs as from seats
+}

@@ -1,0 +1,147 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The commands roles and label, and roles in the others, from outside.
+#include "labelled_furniture.h"
+#include "model_files.h"
+#include "program.h"
+
+#include <CGAL/Shape_correspondence/IO/role_model.h>
+
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+
+using namespace CGAL::Shape_correspondence;
+using namespace labelled_furniture;
+using namespace model_files;
+using Catch::Matchers::Contains;
+
+TEST_CASE("The command label writes what the command roles predicts")
+{
+  const Temporary_folder folder;
+  const std::string shape = std::string(SHAPE_CORRESPONDENCE_DATA_DIR) + "/chair_four_legged/parts";
+  const std::string file = folder.path("labels.json");
+  const Run labelled = run("label " + shape + " --output " + file);
+  REQUIRE(labelled.status == 0);
+  CHECK_THAT(labelled.out, Contains("seat"));
+  const auto labels = nlohmann::json::parse(text_of(file));
+  CHECK(labels["category"] == "chair");
+  CHECK(labels["parts"].size() == 12);
+  CHECK(labels == nlohmann::json::parse(run("roles predict " + shape + " --json - --quiet").out));
+  CHECK(labels == nlohmann::json::parse(run("label " + shape + " -o - ").out));
+  const auto as_table = nlohmann::json::parse(run("label " + shape + " -o - --category table").out);
+  CHECK(as_table["category"] == "table");
+  CHECK_THAT(run("label " + shape + " --category boat").error, Contains("does not have the category"));
+  CHECK(run("label " + shape + " " + shape).status == 2);
+  CHECK(run("label " + shape + " --output " + shape).status == 2);
+}
+
+TEST_CASE("The command roles")
+{
+  const Temporary_folder folder;
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR, quick = " --abstraction boxes --trees 5 --quiet ";
+  const std::string train = "roles train " + data + quick + "--output " + folder.path("a.roles");
+  const Run trained = run(train + " --threads 1 --manifest - --date 2026-01-31");
+  REQUIRE(trained.status == 0);
+  const auto manifest = nlohmann::json::parse(trained.out);
+  CHECK(manifest["date"] == "2026-01-31");
+  CHECK(manifest["shapes"].size() == 14);
+  CHECK(manifest["categories"].size() == 6);
+  CHECK(manifest["shapes"][0]["license"] == "GPL-3.0-or-later");
+  const std::string bytes = text_of(folder.path("a.roles"));
+  REQUIRE(run(train + " --threads 2").status == 0);
+  CHECK(text_of(folder.path("a.roles")) == bytes);
+  CHECK(run("roles predict " + data + "/stool/parts --abstraction boxes --quiet --roles " + folder.path("a.roles"))
+            .status == 0);
+
+  const Run evaluated = run("roles evaluate " + data + quick + "--leave-out category --json -");
+  REQUIRE(evaluated.status == 0);
+  const auto evaluation = nlohmann::json::parse(evaluated.out);
+  CHECK(evaluation["left_out"] == "category");
+  CHECK(evaluation["categories"].size() ==
+        5); // of two and more shapes: chair, table, airplane, velocipede; and the mean
+  for (const auto& category : evaluation["categories"])
+    CHECK(category["with_roles"]["f1"]["mean"].get<double>() >= category["geometry"]["f1"]["mean"].get<double>() - 0.2);
+
+  const Run few = run("roles evaluate " + data + quick + "--leave-out category --number-of-examples 1 --told --json -");
+  REQUIRE(few.status == 0);
+  CHECK(nlohmann::json::parse(few.out)["weights"].contains("same_label"));
+  CHECK_THAT(run("roles evaluate " + data + " --number-of-examples 0").error, Contains("at least 1"));
+
+  CHECK_THAT(run("roles train " + data).error, Contains("needs --output"));
+  CHECK_THAT(run("roles learn " + data).error, Contains("train, evaluate, predict"));
+  CHECK_THAT(run("roles evaluate " + data + " --leave-out luck").error, Contains("shapes, sources, category"));
+  CHECK_THAT(run("roles evaluate " + folder.path("")).error, Contains("labels.json"));
+  CHECK(run("roles --help").out.find("roles train FOLDER") != std::string::npos);
+}
+
+TEST_CASE("The shipped model knows the models of the package, and the program matches with it")
+{
+  const auto model = IO::shipped_role_model();
+  CHECK(model->categories() ==
+        std::vector<std::string>{"airplane", "bed", "car", "chair", "lamp", "shelf", "sofa", "table", "velocipede"});
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
+  const Run predicted = run("roles predict " + data + "/chair_four_legged/parts --json - --quiet");
+  REQUIRE(predicted.status == 0);
+  const auto labels = nlohmann::json::parse(predicted.out);
+  CHECK(labels["category"] == "chair");
+  const std::string shapes = data + "/chair_four_legged/parts " + data + "/stool/parts --quiet --json - ";
+  CHECK(nlohmann::json::parse(run("match " + shapes).out)["category"] == "chair");
+  CHECK(!nlohmann::json::parse(run("match " + shapes + "--roles none").out).contains("category"));
+  CHECK(!nlohmann::json::parse(run("match " + shapes + "--search exact").out).contains("category"));
+  const Run paper = run("match " + shapes + "--paper --category chair");
+  CHECK(paper.status == 2);
+  CHECK_THAT(paper.error, Contains("--category has no effect on --search beam"));
+  const Run missing = run("match " + shapes + "--roles /nowhere.roles");
+  CHECK(missing.status == 1);
+  CHECK_THAT(missing.error, Contains("/nowhere.roles"));
+}
+
+TEST_CASE("The program matches with the user's own examples, and transfers labels")
+{
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
+  const Temporary_folder folder;
+  std::filesystem::create_directory(folder.path("examples"));
+  for (const std::string name : {"chair_four_legged", "stool"}) // as a category of one's own
+    std::filesystem::copy(data + "/" + name, folder.path("examples/" + name), std::filesystem::copy_options::recursive);
+  const std::string shapes = data + "/chair_four_legged/parts " + data + "/stool/parts --quiet --json - ";
+  const auto matched =
+      nlohmann::json::parse(run("match " + shapes + "--roles none --examples " + folder.path("examples")).out);
+  CHECK(matched["category"] == "chair");
+  const Run predicted =
+      run("roles predict " + data + "/stool/parts --json - --quiet --examples " + folder.path("examples"));
+  CHECK(nlohmann::json::parse(predicted.out)["category"] == "chair");
+  CHECK_THAT(run("match " + shapes + "--examples " + folder.path("none")).error, Contains("no such file"));
+  CHECK_THAT(run("match " + shapes + "--paper --examples " + folder.path("examples")).error,
+             Contains("--examples has no effect on --search beam"));
+  CHECK_THAT(run("match " + shapes + "--role-weight 1 --roles none").error, Contains("--role-weight has no effect"));
+  const auto exact = nlohmann::json::parse(run("match " + shapes + "--role-weight 0.5").out);
+  CHECK(exact["search"]["method"] == "exact");
+  CHECK(exact["category"] == "chair");
+
+  const std::string set =
+      "collection " + folder.path("examples") + " --quiet --labels-from " + data + "/chair_four_legged ";
+  const Run transferred = run(set + "--labels-to " + folder.path("labels") + " --json -");
+  REQUIRE(transferred.status == 0);
+  const auto result = nlohmann::json::parse(transferred.out);
+  CHECK(result["category"] == "chair");
+  CHECK(result["shapes"].size() == 2);
+  const auto own = nlohmann::json::parse(text_of(folder.path("labels/chair_four_legged/labels.json")));
+  const auto truth = nlohmann::json::parse(text_of(data + "/chair_four_legged/labels.json"));
+  REQUIRE(own["parts"].size() == truth["parts"].size());
+  for (const auto& part : own["parts"])
+    for (const auto& known : truth["parts"])
+      if (part["name"] == known["name"]) CHECK(part["coarse"] == known["coarse"]);
+  CHECK(nlohmann::json::parse(text_of(folder.path("labels/stool/labels.json")))["parts"].size() > 3);
+
+  CHECK_THAT(run("collection " + data + " --labels-to x").error, Contains("without --labels-from"));
+  CHECK_THAT(run(set + "--csv x.csv").error, Contains("--labels-from goes with"));
+  CHECK_THAT(run("collection " + folder.path("examples") + " --labels-from " + folder.path("examples")).error,
+             Contains("2 labelled shapes"));
+}
