@@ -82,6 +82,8 @@ void add_unions(Normalized_shape& result, const Aligned_shape& shape, const Part
     result.union_parts.push_back(part_extent(surface, options));
     result.union_parts.back().on_ground =
         std::any_of(parts.begin(), parts.end(), [&](std::size_t part) { return result.parts[part].on_ground; });
+    result.union_parts.back().is_in_chain =
+        std::all_of(parts.begin(), parts.end(), [&](std::size_t part) { return result.parts[part].is_in_chain; });
   }
 }
 
@@ -116,8 +118,10 @@ Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assembl
     add_box(result.boxes, Eigen::Index(result.parts.size()), result.surfaces.back());
     result.parts.push_back(part_extent(result.surfaces.back(), options));
   }
-  for (std::size_t part = 0; part < shape.parts.size(); ++part)
+  for (std::size_t part = 0; part < shape.parts.size(); ++part) {
     result.parts[part].on_ground = assemblies.is_on_ground[part];
+    result.parts[part].is_in_chain = assemblies.is_in_chain[part];
+  }
   add_unions(result, shape, assemblies, options);
   result.lanes = {result.surfaces.begin(), result.surfaces.end()};
   result.rank = rank_of(shape);

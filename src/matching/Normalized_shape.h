@@ -31,7 +31,8 @@ struct Part_extent
 {
   Eigen::Matrix3d orientation;
   bool on_ground = false;
-  bool is_board = false; // upright, as high and as wide as a wall
+  bool is_board = false;    // upright, as high and as wide as a wall
+  bool is_in_chain = false; // a ring of a chain
 };
 
 // An order of shapes that does not depend on turns about the up axis.

@@ -11,12 +11,16 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
+// Cost of what never corresponds: more than all other terms of a pair add up to.
+constexpr double incompatible = 50;
+
 double cost_of_kind(const Part_extent& a, const Part_extent& b, const Part_matching_options& options)
 {
   const Part_cost_weights& weights = options.weights;
   double result = weights.orientation * (a.orientation - b.orientation).norm();
   // Of boards, many reach down where others end above
   if (a.on_ground != b.on_ground) result += (a.is_board || b.is_board ? 0.5 : 1) * weights.ground;
+  if (a.is_in_chain != b.is_in_chain) result += incompatible;
   return result;
 }
 

@@ -241,7 +241,7 @@ Part_matching match_parts(const Shape_features& a, const Shape_features& b, cons
                           const Match_constraints& constraints)
 {
   check(options);
-  if (a.assemblies.has_chain == b.assemblies.has_chain)
+  if (a.assemblies.has_chain() == b.assemblies.has_chain())
     return matching_of(costs_of(a, b, options, constraints), a, b, options, constraints);
 
   // What has a chain hangs from it: one of the two is turned over, whichever costs less

@@ -30,9 +30,15 @@ public:
     if (result.has_main_surface) result.support = support();
     result.legs = legs(result.support);
     result.is_on_ground = layout_.is_on_ground;
-    result.has_chain = has_chain();
+    result.is_in_chain.assign(shape_.parts.size(), 0);
+    const std::vector<std::vector<std::size_t>> all_chains = chains();
+    for (const std::vector<std::size_t>& chain : all_chains)
+      for (std::size_t ring : chain)
+        result.is_in_chain[ring] = 1;
     for (const Part_group& group : groups(shape_))
-      if (is_row(group)) add_panel(group.parts, result.panels);
+      if (is_row(group) && !result.is_in_chain[group.parts[0]]) add_panel(group.parts, result.panels);
+    for (const std::vector<std::size_t>& chain : all_chains)
+      add_panel(chain, result.panels);
     if (result.has_main_surface) add_side_panels(result.support, result.panels);
     return result;
   }
@@ -53,14 +59,19 @@ private:
            is_less(options_.tolerance * std::max(a_size, b_size), (a.centre() - b.centre()).matrix().norm());
   }
 
-  bool has_chain() const
+  std::vector<std::vector<std::size_t>> chains() const
   {
-    for (std::size_t part = 0; part < shape_.parts.size(); ++part)
-      if (shape_.parts[part].kind == Sampled_part::Kind::CLOSED_CURVE &&
-          layout_.connected(part, [&](std::size_t ring, std::size_t next) { return may_be_chained(ring, next); })
-                  .size() >= options_.repetition)
-        return true;
-    return false;
+    std::vector<std::vector<std::size_t>> result;
+    std::vector<char> is_seen(shape_.parts.size(), 0);
+    for (std::size_t part = 0; part < shape_.parts.size(); ++part) {
+      if (is_seen[part] || shape_.parts[part].kind != Sampled_part::Kind::CLOSED_CURVE) continue;
+      std::vector<std::size_t> chain =
+          layout_.connected(part, [&](std::size_t ring, std::size_t next) { return may_be_chained(ring, next); });
+      for (std::size_t ring : chain)
+        is_seen[ring] = 1;
+      if (chain.size() >= options_.repetition) result.push_back(std::move(chain));
+    }
+    return result;
   }
 
   // The lowest flat part that covers much of the shape.

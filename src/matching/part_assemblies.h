@@ -7,6 +7,7 @@
 
 #include <CGAL/Shape_correspondence/Part_matching_options.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Part_assemblies
   ///  - A row of `Part_matching_options::repetition` or more parts that a translation maps to one another (slats).
   ///  - The parts that lie flat in one of the four sides of the shape, above its main surface and off the ground,
   ///    connected by each other or the support (the boards and rails at the head of a bed).
+  ///  - A chain.
   std::vector<std::vector<std::size_t>> panels;
   /// The parts that support the main surface: those on the ground, and those without which one of these would lose its
   /// connection to the main surface (the column of a pedestal). Empty where there is no main surface.
@@ -30,9 +32,11 @@ struct Part_assemblies
   /// The main surface is the lowest horizontal part that covers enough of the shape as seen from above (a seat, a
   /// tabletop, a mattress).
   bool has_main_surface = false;
-  /// A chain is made of at least `Part_matching_options::repetition` rings (closed curves) of like size, of which each
-  /// touches the next. What has one hangs from it.
-  bool has_chain = false;
+  /// By part, whether it is in a chain: one of at least `Part_matching_options::repetition` rings (closed curves) of
+  /// like size, of which each touches the next. What has one hangs from it, and its rings correspond only to rings of a
+  /// chain.
+  std::vector<char> is_in_chain;
+  bool has_chain() const { return std::find(is_in_chain.begin(), is_in_chain.end(), 1) != is_in_chain.end(); }
 };
 
 /// The assemblies of a shape, by places, contacts and symmetry groups alone. O(n (n + c)) for n parts and c contacts.

@@ -169,7 +169,7 @@ TEST_CASE("A part on the ground beside the legs leaves them one to one")
     CHECK(std::count_if(found.begin(), found.end(), [&](const auto& pair) { return pair.first == leg; }) == 1);
 }
 
-TEST_CASE("What has a chain hangs and is turned over")
+TEST_CASE("What has a chain hangs; rings of chains correspond to such rings or to nothing")
 {
   const auto lantern = [](std::size_t links, double link) {
     Shape_structure shape;
@@ -190,9 +190,24 @@ TEST_CASE("What has a chain hangs and is turned over")
     return make_structural_graph(std::move(shape), std::move(groups));
   };
   const Structural_graph hanging = lantern(4, .1), longer = lantern(6, .1), standing = lantern(0, 0);
-  CHECK(matching(hanging, standing).upside_down);
-  CHECK(matching(standing, hanging).upside_down);
-  CHECK_FALSE(matching(hanging, longer).upside_down);
+  for (const bool swap : {false, true}) {
+    const Part_matching found = swap ? matching(standing, hanging) : matching(hanging, standing);
+    CHECK(found.upside_down);
+    CHECK(found.pairs.size() >= 2); // light, arm or mount of either
+    for (const auto& [i, j] : pairs(found)) {
+      const std::size_t part = swap ? j : i;
+      CHECK((part < 2 || part > 5));
+    }
+  }
+  const Part_matching both = matching(hanging, longer);
+  CHECK_FALSE(both.upside_down);
+  std::size_t rings = 0;
+  for (const auto& [i, j] : pairs(both)) {
+    CHECK((i >= 2 && i <= 5) == (j >= 2 && j <= 7));
+    rings += i >= 2 && i <= 5;
+  }
+  CHECK(rings >= 6); // every ring of either chain is in a pair
+  CHECK(both.pairs.size() > rings);
   CHECK(matching(hanging, lantern(2, .1)).upside_down); // two rings are no chain
 }
 
