@@ -285,6 +285,12 @@ TEST_CASE("Weights and bounds that are negative or not finite are refused")
     options.*positive = 0;
     CHECK_THROWS_AS(matching(hand_made::chair(), hand_made::chair(), options), Invalid_input);
   }
+  options = {};
+  options.clearly_better = 1;
+  CHECK_THROWS_AS(matching(hand_made::chair(), hand_made::chair(), options), Invalid_input);
+  options = {};
+  options.repetition = 1;
+  CHECK_THROWS_AS(matching(hand_made::chair(), hand_made::chair(), options), Invalid_input);
 }
 
 TEST_CASE("The header of the constants is what the fit writes")
