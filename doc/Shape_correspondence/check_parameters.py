@@ -16,9 +16,9 @@ import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
-UNITS = (r"second|fraction|share|\bin [\[(]|at least|at most|more than|not negative|number of|number that|weight|power|cost|"
+UNITS = (r"second|fraction|share|\bin [\[(]|at least|at most|more than|not negative|number of|number that|weight|power|[Cc]ost|"
          r"energy|probability|seed|level|points|maximum|largest|[Mm]in-marginal|smaller|distance|exceed|\|log|one part|nodes|difference|samples|"
-         r"volume|length|iterations|gap")
+         r"volume|[Ll]ength|iterations|gap")
 NUMBERS = r"^(int|double|float|long|short|unsigned|std::size_t|std::uint64_t)$"
 SIMPLE = NUMBERS[:-2] + r"|bool)$|^(Abstraction_kind|Search_method|Energy_norm|Part_splitting)$"
 # Of a stream to write to or read from, and of the two shapes of a match, their names say what they are

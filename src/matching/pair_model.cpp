@@ -41,7 +41,7 @@ Eigen::MatrixXd excess_of_pairs(const Eigen::MatrixXd& costs)
   Eigen::MatrixXd result(costs.rows(), costs.cols());
   for (Eigen::Index j = 0; j < costs.cols(); ++j)
     for (Eigen::Index i = 0; i < costs.rows(); ++i)
-      result(i, j) = 2 * costs(i, j) - of_source[i] - of_target[j];
+      result(i, j) = (costs(i, j) - of_source[i]) + (costs(i, j) - of_target[j]); // symmetric to the bit
   return result;
 }
 
