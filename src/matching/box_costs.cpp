@@ -47,14 +47,16 @@ Eigen::MatrixXd costs_of_boxes(const Boxes& a, const Boxes& b, const Part_matchi
   return result;
 }
 
+namespace {
+
+// How likely parts are to correspond, going by either of them: geometric mean of the two softmaxes. Sums run along rows
+// both times: with the shapes swapped, the same bits.
 Eigen::ArrayXXd mutual_softmax(const Eigen::MatrixXd& costs)
 {
   const Eigen::ArrayXXd likelihood = (-costs.array()).exp(), transposed = likelihood.transpose();
   const Eigen::VectorXd of_rows = likelihood.rowwise().sum(), of_columns = transposed.rowwise().sum();
   return likelihood / (of_rows * of_columns.transpose()).array().sqrt();
 }
-
-namespace {
 
 // Ends of boxes and where they belong in the other shape.
 struct Anchors

@@ -22,8 +22,4 @@ Eigen::MatrixXd costs_of_boxes(const Boxes& a, const Boxes& b, const Part_matchi
 Eigen::MatrixXd costs_after_warping(const Boxes& a, const Boxes& b, const Eigen::MatrixXd& costs_of_kind,
                                     const Part_matching_options& options);
 
-// How likely parts are to correspond, going by either of them: geometric mean of the two softmaxes. Sums run along rows
-// both times: with the shapes swapped, the same bits.
-Eigen::ArrayXXd mutual_softmax(const Eigen::MatrixXd& costs);
-
 } // namespace CGAL::Shape_correspondence::internal

@@ -51,7 +51,8 @@ struct Validation_options
   double role_weight = 0;
 };
 
-// A pair of parts that was matched: how probable that was, whether it is right, and whether the coarse labels are equal.
+// A pair of parts that was matched: how probable that was, whether it is right, and whether the coarse labels are
+// equal.
 struct Judged_pair
 {
   double confidence;

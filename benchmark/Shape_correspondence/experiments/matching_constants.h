@@ -82,14 +82,16 @@ inline const std::vector<Matching_constant>& matching_constants()
       {"side_depth", &O::side_depth, true,
        "Length. What lies in one side of the shape is no thicker, and no farther from it."},
       {"wall_width", &O::wall_width, true, "Length. A wider part on the ground is a wall, not a leg."},
-      {"repetition", &O::repetition, false, "Count. A regular arrangement has this number of parts or more."},
+      {"repetition", &O::repetition, false,
+       "Count, at least 2. A regular arrangement has this number of parts or more."},
       {"category_ratio", &O::category_ratio, false,
        "Ratio. Shapes are of a category if their distance from its labelled parts is at most this much of that from "
        "any other one."},
       {"category_distance", &O::category_distance, false,
        "Standard deviations of a feature. They also are if it is at most this on average."},
       {"clearly_better", &O::clearly_better, false,
-       "Share. Another front or alignment is preferred to the given one if it is better by more than this."}};
+       "Share, less than 1. Another front or alignment is preferred to the given one if it is better by more than "
+       "this."}};
   return constants;
 }
 
@@ -133,8 +135,9 @@ inline std::string matching_header(const Part_matching_options& options)
 //
 // Author(s)     : the Shape_correspondence developers
 
-// Written by `experiments fit`, which fits the constants to labelled shapes; benchmark/Shape_correspondence/RESULTS.md
-// has what it and `experiments constants` measured. To change a comment, change experiments/matching_constants.h.
+// In the form that `experiments fit` writes. Values were chosen on labelled and generated shapes; the fit kept them,
+// since fitted ones scored less on categories left out (benchmark/Shape_correspondence/RESULTS.md). To change a comment,
+// change experiments/matching_constants.h.
 
 #ifndef CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H

@@ -8,8 +8,9 @@
 //
 // Author(s)     : the Shape_correspondence developers
 
-// Written by `experiments fit`, which fits the constants to labelled shapes; benchmark/Shape_correspondence/RESULTS.md
-// has what it and `experiments constants` measured. To change a comment, change experiments/matching_constants.h.
+// In the form that `experiments fit` writes. Values were chosen on labelled and generated shapes; the fit kept them,
+// since fitted ones scored less on categories left out (benchmark/Shape_correspondence/RESULTS.md). To change a comment,
+// change experiments/matching_constants.h.
 
 #ifndef CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H
@@ -68,14 +69,14 @@ struct Part_matching_options
   double side_depth = 0.1;
   /// Length. A wider part on the ground is a wall, not a leg.
   double wall_width = 0.7;
-  /// Count. A regular arrangement has this number of parts or more.
+  /// Count, at least 2. A regular arrangement has this number of parts or more.
   std::size_t repetition = 3;
   /// Ratio. Shapes are of a category if their distance from its labelled parts is at most this much of that from any
   /// other one.
   double category_ratio = 0.78;
   /// Standard deviations of a feature. They also are if it is at most this on average.
   double category_distance = 0.25;
-  /// Share. Another front or alignment is preferred to the given one if it is better by more than this.
+  /// Share, less than 1. Another front or alignment is preferred to the given one if it is better by more than this.
   double clearly_better = 0.05;
   bool panels = true;  ///< match panels as sets: rows of parts, and boards in one side of the shape
   bool support = true; ///< match the parts that support a seat or table top as a set

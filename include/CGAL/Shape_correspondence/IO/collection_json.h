@@ -48,7 +48,7 @@ struct Collection
     Transitive_correspondence correspondence; ///< the correspondence by way of other shapes
   };
 
-  std::vector<Shape> shapes;               ///< the shapes, in the order of all indices
+  std::vector<Shape> shapes; ///< the shapes, in the order of all indices
   /// The energies of ordered pairs of shapes: a function, as a matrix of them may be larger than memory.
   std::function<double(std::size_t source, std::size_t target)> energy;
   std::size_t medoid = 0;                  ///< index of the `topological_medoid()`
