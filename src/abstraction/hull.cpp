@@ -3,10 +3,9 @@
 
 #include "abstraction/hull.h"
 #include "abstraction/bounding_box.h"
-#include "abstraction/reproducible_hull.h"
 #include "base/eigen_system.h"
 #include "base/planar_hull.h"
-#include "shape/meshes.h"
+#include "shape/convex_hull_mesh.h"
 
 #include <Eigen/Geometry>
 
@@ -94,13 +93,7 @@ Convex_hull convex_hull(const Points& points)
   if (box.extents[2] <= thinnest * box.extents[0]) {
     return flat_hull(points, box);
   }
-  std::vector<Mesh_point> input;
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    input.push_back(to_mesh_point(points.col(i)));
-  }
-  Halfedge_mesh hull;
-  CGAL::convex_hull_3(input.begin(), input.end(), hull, Hull_traits());
-  return measured_hull(hull);
+  return measured_hull(convex_hull_mesh(points));
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -1,6 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Holes are filled without a 3D Delaunay triangulation, see fill_holes(): that need not be compiled
+#define CGAL_HOLE_FILLING_DO_NOT_USE_DT3
+
 #include "abstraction/repair.h"
 #include "abstraction/bounding_box.h"
 #include "shape/meshes.h"

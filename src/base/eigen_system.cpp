@@ -13,6 +13,11 @@ Eigen_system eigen_system(const Eigen::Matrix3d& symmetric)
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
+Eigen::Matrix2d eigenvectors(const Eigen::Matrix2d& symmetric)
+{
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(symmetric).eigenvectors();
+}
+
 Eigen::Matrix3d scatter_matrix(const Points& points) { return points * points.transpose(); }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -18,6 +18,9 @@ struct Eigen_system
 /// solver is 2 s of compile time in every file that has one.
 Eigen_system eigen_system(const Eigen::Matrix3d& symmetric);
 
+/// Orthogonal eigenvectors of a symmetric matrix, that of the lesser eigenvalue first.
+Eigen::Matrix2d eigenvectors(const Eigen::Matrix2d& symmetric);
+
 /// The sum of p pᵀ over points p.
 Eigen::Matrix3d scatter_matrix(const Points& points);
 

@@ -26,7 +26,7 @@ bool is_png(std::string_view bytes) { return has_beginning(bytes, png_begin); }
 
 std::string fault_of_image(std::string_view bytes)
 {
-  return is_png(bytes) || has_beginning(bytes, jpeg_begin) ? "" : "is no PNG or JPEG image";
+  return is_png(bytes) || has_beginning(bytes, jpeg_begin) ? "" : "is not a PNG or JPEG image";
 }
 
 #ifdef SHAPE_CORRESPONDENCE_WITH_IMAGES

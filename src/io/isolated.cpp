@@ -125,8 +125,8 @@ std::string ending(int status)
 {
   if (WIFEXITED(status) && WEXITSTATUS(status) == out_of_memory) return "takes more than 2 GB of memory";
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return "takes more than 60 seconds of processor time";
-  if (WIFSIGNALED(status)) return std::string("breaks its reader (") + strsignal(WTERMSIG(status)) + ")";
-  return "breaks its reader";
+  if (WIFSIGNALED(status)) return std::string("makes its reader crash (") + strsignal(WTERMSIG(status)) + ")";
+  return "makes its reader crash";
 }
 
 /// Starts the process. \return its id and the end of the pipe that it writes to

@@ -90,7 +90,7 @@ private:
   {
     const std::string_view word = next_word(line);
     Number result{};
-    if (!parse(word, result)) fail("has " + cited(word) + " in the place of a number");
+    if (!parse(word, result)) fail("has " + cited(word) + " where a number is expected");
     return result;
   }
 

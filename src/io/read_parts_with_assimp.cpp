@@ -282,7 +282,7 @@ public:
   }
 
 private:
-  [[noreturn]] void fail() const { throw Invalid_input(file_ + ": it breaks its reader; it is damaged"); }
+  [[noreturn]] void fail() const { throw Invalid_input(file_ + ": it makes its reader crash; it is damaged"); }
 
   std::uint64_t number()
   {

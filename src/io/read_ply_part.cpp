@@ -158,7 +158,7 @@ private:
     else if (word == "binary_big_endian")
       encoding_ = Ply_encoding::BIG_ENDIAN_BYTES;
     else
-      fail("its PLY format is " + cited(word) + ", which is none of ascii, binary_little_endian, binary_big_endian");
+      fail("its PLY format is " + cited(word) + ", which is not ascii, binary_little_endian or binary_big_endian");
   }
 
   void read_element_statement(std::string_view line)
@@ -166,7 +166,7 @@ private:
     Ply_element element;
     element.name = next_word(line);
     const std::string_view count = next_word(line);
-    if (!parse(count, element.count)) fail("its PLY header has " + cited(count) + " for a number of elements");
+    if (!parse(count, element.count)) fail("its PLY header has " + cited(count) + " where a number of elements is expected");
     elements_.push_back(std::move(element));
   }
 
@@ -289,7 +289,7 @@ private:
       const std::string_view word = next_word(text_);
       double number = 0;
       if (word.empty()) fail("it ends before all of its elements are there; the file is cut off");
-      if (!parse(word, number)) fail("it has " + cited(word) + " in the place of a number");
+      if (!parse(word, number)) fail("it has " + cited(word) + " where a number is expected");
       return number;
     }
     switch (type) {

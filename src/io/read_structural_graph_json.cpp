@@ -282,7 +282,7 @@ Shape_frame read_frame(const Json_field& field, const Point& up)
   if (!(frame.height > 0)) field["height"].fail("is not above 0");
   if ((frame.axes.transpose() * frame.axes - Eigen::Matrix3d::Identity()).norm() > same_direction ||
       frame.axes.determinant() < 0)
-    field.fail("has axes (side, up, front) that are no right-handed orthogonal ones");
+    field.fail("has axes (side, up, front) that are not orthogonal or not right-handed");
   if ((frame.axes.col(1) - up).norm() > same_direction)
     field["up"].fail("is not the \"up\" of the document; correct it or remove \"frame\"");
   frame.mirror_x = field.has("mirror_side") && field["mirror_side"].boolean();

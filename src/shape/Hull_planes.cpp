@@ -3,9 +3,7 @@
 
 #include "shape/Hull_planes.h"
 #include "base/eigen_system.h"
-#include "shape/meshes.h"
-
-#include <CGAL/convex_hull_3.h>
+#include "shape/convex_hull_mesh.h"
 
 #include <Eigen/Geometry>
 
@@ -35,12 +33,7 @@ Points thickened(const Points& points, double thickness)
 
 Hull_planes::Hull_planes(const Points& points, double thickness)
 {
-  const Points solid = thickened(points, thickness);
-  std::vector<Mesh_point> input;
-  for (Eigen::Index i = 0; i < solid.cols(); ++i)
-    input.push_back(to_mesh_point(solid.col(i)));
-  Halfedge_mesh hull;
-  CGAL::convex_hull_3(input.begin(), input.end(), hull);
+  const Halfedge_mesh hull = convex_hull_mesh(thickened(points, thickness));
   const auto faces = Eigen::Index(hull.number_of_faces());
   normals_.resize(3, faces);
   offsets_.resize(faces);

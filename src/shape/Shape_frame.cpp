@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/Nearest_points.h"
+#include "base/eigen_system.h"
 #include "base/least_rotation.h"
 #include "base/planar_hull.h"
 
@@ -9,7 +10,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -130,9 +130,9 @@ private:
     for (const Eigen::Vector2d& p : footprint_) {
       moments += (p - centroid) * (p - centroid).transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(moments);
-    result.push_back(solver.eigenvectors().col(1));
-    result.push_back(solver.eigenvectors().col(0));
+    const Eigen::Matrix2d axes = eigenvectors(moments);
+    result.push_back(axes.col(1));
+    result.push_back(axes.col(0));
     add_chords(result);
     return result;
   }

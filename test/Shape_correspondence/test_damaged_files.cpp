@@ -211,7 +211,7 @@ TEST_CASE("What breaks the process that it is read in is an error that names the
   CHECK(IO::run_isolated("a.fbx", [] { return std::string(); }).empty());
   CHECK(outcome([]() -> std::string { throw Invalid_input("a.fbx: refused"); }) == "a.fbx: refused");
   CHECK_THAT(outcome([]() -> std::string { throw std::logic_error("odd"); }), Contains("a.fbx") && Contains("odd"));
-  CHECK_THAT(outcome([]() -> std::string { std::abort(); }), Contains("a.fbx") && Contains("breaks its reader"));
+  CHECK_THAT(outcome([]() -> std::string { std::abort(); }), Contains("a.fbx") && Contains("makes its reader crash"));
   CHECK_THAT(outcome([]() -> std::string {
                std::raise(SIGKILL);
                return "";

@@ -1,14 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#pragma once
-
-#include "shape/meshes.h"
+#include "shape/convex_hull_mesh.h"
 
 #include <CGAL/Convex_hull_traits_3.h>
 #include <CGAL/convex_hull_3.h>
 
 #include <functional>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -31,3 +30,18 @@ struct std::less<CGAL::Shape_correspondence::internal::Hull_triangulation::Verte
 
   bool operator()(const Vertex_handle& a, const Vertex_handle& b) const { return a->point() < b->point(); }
 };
+
+namespace CGAL::Shape_correspondence::internal {
+
+Halfedge_mesh convex_hull_mesh(const Points& points)
+{
+  std::vector<Mesh_point> input;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    input.push_back(to_mesh_point(points.col(i)));
+  }
+  Halfedge_mesh result;
+  CGAL::convex_hull_3(input.begin(), input.end(), result, Hull_traits());
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::internal
