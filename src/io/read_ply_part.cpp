@@ -166,7 +166,8 @@ private:
     Ply_element element;
     element.name = next_word(line);
     const std::string_view count = next_word(line);
-    if (!parse(count, element.count)) fail("its PLY header has " + cited(count) + " where a number of elements is expected");
+    if (!parse(count, element.count))
+      fail("its PLY header has " + cited(count) + " where a number of elements is expected");
     elements_.push_back(std::move(element));
   }
 
