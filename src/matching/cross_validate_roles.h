@@ -76,6 +76,9 @@ struct Validated_pair
   std::vector<Judged_pair> judged; // of the matcher's pairs
 };
 
+struct Pair_evidence;
+class Pair_validator;
+
 // Matches of pairs of shapes that the training did not see. The weights of the terms, and of confidences, follow from
 // pairs of other categories and from those of their own category that share no shape with the one at hand; where
 // examples are limited, from pairs of other categories that were matched with as few.
@@ -97,9 +100,6 @@ public:
   Role_model model() const;
 
 private:
-  struct Pair_evidence;
-  class Pair_validator;
-
   // Fitted to all pairs but those of a category; the usual ones where they are few.
   Pair_weights weights_without(const std::string& category) const;
   // Fitted to the pairs of a category with none of these shapes; the fewer there are, the nearer to the expected ones.
