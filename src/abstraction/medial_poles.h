@@ -11,7 +11,10 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -31,25 +34,54 @@ inline Points vertex_normals(const Part_mesh& mesh)
   return result;
 }
 
+/// A vertex's point of the medial axis, and the other vertex that the ball around it touches; -1: none.
+struct Medial_pole
+{
+  Point centre;
+  Eigen::Index touched = -1;
+};
+
 /// The centre of the largest ball that touches the surface in a vertex from inside and holds no other vertex: a point
 /// of the medial axis. Found by shrinking a large ball (Ma, Bae and Choi 2012).
-inline Point medial_pole(const Nearest_points& vertices, const Points& points, Eigen::Index v, const Point& normal,
-                         double largest_radius)
+/// \param likely a vertex that the ball is likely to touch, which saves time and changes nothing but rounding; or -1
+inline Medial_pole medial_pole(const Nearest_points& vertices, const Points& points, Eigen::Index v,
+                               const Point& normal, double largest_radius, Eigen::Index likely)
 {
   const int most_rounds = 30;
   const double clearly = 1e-6;
   const Point p = points.col(v);
+  const auto touching_radius = [&](Eigen::Index other) {
+    const Point offset = p - points.col(other);
+    return offset.squaredNorm() / (2 * normal.dot(offset));
+  };
   double radius = largest_radius;
+  Eigen::Index touched = -1;
+  if (likely >= 0 && likely != v && normal.dot(p - points.col(likely)) > 0 && touching_radius(likely) < radius) {
+    radius = touching_radius(likely);
+    touched = likely;
+  }
   for (int round = 0; round < most_rounds; ++round) {
-    const Point centre = p - radius * normal;
-    const Eigen::Index nearest = vertices.nearest_within(centre, radius * (1 - clearly), v);
+    const Eigen::Index nearest = vertices.nearest_within(p - radius * normal, radius * (1 - clearly), v);
     if (nearest < 0) {
       break;
     }
-    const Point offset = p - points.col(nearest);
-    radius = offset.squaredNorm() / (2 * normal.dot(offset));
+    radius = touching_radius(nearest);
+    touched = nearest;
   }
-  return p - radius * normal;
+  return {p - radius * normal, touched};
+}
+
+/// Of each vertex, one of lower index that an edge joins it to; -1: none.
+inline std::vector<Eigen::Index> earlier_neighbours(const Part_mesh& mesh)
+{
+  std::vector<Eigen::Index> result(static_cast<std::size_t>(mesh.points.cols()), -1);
+  for (const auto& t : mesh.triangles.colwise()) {
+    for (int k = 0; k < 3; ++k) {
+      const int low = std::min(t[k], t[(k + 1) % 3]), high = std::max(t[k], t[(k + 1) % 3]);
+      result[static_cast<std::size_t>(high)] = low;
+    }
+  }
+  return result;
 }
 
 /// Medial poles of all vertices.
@@ -58,9 +90,15 @@ inline Points medial_poles(const Part_mesh& mesh)
   const Points normals = vertex_normals(mesh);
   const Nearest_points vertices(mesh.points);
   const double diagonal = (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
+  const std::vector<Eigen::Index> earlier = earlier_neighbours(mesh);
+  std::vector<Eigen::Index> touched(earlier.size());
   Points result(3, mesh.points.cols());
-  for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
-    result.col(v) = medial_pole(vertices, mesh.points, v, normals.col(v), diagonal);
+  for (std::size_t v = 0; v < earlier.size(); ++v) {
+    const auto i = static_cast<Eigen::Index>(v);
+    const Eigen::Index likely = earlier[v] < 0 ? -1 : touched[static_cast<std::size_t>(earlier[v])];
+    const Medial_pole pole = medial_pole(vertices, mesh.points, i, normals.col(i), diagonal, likely);
+    result.col(i) = pole.centre;
+    touched[v] = pole.touched;
   }
   return result;
 }

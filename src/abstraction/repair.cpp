@@ -5,6 +5,7 @@
 #define CGAL_HOLE_FILLING_DO_NOT_USE_DT3
 
 #include "abstraction/repair.h"
+#include "abstraction/Wrap_oracle.h"
 #include "abstraction/bounding_box.h"
 #include "shape/meshes.h"
 
@@ -19,6 +20,7 @@
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/alpha_wrap_3.h>
+#include <CGAL/version.h>
 
 #include <algorithm>
 #include <cmath>
@@ -175,16 +177,41 @@ struct Wrap_watch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visit
   const Deadline* deadline;
 };
 
-/// A closed surface around everything, at a small distance. \throw Out_of_time
+#if CGAL_VERSION_NR < 1060000000
+/// The triangles that are none of a point or a line.
+std::vector<contacts::Triangle> proper_triangles(const Part_mesh& part)
+{
+  std::vector<contacts::Triangle> result;
+  for (const auto& t : part.triangles.colwise()) {
+    const Point a = part.points.col(t[0]), b = part.points.col(t[1]), c = part.points.col(t[2]);
+    if (!CGAL::collinear(to_mesh_point(a), to_mesh_point(b), to_mesh_point(c))) {
+      result.push_back({a, b, c});
+    }
+  }
+  return result;
+}
+#endif
+
+/// A closed surface around everything, at a small distance. \throw Out_of_time, Flow_failure
 Halfedge_mesh wrap(const Part_mesh& part, const Deadline& deadline)
 {
   const double size = diagonal(part.points);
   const double alpha = size / 20, offset = size / 600;
-  const Triangle_soup soup = to_soup(part);
   Halfedge_mesh result;
   Wrap_watch watch(deadline);
+#if CGAL_VERSION_NR < 1060000000 // what the algorithm asks of an oracle is not documented: later versions may ask more
+  std::vector<contacts::Triangle> triangles = proper_triangles(part);
+  if (triangles.empty()) {
+    throw Flow_failure("its surface is too degenerate for the flow");
+  }
+  const Wrap_oracle oracle(std::move(triangles));
+  CGAL::Alpha_wraps_3::internal::Alpha_wrap_3<Wrap_oracle> wrapper(oracle);
+  wrapper(alpha, offset, result, CGAL::parameters::visitor(std::ref(watch)));
+#else
+  const Triangle_soup soup = to_soup(part);
   CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset, result, CGAL::parameters::default_values(),
                      CGAL::parameters::visitor(std::ref(watch)));
+#endif
   turn_outwards(result);
   return result;
 }
