@@ -8,7 +8,7 @@
 
 #include <CGAL/version.h>
 
-#if CGAL_VERSION_NR < 1060000000 // as `repair.cpp` uses it
+#if CGAL_VERSION_NR < 1050600000 // as `repair.cpp` uses it
 
 #include <CGAL/Alpha_wrap_3/internal/Alpha_wrap_3.h>
 #include <CGAL/Alpha_wrap_3/internal/Alpha_wrap_AABB_traits.h>

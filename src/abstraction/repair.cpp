@@ -177,7 +177,7 @@ struct Wrap_watch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visit
   const Deadline* deadline;
 };
 
-#if CGAL_VERSION_NR < 1060000000
+#if CGAL_VERSION_NR < 1050600000
 /// The triangles that are none of a point or a line.
 std::vector<contacts::Triangle> proper_triangles(const Part_mesh& part)
 {
@@ -199,7 +199,7 @@ Halfedge_mesh wrap(const Part_mesh& part, const Deadline& deadline)
   const double alpha = size / 20, offset = size / 600;
   Halfedge_mesh result;
   Wrap_watch watch(deadline);
-#if CGAL_VERSION_NR < 1060000000 // what the algorithm asks of an oracle is not documented: later versions may ask more
+#if CGAL_VERSION_NR < 1050600000 // what the algorithm asks of an oracle is not documented: later versions may ask more
   std::vector<contacts::Triangle> triangles = proper_triangles(part);
   if (triangles.empty()) {
     throw Flow_failure("its surface is too degenerate for the flow");

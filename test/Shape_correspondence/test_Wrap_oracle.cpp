@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#if CGAL_VERSION_NR < 1060000000 // others are wrapped with an oracle of CGAL
+#if CGAL_VERSION_NR < 1050600000 // others are wrapped with an oracle of CGAL
 
 #include <CGAL/Alpha_wrap_3/internal/Triangle_soup_oracle.h>
 
