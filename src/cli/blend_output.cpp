@@ -37,7 +37,7 @@ std::vector<std::string> schedule_words()
   return result;
 }
 
-std::string listed(const std::vector<std::string>& words)
+std::string alternatives(const std::vector<std::string>& words)
 {
   std::string result;
   for (std::size_t i = 0; i < words.size(); ++i)
@@ -116,7 +116,7 @@ po::options_description output_options(Blend_output& output, Common_options& com
   add("match", po::value(&output.match)->value_name("R.json"),
       "read the correspondence from a result that `match --json` wrote for these shapes");
   add("schedule", po::value(&output.schedule)->value_name("NAME")->default_value(output.schedule),
-      ("order of the tasks: " + listed(schedule_words()) +
+      ("order of the tasks: " + alternatives(schedule_words()) +
        "; best takes the one in which shapes hold together best, all makes a folder for each one that differs from "
        "better ones")
           .c_str());

@@ -82,7 +82,7 @@ std::vector<Labelled_model> load_labelled_models(const std::string& folder, cons
   std::vector<Labelled_model> result;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     std::vector<Part_label> labels = labels_by_part(loaded[i].graph, shapes[i]);
-    result.push_back({folder, shapes[i], std::move(loaded[i].graph), std::move(labels)});
+    result.push_back({folder, shapes[i], loaded[i].graph, std::move(labels)});
   }
   return result;
 }

@@ -105,7 +105,7 @@ void load_model(Read_model model, const Common_options& common, const Structure_
   std::optional<Structural_graph> known = cached_graph(content, common);
   shape.read_seconds += now() - begin;
   if (known) {
-    shape.graph = std::move(*known);
+    shape.graph = *known;
   } else {
     build_graph(common, options, shape);
     structure(shape.graph).content = content;

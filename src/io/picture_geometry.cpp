@@ -107,7 +107,7 @@ Drawn_mesh sphere(const Point& centre, double radius)
 {
   const int rows = 7, cols = tube_sides;
   Drawn_mesh mesh;
-  mesh.normals.resize(3, rows * cols);
+  mesh.normals.resize(3, Eigen::Index(rows) * cols);
   for (int i = 0; i < rows; ++i) {
     const double latitude = two_pi / 2 * i / (rows - 1);
     for (int j = 0; j < cols; ++j) {
@@ -150,8 +150,8 @@ Drawn_mesh tube(const Points& polyline, bool closed, double radius)
   const int n = static_cast<int>(centres.cols());
   Drawn_mesh mesh;
   if (n < 2) return mesh;
-  mesh.points.resize(3, n * tube_sides);
-  mesh.normals.resize(3, n * tube_sides);
+  mesh.points.resize(3, Eigen::Index(n) * tube_sides);
+  mesh.normals.resize(3, Eigen::Index(n) * tube_sides);
   Point across = unit(centres.col(1) - centres.col(0)).unitOrthogonal();
   for (int i = 0; i < n; ++i) {
     const int before = closed ? (i + n - 1) % n : std::max(i - 1, 0);

@@ -224,7 +224,7 @@ std::string encoded(const Model_content& content)
     append_values(material.name, bytes);
     append_values(std::array<double, 4>{material.colour[0], material.colour[1], material.colour[2], material.colour[3]},
                   bytes);
-    append(std::uint64_t(material.texture + 1), bytes);
+    append(std::uint64_t(std::int64_t(material.texture) + 1), bytes);
   }
   append(content.textures.size(), bytes);
   for (const Texture& texture : content.textures) {

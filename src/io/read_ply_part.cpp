@@ -233,10 +233,12 @@ private:
         }
       }
       const bool are_known = looks.has_colours || looks.has_coordinates || !looks.corners.empty();
-      if (is_face && (are_known || !face_looks_.empty())) {
+      if (is_face) {
+        if (!are_known && face_looks_.empty()) continue;
         faces_have_coordinates_ = faces_have_coordinates_ || !looks.corners.empty();
         face_looks_.resize(faces_.size());
         face_looks_.back() = std::move(looks);
+        continue;
       }
       if (element.name != "vertex") continue;
       if (are_known) {
@@ -260,7 +262,10 @@ private:
     for (double& number : list)
       number = next(property.type);
     if (element.name != "face") return false;
-    if (property.name == "texcoord") looks.corners = std::move(list);
+    if (property.name == "texcoord") {
+      looks.corners = std::move(list);
+      return false;
+    }
     if (property.name != "vertex_indices" && property.name != "vertex_index") return false;
     if (list.size() < 3) {
       ++result_.faces_left_out;

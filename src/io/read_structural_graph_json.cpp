@@ -47,17 +47,21 @@ Curve read_curve(const Json_field& part)
 
 Sheet read_sheet(const Json_field& part)
 {
-  Sheet sheet;
   const Json_field grid = part["grid"];
   const std::vector<Json_field> rows = grid.elements();
   if (rows.size() < 2) grid.fail("has fewer than 2 rows");
+  const std::size_t cols = rows[0].size();
+  if (cols < 2) rows[0].fail("has fewer than 2 points");
+  std::vector<Points> points; // of each row, before room is made for all: a damaged file may promise more than it has
+  points.reserve(rows.size());
+  for (const Json_field& row : rows)
+    points.push_back(points_of(row.elements(cols, "as long as the first row")));
+  Sheet sheet;
   sheet.rows = static_cast<int>(rows.size());
-  sheet.cols = static_cast<int>(rows[0].elements().size());
-  if (sheet.cols < 2) rows[0].fail("has fewer than 2 points");
-  sheet.points.resize(3, sheet.rows * sheet.cols);
-  for (int i = 0; i < sheet.rows; ++i)
-    sheet.points.middleCols(i * sheet.cols, sheet.cols) =
-        points_of(rows[i].elements(sheet.cols, "as long as the first row"));
+  sheet.cols = static_cast<int>(cols);
+  sheet.points.resize(3, Eigen::Index(rows.size() * cols));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    sheet.points.middleCols(Eigen::Index(i * cols), sheet.cols) = points[i];
   check_extent(grid, sheet.points);
   return sheet;
 }

@@ -41,7 +41,7 @@ void set_geometry(Json& part, const Sheet& sheet)
   part["type"] = "sheet";
   Json rows = Json::array();
   for (int i = 0; i < sheet.rows; ++i)
-    rows.push_back(points(sheet.points, i * sheet.cols, (i + 1) * sheet.cols));
+    rows.push_back(points(sheet.points, Eigen::Index(i) * sheet.cols, Eigen::Index(i + 1) * sheet.cols));
   part["grid"] = rows;
 }
 

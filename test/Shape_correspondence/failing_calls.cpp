@@ -4,12 +4,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Preloaded into the program, it makes one system call on files fail that are written: the one of number FAILING_CALL,
-// counted from 1 over write(), writev(), fsync(), close() and rename(), with EIO. Standard streams, pipes and files
-// that are read are not counted.
+// counted from 1 over write(), writev(), fsync(), close() and rename(), with EIO; over one of these only, where
+// FAILING_NAME is its name. Standard streams, pipes and files that are read are not counted.
 
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -25,10 +26,11 @@ Function* next(const char* name)
 }
 
 /// Whether it is this call's turn to fail.
-bool fails()
+bool fails(const char* name)
 {
   static std::atomic<long> calls{0};
-  const char* wanted = std::getenv("FAILING_CALL");
+  const char *const wanted = std::getenv("FAILING_CALL"), *const wanted_name = std::getenv("FAILING_NAME");
+  if (wanted_name && std::strcmp(wanted_name, name) != 0) return false;
   if (!wanted || ++calls != std::atol(wanted)) return false;
   errno = EIO;
   return true;
@@ -48,25 +50,25 @@ extern "C" {
 ssize_t write(int descriptor, const void* data, std::size_t size)
 {
   static auto* const original = next<ssize_t(int, const void*, std::size_t)>("write");
-  return is_written_file(descriptor) && fails() ? -1 : original(descriptor, data, size);
+  return is_written_file(descriptor) && fails("write") ? -1 : original(descriptor, data, size);
 }
 
 ssize_t writev(int descriptor, const iovec* pieces, int count)
 {
   static auto* const original = next<ssize_t(int, const iovec*, int)>("writev");
-  return is_written_file(descriptor) && fails() ? -1 : original(descriptor, pieces, count);
+  return is_written_file(descriptor) && fails("writev") ? -1 : original(descriptor, pieces, count);
 }
 
 int fsync(int descriptor)
 {
   static auto* const original = next<int(int)>("fsync");
-  return fails() ? -1 : original(descriptor);
+  return fails("fsync") ? -1 : original(descriptor);
 }
 
 int close(int descriptor)
 {
   static auto* const original = next<int(int)>("close");
-  const bool fail = is_written_file(descriptor) && fails();
+  const bool fail = is_written_file(descriptor) && fails("close");
   const int result = original(descriptor); // it is closed in any case
   if (fail) errno = EIO;
   return fail ? -1 : result;
@@ -75,7 +77,7 @@ int close(int descriptor)
 int rename(const char* from, const char* to)
 {
   static auto* const original = next<int(const char*, const char*)>("rename");
-  return fails() ? -1 : original(from, to);
+  return fails("rename") ? -1 : original(from, to);
 }
 
 } // extern "C"

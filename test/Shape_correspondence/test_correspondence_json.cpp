@@ -14,6 +14,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <sstream>
 
@@ -47,6 +48,22 @@ json written(const Correspondence& c)
 }
 
 } // namespace
+
+TEST_CASE("A number that is not finite is an error, and never written")
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::function<void(Correspondence&, double)> places[] = {
+      [](Correspondence& c, double number) { c.energy = number; },
+      [](Correspondence& c, double number) { c.terms.distortion = number; },
+      [](Correspondence& c, double number) { c.groups[1].energy = number; },
+      [](Correspondence& c, double number) { c.contacts[0].distortion = number; }};
+  for (const auto& put : places)
+    for (double number : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
+      Correspondence c = back_splits();
+      put(c, number);
+      CHECK_THROWS_AS(written(c), Invalid_input);
+    }
+}
 
 TEST_CASE("A correspondence is written as the format says")
 {

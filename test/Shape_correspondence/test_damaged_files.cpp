@@ -202,6 +202,16 @@ TEST_CASE("Whole numbers beyond their range, and a million parts, are refused")
   CHECK_THAT(read_complaint(folder.write("a.obj", objects)), Contains("100000 parts"));
 }
 
+TEST_CASE("A grid of more points than an int can count, most of which are not there, is refused")
+{
+  constexpr std::size_t cols = 65536, rows_added = 65534; // to the two of the table: 2^32 points
+  std::ostringstream good;
+  IO::write_structural_graph_json(good, hand_made::table());
+  const std::string grid = "\"grid\":[", first_row = "[[0,0,0]" + repeated(",[0,0,0]", cols - 1) + "],";
+  CHECK_THAT(json_complaint(replaced(good.str(), grid, grid + first_row + repeated("0,", rows_added - 1))),
+             Contains("grid[1] is not an array"));
+}
+
 TEST_CASE("What breaks the process that it is read in is an error that names the file")
 {
   const auto outcome = [](const std::function<std::string()>& work) {

@@ -215,6 +215,22 @@ TEST_CASE("Whichever call on a file fails, an output is whole or as it was befor
   CHECK(status == 0);
 }
 
+TEST_CASE("An output is on the disk before it takes the place of what was there, and its folder after that")
+{
+  const Temporary_folder folder;
+  const std::string graph = quoted(folder.write("g.json", graph_text(hand_made::chair(), "a"))),
+                    error = folder.path("error");
+  const std::string arguments = "graph " + graph + " -q --json " + quoted(folder.path("o.json"));
+  setenv("FAILING_NAME", "fsync", 1);
+  folder.write("o.json", "old");
+  CHECK(run_failing(1, arguments, error) == 1);
+  CHECK(text_of(folder.path("o.json")) == "old");
+  CHECK(run_failing(2, arguments, error) == 1);
+  CHECK(text_of(folder.path("o.json")) == text_of(folder.path("g.json")));
+  CHECK(run_failing(3, arguments, error) == 0);
+  unsetenv("FAILING_NAME");
+}
+
 TEST_CASE("Whichever call on a file of a cache or store fails, the result is the same")
 {
   constexpr int calls = 40; // more than there are

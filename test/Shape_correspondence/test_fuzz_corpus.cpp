@@ -5,6 +5,7 @@
 
 // What the fuzz targets begin with and have found, in every build; random structural graphs through the library.
 
+#include "fuzz/file_readers.h"
 #include "io/model_parts.h"
 #include "model_files.h"
 #include "random_graph.h"
@@ -30,6 +31,11 @@ TEST_CASE("Every file of the corpus is read or refused")
                                                  {"off", model(IO::read_off_part)},
                                                  {"ply", model(IO::read_ply_part)},
                                                  {"stl", model(IO::read_stl_parts)},
+                                                 {"labels", file_readers::labels},
+                                                 {"result", file_readers::result},
+                                                 {"pieces", file_readers::pieces},
+                                                 {"roles", file_readers::roles},
+                                                 {"image", file_readers::image},
                                                  {"graph_json",
                                                   [](const std::string& text) {
                                                     std::istringstream in(text);
@@ -42,6 +48,10 @@ TEST_CASE("Every file of the corpus is read or refused")
                                                     std::istringstream in(text);
                                                     IO::read_structural_graph_xml(in, "input");
                                                   }}};
+  for (const fs::directory_entry& folder : fs::directory_iterator(corpus)) {
+    INFO(folder.path());
+    CHECK((readers.count(folder.path().filename().string()) == 1 || folder.path().filename() == "match"));
+  }
   for (const auto& [folder, reader] : readers) {
     std::size_t good = 0;
     for (const auto& entry : fs::directory_iterator(corpus / folder)) {

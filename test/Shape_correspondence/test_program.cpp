@@ -268,7 +268,8 @@ TEST_CASE("The table of match: sets of parts, their operation and confidence, on
   distance.precision(4);
   distance << std::stod(row.substr(row.rfind(',') + 1));
   CHECK_THAT(table.out, Contains("distance: " + distance.str() + " "));
-  CHECK_THAT(run("match " + pair + " --search beam").out, !Contains("confidence"));
+  CHECK_THAT(run("match " + pair + " --search beam").out, !Contains("confidence") && !Contains("proven"));
+  CHECK_THAT(run("match " + airplanes + cache + " --search exact").out, Contains("proven minimal for this direction"));
 }
 
 TEST_CASE("Inputs that cannot be used end with status 1, a message and nothing left behind")
