@@ -54,13 +54,16 @@ TEST_CASE("Every file of the corpus is read or refused")
   }
   for (const auto& [folder, reader] : readers) {
     std::size_t good = 0;
+    bool are_images_known = true;
     for (const auto& entry : fs::directory_iterator(corpus / folder)) {
       INFO(entry.path());
       const std::string text = text_of(entry.path().string());
-      good += complaint([&, &read = reader] { read(text); }).empty();
+      const std::string message = complaint([&, &read = reader] { read(text); });
+      good += message.empty();
+      are_images_known = are_images_known && message.find("built without libpng") == std::string::npos;
     }
     INFO(folder);
-    CHECK(good > 0);
+    CHECK((good > 0 || !are_images_known));
   }
 }
 
