@@ -16,7 +16,7 @@ using namespace internal;
 
 namespace {
 
-std::string fixed(double number)
+std::string decimals(double number)
 {
   char text[32];
   std::snprintf(text, sizeof text, "%.3f", number);
@@ -56,7 +56,7 @@ struct Evaluations
   }
 };
 
-std::string interval(const Estimate& estimate) { return fixed(estimate.low) + ".." + fixed(estimate.high); }
+std::string interval_text(const Estimate& estimate) { return decimals(estimate.low) + ".." + decimals(estimate.high); }
 
 /// How well confidences tell right from wrong. Every pair of shapes of a category weighs the same.
 struct Calibration
@@ -120,7 +120,7 @@ std::string share_of_fronts(const Role_training_set& set, const Role_validation&
   double sum = 0;
   for (const auto& [name, count] : counts)
     sum += double(count.*fronts) / count.shapes;
-  return counts.empty() ? "-" : fixed(sum / double(counts.size()));
+  return counts.empty() ? "-" : decimals(sum / double(counts.size()));
 }
 
 /// The mean of the pairs, every category with the same weight.
@@ -234,17 +234,17 @@ void write_role_table(std::ostream& out, const Role_training_set& set, const Rol
     rows.push_back({name, std::to_string(without.correspondences)});
     for (const Mean_score* score : {&without, &with})
       for (const Estimate* estimate : {&score->precision, &score->recall, &score->f1})
-        rows.back().push_back(fixed(estimate->mean));
+        rows.back().push_back(decimals(estimate->mean));
     const Calibration confidences = calibration_of(set, validation, name == "mean" ? "" : name);
-    for (const std::string& text : {interval(with.f1), fixed(gain.f1.mean), interval(gain.f1)})
+    for (const std::string& text : {interval_text(with.f1), decimals(gain.f1.mean), interval_text(gain.f1)})
       rows.back().push_back(text);
     for (double value :
          {confidences.stated, confidences.right, confidences.auc, confidences.sure_precision, confidences.sure_share})
-      rows.back().push_back(fixed(value));
+      rows.back().push_back(decimals(value));
     for (const auto fronts : {&Front_count::possible, &Front_count::sure})
       rows.back().push_back(share_of_fronts(set, validation, name == "mean" ? "" : name, fronts));
     for (const auto labels : {&Validated_pair::labels_by_geometry, &Validated_pair::labels_joined})
-      rows.back().push_back(fixed(mean_share(set, validation, name == "mean" ? "" : name, labels)));
+      rows.back().push_back(decimals(mean_share(set, validation, name == "mean" ? "" : name, labels)));
   };
   for (std::size_t c = 0; c < found.gain.categories.size(); ++c)
     add_row(found.gain.categories[c].first, found.geometric.categories[c].second, found.joined.categories[c].second,
