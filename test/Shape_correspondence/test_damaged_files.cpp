@@ -124,6 +124,19 @@ TEST_CASE("Counts beyond the size of the file are refused before anything is mad
              Contains("more than the file holds"));
 }
 
+TEST_CASE("What the reader of a type refuses is not given to another one")
+{
+  const Temporary_folder folder;
+  // A whole STL model: assimp reads it under any name
+  const std::string stl = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                          "endloop\nendfacet\nfacet normal 0 1 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                          "vertex 0 0 1\nendloop\nendfacet\nendsolid a\n";
+  CHECK_THAT(read_complaint(folder.write("a.ply", stl)), Contains("does not begin with 'ply'"));
+  CHECK_THAT(read_complaint(folder.write("a.off", stl)), Contains("does not begin with the word OFF"));
+  CHECK_THAT(read_complaint(folder.write("a.obj", stl)), Contains("no face"));
+  CHECK_THAT(read_complaint(folder.write("a.stl", obj_table())), Contains("cannot be read as an STL model"));
+}
+
 TEST_CASE("Coordinates beyond 1e15 are refused, those at it are not")
 {
   const Temporary_folder folder;
