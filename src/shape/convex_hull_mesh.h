@@ -9,8 +9,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The convex hull of points that do not lie in a plane, its faces triangles. Compiled once: CGAL's algorithm is 20 s of
-/// compile time in every file that has it.
+/// The convex hull of points that do not lie in a plane, its faces triangles. Compiled once: CGAL's algorithm is 20 s
+/// of compile time in every file that has it.
 Halfedge_mesh convex_hull_mesh(const Points& points);
 
 } // namespace CGAL::Shape_correspondence::internal
