@@ -8,7 +8,10 @@
 
 #include <CGAL/version.h>
 
-#if CGAL_VERSION_NR < 1050600000 // as `repair.cpp` uses it
+// What alpha wrapping asks of an oracle is internal to CGAL, and another version may ask something else: this oracle is
+// for CGAL 5.5. Others wrap with the one of CGAL.
+#if CGAL_VERSION_NR < 1050600000
+#define CGAL_SHAPE_CORRESPONDENCE_HAS_WRAP_ORACLE
 
 #include <CGAL/Alpha_wrap_3/internal/Alpha_wrap_3.h>
 #include <CGAL/Alpha_wrap_3/internal/Alpha_wrap_AABB_traits.h>
@@ -26,7 +29,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A tetrahedron as the intersection of half-spaces. A touch counts, and what is farther away by rounding only.
+/// A tetrahedron as the intersection of half-spaces. What touches it meets it, and what is apart by no more than
+/// rounding.
 class Solid_tetrahedron
 {
 public:
@@ -45,8 +49,6 @@ public:
       ends_[i] = normals_[i].dot(a) + tolerance;
     }
   }
-
-  const contacts::Box& box() const { return box_; }
 
   /// Whether a box may meet the tetrahedron.
   bool may_meet(const contacts::Box& box) const
@@ -108,9 +110,9 @@ private:
   contacts::Box box_;
 };
 
-/// What CGAL's alpha wrapping asks of the surface that it wraps, in plain floating point: its own oracle answers
-/// exactly, which takes most of the time of a wrap. Nothing is lost by that, for the points of a wrap keep their
-/// distance from the surface, which rounding errors are far below.
+/// Answers what CGAL's alpha wrapping asks of the surface that it wraps, in floating point. CGAL's own oracle answers
+/// exactly, which takes most of the time of a wrap. The wrap still encloses the surface, since the offset is far larger
+/// than rounding errors; but an answer that rounding decides may carve other tetrahedra.
 class Wrap_oracle
 {
 public:

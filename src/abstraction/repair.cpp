@@ -20,7 +20,6 @@
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/alpha_wrap_3.h>
-#include <CGAL/version.h>
 
 #include <algorithm>
 #include <cmath>
@@ -177,8 +176,8 @@ struct Wrap_watch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visit
   const Deadline* deadline;
 };
 
-#if CGAL_VERSION_NR < 1050600000
-/// The triangles that are none of a point or a line.
+#ifdef CGAL_SHAPE_CORRESPONDENCE_HAS_WRAP_ORACLE
+/// The triangles that are not degenerate.
 std::vector<contacts::Triangle> proper_triangles(const Part_mesh& part)
 {
   std::vector<contacts::Triangle> result;
@@ -199,7 +198,7 @@ Halfedge_mesh wrap(const Part_mesh& part, const Deadline& deadline)
   const double alpha = size / 20, offset = size / 600;
   Halfedge_mesh result;
   Wrap_watch watch(deadline);
-#if CGAL_VERSION_NR < 1050600000 // what the algorithm asks of an oracle is not documented: later versions may ask more
+#ifdef CGAL_SHAPE_CORRESPONDENCE_HAS_WRAP_ORACLE
   std::vector<contacts::Triangle> triangles = proper_triangles(part);
   if (triangles.empty()) {
     throw Flow_failure("its surface is too degenerate for the flow");

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#if CGAL_VERSION_NR < 1050600000 // others are wrapped with an oracle of CGAL
+#ifdef CGAL_SHAPE_CORRESPONDENCE_HAS_WRAP_ORACLE
 
 #include <CGAL/Alpha_wrap_3/internal/Triangle_soup_oracle.h>
 

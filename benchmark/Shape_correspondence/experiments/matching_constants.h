@@ -136,8 +136,8 @@ inline std::string matching_header(const Part_matching_options& options)
 // Author(s)     : the Shape_correspondence developers
 
 // In the form that `experiments fit` writes. Values were chosen on labelled and generated shapes; the fit kept them,
-// since fitted ones scored less on categories left out (benchmark/Shape_correspondence/RESULTS.md). To change a comment,
-// change experiments/matching_constants.h.
+// since fitted ones scored less on categories left out (benchmark/Shape_correspondence/RESULTS.md). To change a
+// comment, change experiments/matching_constants.h.
 
 #ifndef CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H
