@@ -101,21 +101,19 @@ Structure_preservation::Handles Structure_preservation::handles(std::size_t grou
   return result;
 }
 
-// Places a group by what it touches and what is placed, from one of its touches to another one, those of one or more
-// parts; returns how far its representative moved.
-double Structure_preservation::place(std::size_t group, std::size_t begin, std::size_t end,
-                                     const std::vector<char>& matched,
-                                     const std::vector<std::array<Point, 2>>& contact_displacement)
+// Places a group by what it touches and what is placed.
+void Structure_preservation::place(std::size_t group, const std::vector<char>& matched,
+                                   const std::vector<std::array<Point, 2>>& contact_displacement)
 {
   const std::vector<Touch>& touches = touches_[group];
   std::size_t representative = shape_.group(group).parts[0];
   Point moved = Point::Zero();
   int most = 0;
-  for (std::size_t i = begin; i < end;) {
+  for (std::size_t i = 0; i < touches.size();) {
     const std::size_t part = touches[i].part;
     Point sum = Point::Zero();
     int count = 0;
-    for (; i < end && touches[i].part == part; ++i) {
+    for (; i < touches.size() && touches[i].part == part; ++i) {
       const std::size_t other = touches[i].other, other_group = touches[i].other_group;
       if (!placed_[other_group]) continue;
       sum += matched[other_group] ? contact_displacement[touches[i].contact][std::size_t(touches[i].other_side)]
@@ -124,7 +122,6 @@ double Structure_preservation::place(std::size_t group, std::size_t begin, std::
     }
     if (count > most) most = count, representative = part, moved = sum / count;
   }
-  const double change = (displacement_.col(Eigen::Index(representative)) - moved).cwiseAbs().maxCoeff();
   const std::vector<std::size_t>& members = shape_.group(group).parts;
   for (std::size_t i = 0; i < members.size(); ++i)
     displacement_.col(Eigen::Index(members[i])) =
@@ -133,6 +130,44 @@ double Structure_preservation::place(std::size_t group, std::size_t begin, std::
             : Point(generated_directions(shape_.group(group).symmetry, shape_.parts[representative].centroid,
                                          shape_.parts[members[i]].centroid) *
                     moved);
+}
+
+// Where the displacements are that the representatives follow once all that they touch is placed.
+void Structure_preservation::gather(const std::vector<char>& matched,
+                                    const std::vector<std::array<Point, 2>>& contact_displacement)
+{
+  followed_.clear();
+  for (std::size_t group : order_)
+    for (std::size_t i = handles_[group].begin; i < handles_[group].end; ++i) {
+      const Touch& touch = touches_[group][i];
+      followed_.push_back(matched[touch.other_group]
+                              ? contact_displacement[touch.contact][std::size_t(touch.other_side)].data()
+                              : displacement_.col(Eigen::Index(touch.other)).data());
+    }
+}
+
+// Places every group anew; returns how far the one that moved most did.
+double Structure_preservation::sweep()
+{
+  double change = 0;
+  const double* const* followed = followed_.data();
+  for (std::size_t group : order_) {
+    const Handles& handles = handles_[group];
+    Point sum = Point::Zero();
+    const std::size_t count = handles.end - handles.begin;
+    for (std::size_t i = 0; i < count; ++i)
+      sum += Eigen::Map<const Point>(*followed++);
+    const Point moved = sum / double(count);
+    auto displacement = displacement_.col(Eigen::Index(handles.representative));
+    change = std::max(change, (displacement - moved).cwiseAbs().maxCoeff());
+    const std::vector<std::size_t>& members = shape_.group(group).parts;
+    if (members.size() == 1) {
+      displacement = moved;
+      continue;
+    }
+    for (std::size_t i = 0; i < members.size(); ++i)
+      displacement_.col(Eigen::Index(members[i])) = handles.directions[i] * moved;
+  }
   return change;
 }
 
@@ -199,8 +234,7 @@ void Structure_preservation::operator()(const std::vector<char>& matched,
   for (auto begin = order_.begin(); begin != order_.end();) {
     const auto end =
         std::find_if(begin, order_.end(), [&](std::size_t group) { return layer_[group] != layer_[*begin]; });
-    std::for_each(begin, end,
-                  [&](std::size_t group) { place(group, 0, touches_[group].size(), matched, contact_displacement); });
+    std::for_each(begin, end, [&](std::size_t group) { place(group, matched, contact_displacement); });
     std::for_each(begin, end, [&](std::size_t group) { placed_[group] = 1; });
     begin = end;
   }
@@ -210,13 +244,9 @@ void Structure_preservation::operator()(const std::vector<char>& matched,
         motions[part] = {};
 
   // All that they touch is placed now, so that the representatives are those of the handles
-  double change = 1;
-  for (int sweep = 0; sweep < maximum_sweeps && change > tolerance; ++sweep) {
-    change = 0;
-    for (std::size_t group : order_)
-      change =
-          std::max(change, place(group, handles_[group].begin, handles_[group].end, matched, contact_displacement));
-  }
+  gather(matched, contact_displacement);
+  for (int sweeps = 0; sweeps < maximum_sweeps && sweep() > tolerance;)
+    ++sweeps;
   for (std::size_t group : order_)
     stretch(group, matched, contact_displacement, motions);
 }

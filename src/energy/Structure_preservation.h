@@ -72,8 +72,10 @@ private:
 
   Handles handles(std::size_t group) const;
   void visit(const std::vector<char>& matched);
-  double place(std::size_t group, std::size_t begin, std::size_t end, const std::vector<char>& matched,
-               const std::vector<std::array<Point, 2>>& contact_displacement);
+  void place(std::size_t group, const std::vector<char>& matched,
+             const std::vector<std::array<Point, 2>>& contact_displacement);
+  void gather(const std::vector<char>& matched, const std::vector<std::array<Point, 2>>& contact_displacement);
+  double sweep();
   void stretch(std::size_t group, const std::vector<char>& matched,
                const std::vector<std::array<Point, 2>>& contact_displacement, std::vector<Part_motion>& motions) const;
 
@@ -82,6 +84,7 @@ private:
   std::vector<Handles> handles_;            // by group
   Points displacement_;                     // by part
   std::vector<char> placed_;
+  std::vector<const double*> followed_; // by group in `order_` and touch of its representative, x of a displacement
 
   // Of the visit, by group
   boost::queue<std::size_t> queue_;
