@@ -122,14 +122,24 @@ void Structure_preservation::place(std::size_t group, const std::vector<char>& m
     }
     if (count > most) most = count, representative = part, moved = sum / count;
   }
+  if (representative == handles_[group].representative) return displace(group, moved);
+  for (std::size_t member : shape_.group(group).parts)
+    displacement_.col(Eigen::Index(member)) =
+        generated_directions(shape_.group(group).symmetry, shape_.parts[representative].centroid,
+                             shape_.parts[member].centroid) *
+        moved;
+}
+
+// Displaces the members of a group as the representative of its handles is.
+void Structure_preservation::displace(std::size_t group, const Point& moved)
+{
   const std::vector<std::size_t>& members = shape_.group(group).parts;
+  if (members.size() == 1) {
+    displacement_.col(Eigen::Index(members[0])) = moved;
+    return;
+  }
   for (std::size_t i = 0; i < members.size(); ++i)
-    displacement_.col(Eigen::Index(members[i])) =
-        representative == handles_[group].representative
-            ? Point(handles_[group].directions[i] * moved)
-            : Point(generated_directions(shape_.group(group).symmetry, shape_.parts[representative].centroid,
-                                         shape_.parts[members[i]].centroid) *
-                    moved);
+    displacement_.col(Eigen::Index(members[i])) = handles_[group].directions[i] * moved;
 }
 
 // Where the displacements are that the representatives follow once all that they touch is placed.
@@ -158,15 +168,8 @@ double Structure_preservation::sweep()
     for (std::size_t i = 0; i < count; ++i)
       sum += Eigen::Map<const Point>(*followed++);
     const Point moved = sum / double(count);
-    auto displacement = displacement_.col(Eigen::Index(handles.representative));
-    change = std::max(change, (displacement - moved).cwiseAbs().maxCoeff());
-    const std::vector<std::size_t>& members = shape_.group(group).parts;
-    if (members.size() == 1) {
-      displacement = moved;
-      continue;
-    }
-    for (std::size_t i = 0; i < members.size(); ++i)
-      displacement_.col(Eigen::Index(members[i])) = handles.directions[i] * moved;
+    change = std::max(change, (displacement_.col(Eigen::Index(handles.representative)) - moved).cwiseAbs().maxCoeff());
+    displace(group, moved);
   }
   return change;
 }
@@ -192,6 +195,10 @@ void Structure_preservation::stretch(std::size_t group, const std::vector<char>&
   motion.shift /= double(handles.end - handles.begin);
   motion.shift -= motion.stretch * handles.middle;
   const std::vector<std::size_t>& members = shape_.group(group).parts;
+  if (members.size() == 1) {
+    motions[members[0]] = motion;
+    return;
+  }
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Eigen::Matrix3d& directions = handles.directions[i];
     motions[members[i]] = {directions * motion.shift, directions * motion.stretch * directions.transpose()};

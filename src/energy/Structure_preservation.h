@@ -76,6 +76,7 @@ private:
              const std::vector<std::array<Point, 2>>& contact_displacement);
   void gather(const std::vector<char>& matched, const std::vector<std::array<Point, 2>>& contact_displacement);
   double sweep();
+  void displace(std::size_t group, const Point& moved);
   void stretch(std::size_t group, const std::vector<char>& matched,
                const std::vector<std::array<Point, 2>>& contact_displacement, std::vector<Part_motion>& motions) const;
 
