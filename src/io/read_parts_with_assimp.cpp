@@ -312,7 +312,7 @@ private:
   void take(void* place, std::size_t size)
   {
     if (size > bytes_.size() - at_) fail();
-    std::memcpy(place, bytes_.data() + at_, size);
+    if (size > 0) std::memcpy(place, bytes_.data() + at_, size); // an empty vector may have no place
     at_ += size;
   }
 

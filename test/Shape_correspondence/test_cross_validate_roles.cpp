@@ -61,7 +61,8 @@ TEST_CASE("Pairs of shapes that the training did not see")
     CHECK(count(&Judged_pair::has_one_role) == pair.joined.right_coarse);
   }
   // Nothing speaks against the labels, so they count for no less than usual
-  for (const Category_roles& category : validation.model().data().categories)
+  const Role_model model = validation.model();
+  for (const Category_roles& category : model.data().categories)
     CHECK(category.weights[SAME_LABEL] >= usual_pair_weights()[SAME_LABEL]);
 }
 

@@ -359,7 +359,8 @@ TEST_CASE("Min-marginals tell how sure a match is")
 
 TEST_CASE("A finder gives what the function gives")
 {
-  const Correspondence_finder find(chair(), least_energy());
+  const Structural_graph source = chair();
+  const Correspondence_finder find(source, least_energy());
   for (const Structural_graph& target : {chair(), slatted_chair(), chair(false)}) {
     const Correspondence found = find(target), expected = find_correspondence(chair(), target, least_energy());
     CHECK(found.pairs == expected.pairs);
