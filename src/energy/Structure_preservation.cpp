@@ -150,9 +150,9 @@ void Structure_preservation::gather(const std::vector<char>& matched,
   for (std::size_t group : order_)
     for (std::size_t i = handles_[group].begin; i < handles_[group].end; ++i) {
       const Touch& touch = touches_[group][i];
-      followed_.push_back(matched[touch.other_group]
-                              ? contact_displacement[touch.contact][std::size_t(touch.other_side)].data()
-                              : displacement_.col(Eigen::Index(touch.other)).data());
+      const std::array<Point, 2>& displaced = contact_displacement[touch.contact];
+      followed_.push_back(matched[touch.other_group] ? displaced[std::size_t(touch.other_side)].data()
+                                                     : displacement_.col(Eigen::Index(touch.other)).data());
     }
 }
 
