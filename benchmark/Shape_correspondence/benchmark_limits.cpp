@@ -34,7 +34,7 @@ struct Limit
 };
 
 constexpr Limit limits[] = {{"parts", SC::Search_method::PARTS, 2000},
-                            {"beam search", SC::Search_method::BEAM, 160},
+                            {"beam search", SC::Search_method::BEAM, 150},
                             {"exact search", SC::Search_method::EXACT, 500}};
 
 // Boxes of random heights in a ring, each in contact with the next.

@@ -34,7 +34,7 @@ constexpr std::size_t most_symmetry_work = 15'000'000;
 
 /// Groups of parts that a search for the least energy deforms. So many in a ring take less than ten seconds: the
 /// time of the beam search is cubic in them, exact search needs memory for all pairs of labels of each contact.
-constexpr std::size_t most_beam_groups = 160, most_exact_groups = 500;
+constexpr std::size_t most_beam_groups = 150, most_exact_groups = 500;
 
 /// Frames of a blend: at 25 a second, more than six minutes.
 constexpr int most_frames = 10000;

@@ -123,7 +123,7 @@ TEST_CASE(
   REQUIRE(!structure(graph).warnings.empty());
   CHECK_THAT(structure(graph).warnings.back(), Contains("Too many"));
   CHECK(find_correspondence(graph, graph).pairs.size() >= 1000);
-  for (const auto& [method, limit] : {std::pair(Search_method::BEAM, "beam search takes at most 160"),
+  for (const auto& [method, limit] : {std::pair(Search_method::BEAM, "beam search takes at most 150"),
                                       std::pair(Search_method::EXACT, "exact search takes at most 500")}) {
     Search_options search;
     search.method = method;

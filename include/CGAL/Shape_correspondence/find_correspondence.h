@@ -110,7 +110,7 @@ private:
 /// \param options of the method, the search and the energy
 /// \pre both graphs are valid (`is_valid_structural_graph()`)
 /// \throw Invalid_input if an option is out of its range, pinned and forbidden pairs contradict each other, or a shape to
-/// be deformed has more than 160 groups of parts with `Search_method::BEAM` or 500 with `EXACT`
+/// be deformed has more than 150 groups of parts with `Search_method::BEAM` or 500 with `EXACT`
 Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,
                                    const Search_options& options = {});
 
@@ -122,7 +122,7 @@ Correspondence find_correspondence(const Structural_graph& source, const Structu
 /// \param options of the method, the search and the energy
 /// \pre both graphs are valid (`is_valid_structural_graph()`)
 /// \throw Invalid_input if an option is out of its range, pinned and forbidden pairs contradict each other, or a shape to
-/// be deformed has more than 160 groups of parts with `Search_method::BEAM` or 500 with `EXACT`
+/// be deformed has more than 150 groups of parts with `Search_method::BEAM` or 500 with `EXACT`
 std::vector<Correspondence> find_correspondences(const Structural_graph& source, const Structural_graph& target,
                                                  const Search_options& options);
 
