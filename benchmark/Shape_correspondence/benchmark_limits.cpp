@@ -7,13 +7,13 @@
 // Prints a line a method; exit status 1 if one takes more processor time than the manual says, section "Limits".
 
 #include "../../test/Shape_correspondence/box_shapes.h"
+#include "base/limits.h"
 
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <CGAL/Timer.h>
 
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -24,7 +24,7 @@ namespace SC = CGAL::Shape_correspondence;
 
 namespace {
 
-constexpr double most_seconds = 10;
+constexpr double most_seconds = 10; // of processor time
 
 struct Limit
 {
@@ -33,9 +33,9 @@ struct Limit
   std::size_t parts;
 };
 
-constexpr Limit limits[] = {{"parts", SC::Search_method::PARTS, 2000},
-                            {"beam search", SC::Search_method::BEAM, 150},
-                            {"exact search", SC::Search_method::EXACT, 500}};
+constexpr Limit limits[] = {{"parts", SC::Search_method::PARTS, SC::internal::most_parts},
+                            {"beam search", SC::Search_method::BEAM, SC::internal::most_beam_groups},
+                            {"exact search", SC::Search_method::EXACT, SC::internal::most_exact_groups}};
 
 // Boxes of random heights in a ring, each in contact with the next.
 SC::Structural_graph ring(std::size_t parts, unsigned seed)

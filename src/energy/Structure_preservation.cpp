@@ -134,7 +134,7 @@ void Structure_preservation::place(std::size_t group, const std::vector<char>& m
 void Structure_preservation::displace(std::size_t group, const Point& moved)
 {
   const std::vector<std::size_t>& members = shape_.group(group).parts;
-  if (members.size() == 1) {
+  if (members.size() == 1) { // whose directions are its own
     displacement_.col(Eigen::Index(members[0])) = moved;
     return;
   }
@@ -195,7 +195,7 @@ void Structure_preservation::stretch(std::size_t group, const std::vector<char>&
   motion.shift /= double(handles.end - handles.begin);
   motion.shift -= motion.stretch * handles.middle;
   const std::vector<std::size_t>& members = shape_.group(group).parts;
-  if (members.size() == 1) {
+  if (members.size() == 1) { // whose directions are its own
     motions[members[0]] = motion;
     return;
   }
