@@ -3,9 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Measures part abstraction on folders of parts: benchmark_abstraction [--parts] SHAPE_FOLDER...
+// Measures part abstraction on folders of parts: benchmark_abstraction [--parts] [--triangles N] SHAPE_FOLDER...
 // Every folder holds parts/ and, for the category, labels.json; with a structure.json that states mid-lines and
-// mid-surfaces, deviations from them are measured, too. --parts prints a line a part.
+// mid-surfaces, deviations from them are measured, too. --parts prints a line a part; --triangles is that of `graph`.
 
 #include "abstraction_error.h"
 
@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <iostream>
 #include <map>
+#include <string>
 
 namespace SC = CGAL::Shape_correspondence;
 
@@ -105,13 +106,15 @@ void measure_part(const SC::Part_abstraction& part, const SC::Part_mesh& mesh, c
   if (print) print_part(part, SC::benchmark::quantile(medialness, 0.5), SC::benchmark::quantile(deviations, 0.95));
 }
 
-void measure(const std::string& folder, bool print_parts, std::map<std::string, Totals>& by_category)
+void measure(const std::string& folder, const SC::Structure_options& options, bool print_parts,
+             std::map<std::string, Totals>& by_category)
 {
   CGAL::Real_timer timer;
   timer.start();
   const SC::Segmented_shape shape = SC::IO::read_segmented_shape(folder + "/parts");
   SC::Structure_times times;
-  const SC::Structural_graph graph = SC::build_structural_graph<CGAL::Parallel_if_available_tag>(shape, {}, &times);
+  const SC::Structural_graph graph =
+      SC::build_structural_graph<CGAL::Parallel_if_available_tag>(shape, options, &times);
   const double seconds = timer.time();
   Totals& totals = by_category[category_of(folder)];
   ++totals.shapes;
@@ -153,14 +156,17 @@ void print(const std::string& category, const Totals& t)
 int main(int argc, char** argv)
 {
   bool print_parts = false;
+  SC::Structure_options options;
   std::map<std::string, Totals> by_category;
   for (int i = 1; i < argc; ++i) {
-    if (std::string(argv[i]) == "--parts") {
-      print_parts = true;
-      continue;
-    }
+    const std::string argument = argv[i];
     try {
-      measure(argv[i], print_parts, by_category);
+      if (argument == "--parts")
+        print_parts = true;
+      else if (argument == "--triangles" && i + 1 < argc)
+        options.abstraction.triangles = std::stoi(argv[++i]);
+      else
+        measure(argument, options, print_parts, by_category);
     } catch (const std::exception& error) {
       std::cerr << argv[i] << ": " << error.what() << "\n";
       return 1;

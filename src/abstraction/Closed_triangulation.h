@@ -222,7 +222,7 @@ private:
     }
   }
 
-  void remove_face(int f) { std::fill_n(source_.begin() + 3 * f, 3, none); }
+  void remove_face(int f) { std::fill_n(source_.begin() + std::ptrdiff_t(3) * f, 3, none); }
 
   void link(int h, int o)
   {

@@ -182,7 +182,7 @@ struct Cell_distance
 inline std::vector<Cell_distance> cells_by_distance(const Sheet& sheet, const Point& p)
 {
   std::vector<Cell_distance> result;
-  result.reserve(static_cast<std::size_t>((sheet.rows - 1) * (sheet.cols - 1)));
+  result.reserve(std::size_t(sheet.rows - 1) * std::size_t(sheet.cols - 1));
   for (int i = 0; i + 1 < sheet.rows; ++i) {
     for (int j = 0; j + 1 < sheet.cols; ++j) {
       const auto near = sheet.points.middleCols<2>(i * sheet.cols + j);

@@ -212,7 +212,8 @@ inline std::array<std::pair<Eigen::Index, double>, 4> bilinear_weights(const She
 /// data.
 inline Eigen::MatrixXd bending_form(int rows, int cols)
 {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows * cols, rows * cols);
+  const Eigen::Index size = Eigen::Index(rows) * cols;
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
   const auto add = [&](std::initializer_list<std::pair<int, double>> terms) {
     for (const auto& [a, x] : terms) {
       for (const auto& [b, y] : terms) {

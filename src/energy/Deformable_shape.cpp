@@ -51,7 +51,7 @@ Deformable_shape::Deformable_shape(Aligned_shape shape)
 
 const Structural_rods& Deformable_shape::rods(std::size_t contact, int first_repeats, int second_repeats) const
 {
-  Measures::Lazy_rods& lazy = measures_->rods[4 * contact + 2 * (first_repeats > 1) + (second_repeats > 1)];
+  Measures::Lazy_rods& lazy = measures_->rods[4 * contact + (first_repeats > 1 ? 2 : 0) + (second_repeats > 1 ? 1 : 0)];
   std::call_once(lazy.is_found, [&] {
     const auto& ends = contacts[contact].parts;
     lazy.rods = Structural_rods(parts[ends[0]].samples, parts[ends[1]].samples, first_repeats, second_repeats);

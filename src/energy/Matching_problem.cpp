@@ -93,7 +93,8 @@ std::vector<std::vector<Group_label>> all_labels(const Aligned_shape& source, co
 
 } // namespace
 
-Matching_problem::Matching_problem(Shared_shape source, Shared_shape target, const Matching_options& options)
+Matching_problem::Matching_problem(const Shared_shape& source, const Shared_shape& target,
+                                   const Matching_options& options)
     : Matching_problem(source, target, all_labels(*source, *target, options), options)
 {
   has_shortlists_ = target_->number_of_groups() > maximum_labels;
@@ -237,8 +238,8 @@ void Matching_problem::add_up_energy()
   const Aligned_shape::Graph& graph = source().graph;
   for (const auto& edge : boost::make_iterator_range(edges(graph))) {
     const auto [low, high] = std::minmax({boost::source(edge, graph), boost::target(edge, graph)});
-    Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(Eigen::Index(labels_[low].size()), Eigen::Index(labels_[high].size())),
-                    kept = cost;
+    Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(Eigen::Index(labels_[low].size()), Eigen::Index(labels_[high].size()));
+    Eigen::MatrixXd kept = cost;
     for (std::size_t contact : graph[edge].contacts) {
       const bool forward = group(contact, 0) == low;
       for (Eigen::Index a = 0; a < cost.rows(); ++a)

@@ -30,7 +30,7 @@ class Matching_problem
 public:
   using Shared_shape = std::shared_ptr<const Deformable_shape>;
 
-  Matching_problem(Shared_shape source, Shared_shape target, const Matching_options& options = {});
+  Matching_problem(const Shared_shape& source, const Shared_shape& target, const Matching_options& options = {});
   Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options = {});
   /// The same with given labels, by source group: to rate a mapping that was found in another way. Members of a group
   /// may have no image; their contacts cost nothing. \pre at least one label a group, as many images as it has members

@@ -19,7 +19,8 @@ using namespace internal;
 std::size_t Structural_rods::size(int first_count, int second_count)
 {
   const int in_blocks = samples_in_blocks(second_count);
-  return std::size_t(first_count * blocks_of(in_blocks) + (second_count - in_blocks) * blocks_of(first_count));
+  return std::size_t(first_count) * std::size_t(blocks_of(in_blocks)) +
+         std::size_t(second_count - in_blocks) * std::size_t(blocks_of(first_count));
 }
 
 // Without a first value, as all blocks are written.
@@ -46,7 +47,7 @@ Structural_rods::Structural_rods(const Sample_lanes& from, int first_count, int 
   const int in_blocks = samples_in_blocks(second_count_);
   static const Rod_writer write = available_rod_writers().back();
   const Rod_rows there = write(from, 0, first_count_, first_repeats, to, in_blocks, memory);
-  memory += first_count_ * blocks_of(in_blocks);
+  memory += std::ptrdiff_t(first_count_) * blocks_of(in_blocks);
   const Rod_rows back = write(to, in_blocks, second_count_, second_repeats, from, first_count_, memory);
   directionless_ = double(there.directionless + back.directionless) / (first_count_ * second_count_);
   longest_ = std::sqrt(double(std::max(there.longest_squared, back.longest_squared)));

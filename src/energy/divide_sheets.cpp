@@ -71,7 +71,7 @@ Sampled_part rectangle(const Sampled_part& sheet, const std::array<double, 2>& l
   CGAL_precondition(is_sheet(sheet));
   Sampled_part result;
   result.kind = Sampled_part::Kind::SHEET;
-  result.samples.resize(3, e * e);
+  result.samples.resize(3, Eigen::Index(e) * e);
   const auto place = [&](std::size_t axis, int i) {
     const double at = (low[axis] + (high[axis] - low[axis]) * i / (e - 1)) * (e - 1);
     const int cell = std::clamp(int(at), 0, e - 2);

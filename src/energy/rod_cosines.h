@@ -70,7 +70,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void keep_least(typename Lane_vector<Wid
 template <int Width>
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE const typename Lane_vector<Width>::type& lanes_at(const float* lanes, int block)
 {
-  return *reinterpret_cast<const typename Lane_vector<Width>::type*>(lanes + block * Width);
+  return *reinterpret_cast<const typename Lane_vector<Width>::type*>(lanes + std::ptrdiff_t(block) * Width);
 }
 
 // For a vector of lanes, from `from` to a block of `to`: the rods and their squared lengths.
@@ -107,7 +107,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void find_squared_along(const Rod_block&
 template <int Sources>
 struct Rod_answer
 {
-  float squared_cosines[Sources > 0 ? Sources : 1] = {};
+  float squared_cosines[std::max(Sources, 1)] = {};
   float least_squared_length = 0; // where it is asked for
 };
 
@@ -118,7 +118,7 @@ struct Rod_totals
   using Lanes = typename Lane_vector<Width>::type;
   static constexpr int in_block = block_lanes / Width;
 
-  Lanes cosines[Sources > 0 ? Sources : 1][in_block] = {}, least[in_block];
+  Lanes cosines[std::max(Sources, 1)][in_block] = {}, least[in_block];
 
   Rod_totals()
   {
@@ -182,11 +182,11 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE float sum_of_block(const float* lanes)
   alignas(64) float halves[8], quarters[4];
   for (int i = 0; i < 8 / eight; ++i) {
     const auto sum = lanes_at<eight>(lanes, i) + lanes_at<eight>(lanes + 8, i);
-    std::memcpy(halves + i * eight, &sum, sizeof sum);
+    std::memcpy(halves + std::ptrdiff_t(i) * eight, &sum, sizeof sum);
   }
   for (int i = 0; i < 4 / four; ++i) {
     const auto sum = lanes_at<four>(halves, i) + lanes_at<four>(halves + 4, i);
-    std::memcpy(quarters + i * four, &sum, sizeof sum);
+    std::memcpy(quarters + std::ptrdiff_t(i) * four, &sum, sizeof sum);
   }
   return (quarters[0] + quarters[2]) + (quarters[1] + quarters[3]);
 }

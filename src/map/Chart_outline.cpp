@@ -23,7 +23,8 @@ double reach_in_polygon(const Planar_points& polygon, const Eigen::Vector2d& dir
 {
   double reach = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector2d a = polygon[i], side = polygon[(i + 1) % polygon.size()] - a;
+    const Eigen::Vector2d& a = polygon[i];
+    const Eigen::Vector2d side = polygon[(i + 1) % polygon.size()] - a;
     const double across = direction.x() * side.y() - direction.y() * side.x();
     if (std::abs(across) < 1e-12) continue;
     const double along = (a.x() * side.y() - a.y() * side.x()) / across;

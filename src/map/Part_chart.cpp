@@ -149,7 +149,7 @@ void Part_chart::transport_frames(const Point& across)
 
 void Part_chart::normal_frames()
 {
-  frames_.resize(sheet_stations * sheet_stations);
+  frames_.resize(std::size_t{sheet_stations} * sheet_stations);
   const int last = sheet_stations - 1;
   for (int i = 0; i <= last; ++i)
     for (int j = 0; j <= last; ++j) {

@@ -31,8 +31,8 @@ Corners corners_of(const Part_mesh& mesh, Eigen::Index t, int& first)
   for (int k : {1, 2})
     if (is_less(k, first)) first = k;
   Corners result;
-  for (int k = 0; k < 3; ++k)
-    std::copy_n(point(first + k).data(), 3, result.data() + 3 * k);
+  for (std::ptrdiff_t k = 0; k < 3; ++k)
+    std::copy_n(point(first + int(k)).data(), 3, result.data() + 3 * k);
   return result;
 }
 

@@ -59,7 +59,7 @@ public:
     const double clearly = 0.9;
     Mirror_plane result;
     for (const Eigen::Vector2d& direction : candidate_normals()) {
-      const Mirror_plane plane = score(direction);
+      const Mirror_plane plane = score(direction, clearly * result.residual);
       if (plane.residual < clearly * result.residual) {
         result = plane;
       }
@@ -67,8 +67,21 @@ public:
     return refined(tightest_alternative(result));
   }
 
-  /// The best plane of a given normal: through the middle of the extent along it or through the centroid.
-  Mirror_plane score(const Eigen::Vector2d& normal) const
+  /// The plane across, if it is a mirror plane; else one of infinite residual.
+  Mirror_plane crossing(const Mirror_plane& plane) const
+  {
+    return score(quarter_turn(plane.normal), largest_residual_of_mirrors());
+  }
+
+  /// A mirror image of points that are spread evenly but independently lies about one spacing away.
+  bool is_mirror(const Mirror_plane& plane) const { return plane.residual < largest_residual_of_mirrors(); }
+
+private:
+  double largest_residual_of_mirrors() const { return spacing_ + 0.01 * extent_; }
+
+  /// The best plane of a given normal: through the middle of the extent along it or through the centroid. If its
+  /// residual is not below the limit, it may be said to be infinite.
+  Mirror_plane score(const Eigen::Vector2d& normal, double limit = std::numeric_limits<double>::infinity()) const
   {
     double low = std::numeric_limits<double>::infinity(), high = -low, sum = 0;
     for (const Eigen::Vector2d& p : footprint_) {
@@ -77,15 +90,14 @@ public:
       high = std::max(high, x);
       sum += x;
     }
-    const Mirror_plane middle = scored({normal, 0.5 * (low + high)});
-    const Mirror_plane centroid = scored({normal, sum / static_cast<double>(footprint_.size())});
+    Mirror_plane middle = scored({normal, 0.5 * (low + high)}, limit);
+    const Mirror_plane centroid = scored({normal, sum / static_cast<double>(footprint_.size())}, limit);
+    if (std::isinf(middle.residual) && std::isfinite(centroid.residual)) {
+      middle = scored(middle);
+    }
     return centroid.residual < 0.8 * middle.residual ? centroid : middle;
   }
 
-  /// A mirror image of points that are spread evenly but independently lies about one spacing away.
-  bool is_mirror(const Mirror_plane& plane) const { return plane.residual < spacing_ + 0.01 * extent_; }
-
-private:
   static std::vector<Eigen::Index> sorted_indices(Eigen::Index n, Eigen::Index limit)
   {
     std::vector<Eigen::Index> result;
@@ -103,17 +115,22 @@ private:
                                                                            static_cast<Eigen::Index>(indices.size()));
   }
 
-  Mirror_plane scored(Mirror_plane plane) const
+  Mirror_plane scored(Mirror_plane plane, double limit = std::numeric_limits<double>::infinity()) const
   {
     const Point normal(plane.normal.x(), 0, plane.normal.y());
-    plane.residual = 0;
+    const double count = static_cast<double>(queries_.size());
+    double sum = 0;
     for (Eigen::Index i = 0; i < queries_.size(); ++i) {
       const Point p = points_.col(queries_[i]);
-      plane.residual += nearest_.distance(p - 2 * (normal.dot(p) - plane.offset) * normal);
+      sum += nearest_.distance(p - 2 * (normal.dot(p) - plane.offset) * normal);
+      if (sum / count >= limit) { // most candidates end here, early
+        plane.residual = std::numeric_limits<double>::infinity();
+        return plane;
+      }
     }
     // Exact symmetry up to rounding noise is no better than exact symmetry.
     const double noise = 0.02;
-    plane.residual = std::max(plane.residual / static_cast<double>(queries_.size()), noise * spacing_);
+    plane.residual = std::max(sum / count, noise * spacing_);
     return plane;
   }
 
@@ -189,8 +206,12 @@ private:
   Mirror_plane tightest_alternative(const Mirror_plane& plane) const
   {
     const double as_good = 1.3, tighter = 0.99, clearly = 0.8;
-    const Mirror_plane diagonal = score(Eigen::Rotation2Dd(double(0.25 * EIGEN_PI)) * plane.normal);
-    if (!is_mirror(plane) || !(diagonal.residual < as_good * plane.residual)) {
+    if (!is_mirror(plane)) {
+      return plane;
+    }
+    const double limit = as_good * plane.residual;
+    const Mirror_plane diagonal = score(Eigen::Rotation2Dd(double(0.25 * EIGEN_PI)) * plane.normal, limit);
+    if (!(diagonal.residual < limit)) {
       return plane;
     }
     const double area = rectangle_area(plane.normal), diagonal_area = rectangle_area(diagonal.normal);
@@ -209,8 +230,9 @@ private:
     for (double step = 0.08; step > 0.002; step *= 0.5) {
       const Mirror_plane start = plane;
       for (const double angle : {-step, step}) {
-        const Mirror_plane turned = score(Eigen::Rotation2Dd(angle) * start.normal);
-        if (turned.residual < clearly * plane.residual) {
+        const double limit = clearly * plane.residual;
+        const Mirror_plane turned = score(Eigen::Rotation2Dd(angle) * start.normal, limit);
+        if (turned.residual < limit) {
           plane = turned;
         }
       }
@@ -268,7 +290,7 @@ void orient(Shape_frame& frame, const Points& points, Eigen::Vector2d& offset_al
 {
   const Mirror_plane_finder finder(points);
   const Mirror_plane best = finder.best();
-  const Mirror_plane crossing = finder.score(quarter_turn(best.normal));
+  const Mirror_plane crossing = finder.crossing(best);
   Eigen::Vector2d side;
   if (!finder.is_mirror(best)) {
     side = side_nearest_to_x(finder.rectangle_direction());
@@ -297,7 +319,7 @@ void place(Shape_frame& frame, const Points& points, const Eigen::Vector2d& offs
   const Points turned = frame.axes.transpose() * points;
   const Point low = turned.rowwise().minCoeff(), high = turned.rowwise().maxCoeff();
   Point origin(0.5 * (low.x() + high.x()), low.y(), 0.5 * (low.z() + high.z()));
-  for (int k = 0; k < 2; ++k) {
+  for (Eigen::Index k = 0; k < 2; ++k) {
     if (std::isfinite(offset_along_mirror[k])) {
       origin[2 * k] = offset_along_mirror[k];
     }

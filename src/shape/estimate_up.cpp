@@ -101,7 +101,7 @@ double asymmetry(const Surface_summary& surface, const Nearest_points& samples, 
 {
   double sum = 0;
   for (int i = 0; i < mirrored_samples; ++i) {
-    Point image = surface.samples.col(i * (shape_samples / mirrored_samples));
+    Point image = surface.samples.col(Eigen::Index(i) * (shape_samples / mirrored_samples));
     image[axis] = surface.extents[axis] - image[axis];
     sum += samples.distance(image);
   }

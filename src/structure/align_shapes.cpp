@@ -75,12 +75,12 @@ std::size_t nearest_sample(const Points& samples, const Point& p)
 }
 
 // Makes the graph of groups, in their order, and of the contacts between them.
-void build_graph(std::vector<Part_group> groups, Aligned_shape& shape)
+void build_graph(const std::vector<Part_group>& groups, Aligned_shape& shape)
 {
   shape.graph = Aligned_shape::Graph();
   shape.group_of.resize(shape.parts.size());
   shape.boxes.clear();
-  for (Part_group& group : groups) {
+  for (const Part_group& group : groups) {
     Eigen::AlignedBox3d box;
     for (std::size_t part : group.parts) {
       shape.group_of[part] = shape.boxes.size();
@@ -88,7 +88,7 @@ void build_graph(std::vector<Part_group> groups, Aligned_shape& shape)
       box.extend(Point(shape.parts[part].samples.rowwise().maxCoeff()));
     }
     shape.boxes.push_back(box);
-    add_vertex(std::move(group), shape.graph);
+    add_vertex(group, shape.graph);
   }
   for (std::size_t c = 0; c < shape.contacts.size(); ++c) {
     const std::size_t g = shape.group_of[shape.contacts[c].parts[0]], h = shape.group_of[shape.contacts[c].parts[1]];

@@ -16,6 +16,7 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <type_traits>
 #include <utility>
 
 using namespace CGAL::Shape_correspondence;
@@ -366,6 +367,15 @@ TEST_CASE("A finder gives what the function gives")
     CHECK(found.pairs == expected.pairs);
     CHECK(found.energy == expected.energy);
   }
+}
+
+TEST_CASE("What keeps a graph by reference takes no graph that is about to end")
+{
+  STATIC_REQUIRE(std::is_constructible_v<Prepared_shape, const Structural_graph&>);
+  STATIC_REQUIRE(std::is_constructible_v<Correspondence_finder, const Structural_graph&>);
+  STATIC_REQUIRE(!std::is_constructible_v<Prepared_shape, Structural_graph>);
+  STATIC_REQUIRE(!std::is_constructible_v<Correspondence_finder, Structural_graph>);
+  STATIC_REQUIRE(!std::is_constructible_v<Correspondence_finder, Structural_graph, Search_options>);
 }
 
 TEST_CASE("A cancelled search says so")

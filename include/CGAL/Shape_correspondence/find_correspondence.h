@@ -31,6 +31,7 @@ class Prepared_shape
 public:
   /// Keeps the graph by reference.
   explicit Prepared_shape(const Structural_graph& graph);
+  explicit Prepared_shape(const Structural_graph&&) = delete;
 
   /// Predicts the roles of the parts now, rather than when the shape is first matched with this model.
   void read_roles(const std::shared_ptr<const Role_model>& model) const;
@@ -59,9 +60,11 @@ struct Transferred_label
 class Correspondence_finder
 {
 public:
+  /// Keeps the graph by reference.
   /// \pre the graph is valid (`is_valid_structural_graph()`)
   /// \throw Invalid_input if an option is out of its range
   explicit Correspondence_finder(const Structural_graph& source, const Search_options& options = {});
+  explicit Correspondence_finder(const Structural_graph&&, const Search_options& = {}) = delete;
   /// The same with a shape that keeps the alignments that other matches computed.
   explicit Correspondence_finder(const Prepared_shape& source, const Search_options& options = {});
 
