@@ -55,9 +55,9 @@ FEW_NOTE = ("F1 of pairs for which the training has only this number of shapes o
             "perfect match does not reach 1, since some labels occur in only one of the shapes.")
 CURVE_NOTE = ("F1 if the training has this number of labelled shapes of the category, drawn for every pair, and the generated ones. The category\n"
               "is not given; the weights of the terms are those of the other categories with as many shapes.")
-TURNED_NOTE = ("F1 if every shape is turned about the up axis by an angle drawn for the pair and the program finds the fronts (`--front auto`), against shapes\n"
-               "with their fronts as given. The gain is over geometry on the same shapes; the first row has geometry for shapes that are not turned. The training\n"
-               "has neither shape of a pair.")
+TURNED_NOTE = ("F1 of shapes as they are, and of shapes that are turned about the up axis, each by an angle drawn for the pair: a multiple of 90° (`quarters`)\n"
+               "or any. `--front given` takes shapes as they are, `likely` turns those that clearly face another side, `auto` does not prefer the given front.\n"
+               "The gain is over geometry on the same shapes; the first row has geometry for shapes that are not turned. The training has neither shape of a pair.")
 ENERGY_NOTE = ("F1 of the correspondences of least energy, by exact search for the given orientation, with roles in the energy; the training has neither shape of\n"
                "a pair. No weight was chosen: these are all that were tried.")
 ROLES_TABLES = [
@@ -68,7 +68,13 @@ ROLES_TABLES = [
      [(str(n), ["--leave-out", "shapes", "--number-of-examples", str(n)]) for n in (1, 2, 4, 8, 16)] +
      [("all", ["--leave-out", "shapes"])]),
     ("Shapes turned about the up axis", "geometry", "shapes", TURNED_NOTE,
-     [("front as given", ["--leave-out", "shapes"]), ("turned", ["--turned"]), ("turned, the category given", ["--turned", "--told"])]),
+     [("as they are, `--front given`", ["--front", "given"]), ("as they are, `--front likely`", ["--front", "likely"]),
+      ("as they are, category left out, `given`", ["--front", "given", "--leave-out", "category"]),
+      ("as they are, category left out, `likely`", ["--front", "likely", "--leave-out", "category"]),
+      ("quarters, `given`", ["--turned", "quarters", "--front", "given"]),
+      ("quarters, `likely`", ["--turned", "quarters", "--front", "likely"]),
+      ("quarters, `auto`", ["--turned", "quarters", "--front", "auto"]), ("any, `auto`", ["--turned", "any", "--front", "auto"]),
+      ("any, `auto`, the category given", ["--turned", "any", "--front", "auto", "--told"])]),
     ("Roles in the energy", "least energy", "weight of roles", ENERGY_NOTE,
      [(weight, ["--leave-out", "shapes", "--role-weight", weight]) for weight in ("0.1", "0.3", "1", "3")]),
 ]

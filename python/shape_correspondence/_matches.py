@@ -166,6 +166,7 @@ def match(
     source_parts: Names = (),
     target_parts: Names = (),
     alignments: int = 1,
+    front_is_sure: bool = False,
     solutions: int = 1,
     min_marginals: bool = False,
     cache: Optional[Path] = None,
@@ -208,6 +209,8 @@ def match(
     :param source_parts: only these parts of the source, by name or index; empty: all
     :param target_parts: the same for the target
     :param alignments: number of turns of the target about the up axis to try, nearest to the given one first; 0: all
+    :param front_is_sure: whether the given orientation is right; otherwise ``"parts"`` turns a shape by a multiple of 90°
+        if the roles of its parts clearly say that its front is another side
     :param solutions: number of best correspondences in `Match.solutions`
     :param min_marginals: whether `GroupMatch.min_marginal` is computed
     :param cache: see `build_graph()`

@@ -207,6 +207,7 @@ void visit(SC::Search_options& options, Visitor& option)
   option("source_parts", options.source_parts);
   option("target_parts", options.target_parts);
   option("alignments", options.alignments);
+  option("front_is_sure", options.front_is_sure);
   option("solutions", options.solutions);
   option("min_marginals", options.min_marginals);
 }

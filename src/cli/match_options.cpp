@@ -60,7 +60,7 @@ void switch_off(const std::string& term, Energy_weights& weights)
 
 int parse_alignments(const Match_options& match, bool is_front_given)
 {
-  if (match.alignments == "auto") return match.front == "given" && (is_front_given || !match.paper) ? 1 : 0;
+  if (match.alignments == "auto") return match.front != "auto" && (is_front_given || !match.paper) ? 1 : 0;
   const int number = parse_number<int>("alignments", match.alignments);
   check_at_least("alignments", number, 1);
   return number;
@@ -178,9 +178,10 @@ po::options_description match_options(Match_options& match)
       "shapes to which --max-parts applies: both, or source (as in the paper); auto: source with --paper, otherwise "
       "both");
   add("front", po::value(&match.front)->value_name("HOW")->default_value(match.front),
-      "which alignments are tried: given (the one nearest to the orientation in the files) or auto (the fronts "
-      "estimated from the roles of parts; otherwise the best of all alignments that the symmetry of the shapes "
-      "allows). Default with --paper: auto");
+      "which alignments are tried: given (the one nearest to the orientation in the files), likely (the same, but a "
+      "shape is turned by a multiple of 90° if the roles of its parts clearly say that its front is another side) or "
+      "auto (any front is as likely: the fronts estimated from the roles of parts; otherwise the best of all "
+      "alignments that the symmetry of the shapes allows). Default with --paper: auto");
   add("alignments", po::value(&match.alignments)->value_name("N")->default_value(match.alignments),
       "number of alignments to try, nearest to the given orientation first; auto: as --front says");
   add("weights", po::value(&match.weights)->value_name("WC,WS")->default_value(match.weights),
@@ -230,7 +231,7 @@ Search_options search_options(const Match_options& match, const po::variables_ma
 {
   check_word("search", match.method, {"auto", "parts", "beam", "exact"});
   check_word("direction", match.direction, {"both", "forward"});
-  check_word("front", match.front, {"given", "auto"});
+  check_word("front", match.front, {"given", "likely", "auto"});
   check_word("max-parts-of", match.coarse_shapes, {"auto", "both", "source"});
   check_word("norm", match.norm, {"sum", "pooled"});
   check_at_least("solutions", match.search.solutions, 1);
@@ -248,6 +249,7 @@ Search_options search_options(const Match_options& match, const po::variables_ma
   refuse_options_without_effect(match, values, search.method);
   search.both_directions = match.direction == "both";
   search.alignments = parse_alignments(match, is_given(values, "front"));
+  search.front_is_sure = match.front == "given";
   search.coarse_target = match.coarse_shapes == "both" || (match.coarse_shapes == "auto" && !match.paper);
   search.roles = role_model(match, search.method);
   search.matching.weights = parse_weights(match.weights);

@@ -20,7 +20,7 @@ struct Match_options
   std::string method = "auto";
   std::string direction = "both";
   std::string alignments = "auto";
-  std::string front = "given";
+  std::string front = "likely";
   std::string coarse_shapes = "auto";
   std::string weights = "0.6,0.4";
   std::string norm = "sum";

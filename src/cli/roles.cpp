@@ -51,7 +51,7 @@ struct Roles_options
 {
   std::vector<std::string> generated;
   std::string output, manifest, date, model, category;
-  bool turned = false;
+  std::string turned = "no", front = "given";
   std::string leave_out = "shapes";
   int shown_examples = 0;
   std::string examples;
@@ -82,10 +82,11 @@ po::options_description roles_options(Roles_options& roles, Common_options& comm
       "evaluate: the training sees at most N shapes of the pair's category that are not generated, drawn for every "
       "pair; with --leave-out category, no others of the category. Default: all that are not left out");
   add("told", po::bool_switch(&roles.told), "evaluate: give the category to the matcher, as by --category");
-  add("turned", po::bool_switch(&roles.turned),
-      "evaluate: turn every shape about the up axis by an angle drawn for the pair, and let the matcher find the "
-      "fronts, "
-      "as by --front auto");
+  add("turned", po::value(&roles.turned)->value_name("HOW")->default_value(roles.turned),
+      "evaluate: turn every shape about the up axis by an angle drawn for the pair: no, quarters (a multiple of 90°) "
+      "or any");
+  add("front", po::value(&roles.front)->value_name("HOW")->default_value(roles.front),
+      "evaluate: what the matcher does about fronts, as --front of `match`: given, likely or auto");
   add("role-weight", number(roles.role_weight)->value_name("W"),
       "evaluate: compare the correspondences of least energy, by exact search, without roles and with roles of this "
       "weight in the energy; 0: compare matching by parts");
@@ -115,7 +116,14 @@ Validation_options validation_options(const Roles_options& roles)
   if (roles.shown_examples > 0) result.examples = std::size_t(roles.shown_examples);
   result.category_is_told = roles.told;
   result.role_weight = roles.role_weight;
-  result.is_turned = roles.turned;
+  check_word("turned", roles.turned, {"no", "quarters", "any"});
+  check_word("front", roles.front, {"given", "likely", "auto"});
+  result.turns = roles.turned == "any"        ? Validation_turns::ANY
+                 : roles.turned == "quarters" ? Validation_turns::QUARTERS
+                                              : Validation_turns::NONE;
+  result.fronts = roles.front == "auto"     ? Validation_fronts::AUTO
+                  : roles.front == "likely" ? Validation_fronts::LIKELY
+                                            : Validation_fronts::GIVEN;
   return result;
 }
 
@@ -158,6 +166,7 @@ void refuse_options_of_other_actions(const std::string& action, const po::variab
                                                                          {"examples", {"predict"}},
                                                                          {"told", {"evaluate"}},
                                                                          {"turned", {"evaluate"}},
+                                                                         {"front", {"evaluate"}},
                                                                          {"role-weight", {"evaluate"}},
                                                                          {"pairs", {"train", "evaluate"}},
                                                                          {"trees", {"train", "evaluate"}},
@@ -203,7 +212,9 @@ void run_roles(const std::vector<std::string>& arguments)
   check_at_least("pairs", roles.pairs, 1);
   if (!(roles.role_weight >= 0) || std::isinf(roles.role_weight))
     throw Usage_error("--role-weight must be finite and not negative");
-  if (roles.turned && roles.role_weight > 0) throw Usage_error("--turned has no effect with --role-weight");
+  for (const char* option : {"turned", "front"})
+    if (is_given(parsed.values, option) && roles.role_weight > 0)
+      throw Usage_error("--" + std::string(option) + " has no effect with --role-weight");
   if (is_given(parsed.values, "number-of-examples")) check_at_least("number-of-examples", roles.shown_examples, 1);
   roles.training.seed = std::uint64_t(common.seed);
   const Thread_limit limit(common.threads);

@@ -77,12 +77,16 @@ private:
   Found matched_parts(const Prepared_shape& target) const;
   // The alignments that are tried, the first guess first. \param category of both shapes, if roles tell one
   std::vector<Way> ways(const Prepared_shape& target, Pair_category& category) const;
+  // Those in which the fronts coincide that the roles of parts of a category tell. If there is to be one, and it is the
+  // given one, none.
+  std::vector<Way> ways_by_roles(const Prepared_shape& target, std::size_t category) const;
   Part_matching matched_way(const Prepared_shape& target, const Shared_shape& shape, const Way& way) const;
   Part_matching matched_in_common_frame(const Prepared_shape& target, const Shared_shape& shape, int turn) const;
   // With either shape turned from its own frame.
   Part_matching matched_in_frames(const Prepared_shape& target, const Aligned_shape& shape, int source_turn,
                                   int target_turn) const;
   std::shared_ptr<const Shape_features> features(const Prepared_shape& of, const Shared_shape& shape, int turn) const;
+  static void warn_of_fronts(const Way& way, Correspondence& result);
   void join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target, const Pair_category& category,
                   const Way& way, Part_matching& matching, Correspondence& result) const;
   // \param result gets the roles, or why there are none

@@ -131,12 +131,15 @@ Turned_match Pair_validator::turned_match(const Validation_pair& pair, std::size
   }
   std::mt19937_64 random(number); // the same numbers on all machines
   const auto any = [&](std::size_t shape) {
-    const double angle = 2 * double(EIGEN_PI) * double(random() >> 11) / double(1ull << 53);
-    return turned(*shapes_[shape].labelled.graph, angle);
+    const double share = double(random() >> 11) / double(1ull << 53);
+    const double turns = options.turns == Validation_turns::ANY ? share : std::floor(4 * share) / 4;
+    const Structural_graph& graph = *shapes_[shape].labelled.graph;
+    return options.turns == Validation_turns::NONE ? graph : turned(graph, 2 * double(EIGEN_PI) * turns);
   };
   const Structural_graph source = any(pair[0]), target = any(pair[1]);
   Search_options search;
-  search.alignments = 0;
+  search.alignments = options.fronts == Validation_fronts::AUTO ? 0 : 1;
+  search.front_is_sure = options.fronts == Validation_fronts::GIVEN;
   search.parts = parts;
   Turned_match result;
   result.without_roles = find_correspondence(source, target, search).pairs;

@@ -57,7 +57,10 @@ Prepared_shape::Prepared_shape(const Structural_graph& graph)
 
 void Prepared_shape::read_roles(const std::shared_ptr<const Role_model>& model) const
 {
-  if (model) alignments_->roles(model);
+  if (!model) return;
+  const auto roles = alignments_->roles(model);
+  for (std::size_t category = 0; category < model->data().categories.size(); ++category)
+    roles->distance(category);
 }
 
 } // namespace CGAL::Shape_correspondence

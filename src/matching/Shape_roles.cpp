@@ -94,17 +94,23 @@ Shape_roles::Shape_roles(const Structural_graph& graph, const Role_model& model,
 Shape_roles::Shape_roles(Role_evidence evidence, const Role_model& model)
     : model_(model),
       evidence_(std::move(evidence)),
-      votes_(std::make_unique<Counted_votes[]>(model.data().categories.size()))
+      findings_(std::make_unique<Findings[]>(model.data().categories.size()))
+{}
+
+double Shape_roles::distance(std::size_t category) const
 {
-  for (std::size_t category = 0; category < model.data().categories.size(); ++category)
-    distances_.push_back(model.distances().mean_distance(evidence_.features, category));
+  Findings& found = findings_[category];
+  std::call_once(found.distance_is_found,
+                 [&] { found.distance = model_.distances().mean_distance(evidence_.features, category); });
+  return found.distance;
 }
 
 const Role_votes& Shape_roles::votes(std::size_t category) const
 {
-  std::call_once(votes_[category].is_counted,
-                 [&] { votes_[category].votes = counted(evidence_, model_.data().categories[category]); });
-  return votes_[category].votes;
+  Findings& found = findings_[category];
+  std::call_once(found.votes_are_counted,
+                 [&] { found.votes = counted(evidence_, model_.data().categories[category]); });
+  return found.votes;
 }
 
 namespace {
@@ -142,7 +148,19 @@ double agreement_of_trees(const Shape_roles& shape, std::size_t category, int tr
   return (votes.rowwise().maxCoeff().cast<double>().array() / trees).log().mean();
 }
 
+long clear_difference(const Part_matching_options& options) { return -quantized(std::log(1 - options.clearly_better)); }
+
 } // namespace
+
+int likely_front(const Turned_roles& shape, std::size_t category, int trees, const Part_matching_options& options)
+{
+  std::array<long, 4> likeness{};
+  for (std::size_t turn = 0; turn < 4; ++turn)
+    likeness[turn] =
+        quantized((agreement_of_trees(*shape[turn], category, trees) - shape[turn]->distance(category)) / 2);
+  const auto best = std::max_element(likeness.begin(), likeness.end());
+  return *best > likeness[0] + clear_difference(options) ? int(best - likeness.begin()) : 0;
+}
 
 Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,
                                const Part_matching_options& options)
@@ -165,8 +183,7 @@ std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, in
   std::array<long, 4> agreement{};
   for (std::size_t turn = 0; turn < 4; ++turn)
     agreement[turn] = quantized(agreement_of_trees(*shape[turn], category, trees));
-  const long least =
-      *std::max_element(agreement.begin(), agreement.end()) + quantized(std::log(1 - options.clearly_better));
+  const long least = *std::max_element(agreement.begin(), agreement.end()) - clear_difference(options);
   std::vector<int> result;
   for (int turn = 0; turn < 4; ++turn)
     if (agreement[std::size_t(turn)] >= least) result.push_back(turn);

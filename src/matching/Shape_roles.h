@@ -33,20 +33,21 @@ public:
   Shape_roles(Role_evidence evidence, const Role_model& model);
 
   // From the labelled parts of a category, see `Role_distances::mean_distance()`.
-  double distance(std::size_t category) const { return distances_[category]; }
+  double distance(std::size_t category) const;
   const Role_votes& votes(std::size_t category) const;
 
 private:
-  struct Counted_votes
+  // Of a category; found when they are asked for.
+  struct Findings
   {
-    std::once_flag is_counted;
+    std::once_flag distance_is_found, votes_are_counted;
+    double distance;
     Role_votes votes;
   };
 
   Role_model model_;
   Role_evidence evidence_;
-  std::vector<double> distances_;
-  std::unique_ptr<Counted_votes[]> votes_;
+  std::unique_ptr<Findings[]> findings_;
 };
 
 // The category that two shapes are taken to be of.
@@ -67,6 +68,10 @@ using Turned_roles = std::array<std::shared_ptr<const Shape_roles>, 4>;
 // much as anywhere. Ascending, so the given one is first.
 std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees,
                              const Part_matching_options& options = {});
+
+// The turn with which a shape of a category looks to +z: 0 unless with another one the trees agree so much more, and
+// the parts are so much nearer to labelled ones, that it is clear.
+int likely_front(const Turned_roles& shape, std::size_t category, int trees, const Part_matching_options& options = {});
 
 // The nearest category of two shapes whose fronts are not known.
 Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model,

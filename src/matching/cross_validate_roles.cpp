@@ -150,14 +150,14 @@ void Role_validation::match(const Part_matching_options& parts)
     Validated_pair& result = pairs_[i];
     Pair_weights weights = of_others.at(category);
     Confidence_weights stated = confidence_of_others.at(category);
-    if (pair.told.rows() > 0 && (pair.category == category || options_.is_turned)) {
+    if (pair.told.rows() > 0 && (pair.category == category || options_.orients_shapes())) {
       weights = own_weights[i];
       if (!options_.examples) stated = confidence_of(category, stated, shapes_of(i));
     }
     Part_matching matched = geometric[i];
     std::vector<Part_correspondence> without = geometric[i].pairs;
     result.category = pair.category;
-    if (options_.is_turned) {
+    if (options_.orients_shapes()) {
       Turned_match found = validator_->turned_match(result.shapes, i, options_, parts, weights, stated);
       without = std::move(found.without_roles);
       matched.pairs = std::move(found.with_roles);

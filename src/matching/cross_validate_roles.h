@@ -37,6 +37,16 @@ enum class Left_out {
   CATEGORY // all of it
 };
 
+// How shapes are turned about the up axis, each by an angle drawn for the pair.
+enum class Validation_turns {
+  NONE,
+  QUARTERS, // by a multiple of 90°
+  ANY       // by any angle
+};
+
+// As `match --front` has it.
+enum class Validation_fronts { GIVEN, LIKELY, AUTO };
+
 struct Validation_options
 {
   Left_out left_out = Left_out::SHAPES;
@@ -44,11 +54,13 @@ struct Validation_options
   // `Left_out::CATEGORY` it sees these of all the category.
   std::optional<std::size_t> examples;
   bool category_is_told = false; // to the matcher
-  // Every shape is turned about the up axis by an angle drawn for the pair, and the matcher finds the fronts, with and
-  // without roles; the confidences of pairs are of what it finds.
-  bool is_turned = false;
+  Validation_turns turns = Validation_turns::NONE;
+  // What the matcher does about fronts. Where it finds them, the confidences of pairs are of what it finds.
+  Validation_fronts fronts = Validation_fronts::GIVEN;
   // Not 0: the correspondences of least energy are compared, without roles and with roles of this weight in the energy.
   double role_weight = 0;
+
+  bool orients_shapes() const { return turns != Validation_turns::NONE || fronts != Validation_fronts::GIVEN; }
 };
 
 // A pair of parts that was matched: how probable that was, whether it is right, and whether the coarse labels are

@@ -53,23 +53,17 @@ std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(
                                                                                 Pair_category& category) const
 {
   std::vector<Way> result;
-  const Shape_frame& target_frame = structure(target.graph()).frame;
   if (options_.roles) {
     const Role_model_data& model = options_.roles->data();
-    category.index = model.index(options_.category);
     Alignments &a = *prepared_source_.alignments_, &b = *target.alignments_;
-    if (options_.alignments == 1) {
-      if (options_.category.empty())
-        category = category_of_pair(*a.roles(options_.roles), *b.roles(options_.roles), model, options_.parts);
-    } else {
-      const Turned_roles source = a.roles_by_turn(options_.roles), of_target = b.roles_by_turn(options_.roles);
-      if (options_.category.empty()) category = category_of_pair(source, of_target, model, options_.parts);
-      if (category.index < model.categories.size())
-        for (int from : front_turns(source, category.index, model.trees, options_.parts))
-          for (int to : front_turns(of_target, category.index, model.trees, options_.parts))
-            result.push_back(
-                {given_quarter_turns(target_frame) + to - given_quarter_turns(source_frame_) - from, from, to, true});
-    }
+    category.index = model.index(options_.category);
+    if (options_.category.empty())
+      category = options_.alignments == 1
+                     ? category_of_pair(*a.roles(options_.roles), *b.roles(options_.roles), model, options_.parts)
+                     : category_of_pair(a.roles_by_turn(options_.roles), b.roles_by_turn(options_.roles), model,
+                                        options_.parts);
+    if (category.index < model.categories.size() && !(options_.alignments == 1 && options_.front_is_sure))
+      result = ways_by_roles(target, category.index);
   }
   // Of ways that cost the same the first is taken: the same one, whichever shape is the source
   if (!result.empty() && comes_first(*aligned(target, 0), *source_))
@@ -78,6 +72,24 @@ std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(
   if (result.empty())
     for (int turn : tried_turns(target))
       result.push_back({turn, 0, 0, false});
+  return result;
+}
+
+std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways_by_roles(const Prepared_shape& target,
+                                                                                         std::size_t category) const
+{
+  const auto fronts = [&](const Prepared_shape& shape) {
+    const Turned_roles roles = shape.alignments_->roles_by_turn(options_.roles);
+    const int trees = options_.roles->data().trees;
+    return options_.alignments == 1 ? std::vector<int>{likely_front(roles, category, trees, options_.parts)}
+                                    : front_turns(roles, category, trees, options_.parts);
+  };
+  const int given = given_quarter_turns(structure(target.graph()).frame) - given_quarter_turns(source_frame_);
+  const std::vector<int> of_source = fronts(prepared_source_), of_target = fronts(target);
+  std::vector<Way> result;
+  for (int from : of_source)
+    for (int to : of_target)
+      if (options_.alignments != 1 || from != 0 || to != 0) result.push_back({given + to - from, from, to, true});
   return result;
 }
 
@@ -111,9 +123,22 @@ Correspondence_finder::Impl::Found Correspondence_finder::Impl::matched_parts(co
     found.target = shape;
   }
   if (found.done == 0) found.target = aligned(target, found.way.turn);
+  if (options_.alignments == 1) warn_of_fronts(found.way, found.known);
   if (options_.roles && found.done > 0)
     join_roles(target, *found.target, category, found.way, found.matching, found.known);
   return found;
+}
+
+void Correspondence_finder::Impl::warn_of_fronts(const Way& way, Correspondence& result)
+{
+  const auto warn = [&](const char* shape, int front) {
+    if (front != 0)
+      result.warnings.push_back(std::string("By the roles of its parts, the ") + shape +
+                                " does not face +z; it was matched as if turned by " + std::to_string(90 * front) +
+                                "° about the up axis. If it does, say so by --front given (`front_is_sure`).");
+  };
+  warn("source", way.source_front);
+  warn("target", way.target_front);
 }
 
 Correspondence_finder::Impl::Found Correspondence_finder::Impl::without_unsure(Found found) const

@@ -73,7 +73,15 @@ TEST_CASE("Shapes that are turned by any angle are matched as those that face th
   for (const Validation_pair& pair : pairs_of_category(examples(), shapes.size()))
     if (shapes[pair[0]].labelled.category == "chair") chairs.push_back(pair);
   Validation_options options;
-  options.is_turned = true;
+  options.turns = Validation_turns::ANY;
+  options.fronts = Validation_fronts::AUTO;
+  SECTION("of which any front is as likely") {}
+  SECTION("by multiples of 90°, of which the given front is the likeliest")
+  {
+    options.turns = Validation_turns::QUARTERS;
+    options.fronts = Validation_fronts::LIKELY;
+    options.category_is_told = true;
+  }
   const Role_validation validation(shapes, chairs, options, {});
   for (const Validated_pair& pair : validation.pairs())
     if (!pair.category.empty()) {

@@ -134,6 +134,30 @@ TEST_CASE("Matching with roles")
   CHECK_THROWS_AS(find_correspondence(a.graph, b.graph, options), Invalid_input);
 }
 
+namespace {
+
+/// Turns a piece of furniture by 90° about the up axis.
+void turn_by_a_quarter(Furniture& furniture)
+{
+  const Eigen::Matrix3d quarter = Eigen::AngleAxisd(EIGEN_PI / 2, Point::UnitY()).toRotationMatrix();
+  for (Part_abstraction& part : structure(furniture.graph).parts) {
+    Points& line = std::get<Curve>(part.geometry).points;
+    line = (quarter * line).eval();
+    part.surface = (quarter * part.surface).eval();
+  }
+}
+
+/// Whether all six parts of one chair are found in the other.
+bool is_right(const Furniture& source, const Furniture& target, const Correspondence& found)
+{
+  return found.category == "chair" && found.pairs.size() == 6 &&
+         std::all_of(found.pairs.begin(), found.pairs.end(), [&](const Part_correspondence& pair) {
+           return source.labels[pair.source].fine == target.labels[pair.target].fine;
+         });
+}
+
+} // namespace
+
 TEST_CASE("The fronts of shapes of a known category are found by the roles of their parts")
 {
   Search_options options;
@@ -141,22 +165,37 @@ TEST_CASE("The fronts of shapes of a known category are found by the roles of th
   options.alignments = 0;
   const Furniture source = chair(0.17, 1.9);
   Furniture target = chair(0.22, 2.1);
-  const Eigen::Matrix3d quarter = Eigen::AngleAxisd(EIGEN_PI / 2, Point::UnitY()).toRotationMatrix();
   for (int turn = 0; turn < 4; ++turn) {
     INFO(turn);
-    for (const bool swap : {false, true}) {
-      const Furniture &a = swap ? target : source, &b = swap ? source : target;
-      const Correspondence found = find_correspondence(a.graph, b.graph, options);
-      CHECK(found.category == "chair");
-      CHECK(found.pairs.size() == 6);
-      for (const Part_correspondence& pair : found.pairs)
-        CHECK(a.labels[pair.source].fine == b.labels[pair.target].fine);
+    CHECK(is_right(source, target, find_correspondence(source.graph, target.graph, options)));
+    CHECK(is_right(target, source, find_correspondence(target.graph, source.graph, options)));
+    turn_by_a_quarter(target);
+  }
+}
+
+TEST_CASE("A shape that clearly faces another side is turned, unless its front is said to be right")
+{
+  Search_options options;
+  options.roles = std::make_shared<const Role_model>(train_role_model(labelled(examples())));
+  options.category = "chair";
+  const Furniture source = chair(0.17, 1.9);
+  Furniture target = chair(0.22, 2.1);
+  for (int turn = 0; turn < 4; ++turn) {
+    INFO(turn);
+    options.front_is_sure = false;
+    const Correspondence found = find_correspondence(source.graph, target.graph, options);
+    CHECK(is_right(source, target, found));
+    CHECK(is_right(target, source, find_correspondence(target.graph, source.graph, options)));
+    REQUIRE(found.warnings.size() == (turn == 0 ? 0 : 1));
+    if (turn != 0) {
+      const std::string angle = "turned by " + std::to_string(90 * (4 - turn)) + "°";
+      CHECK_THAT(found.warnings[0], Contains("the target does not face +z") && Contains(angle));
     }
-    for (Part_abstraction& part : structure(target.graph).parts) {
-      Points& line = std::get<Curve>(part.geometry).points;
-      line = (quarter * line).eval();
-      part.surface = (quarter * part.surface).eval();
-    }
+    options.front_is_sure = true;
+    const Correspondence as_given = find_correspondence(source.graph, target.graph, options);
+    CHECK(is_right(source, target, as_given) == (turn == 0));
+    CHECK(as_given.warnings.empty());
+    turn_by_a_quarter(target);
   }
 }
 

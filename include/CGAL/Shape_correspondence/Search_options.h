@@ -58,10 +58,13 @@ struct Search_options
   std::vector<std::size_t> source_parts; ///< only these parts of the source, by their index; empty: all parts
   std::vector<std::size_t> target_parts; ///< only these parts of the target, by their index; empty: all parts
   /// Number of alignments to try, at least 0: turns of the target about the upright axis by 90° or 180°. 1: only the
-  /// one nearest to the given orientation; 0: all. The best one is taken; `Search_method::PARTS` prefers the nearest
-  /// one unless another is better by a margin. With `roles`, any number but 1 tries all alignments in which the fronts
-  /// of both shapes, by the roles of their parts, coincide.
+  /// one nearest to the given orientation, see `front_is_sure`; 0: all. The best one is taken; `Search_method::PARTS`
+  /// prefers the nearest one unless another is better by a margin. With `roles`, any number but 1 tries all alignments
+  /// in which the fronts of both shapes, by the roles of their parts, coincide.
   int alignments = 1;
+  /// Whether the given orientation is right. Otherwise, with 1 alignment, `Search_method::PARTS` turns a shape by a
+  /// multiple of 90° if the roles of its parts, by `roles`, clearly say that its front is another side.
+  bool front_is_sure = false;
   int solutions = 1;          ///< largest number of results of `find_correspondences()`, at least 1
   bool min_marginals = false; ///< compute `Group_match::min_marginal` by exact search, also with `Search_method::BEAM`
   /// Called before every direction of every alignment with the completed share, in [0, 1]; `false` ends the search.

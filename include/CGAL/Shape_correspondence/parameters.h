@@ -52,6 +52,7 @@ struct Named_parameters;
   X(source_parts, Search_options, source_parts)                                                                        \
   X(target_parts, Search_options, target_parts)                                                                        \
   X(alignments, Search_options, alignments)                                                                            \
+  X(front_is_sure, Search_options, front_is_sure)                                                                      \
   X(solutions, Search_options, solutions)                                                                              \
   X(min_marginals, Search_options, min_marginals)                                                                      \
   X(edge_length, Structure_options, abstraction.edge_length)                                                           \
@@ -296,6 +297,12 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 ///                           orientation first; `0`: all}
 ///     \cgalParamType{`int`}
 ///     \cgalParamDefault{`1`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{front_is_sure}
+///     \cgalParamDescription{whether the given orientation is right; otherwise a shape is turned by a multiple of 90° if
+///                           the roles of its parts clearly say that its front is another side}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{solutions}
 ///     \cgalParamDescription{number of best solutions that the search ranks, see `find_correspondences()`; this
