@@ -131,6 +131,10 @@ void refuse_options_without_effect(const Match_options& match, const po::variabl
   if (is_given(values, "max-parts-of") && !is_given(values, "max-parts")) refuse("max-parts-of", "without --max-parts");
   if (is_given(values, "front") && is_given(values, "alignments") && match.alignments != "auto")
     refuse("front", "with --alignments " + match.alignments);
+  if (is_given(values, "front") && match.front == "likely") {
+    if (method != Search_method::PARTS) refuse("front likely", std::string("on --search ") + name_of(method));
+    if (match.roles == "none" && match.examples.empty()) refuse("front likely", "with --roles none");
+  }
 }
 
 std::shared_ptr<const Role_model> role_model(const Match_options& match, Search_method method)

@@ -123,7 +123,6 @@ Correspondence_finder::Impl::Found Correspondence_finder::Impl::matched_parts(co
     found.target = shape;
   }
   if (found.done == 0) found.target = aligned(target, found.way.turn);
-  if (options_.alignments == 1) warn_of_fronts(found.way, found.known);
   if (options_.roles && found.done > 0)
     join_roles(target, *found.target, category, found.way, found.matching, found.known);
   return found;
@@ -156,6 +155,7 @@ Correspondence Correspondence_finder::Impl::rated(const Shared_shape& source, co
   Correspondence result = correspondence_of(run, run.result.best(), {});
   result.pairs = original_pairs(found.matching, *source, *found.target);
   take_roles(found.known, result);
+  if (options_.alignments == 1) warn_of_fronts(found.way, result);
   if (found.done < found.ways) mark_cancelled(found.done, found.ways, result);
   return result;
 }
@@ -184,6 +184,7 @@ Correspondence Correspondence_finder::Impl::rated_backwards(Found found) const
     pair = inverse(pair);
   std::sort(found.matching.pairs.begin(), found.matching.pairs.end(), is_before);
   std::swap(found.known.source_roles, found.known.target_roles);
+  std::swap(found.way.source_front, found.way.target_front);
   const Shared_shape source = std::exchange(found.target, source_);
   return rated(source, found);
 }

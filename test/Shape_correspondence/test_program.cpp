@@ -121,6 +121,8 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
                                           "match " + a + " " + a + " --max-parts-of source",
                                           "match " + a + " " + a + " --roles none --category chair",
                                           "match " + a + " " + a + " --front auto --alignments 2",
+                                          "match " + a + " " + a + " --front likely --search exact",
+                                          "match " + a + " " + a + " --front likely --roles none",
                                           "match " + a + " " + a + " --edge-length .05",
                                           "match " + a + " " + a + " -q -v",
                                           "collection " + a + " " + a + " -k 3",

@@ -42,7 +42,7 @@ struct Search_options
   Search_method method = Search_method::PARTS; ///< how the correspondence is found
   Part_matching_options parts;                 ///< options of `Search_method::PARTS`
   /// Role model used by `Search_method::PARTS`, and by the others if `Energy_weights::roles` is not 0; null: none.
-  /// Shapes must face +z. The program uses `IO::shipped_role_model()`.
+  /// Shapes should face +z. The program uses `IO::shipped_role_model()`.
   std::shared_ptr<const Role_model> roles;
   /// Category of both shapes, for `roles`; empty: the most similar one, or none if no category is similar.
   std::string category;
