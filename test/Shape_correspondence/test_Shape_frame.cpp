@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 using namespace CGAL::Shape_correspondence;
@@ -155,6 +156,25 @@ TEST_CASE("A disc on four legs is seen with the legs in the corners")
     CHECK(frame.mirror_x);
     CHECK(frame.mirror_z);
     CHECK(frame.axes.isApprox(Eigen::AngleAxisd(angle, Point::UnitY()).toRotationMatrix(), 1e-6));
+  }
+}
+
+TEST_CASE("A mirror plane is found that only some of the directions tried have, of points spread at random")
+{
+  // A kite, symmetric in x. A side of its least rectangle is along a side of the kite.
+  std::mt19937_64 random(7);
+  const auto draw = [&] { return double(random() >> 11) / double(1ull << 53); };
+  std::vector<Point> points;
+  while (points.size() < 1500) {
+    const Point p(2 * draw() - 1, 0.3 * draw(), 3 * draw());
+    if (std::abs(p.x()) < (p.z() < 2.6 ? p.z() / 2.6 : (3 - p.z()) / 0.4)) points.push_back(p);
+  }
+  for (const double angle : {0., 0.3, -0.5}) {
+    INFO(angle);
+    const Shape_frame frame = compute_shape_frame(turned(to_matrix(points), angle), Point::UnitY());
+    CHECK(frame.mirror_x);
+    CHECK_FALSE(frame.mirror_z);
+    CHECK(frame.axes.isApprox(Eigen::AngleAxisd(angle, Point::UnitY()).toRotationMatrix(), 0.05));
   }
 }
 
