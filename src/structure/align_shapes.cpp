@@ -132,7 +132,7 @@ Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is
     contact.parts = {index[contact.parts[0]], index[contact.parts[1]]};
     result.contacts.push_back(contact);
   }
-  build_graph(std::move(kept_groups), result);
+  build_graph(kept_groups, result);
   return result;
 }
 
@@ -141,7 +141,7 @@ Aligned_shape ungrouped(Aligned_shape shape)
   std::vector<Part_group> single(shape.parts.size());
   for (std::size_t part = 0; part < shape.parts.size(); ++part)
     single[part].parts = {part};
-  build_graph(std::move(single), shape);
+  build_graph(single, shape);
   return shape;
 }
 
@@ -169,7 +169,7 @@ Aligned_shape regrouped(Aligned_shape shape, const std::vector<std::vector<std::
   }
   std::sort(result.begin(), result.end(),
             [](const Part_group& a, const Part_group& b) { return a.parts[0] < b.parts[0]; });
-  build_graph(std::move(result), shape);
+  build_graph(result, shape);
   return shape;
 }
 
