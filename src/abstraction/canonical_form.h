@@ -141,18 +141,17 @@ inline void make_canonical(Sheet& sheet)
   if (side_decides ? u_side > v_side : std::abs(along_u.z()) > std::abs(along_v.z()) + 0.02) {
     sheet = transposed(sheet);
   }
+  const Eigen::Index rows = sheet.rows, cols = sheet.cols;
   if (points_backwards(row_direction(sheet))) {
     Sheet flipped = sheet;
-    for (int i = 0; i < sheet.rows; ++i) {
-      flipped.points.middleCols(i * sheet.cols, sheet.cols) =
-          sheet.points.middleCols((sheet.rows - 1 - i) * sheet.cols, sheet.cols);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      flipped.points.middleCols(i * cols, cols) = sheet.points.middleCols((rows - 1 - i) * cols, cols);
     }
     sheet = flipped;
   }
   if (points_backwards(col_direction(sheet))) {
-    for (int i = 0; i < sheet.rows; ++i) {
-      sheet.points.middleCols(i * sheet.cols, sheet.cols) =
-          sheet.points.middleCols(i * sheet.cols, sheet.cols).rowwise().reverse().eval();
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      sheet.points.middleCols(i * cols, cols) = sheet.points.middleCols(i * cols, cols).rowwise().reverse().eval();
     }
   }
 }

@@ -7,6 +7,7 @@
 #include "energy/Sample_lanes.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <vector>

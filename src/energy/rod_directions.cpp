@@ -84,7 +84,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_row(const Sample_lanes& from,
     find_roots<Width>(squared, length);
     const Lanes inverse = 1.0f / length;
     Bits index, squared_bits, scale_bits;
-    std::memcpy(&index, lane_indices.data() + l * Width, sizeof index);
+    std::memcpy(&index, lane_indices.data() + std::ptrdiff_t(l) * Width, sizeof index);
     std::memcpy(&squared_bits, &squared, sizeof squared_bits);
     std::memcpy(&scale_bits, &inverse, sizeof scale_bits);
     const Bits is_rod = (index - count) >> sign, has_direction = (zero_bits - 1 - squared_bits) >> sign;
@@ -93,7 +93,8 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_row(const Sample_lanes& from,
     std::memcpy(&scale, &scale_bits, sizeof scale);
     for (int axis = 0; axis < 3; ++axis) {
       const Lanes direction = rod[axis] * scale;
-      std::memcpy(rods[l / in_block].direction[axis] + l % in_block * Width, &direction, sizeof direction);
+      std::memcpy(rods[l / in_block].direction[axis] + std::ptrdiff_t(l % in_block) * Width, &direction,
+                  sizeof direction);
     }
     const Bits of_rods = squared_bits & is_rod;
     totals.directionless += is_rod & ~has_direction & repeats;
