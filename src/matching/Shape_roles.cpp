@@ -105,6 +105,13 @@ double Shape_roles::distance(std::size_t category) const
   return found.distance;
 }
 
+bool Shape_roles::is_nearest(std::size_t category) const
+{
+  for (std::size_t other = 0; other < model_.data().categories.size(); ++other)
+    if (distance(other) < distance(category)) return false;
+  return true;
+}
+
 const Role_votes& Shape_roles::votes(std::size_t category) const
 {
   Findings& found = findings_[category];
@@ -159,7 +166,8 @@ int likely_front(const Turned_roles& shape, std::size_t category, int trees, con
     likeness[turn] =
         quantized((agreement_of_trees(*shape[turn], category, trees) - shape[turn]->distance(category)) / 2);
   const auto best = std::max_element(likeness.begin(), likeness.end());
-  return *best > likeness[0] + clear_difference(options) ? int(best - likeness.begin()) : 0;
+  const int turn = int(best - likeness.begin());
+  return *best > likeness[0] + clear_difference(options) && shape[std::size_t(turn)]->is_nearest(category) ? turn : 0;
 }
 
 Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,

@@ -34,6 +34,8 @@ public:
 
   // From the labelled parts of a category, see `Role_distances::mean_distance()`.
   double distance(std::size_t category) const;
+  // Whether no other category is nearer.
+  bool is_nearest(std::size_t category) const;
   const Role_votes& votes(std::size_t category) const;
 
 private:
@@ -70,7 +72,7 @@ std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, in
                              const Part_matching_options& options = {});
 
 // The turn with which a shape of a category looks to +z: 0 unless with another one the trees agree so much more, and
-// the parts are so much nearer to labelled ones, that it is clear.
+// the parts are so much nearer to labelled ones, that it is clear; and if the shape is nearer to another category.
 int likely_front(const Turned_roles& shape, std::size_t category, int trees, const Part_matching_options& options = {});
 
 // The nearest category of two shapes whose fronts are not known.
