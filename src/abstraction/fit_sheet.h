@@ -5,6 +5,7 @@
 
 #include "abstraction/curve_and_sheet_geometry.h"
 #include "base/eigen_system.h"
+#include "base/fixed_direction.h"
 #include "base/planar_hull.h"
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
@@ -44,12 +45,20 @@ inline Eigen::Vector3d principal_variances(const Points& points)
   return eigen_system(scatter_matrix(centred) / points.cols()).values.reverse().cwiseMax(1e-300);
 }
 
+/// The plane through points along the principal axes; of points that are round in it, which have none, along some axes.
+/// Neither the axes nor their signs are left to rounding.
 inline Sheet_plane principal_plane(const Points& points)
 {
+  const double round = 0.999; // ratio of the variances in the plane, at least
+  const Point centre = points.rowwise().mean();
+  const Eigen_system system = eigen_system(scatter_matrix(points.colwise() - centre));
+  const Point normal = with_fixed_sign(system.vectors.col(0));
+  const bool is_round = system.values[1] > round * system.values[2];
   Sheet_plane result;
-  result.centre = points.rowwise().mean();
-  const Points centred = points.colwise() - result.centre;
-  result.axes = eigen_system(scatter_matrix(centred)).vectors.rowwise().reverse();
+  result.centre = centre;
+  result.axes.col(0) = is_round ? some_normal(normal) : with_fixed_sign(system.vectors.col(2));
+  result.axes.col(1) = normal.cross(result.axes.col(0));
+  result.axes.col(2) = normal;
   return result;
 }
 

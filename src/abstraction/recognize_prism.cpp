@@ -3,6 +3,7 @@
 
 #include "abstraction/recognize_prism.h"
 #include "abstraction/fit_sheet.h"
+#include "base/fixed_direction.h"
 #include "base/planar_hull.h"
 
 #include <Eigen/Geometry>
@@ -83,7 +84,7 @@ public:
   {
     plane_.centre = points.rowwise().mean();
     plane_.axes.col(2) = axis;
-    plane_.axes.col(0) = axis.unitOrthogonal();
+    plane_.axes.col(0) = some_normal(axis);
     plane_.axes.col(1) = axis.cross(plane_.axes.col(0));
     turn_to_rectangle(plane_, points);
     const Points turned = plane_.to_plane(points);

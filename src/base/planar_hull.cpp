@@ -4,6 +4,7 @@
 #include "base/planar_hull.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -12,6 +13,26 @@ namespace {
 
 constexpr double relative_noise = 1e-9; // of the area of a triangle, over the square of the points' extent
 constexpr double equal_areas = 1e-6;    // relative difference of areas that are taken to be equal
+constexpr double equal_sines = 1e-6;    // difference of sines of angles that are taken to be equal
+
+Eigen::Vector2d quarter_turn(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
+
+/// Of a rectangle with a given side that whose angle from the x axis is in (-45°, 45°].
+Eigen::Vector2d side_along_x(Eigen::Vector2d side)
+{
+  const auto is_along_x = [&] { return side.y() > equal_sines - side.x() && side.y() < side.x() + equal_sines; };
+  for (int turns = 0; turns < 3 && !is_along_x(); ++turns) {
+    side = quarter_turn(side);
+  }
+  return side;
+}
+
+/// Whether a side is turned less from the x axis than another; of those turned as much, the one turned to the left is.
+bool is_turned_less(const Eigen::Vector2d& side, const Eigen::Vector2d& other)
+{
+  const double more = std::abs(side.y()) - std::abs(other.y());
+  return more < -equal_sines || (more < equal_sines && side.y() > 0 && other.y() < 0);
+}
 
 } // namespace
 
@@ -53,9 +74,9 @@ Eigen::Vector2d least_rectangle_direction(const Planar_points& hull)
     if (!(edge.norm() > 0)) {
       continue;
     }
+    const Eigen::Vector2d side = side_along_x(edge.normalized());
     Eigen::Matrix2d axes;
-    axes.col(0) = edge.normalized();
-    axes.col(1) << -axes(1, 0), axes(0, 0);
+    axes << side, quarter_turn(side);
     Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (const auto& p : hull) {
       const Eigen::Array2d x = (axes.transpose() * p).array();
@@ -63,10 +84,11 @@ Eigen::Vector2d least_rectangle_direction(const Planar_points& hull)
       high = high.max(x);
     }
     const double area = (high - low).prod();
-    if (area < least * (1 - equal_areas)) {
-      least = area;
-      result = axes.col(0);
+    const bool is_less = area < least * (1 - equal_areas), is_equal = !is_less && area < least * (1 + equal_areas);
+    if (is_less || (is_equal && is_turned_less(side, result))) {
+      result = side;
     }
+    least = std::min(least, area);
   }
   return result;
 }

@@ -20,10 +20,10 @@ inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return
 /// Time O(n log n) for n points.
 Planar_points planar_hull(Planar_points points);
 
-/// Direction of one side of the rectangle of least area around a convex polygon; it lies along one of its edges, the
-/// first of those that give the least area but for rounding noise. CGAL::min_rectangle_2() lets the noise choose: of
-/// the same 14 683 hulls that are polygons, it chose another side of the same rectangle for 7 106, and another
-/// rectangle for 965. Time O(n²) for n vertices, 4 µs on average there.
+/// Direction of that side of the rectangle of least area around a convex polygon whose angle from the x axis is in
+/// (-45°, 45°]. It lies along or across an edge of the polygon; of rectangles whose areas are equal but for rounding
+/// noise, as those of a regular polygon are, the one turned least from the axes is taken, to the left if two are.
+/// CGAL::min_rectangle_2() lets the noise choose. Time O(n²) for n vertices.
 Eigen::Vector2d least_rectangle_direction(const Planar_points& hull);
 
 } // namespace CGAL::Shape_correspondence::internal

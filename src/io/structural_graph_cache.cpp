@@ -19,7 +19,7 @@ namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 /// To be raised with every change that makes another graph of the same shape and options.
-constexpr int algorithms_version = 10;
+constexpr int algorithms_version = 11;
 
 /// Values in their bytes, one after the other.
 class Bytes

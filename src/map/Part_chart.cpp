@@ -6,6 +6,7 @@
 #include "base/eigen_system.h"
 #include "base/least_rotation.h"
 #include "base/planar_hull.h"
+#include "base/fixed_direction.h"
 
 #include <CGAL/assertions.h>
 
@@ -18,13 +19,6 @@
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
-
-Point some_normal(const Point& direction)
-{
-  Eigen::Index axis;
-  direction.cwiseAbs().minCoeff(&axis);
-  return (Point::Unit(axis) - direction[axis] * direction).normalized();
-}
 
 /// The part of `v` across the unit vector `direction`, of length 1.
 Point across_to(const Point& v, const Point& direction)
