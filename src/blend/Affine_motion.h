@@ -22,6 +22,7 @@ struct Affine_motion
   /// How far a point is moved.
   Point displacement(const Point& p) const { return translation + gradient * (p - middle); }
 
+  bool is_none() const { return translation.isZero(0) && gradient.isZero(0); }
   void apply(Points& points) const;
 
   /// The mean with the mirror image, in x = 0, of another motion.

@@ -16,6 +16,8 @@ In_between_shape::In_between_shape(const Blend_structure& blend, const Task_time
       points_(blend.parts.size()),
       surface_(blend.parts.size(), -1),
       remaining_(blend.parts.size(), 1),
+      trees_(blend.parts.size()),
+      has_moved_(blend.parts.size(), 1),
       stretches_(blend.parts.size())
 {
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -34,34 +36,46 @@ In_between_shape::In_between_shape(const Blend_structure& blend, const Task_time
 void In_between_shape::set_unmatched(std::size_t part, Points points)
 {
   points_[part][0] = std::move(points);
+  has_moved_[part] = 1;
   stretches_[part] = {};
   constexpr double nothing = 1e-6; // of a part: less has no area in floating-point numbers
   if (remaining_[part] > nothing) surface_[part] = 0;
 }
 
-In_between_shape::Tree In_between_shape::tree(std::size_t part) const
+Points& In_between_shape::moving_points(std::size_t part)
 {
-  Tree result = *blend_.parts[part].trees[std::size_t(surface_[part])];
-  refit(result, part);
-  return result;
+  has_moved_[part] = 1;
+  return points_[part][std::size_t(surface_[part])];
 }
 
-In_between_shape::Trees In_between_shape::trees() const
+const In_between_shape::Tree& In_between_shape::tree(std::size_t part)
 {
-  Trees result(points_.size());
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    if (is_there(i)) result[i] = tree(i);
-  return result;
-}
-
-void In_between_shape::refit(Tree& tree, std::size_t part) const
-{
+  std::optional<Tree>& tree = trees_[part];
+  if (!tree) tree = blend_.parts[part].trees[std::size_t(surface_[part])];
+  if (!has_moved_[part]) return *tree;
   const Eigen::Matrix3Xi& triangles = blend_.parts[part].triangles(surface_[part]);
-  tree.move([&](std::size_t t) { return triangle_of(points(part), triangles, t); });
+  tree->move([&](std::size_t t) { return triangle_of(points(part), triangles, t); });
+  has_moved_[part] = 0;
+  return *tree;
+}
+
+const In_between_shape::Trees& In_between_shape::trees()
+{
+  for (std::size_t part = 0; part < trees_.size(); ++part)
+    if (is_there(part)) tree(part);
+  return trees_;
+}
+
+void In_between_shape::drop_trees()
+{
+  trees_.assign(trees_.size(), std::nullopt);
+  has_moved_.assign(trees_.size(), 1);
 }
 
 void In_between_shape::apply(const Affine_motion& motion, std::size_t part)
 {
+  if (motion.is_none()) return;
+  has_moved_[part] = 1;
   for (Points& surface : points_[part])
     motion.apply(surface);
 }

@@ -45,16 +45,19 @@ public:
   const Points& points(std::size_t part, int surface) const { return points_[part][std::size_t(surface)]; }
   /// Of the surface that there is.
   const Points& points(std::size_t part) const { return points(part, surface_[part]); }
-  Points& points(std::size_t part) { return points_[part][std::size_t(surface_[part])]; }
+  /// The same, to be changed.
+  Points& moving_points(std::size_t part);
   /// How much there is of an unmatched part, in [0, 1].
   double remaining(std::size_t part) const { return remaining_[part]; }
   /// An unmatched part is there as far as something of it remains.
   void set_unmatched(std::size_t part, Points points);
 
-  Tree tree(std::size_t part) const;
-  Trees trees() const;
-  /// Moves a tree of a part's surface to where that is now.
-  void refit(Tree& tree, std::size_t part) const;
+  /// The tree of a part's surface, and of those of all parts that are there, where they are now. The same object until
+  /// the shape ends; asking for it again moves it to where the surface has gone since.
+  const Tree& tree(std::size_t part);
+  const Trees& trees();
+  /// Frees the memory of the trees.
+  void drop_trees();
   /// Moves all surfaces of a part.
   void apply(const Affine_motion& motion, std::size_t part);
   /// The same to close gaps, as far as the part may be stretched for that.
@@ -79,6 +82,8 @@ private:
   std::vector<std::array<Points, 2>> points_; ///< by part and surface
   std::vector<int> surface_;
   std::vector<double> remaining_;
+  Trees trees_;
+  std::vector<char> has_moved_;    ///< by part, since its tree was
   std::vector<Stretch> stretches_; ///< by part, since it has been placed
   double widest_disconnection_ = 0;
 };

@@ -136,17 +136,17 @@ void add_symmetry_fault(const In_between_shape& shape, const Trees& trees, doubl
 
 } // namespace
 
-Blend_quality quality(const In_between_shape& shape)
+Blend_quality quality(In_between_shape shape)
 {
-  const Trees trees = shape.trees();
+  const Trees& trees = shape.trees();
   return quality(shape, trees, visible_quality(shape, trees));
 }
 
 double end_asymmetry(const Blend_structure& blend) { return std::max(blend.end_asymmetry[0], blend.end_asymmetry[1]); }
 
-Blend_check check(const In_between_shape& shape)
+Blend_check check(In_between_shape shape)
 {
-  const Trees trees = shape.trees();
+  const Trees& trees = shape.trees();
   const Visible_quality seen = visible_quality(shape, trees);
   Blend_check result{quality(shape, trees, seen), {}};
   add_contact_fault(shape, trees, result.faults);

@@ -9,12 +9,12 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-Blend_quality quality(const In_between_shape& shape);
+Blend_quality quality(In_between_shape shape);
 
 /// `Blend_quality::asymmetry` of that end which is less symmetric; shapes in between are measured against it.
 double end_asymmetry(const Blend_structure& blend);
 
 /// The quality, and what does not hold within the tolerances of `Shape_blend`.
-Blend_check check(const In_between_shape& shape);
+Blend_check check(In_between_shape shape);
 
 } // namespace CGAL::Shape_correspondence::internal

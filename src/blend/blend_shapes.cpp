@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/Blend_ends.h"
+#include "blend/In_between_cache.h"
 #include "blend/blend_quality.h"
 #include "blend/ease.h"
-#include "blend/in_between_steps.h"
 #include "blend/schedules.h"
 #include "map/check_model.h"
 #include "matching/unlikely_pairs.h"
@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
@@ -57,9 +59,16 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
   Correspondence likely = correspondence;
   remove_unlikely_pairs(likely, options.min_confidence);
   blend_ = std::make_shared<const Blend_structure>(inputs, likely, options);
-  schedules_ = plausible_schedules(blend_->parts);
-  choose(schedules_, options.schedule);
-  rank(schedules_, *blend_, options);
+  std::vector<Blend_schedule> schedules = plausible_schedules(blend_->parts);
+  choose(schedules, options.schedule);
+  rank(schedules, *blend_, options);
+  set_schedules(std::move(schedules));
+}
+
+void Shape_blend::set_schedules(std::vector<Blend_schedule> schedules)
+{
+  schedules_ = std::move(schedules);
+  shapes_ = std::make_shared<In_between_cache>(blend_, times_of(schedules_[0]));
 }
 
 std::vector<std::string> Shape_blend::schedule_names()
@@ -81,7 +90,7 @@ std::vector<Shape_blend> Shape_blend::different_blends() const
     };
     if (std::any_of(result.begin(), result.end(), is_alike)) continue;
     result.push_back(*this);
-    result.back().schedules_ = {schedule};
+    result.back().set_schedules({schedule});
   }
   return result;
 }
@@ -90,7 +99,8 @@ Segmented_shape Shape_blend::operator()(double t) const
 {
   if (t <= 0) return blend_->shapes[0];
   if (t >= 1) return blend_->shapes[1];
-  const In_between_shape shape = in_between_shape(*blend_, times_of(schedules_[0]), t);
+  const std::shared_ptr<const In_between_shape> in_between = shapes_->at(t);
+  const In_between_shape& shape = *in_between;
   Segmented_shape result(blend_->shapes[0].name() + '~' + blend_->shapes[1].name(), blend_->up(t));
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
     if (shape.is_there(part))
@@ -101,7 +111,7 @@ Segmented_shape Shape_blend::operator()(double t) const
 
 Blend_check Shape_blend::check(double t) const
 {
-  if (t > 0 && t < 1) return internal::check(in_between_shape(*blend_, times_of(schedules_[0]), t));
+  if (t > 0 && t < 1) return internal::check(*shapes_->at(t));
   Blend_check result;
   result.quality.asymmetry = blend_->end_asymmetry[t <= 0 ? 0 : 1];
   return result;
@@ -129,7 +139,8 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
 std::vector<Points> Shape_blend::points(double t) const
 {
   std::vector<Points> result;
-  const In_between_shape shape = in_between_shape(*blend_, times_of(schedules_[0]), t);
+  const std::shared_ptr<const In_between_shape> in_between = shapes_->at(t);
+  const In_between_shape& shape = *in_between;
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
     for (int surface = 0; surface < (shape.part(part).morph ? 2 : 1); ++surface)
       result.push_back(blend_->to_world(shape.points(part, surface), shape.time()));

@@ -109,15 +109,21 @@ double mirror_residual(const std::vector<const Points*>& surfaces,
   constexpr Eigen::Index samples = 24; // of a surface
   double sum = 0;
   int count = 0;
+  std::size_t last = 0; // what is nearest to a point is likely to be that to the next one, too
   for (const Points* points : surfaces) {
     const Eigen::Index n = std::min(points->cols(), samples);
     for (Eigen::Index i = 0; i < n; ++i) {
       Point p = mirrored(Point(points->col(i * points->cols() / n))), nearest;
       std::size_t triangle;
       double squared = std::numeric_limits<double>::infinity();
-      for (const auto& tree : trees)
-        if (tree && tree->box().squaredExteriorDistance(p) < squared)
-          tree->improve_nearest(p, nearest, squared, triangle);
+      const auto improve = [&](std::size_t tree) {
+        if (trees[tree] && contacts::squared_distance(trees[tree]->box(), p) < squared &&
+            trees[tree]->improve_nearest(p, nearest, squared, triangle))
+          last = tree;
+      };
+      improve(last);
+      for (std::size_t tree = 0; tree < trees.size(); ++tree)
+        improve(tree);
       sum += squared;
       ++count;
     }

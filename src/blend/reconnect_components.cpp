@@ -61,12 +61,12 @@ private:
     return result;
   }
 
-  static std::vector<contacts::Triangle_tree> trees_of(const In_between_shape& shape,
-                                                       const std::vector<std::size_t>& parts)
+  static std::vector<const contacts::Triangle_tree*> trees_of(In_between_shape& shape,
+                                                              const std::vector<std::size_t>& parts)
   {
-    std::vector<contacts::Triangle_tree> result;
+    std::vector<const contacts::Triangle_tree*> result;
     for (std::size_t part : parts)
-      result.push_back(shape.tree(part));
+      result.push_back(&shape.tree(part));
     return result;
   }
 
@@ -101,7 +101,7 @@ private:
         motion.translation.x() = 0;
       }
       shape_.stretch(motion, part);
-      components_.update(i, shape_.tree(part));
+      shape_.tree(part); // moves it to the part
     }
     return is_whole;
   }

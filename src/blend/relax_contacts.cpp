@@ -43,9 +43,7 @@ void put_foot(In_between_shape& shape, std::size_t part)
 class Contact_relaxation
 {
 public:
-  explicit Contact_relaxation(In_between_shape& shape)
-      : shape_(shape), trees_(shape.trees()), nearest_(shape.blend().contacts.size())
-  {}
+  explicit Contact_relaxation(In_between_shape& shape) : shape_(shape), nearest_(shape.blend().contacts.size()) {}
 
   /// Moves all parts once, if any contact is open or any foot is off its place. Returns by how much they are, all
   /// together, before.
@@ -65,7 +63,7 @@ private:
     std::vector<Moving_body> result(shape_.number_of_parts());
     for (std::size_t part = 0; part < result.size(); ++part) {
       if (!shape_.is_there(part)) continue;
-      const contacts::Box& box = trees_[part]->box();
+      const contacts::Box box = box_of(shape_.points(part));
       const double size = std::max(box.diagonal().norm(), In_between_shape::least_stretched * shape_.part(part).size);
       result[part] = {box.center(), size, inertia * size, shape_.is_at_bound(part)};
     }
@@ -78,10 +76,19 @@ private:
     constexpr int searched_every = 4;
     const auto [a, b] = shape_.blend().contacts[contact].parts;
     contacts::Triangle_pair& near = nearest_[contact];
-    if (round_ % searched_every == 0) return trees_[a]->nearly_closest(*trees_[b], enough, near);
+    if (round_ % searched_every == 0) return shape_.tree(a).nearly_closest(shape_.tree(b), enough, near);
     contacts::Closest_pair result;
-    contacts::improve_by_triangles(trees_[a]->triangles()[near.first], trees_[b]->triangles()[near.second], result);
+    contacts::improve_by_triangles(triangle(a, near.first), triangle(b, near.second), result);
     return result;
+  }
+
+  /// A triangle where it is now, by its number in the part's tree, which may be behind.
+  contacts::Triangle triangle(std::size_t part, std::size_t in_tree) const
+  {
+    const Blend_part& moved = shape_.part(part);
+    const int surface = shape_.surface(part);
+    const std::size_t given = moved.trees[std::size_t(surface)]->given_number(in_tree);
+    return triangle_of(shape_.points(part), moved.triangles(surface), given);
   }
 
   /// Returns by how much contacts are open.
@@ -131,12 +138,10 @@ private:
       shape_.stretch(moved.has_image() ? motions[part].symmetrised(motions[moved.image]) : motions[part], part);
       if (!shape_.is_there(part)) continue;
       put_foot(shape_, part);
-      shape_.refit(*trees_[part], part);
     }
   }
 
   In_between_shape& shape_;
-  In_between_shape::Trees trees_;
   std::vector<contacts::Triangle_pair> nearest_; ///< by contact, where it was closest
   int round_ = 0;
 };

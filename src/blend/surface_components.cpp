@@ -62,19 +62,19 @@ std::vector<contacts::Triangle_tree> trees_of(const std::vector<Part_mesh>& part
   return result;
 }
 
-Surface_components::Surface_components(std::vector<Tree> surfaces, double widest)
+Surface_components::Surface_components(std::vector<const Tree*> surfaces, double widest)
     : surfaces_(std::move(surfaces)), components_(surfaces_.size())
 {
   for (std::size_t a = 0; a < surfaces_.size(); ++a)
     for (std::size_t b = a + 1; b < surfaces_.size(); ++b)
-      if (components_[a] != components_[b] && surfaces_[a].is_within(surfaces_[b], widest * widest)) unite(a, b);
+      if (components_[a] != components_[b] && surfaces_[a]->is_within(*surfaces_[b], widest * widest)) unite(a, b);
 }
 
 std::optional<std::size_t> Surface_components::smallest() const
 {
   std::map<std::size_t, double> sizes;
   for (std::size_t a = 0; a < surfaces_.size(); ++a)
-    sizes[components_[a]] += surfaces_[a].box().diagonal().norm();
+    sizes[components_[a]] += surfaces_[a]->box().diagonal().norm();
   if (sizes.size() < 2) return std::nullopt;
   const auto is_smaller = [](const auto& a, const auto& b) { return quantized(a.second) < quantized(b.second); };
   return std::min_element(sizes.begin(), sizes.end(), is_smaller)->first;
@@ -89,10 +89,10 @@ Surface_components::Connection Surface_components::shortest_connection(std::size
   for (std::size_t a = 0; a < surfaces_.size(); ++a)
     for (std::size_t b = 0; b < surfaces_.size(); ++b) {
       if (components_[a] != component || components_[b] == component ||
-          surfaces_[a].box().squaredExteriorDistance(surfaces_[b].box()) >= shortest.closest.squared)
+          surfaces_[a]->box().squaredExteriorDistance(surfaces_[b]->box()) >= shortest.closest.squared)
         continue;
       contacts::Closest_pair pair = shortest.closest;
-      surfaces_[a].improve_nearly_closest(surfaces_[b], pair);
+      surfaces_[a]->improve_nearly_closest(*surfaces_[b], pair);
       if (pair.squared < shortest.closest.squared) shortest = {a, b, pair};
     }
   return shortest;

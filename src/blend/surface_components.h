@@ -38,13 +38,11 @@ class Surface_components
 public:
   using Tree = contacts::Triangle_tree;
 
+  /// \param surfaces may move while they are used, which changes no component
   /// \param widest gap between surfaces that are connected
-  Surface_components(std::vector<Tree> surfaces, double widest);
+  Surface_components(std::vector<const Tree*> surfaces, double widest);
 
   std::size_t component_of(std::size_t surface) const { return components_[surface]; }
-
-  /// To be called when a surface has been moved, which changes no component.
-  void update(std::size_t surface, Tree tree) { surfaces_[surface] = std::move(tree); }
 
   /// Makes one component of those of two surfaces.
   void unite(std::size_t a, std::size_t b) { components_.unite(a, b); }
@@ -63,7 +61,7 @@ public:
   Connection shortest_connection(std::size_t component) const;
 
 private:
-  std::vector<Tree> surfaces_;
+  std::vector<const Tree*> surfaces_;
   Disjoint_sets components_;
 };
 

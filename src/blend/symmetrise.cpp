@@ -83,12 +83,12 @@ void symmetrise_surfaces(In_between_shape& shape, std::size_t part)
   const double share = mirror_share(shape);
   std::array<std::vector<std::size_t>, 2> triangles;
   for (int round = 0; round < most_rounds; ++round) {
-    const contacts::Triangle_tree own = shape.tree(part), others = shape.tree(image);
+    const contacts::Triangle_tree &own = shape.tree(part), &others = shape.tree(image);
     const double distance =
         std::max(mirror_distance(shape.points(part), others), mirror_distance(shape.points(image), own));
     if (distance <= alike || distance > most_moved * std::min(thickness(shape, part), thickness(shape, image))) return;
-    move_to_image(shape.points(part), others, share, triangles[0]);
-    if (image != part) move_to_image(shape.points(image), own, share, triangles[1]);
+    move_to_image(shape.moving_points(part), others, share, triangles[0]);
+    if (image != part) move_to_image(shape.moving_points(image), own, share, triangles[1]);
   }
 }
 

@@ -10,6 +10,8 @@
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstdint>
 #include <ostream>
 
@@ -30,6 +32,17 @@ Json quality_json(const Blend_quality& quality)
           {"wobble", quality.wobble}};
 }
 
+/// Numbers with as many digits as it takes to read the same ones again.
+template <typename Numbers>
+void append_line(std::string& lines, char keyword, const Numbers& numbers)
+{
+  std::array<char, 32> digits;
+  lines += keyword;
+  for (const auto number : numbers)
+    (lines += ' ').append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+  lines += '\n';
+}
+
 /// \param asymmetry of the ends
 Json tolerances_json(double asymmetry)
 {
@@ -44,18 +57,18 @@ Json tolerances_json(double asymmetry)
 
 void write_segmented_shape_obj(std::ostream& out, const Segmented_shape& shape)
 {
-  const auto precision = out.precision(17);
+  std::string lines;
   int first = 1;
   for (const Shape_part& part : shape.parts()) {
-    out << "o " << quote_obj(part.name) << '\n';
-    for (Eigen::Index i = 0; i < part.mesh.points.cols(); ++i)
-      out << "v " << part.mesh.points(0, i) << ' ' << part.mesh.points(1, i) << ' ' << part.mesh.points(2, i) << '\n';
-    for (Eigen::Index t = 0; t < part.mesh.triangles.cols(); ++t)
-      out << "f " << part.mesh.triangles(0, t) + first << ' ' << part.mesh.triangles(1, t) + first << ' '
-          << part.mesh.triangles(2, t) + first << '\n';
+    lines += "o " + quote_obj(part.name) + '\n';
+    for (const auto& p : part.mesh.points.colwise())
+      append_line(lines, 'v', p);
+    for (const auto& corners : part.mesh.triangles.colwise())
+      append_line(lines, 'f', (corners.array() + first).matrix());
     first += static_cast<int>(part.mesh.points.cols());
+    out << lines;
+    lines.clear();
   }
-  out.precision(precision);
 }
 
 void write_segmented_shape_ply(std::ostream& out, const Segmented_shape& shape)

@@ -23,6 +23,12 @@ inline Box box_of(const Triangle& t)
   return Box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));
 }
 
+/// What `box.squaredExteriorDistance(p)` is, without branches: half of the time.
+inline double squared_distance(const Box& box, const Point& p)
+{
+  return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0).squaredNorm();
+}
+
 /// Triangles of two trees, by their numbers there.
 struct Triangle_pair
 {
@@ -135,7 +141,7 @@ public:
   /// Whether `p` is nearer than the root of `squared`.
   bool is_near(const Point& p, double squared) const
   {
-    return any_triangle([&](const Box& box) { return box.squaredExteriorDistance(p); },
+    return any_triangle([&](const Box& box) { return contacts::squared_distance(box, p); },
                         [&](const Triangle& t) { return (nearest_on_triangle(p, t) - p).squaredNorm() < squared; },
                         squared);
   }
@@ -211,8 +217,8 @@ private:
       return improved;
     }
     std::array<std::pair<double, std::size_t>, 2> children;
-    children[0] = {nodes_[node + 1].box.squaredExteriorDistance(p), node + 1};
-    children[1] = {nodes_[nodes_[node].right].box.squaredExteriorDistance(p), nodes_[node].right};
+    children[0] = {contacts::squared_distance(nodes_[node + 1].box, p), node + 1};
+    children[1] = {contacts::squared_distance(nodes_[nodes_[node].right].box, p), nodes_[node].right};
     if (children[1].first < children[0].first) std::swap(children[0], children[1]);
     for (const auto& [bound, child] : children)
       if (bound < squared) improved = improve_nearest(child, p, nearest, squared, triangle) || improved;

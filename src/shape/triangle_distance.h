@@ -41,20 +41,41 @@ inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b)
 
 constexpr double parallel_squared_sine = 1e-24; // of an angle that rounding alone can make of none
 
-/// The point of the triangle nearest to `p`.
-inline Point nearest_on_triangle(const Point& p, const Triangle& t)
+/// The point of the sides of the triangle nearest to `p`.
+inline Point nearest_on_sides(const Point& p, const Triangle& t)
 {
-  const Point u = t[1] - t[0], v = t[2] - t[0], normal = u.cross(v);
-  bool inside = normal.squaredNorm() > parallel_squared_sine * u.squaredNorm() * v.squaredNorm();
-  for (int i = 0; i < 3 && inside; ++i)
-    inside = normal.dot((t[(i + 1) % 3] - t[i]).cross(p - t[i])) >= 0;
-  if (inside) return p - normal.dot(p - t[0]) / normal.squaredNorm() * normal;
   Point best = nearest_on_segment(p, t[0], t[1]);
   for (int i = 1; i < 3; ++i) {
     const Point candidate = nearest_on_segment(p, t[i], t[(i + 1) % 3]);
     if ((candidate - p).squaredNorm() < (best - p).squaredNorm()) best = candidate;
   }
   return best;
+}
+
+/// The point of the triangle nearest to `p`. Signs of dot products tell whether it is a corner, on a side or inside
+/// (Ericson, Real-Time Collision Detection, 2005, section 5.1.5), unless the triangle is a needle.
+inline Point nearest_on_triangle(const Point& p, const Triangle& t)
+{
+  constexpr double needle_squared_sine = 1e-8; // of an angle under which dot products lose half of their digits
+  const Point u = t[1] - t[0], v = t[2] - t[0], from_first = p - t[0], normal = u.cross(v);
+  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
+  const auto projected = [&] { return Point(p - normal.dot(from_first) / normal.squaredNorm() * normal); };
+  if (normal.squaredNorm() <= needle_squared_sine * uu * vv) {
+    bool inside = normal.squaredNorm() > parallel_squared_sine * uu * vv;
+    for (int i = 0; i < 3 && inside; ++i)
+      inside = normal.dot((t[(i + 1) % 3] - t[i]).cross(p - t[i])) >= 0;
+    return inside ? projected() : nearest_on_sides(p, t);
+  }
+  const double u0 = u.dot(from_first), v0 = v.dot(from_first); // seen from the first corner, along two sides
+  if (u0 <= 0 && v0 <= 0) return t[0];
+  const double u1 = u0 - uu, v1 = v0 - uv; // from the second
+  if (u1 >= 0 && v1 <= u1) return t[1];
+  const double u2 = u0 - uv, v2 = v0 - vv; // from the third
+  if (v2 >= 0 && u2 <= v2) return t[2];
+  if (u0 * v1 <= u1 * v0 && u0 >= 0 && u1 <= 0) return nearest_on_segment(p, t[0], t[1]);
+  if (u2 * v0 <= u0 * v2 && v0 >= 0 && v2 <= 0) return nearest_on_segment(p, t[2], t[0]);
+  if (u1 * v2 <= u2 * v1 && v1 >= u1 && u2 >= v2) return nearest_on_segment(p, t[1], t[2]);
+  return projected();
 }
 
 /// The closest points of two segments.

@@ -181,7 +181,7 @@ TEST_CASE("What is wrong with a shape in between is told, with the part")
   const auto faults = [&](std::size_t part, const std::function<void(Points&)>& harm) {
     internal::In_between_shape shape =
         internal::in_between_shape(blend, internal::Task_times(3, std::array<double, 2>{0., 1.}), 0.5);
-    harm(shape.points(part));
+    harm(shape.moving_points(part));
     return internal::check(shape).faults;
   };
   CHECK(faults(column, [](Points&) {}).empty());
@@ -207,6 +207,31 @@ TEST_CASE("What is wrong with a shape in between is told, with the part")
   CHECK(is_told(faults(top, shifted({0, -0.88, 0})), "gone into other parts", "top~top"));
 }
 
+TEST_CASE("The tree of a part goes where the part goes, whatever moves it, and stays the same object")
+{
+  const Box_model model = model_of(stand());
+  const std::array<internal::Blend_input, 2> inputs = {internal::Blend_input{model.graph, model.shape, 0},
+                                                       internal::Blend_input{model.graph, model.shape, 0}};
+  const internal::Blend_structure blend(inputs, same_parts(3), {});
+  internal::In_between_shape shape(blend, internal::Task_times(3, std::array<double, 2>{0., 1.}), 0.5);
+  const auto is_around = [&](std::size_t part) {
+    return shape.tree(part).box().isApprox(internal::box_of(shape.points(part)));
+  };
+  const auto* tree = &shape.tree(1);
+  CHECK(is_around(1));
+  shape.apply({Point::Zero(), Point(0, 0.2, 0), Eigen::Matrix3d::Zero()}, 1);
+  CHECK(is_around(1));
+  shape.stretch({Point::Zero(), Point::Zero(), 0.1 * Eigen::Matrix3d::Identity()}, 1);
+  CHECK(is_around(1));
+  shape.moving_points(1) *= 2;
+  CHECK(is_around(1));
+  CHECK(&shape.tree(1) == tree);
+  shape.moving_points(2).row(0).array() += 1;
+  CHECK(shape.trees()[2]->box().isApprox(internal::box_of(shape.points(2))));
+  shape.drop_trees();
+  CHECK(is_around(2));
+}
+
 TEST_CASE("What is not symmetric any more is told, with the part")
 {
   std::vector<Named_box> boxes = stand();
@@ -220,7 +245,7 @@ TEST_CASE("What is not symmetric any more is told, with the part")
   const auto faults = [&](std::size_t part, double by) {
     internal::In_between_shape shape =
         internal::in_between_shape(blend, internal::Task_times(4, std::array<double, 2>{0., 1.}), 0.5);
-    shape.points(part).row(0).array() += by;
+    shape.moving_points(part).row(0).array() += by;
     return internal::check(shape).faults;
   };
   CHECK(!is_told(faults(1, 0), "mirror image", "column~column"));

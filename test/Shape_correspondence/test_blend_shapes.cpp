@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <map>
 #include <sstream>
+#include <thread>
 
 // Every shape in between: closed parts, together, symmetric, on the ground; the ends are the inputs.
 
@@ -290,6 +291,25 @@ TEST_CASE("A shape blended with itself stays as it is")
   for (double t : {0.3, 0.7}) {
     CHECK(hausdorff_distance(blend(t), chair.shape) < 1e-3);
   }
+}
+
+TEST_CASE("A shape is the same whatever was asked before, and by whichever thread")
+{
+  const Shape_blend blend = blend_of("chair_four_legged", "chair_slatted"),
+                    same = blend_of("chair_four_legged", "chair_slatted");
+  const std::vector<Points> points = same.points(0.4);
+  const Blend_check check = same.check(0.6);
+  std::vector<Points> first, second;
+  std::thread other([&] { first = blend.points(0.4); });
+  second = blend.points(0.4);
+  other.join();
+  CHECK(first == points);
+  CHECK(second == points);
+  blend(0.6);
+  CHECK(blend.check(0.6).quality.torn == check.quality.torn);
+  CHECK(blend.check(0.6).quality.gap == check.quality.gap);
+  for (const Shape_blend& different : blend.different_blends())
+    CHECK((different.points(0.4) == points) == (different.schedules()[0].name == blend.schedules()[0].name));
 }
 
 TEST_CASE("Nothing jumps: shapes at times near each other are near each other")

@@ -216,6 +216,37 @@ TEST_CASE("Triangles of one plane do not cross, whatever rounding makes of it")
   }
 }
 
+TEST_CASE("The point of a triangle nearest to a point, also of needles and of triangles without area")
+{
+  using internal::contacts::Triangle;
+  const auto nearest = internal::contacts::nearest_on_triangle;
+  const Triangle right = {Point(0, 0, 0), Point(4, 0, 0), Point(0, 2, 0)};
+  CHECK(nearest({-1, -1, 1}, right) == Point(0, 0, 0));
+  CHECK(nearest({6, -1, 1}, right) == Point(4, 0, 0));
+  CHECK(nearest({-1, 5, 1}, right) == Point(0, 2, 0));
+  CHECK(nearest({1, -3, 0}, right).isApprox(Point(1, 0, 0)));
+  CHECK(nearest({-2, 1, 3}, right).isApprox(Point(0, 1, 0)));
+  CHECK(nearest({3, 3, -2}, right).isApprox(Point(2, 1, 0)));
+  CHECK(nearest({1, 0.5, -7}, right).isApprox(Point(1, 0.5, 0)));
+  // It is no farther than any corner or point of a side, and the rest of the triangle is beyond the plane through it
+  std::mt19937 random(7);
+  std::normal_distribution<double> place;
+  const auto anywhere = [&] { return Point(place(random), place(random), place(random)); };
+  for (double flatness : {1., 1e-3, 1e-5, 1e-8, 1e-13, 0.})
+    for (int i = 0; i < 2000; ++i) {
+      Triangle t = {anywhere(), anywhere(), {}};
+      t[2] = t[0] + place(random) * (t[1] - t[0]) + flatness * anywhere();
+      std::swap(t[2], t[std::size_t(i % 3)]);
+      const Point p = anywhere(), found = nearest(p, t);
+      CAPTURE(flatness, i);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Point side = internal::contacts::nearest_on_segment(p, t[k], t[(k + 1) % 3]);
+        REQUIRE((found - p).norm() <= (side - p).norm() + 1e-14);
+        REQUIRE((p - found).dot(t[k] - found) <= 1e-7);
+      }
+    }
+}
+
 TEST_CASE("Contacts without meshes")
 {
   std::vector<Part_abstraction> parts = quick_parts(chair());

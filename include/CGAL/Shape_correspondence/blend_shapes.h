@@ -26,6 +26,7 @@ namespace Shape_correspondence {
 
 namespace internal {
 class Blend_structure;
+class In_between_cache;
 }
 
 /// \ingroup PkgShapeCorrespondenceMaps
@@ -110,8 +111,11 @@ public:
   std::vector<Points> points(double t) const;
 
 private:
+  void set_schedules(std::vector<Blend_schedule> schedules);
+
   std::shared_ptr<const internal::Blend_structure> blend_;
   std::vector<Blend_schedule> schedules_;
+  std::shared_ptr<internal::In_between_cache> shapes_; // by the first schedule
 };
 
 } // namespace Shape_correspondence
