@@ -3,6 +3,7 @@
 
 #include "blend/Part_morph.h"
 
+#include "blend/smooth_places.h"
 #include "map/Charted_mesh.h"
 #include "map/Piece_pair.h"
 
@@ -70,17 +71,16 @@ Part_morph::Surface_pair Part_morph::surface_pair(const Charted_mesh& a, const C
   constexpr double shortest = 0.1; // share of the time, so that what has a short way does not take it in an instant
   Surface_pair result;
   Moving_surface& first = result.first = at_rest(a);
-  const Points normals_a = chart_normals(a), normals_b = chart_normals(b);
-  const Place_finder target(b.coordinates, b.triangles, normals_b);
+  const std::vector<Mesh_place> there = smooth_places(a.coordinates, a.triangles, b.coordinates, b.triangles);
   for (Eigen::Index i = 0; i < a.points.cols(); ++i) {
-    const Mesh_place place = target(a.coordinates.col(i), normals_a.col(i));
+    const Mesh_place& place = there[std::size_t(i)];
     first.coordinates[1].col(i) = place.of(b.coordinates, b.triangles);
     first.offsets[1].col(i) = place.of(b.offsets, b.triangles);
   }
   Moving_surface& second = result.second = at_rest(b);
-  const Place_finder reached(first.coordinates[1], a.triangles, normals_a);
+  const std::vector<Mesh_place> back = smooth_places(b.coordinates, b.triangles, first.coordinates[1], a.triangles);
   for (Eigen::Index i = 0; i < b.points.cols(); ++i) {
-    const Mesh_place place = reached(b.coordinates.col(i), normals_b.col(i));
+    const Mesh_place& place = back[std::size_t(i)];
     second.coordinates[0].col(i) = place.of(first.coordinates[1], a.triangles);
     second.offsets[0].col(i) = place.of(a.offsets, a.triangles);
   }

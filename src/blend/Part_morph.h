@@ -20,9 +20,9 @@ struct Pair_charts;
 /// A surface that becomes another.
 ///
 /// First the one surface, in coordinates of its chart relative to the part's outline there, moves to the nearest places
-/// of the other; then the other takes over where the first has come to and what the first could not reach grows out of
-/// it. So both ends are exact, nothing jumps, and the surface is that of one input or the other at any time: closed if
-/// both are.
+/// of the other that do not tear it; then the other takes over where the first has come to and what the first could not
+/// reach grows out of it. So both ends are exact, nothing jumps, and the surface is that of one input or the other at
+/// any time: closed if both are.
 class Part_morph
 {
 public:
