@@ -15,9 +15,7 @@ constexpr double relative_noise = 1e-9; // of the area of a triangle, over the s
 constexpr double equal_areas = 1e-6;    // relative difference of areas that are taken to be equal
 constexpr double equal_sines = 1e-6;    // difference of sines of angles that are taken to be equal
 
-Eigen::Vector2d quarter_turn(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
-
-/// Of a rectangle with a given side that whose angle from the x axis is in (-45°, 45°].
+/// The side of a rectangle, of which one is given, whose angle from the x axis is in (-45°, 45°].
 Eigen::Vector2d side_along_x(Eigen::Vector2d side)
 {
   const auto is_along_x = [&] { return side.y() > equal_sines - side.x() && side.y() < side.x() + equal_sines; };

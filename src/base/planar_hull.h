@@ -13,6 +13,8 @@ using Planar_points = std::vector<Eigen::Vector2d>;
 
 inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+inline Eigen::Vector2d quarter_turn(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
+
 /// The convex hull of points in the plane, counter-clockwise, by Andrew's monotone chain. Points within rounding noise
 /// of an edge are no vertices. CGAL::convex_hull_2() is exact and keeps them: on 14 735 projections of modelled parts
 /// (each part along three coordinate and three principal axes) it gave other vertices for 3 500, most of them seen

@@ -30,8 +30,6 @@ struct Mirror_plane
   double residual = std::numeric_limits<double>::infinity();
 };
 
-Eigen::Vector2d quarter_turn(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
-
 /// Finds the vertical mirror planes of points of which y is up.
 class Mirror_plane_finder
 {

@@ -60,6 +60,9 @@ struct Blend_surface
 ///
 /// Schedules have no idle time. The one with the best `Blend_quality` is used, that is the least sum of its measures,
 /// each divided by its tolerance. `check()` returns which tolerances are exceeded. Deterministic.
+///
+/// In-between shapes that were asked for are kept, up to 100 MB, so that asking again for the same time costs little.
+/// Functions that do not change a blend may be called by several threads at once.
 class Shape_blend
 {
 public:
