@@ -23,7 +23,7 @@ inline Box box_of(const Triangle& t)
   return Box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));
 }
 
-/// What `box.squaredExteriorDistance(p)` is, without branches: half of the time.
+/// What `box.squaredExteriorDistance(p)` is, without branches.
 inline double squared_distance(const Box& box, const Point& p)
 {
   return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0).squaredNorm();

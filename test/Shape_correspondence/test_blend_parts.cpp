@@ -224,8 +224,7 @@ TEST_CASE("The least rotation turns one direction to the other, opposite ones to
 
 TEST_CASE("What goes to the nearest places of another surface goes where its neighbours go")
 {
-  // A sheet over two others, of which the lower one has a hill that comes near: only vertices over the top would go
-  // there
+  // A sheet between two others, of which the one above has a spike that is nearest for five vertices only
   constexpr int n = 21;
   const auto sheet = [](double height, double spike) {
     Part_mesh result{Points(3, n * n), Eigen::Matrix3Xi(3, 2 * (n - 1) * (n - 1))};
