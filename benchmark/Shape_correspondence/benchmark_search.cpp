@@ -6,8 +6,10 @@
 // Times the search on pairs of saved structural graphs, single-threaded: matching by parts, tables and exact search,
 // and the paper's beam, the searches with both directions. Prints medians and 95th percentiles in milliseconds, how far
 // the beam is from the optimum, the speed of the rod kernel against the machine's best loop, and synthetic problems.
-//   benchmark_search [--pairs] GRAPH.json GRAPH.json ...     all pairs of the graphs given that are in one folder
+//   benchmark_search [--pairs] [--repeats N] GRAPH.json GRAPH.json ...     all pairs of the graphs that are in one
+//   folder
 // --pairs prints a line a pair instead: numbers of parts, and milliseconds of matching by parts, exact search and beam.
+// --repeats: each pair is matched N times, and the least time counts, as other programs on the machine add to the rest.
 #include "energy/Structural_rods.h"
 #include "energy/rod_cosines.h"
 #include "matching/match_parts.h"
@@ -20,10 +22,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -116,58 +120,96 @@ void print_synthetic_problems(int groups, int labels, int width)
   std::printf("proven optimal: %zu of %u\n", proven, problems);
 }
 
+// Milliseconds of the phases for one pair, and what the searches found.
+struct Pair_times
+{
+  double alignment = infinity, parts = infinity, tables = infinity, exact = infinity, tables_and_exact = infinity,
+         tables_and_beam = infinity;
+  std::vector<double> gaps; // energy of the beam over the least one, by direction
+  std::size_t proven = 0, at_optimum = 0;
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+};
+
+void keep_least(double& least, double value) { least = std::min(least, value); }
+
+Pair_times time_pair(const SC::Structural_graph& first, const SC::Structural_graph& second, int repeats)
+{
+  Pair_times result;
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    double align = 0, tables = 0, exact = 0, beam = 0;
+    const SC::Aligned_shape first_shape = SC::align_shape(first), second_shape = SC::align_shape(second);
+    keep_least(result.parts, milliseconds([&] { SC::match_parts(first_shape, second_shape); }));
+    result.gaps.clear();
+    result.proven = result.at_optimum = 0;
+    for (const bool forward : {true, false}) {
+      SC::Matching_problem::Shared_shape from, to; // anew, since they keep rods
+      align += milliseconds([&] {
+        from = std::make_shared<SC::Deformable_shape>(SC::align_shape(forward ? first : second));
+        to = std::make_shared<SC::Deformable_shape>(SC::align_shape(forward ? second : first));
+      });
+      std::unique_ptr<SC::Matching_problem> problem;
+      tables += milliseconds([&] { problem = std::make_unique<SC::Matching_problem>(from, to); });
+      SC::Search_result exact_result, beam_result;
+      exact += milliseconds([&] { exact_result = SC::exact_search(problem->energy()); });
+      beam += milliseconds([&] { beam_result = SC::beam_search(*problem); });
+      const double least = exact_result.best().energy, found = beam_result.best().energy;
+      result.proven += exact_result.optimal;
+      result.at_optimum += found <= least + 1e-9;
+      if (least > 0) result.gaps.push_back(found / least);
+    }
+    keep_least(result.alignment, align);
+    keep_least(result.tables, tables);
+    keep_least(result.exact, exact);
+    keep_least(result.tables_and_exact, tables + exact);
+    keep_least(result.tables_and_beam, tables + beam);
+  }
+  return result;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
-  const bool print_pairs = argc > 1 && std::string(argv[1]) == "--pairs";
-  if (print_pairs) --argc, ++argv;
-  if (argc < 3) {
-    std::cerr << "usage: benchmark_search [--pairs] GRAPH.json GRAPH.json ...\n";
+  bool print_pairs = false;
+  int repeats = 1;
+  std::vector<std::string> files;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--pairs")
+      print_pairs = true;
+    else if (argument == "--repeats" && i + 1 < argc)
+      repeats = std::max(1, std::atoi(argv[++i]));
+    else
+      files.push_back(argument);
+  }
+  if (files.size() < 2) {
+    std::cerr << "usage: benchmark_search [--pairs] [--repeats N] GRAPH.json GRAPH.json ...\n";
     return 2;
   }
   std::vector<SC::Structural_graph> graphs;
-  const auto folder = [&](std::size_t graph) { return std::filesystem::path(argv[graph + 1]).parent_path(); };
-  for (int i = 1; i < argc; ++i) {
-    std::ifstream in(argv[i]);
+  for (const std::string& file : files) {
+    std::ifstream in(file);
     try {
-      graphs.push_back(SC::IO::read_structural_graph_json(in, argv[i]));
+      graphs.push_back(SC::IO::read_structural_graph_json(in, file));
     } catch (const SC::Invalid_input& error) {
       std::cerr << error.what() << '\n';
       return 1;
     }
   }
+  const auto folder = [&](std::size_t graph) { return std::filesystem::path(files[graph]).parent_path(); };
 
   std::vector<double> align, parts, tables, exact, both, beam, gap;
-  std::size_t proven = 0, at_optimum = 0, runs = 0;
+  std::size_t proven = 0, at_optimum = 0;
   for (std::size_t i = 0; i < graphs.size(); ++i)
     for (std::size_t j = i + 1; j < graphs.size(); ++j) {
       if (folder(i) != folder(j)) continue;
-      double align_time = 0, tables_time = 0, exact_time = 0, beam_time = 0;
-      {
-        const SC::Aligned_shape from = SC::align_shape(graphs[i]), to = SC::align_shape(graphs[j]);
-        parts.push_back(milliseconds([&] { SC::match_parts(from, to); }));
-      }
-      for (const bool forward : {true, false}) {
-        const SC::Structural_graph &a = graphs[forward ? i : j], &b = graphs[forward ? j : i];
-        SC::Matching_problem::Shared_shape from, to;
-        align_time += milliseconds([&] {
-          from = std::make_shared<SC::Deformable_shape>(SC::align_shape(a));
-          to = std::make_shared<SC::Deformable_shape>(SC::align_shape(b));
-        });
-        std::unique_ptr<SC::Matching_problem> problem;
-        tables_time += milliseconds([&] { problem = std::make_unique<SC::Matching_problem>(from, to); });
-        SC::Search_result exact_result, beam_result;
-        exact_time += milliseconds([&] { exact_result = SC::exact_search(problem->energy()); });
-        beam_time += milliseconds([&] { beam_result = SC::beam_search(*problem); });
-        ++runs;
-        proven += exact_result.optimal;
-        const double least = exact_result.best().energy, found = beam_result.best().energy;
-        at_optimum += found <= least + 1e-9;
-        if (least > 0) gap.push_back(found / least);
-      }
-      align.push_back(align_time), tables.push_back(tables_time), exact.push_back(exact_time),
-          both.push_back(tables_time + exact_time), beam.push_back(tables_time + beam_time);
+      const Pair_times times = time_pair(graphs[i], graphs[j], repeats);
+      align.push_back(times.alignment), parts.push_back(times.parts), tables.push_back(times.tables),
+          exact.push_back(times.exact), both.push_back(times.tables_and_exact), beam.push_back(times.tables_and_beam);
+      gap.insert(gap.end(), times.gaps.begin(), times.gaps.end());
+      proven += times.proven;
+      at_optimum += times.at_optimum;
       if (print_pairs)
         std::printf("pair %zu %zu %.4f %.4f %.4f\n", structure(graphs[i]).parts.size(),
                     structure(graphs[j]).parts.size(), parts.back(), both.back(), beam.back());
@@ -182,7 +224,7 @@ int main(int argc, char** argv)
   print("tables and exact search", both);
   print("tables and beam (K = 20, k = 4)", beam);
   print("energy, beam over exact", gap);
-  std::printf("proven optimal: %zu of %zu; beam at the optimum: %zu\n", proven, runs, at_optimum);
+  std::printf("proven optimal: %zu of %zu; beam at the optimum: %zu\n", proven, 2 * align.size(), at_optimum);
   for (const SC::internal::Rod_kernels& kernel : SC::internal::available_rod_kernels())
     std::printf("rod kernel %s: %.2f rods a nanosecond\n", kernel.name, kernel_speed(kernel));
   print_synthetic_problems(22, 20, 5);

@@ -6,25 +6,45 @@
 #include "energy/Sample_lanes.h"
 
 #include <cstddef>
-#include <memory>
+#include <memory_resource>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
+
+constexpr std::size_t rod_chunk_bytes = 1u << 17;
+
+// Where memories take their chunks from and give them back to, for the next one: allocators would give them back to the
+// system, and clearing them again takes a quarter of the time of a search.
+inline std::pmr::memory_resource& rod_chunks()
+{
+  static auto* const chunks = new std::pmr::synchronized_pool_resource({4, rod_chunk_bytes}); // outlives static objects
+  return *chunks;
+}
 
 // Memory for the rods of many pairs, which are needed at the same time and given up at the same time. One allocation
 // for hundreds of them: in a search for tables of energies, single allocations would take a quarter of the time.
 class Rod_memory
 {
 public:
+  Rod_memory() = default;
+  Rod_memory(const Rod_memory&) = delete;
+  Rod_memory& operator=(const Rod_memory&) = delete;
+  ~Rod_memory()
+  {
+    for (Rod_block* chunk : chunks_)
+      rod_chunks().deallocate(chunk, rod_chunk_bytes, alignof(Rod_block));
+  }
+
   // Blocks without a value. \pre at most `chunk_blocks`
   Rod_block* take(std::size_t blocks)
   {
     if (chunks_.empty() || used_ + blocks > chunk_blocks) {
-      if (chunks_.empty() || ++chunk_ == chunks_.size()) chunks_.emplace_back(new Rod_block[chunk_blocks]);
+      if (chunks_.empty() || ++chunk_ == chunks_.size())
+        chunks_.push_back(static_cast<Rod_block*>(rod_chunks().allocate(rod_chunk_bytes, alignof(Rod_block))));
       used_ = 0;
     }
     used_ += blocks;
-    return chunks_[chunk_].get() + used_ - blocks;
+    return chunks_[chunk_] + used_ - blocks;
   }
 
   // Whether more is taken than stays in the cache.
@@ -34,10 +54,9 @@ public:
   void clear() { chunk_ = used_ = 0; }
 
 private:
-  // Chunks of 96 kB, which allocators keep; larger ones they give back to the system, which has to clear them again
-  static constexpr std::size_t chunk_blocks = 512, cached_chunks = 4;
+  static constexpr std::size_t chunk_blocks = rod_chunk_bytes / sizeof(Rod_block), cached_chunks = 3;
 
-  std::vector<std::unique_ptr<Rod_block[]>> chunks_;
+  std::vector<Rod_block*> chunks_;
   std::size_t chunk_ = 0, used_ = 0; // the chunk that is being filled, and how many of its blocks are taken
 };
 
