@@ -49,7 +49,8 @@ public:
         flow_(to_halfedge_mesh(mesh)),
         original_vertices_(static_cast<std::size_t>(mesh.points.cols())),
         original_(measure(mesh)),
-        current_(original_)
+        current_(original_),
+        mesh_(mesh_of_flow())
   {
     if (has_poles_) {
       for (auto v : vertices(flow_mesh())) {
@@ -81,11 +82,11 @@ public:
     // As in the library's own convergence test
     const double smallest_change = 1e-4;
     const double last_area = current_.area;
-    const Part_mesh now = mesh();
-    if (!now.points.allFinite()) {
+    mesh_ = mesh_of_flow();
+    if (!mesh_.points.allFinite()) {
       throw Flow_failure("the equations of the flow have no solution");
     }
-    current_ = measure(now);
+    current_ = measure(mesh_);
     converged_ = std::abs(current_.area - last_area) < smallest_change * original_.area;
   }
 
@@ -94,7 +95,25 @@ public:
   double area_kept() const { return current_.area / original_.area; }
   double volume_kept() const { return original_.volume > 0 ? current_.volume / original_.volume : 0; }
 
-  Part_mesh mesh() const
+  const Part_mesh& mesh() const { return mesh_; }
+
+  Spatial_graph curve_skeleton()
+  {
+    Flow::Skeleton skeleton;
+    flow_.convert_to_skeleton(skeleton);
+    Spatial_graph result;
+    result.points.resize(3, static_cast<Eigen::Index>(num_vertices(skeleton)));
+    for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
+      result.points.col(static_cast<Eigen::Index>(v)) = to_point(skeleton[v].point);
+    }
+    for (auto e : CGAL::make_range(edges(skeleton))) {
+      result.edges.emplace_back(static_cast<int>(source(e, skeleton)), static_cast<int>(target(e, skeleton)));
+    }
+    return result;
+  }
+
+private:
+  Part_mesh mesh_of_flow() const
   {
     Part_mesh result;
     result.points.resize(3, static_cast<Eigen::Index>(flow_mesh().size_of_vertices()));
@@ -117,22 +136,6 @@ public:
     return result;
   }
 
-  Spatial_graph curve_skeleton()
-  {
-    Flow::Skeleton skeleton;
-    flow_.convert_to_skeleton(skeleton);
-    Spatial_graph result;
-    result.points.resize(3, static_cast<Eigen::Index>(num_vertices(skeleton)));
-    for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
-      result.points.col(static_cast<Eigen::Index>(v)) = to_point(skeleton[v].point);
-    }
-    for (auto e : CGAL::make_range(edges(skeleton))) {
-      result.edges.emplace_back(static_cast<int>(source(e, skeleton)), static_cast<int>(target(e, skeleton)));
-    }
-    return result;
-  }
-
-private:
   /// Its descriptors, like those of every face graph of CGAL, give access to what they describe, so that vertices can
   /// be moved between the steps of the flow.
   const Flow_mesh& flow_mesh() const { return flow_.meso_skeleton(); }
@@ -140,7 +143,7 @@ private:
   Contracting_mesh contracting_mesh() const
   {
     Contracting_mesh result;
-    result.mesh = mesh();
+    result.mesh = mesh_;
     result.poles.setConstant(3, result.mesh.points.cols(), std::numeric_limits<double>::quiet_NaN());
     Eigen::Index i = 0;
     for (auto v : vertices(flow_mesh())) {
@@ -170,6 +173,7 @@ private:
   std::size_t original_vertices_;
   Area_and_volume original_;
   Area_and_volume current_;
+  Part_mesh mesh_; // what the flow has made of the mesh
   int iterations_ = 0;
   bool converged_ = false;
 };
