@@ -8,13 +8,25 @@
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
+#include <cstddef>
 #include <sstream>
+#include <streambuf>
 
 namespace CGAL::Shape_correspondence::IO {
 
 namespace {
 
 constexpr const char* model_title = "shape_correspondence role model";
+
+// Reads from memory without a copy of it.
+struct Memory_buffer : std::streambuf
+{
+  Memory_buffer(const char* begin, std::size_t size)
+  {
+    char* const first = const_cast<char*>(begin); // as std::streambuf wants it; nothing is written
+    setg(first, first, first + size);
+  }
+};
 
 } // namespace
 
@@ -42,7 +54,8 @@ std::shared_ptr<const Role_model> shipped_role_model()
 {
   static const auto model = std::make_shared<const Role_model>([] {
     // It is part of the program: its digest, which takes as long as the rest, is not looked at
-    std::istringstream file(std::string(reinterpret_cast<const char*>(shipped_roles), shipped_roles_size));
+    Memory_buffer bytes(reinterpret_cast<const char*>(shipped_roles), shipped_roles_size);
+    std::istream file(&bytes);
     std::string title;
     std::getline(file, title);
     return Role_model::read(file, "the role model of the package");
