@@ -36,7 +36,7 @@ copies of each other, one is abstracted. Graphs are kept with `--cache`, so that
 \\section sc_pf_search Search
 
 Milliseconds for one pair of shapes whose graphs are known: the default method, and the least energy by exact search and by the beam search of the paper,
-both in both directions and with their tables. All pairs within a category.
+both in both directions and with their tables. All pairs within a category, each the fastest of three times.
 
 {search}
 \\section sc_pf_growth Growth
@@ -49,7 +49,7 @@ The exponents are those of a least squares line through the logarithms, with the
 \\section sc_pf_pair A Pair from Files
 
 Wall-clock seconds of the command `match` for the chairs {pair}, in as many threads as the machine has cores: {cold} the first time, and {warm} with
-`--cache` once their graphs are known.
+`--cache` once their graphs are known (median of nine).
 
 \\section sc_pf_compare Comparing Builds
 
@@ -116,7 +116,7 @@ def measure_search(benchmark, files):
     """By category, a list of pairs: numbers of parts and milliseconds of each method."""
     result = {}
     for category, graphs in files.items():
-        lines = [line.split() for line in run([benchmark, "--pairs", *graphs])[0].splitlines()]
+        lines = [line.split() for line in run([benchmark, "--pairs", "--repeats", "3", *graphs])[0].splitlines()]
         result[category] = [[float(cell) for cell in line[1:]] for line in lines if line[:1] == ["pair"]]
     return result
 
@@ -150,13 +150,13 @@ def growth_table(pairs):
 
 
 def pair_seconds(program, chairs, cache):
-    """On the clock, without and with known graphs."""
+    """On the clock, without and with known graphs; of these the median of nine times."""
     result = []
-    for _ in range(2):
+    for _ in range(10):
         begin = time.monotonic()
         run([program, "match", *[os.path.join(chair, "parts") for chair in chairs], "--cache", cache])
         result.append(time.monotonic() - begin)
-    return result
+    return result[0], statistics.median(result[1:])
 
 
 def main():
