@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -17,9 +18,11 @@ inline std::vector<std::size_t> optimal_assignment(const Eigen::MatrixXd& cost)
   const int rows = int(cost.rows()), cols = int(cost.cols());
   std::vector<double> row_price(rows + 1, 0), col_price(cols + 1, 0);
   std::vector<int> row_of(cols + 1, 0), previous(cols + 1, 0); // 1-based, 0: none
+  std::vector<double> slack(cols + 1);
+  std::vector<char> visited(cols + 1);
   for (int row = 1; row <= rows; ++row) {
-    std::vector<double> slack(cols + 1, std::numeric_limits<double>::infinity());
-    std::vector<char> visited(cols + 1, 0);
+    std::fill(slack.begin(), slack.end(), std::numeric_limits<double>::infinity());
+    std::fill(visited.begin(), visited.end(), 0);
     int col = 0;
     row_of[0] = row;
     do {

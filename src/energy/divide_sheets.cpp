@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
@@ -72,15 +73,17 @@ Sampled_part rectangle(const Sampled_part& sheet, const std::array<double, 2>& l
   Sampled_part result;
   result.kind = Sampled_part::Kind::SHEET;
   result.samples.resize(3, Eigen::Index(e) * e);
-  const auto place = [&](std::size_t axis, int i) {
-    const double at = (low[axis] + (high[axis] - low[axis]) * i / (e - 1)) * (e - 1);
-    const int cell = std::clamp(int(at), 0, e - 2);
-    return std::make_pair(cell, at - cell);
-  };
+  std::array<std::array<std::pair<int, double>, e>, 2> places; // by axis: the cell, and how far in it
+  for (std::size_t axis : {0, 1})
+    for (int i = 0; i < e; ++i) {
+      const double at = (low[axis] + (high[axis] - low[axis]) * i / (e - 1)) * (e - 1);
+      const int cell = std::clamp(int(at), 0, e - 2);
+      places[axis][std::size_t(i)] = {cell, at - cell};
+    }
   for (int i = 0; i < e; ++i)
     for (int j = 0; j < e; ++j) {
-      const auto [u, s] = place(0, i);
-      const auto [v, t] = place(1, j);
+      const auto [u, s] = places[0][std::size_t(i)];
+      const auto [v, t] = places[1][std::size_t(j)];
       result.samples.col(i * e + j) = (1 - s) * ((1 - t) * sample(sheet, u, v) + t * sample(sheet, u, v + 1)) +
                                       s * ((1 - t) * sample(sheet, u + 1, v) + t * sample(sheet, u + 1, v + 1));
     }
