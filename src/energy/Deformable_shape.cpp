@@ -2,43 +2,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/Deformable_shape.h"
-#include "energy/Rod_memory.h"
+#include "base/Once.h"
 
-#include <atomic>
-#include <mutex>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
 
-// What is found when it is first asked for. Without std::call_once(), which makes a system call whenever something is
-// found, even if no thread waits: for rods, that takes longer than to find them.
 struct Deformable_shape::Measures
 {
   struct Lazy_rods
   {
-    std::atomic<bool> is_found{false};
+    Once is_found;
     Structural_rods rods;
   };
 
   explicit Measures(std::size_t contacts) : rods(new Lazy_rods[4 * contacts]) {}
 
-  // Calls `find` unless that was done before.
-  template <typename Find>
-  void find_once(std::atomic<bool>& is_found, const Find& find)
-  {
-    if (is_found.load(std::memory_order_acquire)) return;
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (is_found.load(std::memory_order_relaxed)) return;
-    find();
-    is_found.store(true, std::memory_order_release);
-  }
-
-  std::mutex mutex;
   std::unique_ptr<Lazy_rods[]> rods; // at 4 contact + 2 (first repeated) + (second repeated)
-  Rod_memory memory;                 // where their directions are
-  std::atomic<bool> has_distances{false};
+  Once has_distances;
   Eigen::MatrixXd distances;
 };
 
@@ -69,20 +52,16 @@ Deformable_shape::Deformable_shape(Aligned_shape shape)
 const Structural_rods& Deformable_shape::rods(std::size_t contact, int first_repeats, int second_repeats) const
 {
   Measures::Lazy_rods& lazy = measures_->rods[4 * contact + (first_repeats > 1 ? 2 : 0) + (second_repeats > 1 ? 1 : 0)];
-  measures_->find_once(lazy.is_found, [&] {
+  lazy.is_found([&] {
     const auto& ends = contacts[contact].parts;
-    const Points &first = parts[ends[0]].samples, &second = parts[ends[1]].samples;
-    const int n = int(first.cols()) * first_repeats, m = int(second.cols()) * second_repeats;
-    lazy.rods =
-        Structural_rods(Sample_lanes(first, first_repeats), n, first_repeats, Sample_lanes(second, second_repeats), m,
-                        second_repeats, measures_->memory.take(Structural_rods::size(n, m)));
+    lazy.rods = Structural_rods(parts[ends[0]].samples, parts[ends[1]].samples, first_repeats, second_repeats);
   });
   return lazy.rods;
 }
 
 const Eigen::MatrixXd& Deformable_shape::part_distances() const
 {
-  measures_->find_once(measures_->has_distances, [&] { measures_->distances = least_distances(parts); });
+  measures_->has_distances([&] { measures_->distances = least_distances(parts); });
   return measures_->distances;
 }
 

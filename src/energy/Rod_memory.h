@@ -6,6 +6,7 @@
 #include "energy/Sample_lanes.h"
 
 #include <cstddef>
+#include <memory>
 #include <memory_resource>
 #include <vector>
 
@@ -13,12 +14,32 @@ namespace CGAL::Shape_correspondence::internal {
 
 constexpr std::size_t rod_chunk_bytes = 1u << 17;
 
-// Where memories take their chunks from and give them back to, for the next one: allocators would give them back to the
-// system, and clearing them again takes a quarter of the time of a search.
-inline std::pmr::memory_resource& rod_chunks()
+// Where rods are taken from and given back to, for the next ones: allocators would give their memory back to the
+// system, and clearing it again takes a quarter of the time of a search.
+inline std::pmr::memory_resource& rod_pool()
 {
-  static auto* const chunks = new std::pmr::synchronized_pool_resource({4, rod_chunk_bytes}); // outlives static objects
-  return *chunks;
+  static auto* const pool = new std::pmr::synchronized_pool_resource({4, rod_chunk_bytes}); // outlives static objects
+  return *pool;
+}
+
+struct Rod_deleter
+{
+  std::size_t blocks = 0;
+
+  void operator()(Rod_block* rods) const
+  {
+    rod_pool().deallocate(rods, blocks * sizeof(Rod_block), alignof(Rod_block));
+  }
+};
+
+// The rods of one pair.
+using Own_rods = std::unique_ptr<Rod_block[], Rod_deleter>;
+
+// Without a value.
+inline Own_rods own_rods(std::size_t blocks)
+{
+  void* const memory = rod_pool().allocate(blocks * sizeof(Rod_block), alignof(Rod_block));
+  return Own_rods(static_cast<Rod_block*>(memory), Rod_deleter{blocks});
 }
 
 // Memory for the rods of many pairs, which are needed at the same time and given up at the same time. One allocation
@@ -32,7 +53,7 @@ public:
   ~Rod_memory()
   {
     for (Rod_block* chunk : chunks_)
-      rod_chunks().deallocate(chunk, rod_chunk_bytes, alignof(Rod_block));
+      rod_pool().deallocate(chunk, rod_chunk_bytes, alignof(Rod_block));
   }
 
   // Blocks without a value. \pre at most `chunk_blocks`
@@ -40,7 +61,7 @@ public:
   {
     if (chunks_.empty() || used_ + blocks > chunk_blocks) {
       if (chunks_.empty() || ++chunk_ == chunks_.size())
-        chunks_.push_back(static_cast<Rod_block*>(rod_chunks().allocate(rod_chunk_bytes, alignof(Rod_block))));
+        chunks_.push_back(static_cast<Rod_block*>(rod_pool().allocate(rod_chunk_bytes, alignof(Rod_block))));
       used_ = 0;
     }
     used_ += blocks;

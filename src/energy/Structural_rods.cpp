@@ -23,15 +23,13 @@ std::size_t Structural_rods::size(int first_count, int second_count)
          std::size_t(second_count - in_blocks) * std::size_t(blocks_of(first_count));
 }
 
-// Without a first value, as all blocks are written.
 Structural_rods::Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats)
     : Structural_rods(first, second, first_repeats, second_repeats,
-                      std::unique_ptr<Rod_block[]>(
-                          new Rod_block[size(int(first.cols()) * first_repeats, int(second.cols()) * second_repeats)]))
+                      own_rods(size(int(first.cols()) * first_repeats, int(second.cols()) * second_repeats)))
 {}
 
 Structural_rods::Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats,
-                                 std::unique_ptr<Rod_block[]> memory)
+                                 Own_rods memory)
     : Structural_rods(Sample_lanes(first, first_repeats), int(first.cols()) * first_repeats, first_repeats,
                       Sample_lanes(second, second_repeats), int(second.cols()) * second_repeats, second_repeats,
                       memory.get())

@@ -3,12 +3,12 @@
 
 #pragma once
 
+#include "energy/Rod_memory.h"
 #include "energy/Sample_lanes.h"
 
 #include <CGAL/Shape_correspondence/Points.h>
 
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
@@ -50,13 +50,13 @@ public:
 
 private:
   Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats,
-                  std::unique_ptr<internal::Rod_block[]> memory);
+                  internal::Own_rods memory);
 
   friend void distortions(const std::vector<const Structural_rods*>& pairs, const internal::Sample_lanes& first,
                           const internal::Sample_lanes& second, std::vector<double>& result);
   double distortion(float squared_cosines) const;
 
-  std::unique_ptr<internal::Rod_block[]> memory_; // where it is theirs
+  internal::Own_rods memory_; // where it is theirs
   const internal::Rod_block* rods_ = nullptr;
   int first_count_ = 0, second_count_ = 0;
   double directionless_ = 0; // share of the rods that have length zero
