@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/Deformable_shape.h"
+#include "base/Once.h"
 
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -14,14 +14,14 @@ struct Deformable_shape::Measures
 {
   struct Lazy_rods
   {
-    std::once_flag is_found;
+    Once is_found;
     Structural_rods rods;
   };
 
   explicit Measures(std::size_t contacts) : rods(new Lazy_rods[4 * contacts]) {}
 
   std::unique_ptr<Lazy_rods[]> rods; // at 4 contact + 2 (first repeated) + (second repeated)
-  std::once_flag has_distances;
+  Once has_distances;
   Eigen::MatrixXd distances;
 };
 
@@ -52,7 +52,7 @@ Deformable_shape::Deformable_shape(Aligned_shape shape)
 const Structural_rods& Deformable_shape::rods(std::size_t contact, int first_repeats, int second_repeats) const
 {
   Measures::Lazy_rods& lazy = measures_->rods[4 * contact + (first_repeats > 1 ? 2 : 0) + (second_repeats > 1 ? 1 : 0)];
-  std::call_once(lazy.is_found, [&] {
+  lazy.is_found([&] {
     const auto& ends = contacts[contact].parts;
     lazy.rods = Structural_rods(parts[ends[0]].samples, parts[ends[1]].samples, first_repeats, second_repeats);
   });
@@ -61,7 +61,7 @@ const Structural_rods& Deformable_shape::rods(std::size_t contact, int first_rep
 
 const Eigen::MatrixXd& Deformable_shape::part_distances() const
 {
-  std::call_once(measures_->has_distances, [&] { measures_->distances = least_distances(parts); });
+  measures_->has_distances([&] { measures_->distances = least_distances(parts); });
   return measures_->distances;
 }
 
