@@ -18,6 +18,16 @@ Eigen::Matrix2d eigenvectors(const Eigen::Matrix2d& symmetric)
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(symmetric).eigenvectors();
 }
 
-Eigen::Matrix3d scatter_matrix(const Points& points) { return points * points.transpose(); }
+Eigen::Matrix3d scatter_matrix(const Points& points)
+{
+  constexpr Eigen::Index fewest = 14, most = 128; // where Eigen adds up point by point
+  if (points.cols() < fewest || points.cols() > most) return points * points.transpose();
+  Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
+  for (Eigen::Index k = 0; k < points.cols(); ++k)
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i)
+        result(i, j) += points(i, k) * points(j, k);
+  return result;
+}
 
 } // namespace CGAL::Shape_correspondence::internal

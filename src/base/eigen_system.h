@@ -21,7 +21,8 @@ Eigen_system eigen_system(const Eigen::Matrix3d& symmetric);
 /// Orthogonal eigenvectors of a symmetric matrix, that of the lesser eigenvalue first.
 Eigen::Matrix2d eigenvectors(const Eigen::Matrix2d& symmetric);
 
-/// The sum of p pᵀ over points p.
+/// The sum of p pᵀ over points p. Of few points, such as the samples of a part, without the detours that Eigen's
+/// product makes for large matrices, to the same bits.
 Eigen::Matrix3d scatter_matrix(const Points& points);
 
 } // namespace CGAL::Shape_correspondence::internal

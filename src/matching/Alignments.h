@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "base/Once.h"
 #include "energy/Matching_problem.h"
 #include "matching/Shape_features.h"
 #include "matching/Shape_roles.h"
@@ -12,6 +13,7 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 namespace CGAL::Shape_correspondence {
 
@@ -31,17 +33,33 @@ struct Prepared_shape::Alignments
 
   internal::Turned_roles roles_by_turn(const std::shared_ptr<const Role_model>& model);
 
+  /// The front of a shape of a category, `internal::likely_front()`.
+  int front(const std::shared_ptr<const Role_model>& model, std::size_t category, const Part_matching_options& options);
+
 private:
+  // A front that is known.
+  struct Front
+  {
+    std::size_t category;
+    double clearly_better; // the option that it depends on
+    int turn;
+  };
+
+  // \pre `roles_mutex_` is held
+  const std::shared_ptr<const internal::Shape_roles>& roles_of(const std::shared_ptr<const Role_model>& model,
+                                                               int quarter_turns);
+
   static constexpr std::size_t turns = 4;
 
   const Structural_graph& graph_;
-  std::array<std::once_flag, turns> is_aligned_;
+  std::array<internal::Once, turns> is_aligned_;
   std::array<Matching_problem::Shared_shape, turns> shapes_;
   std::mutex features_mutex_;
   std::array<std::shared_ptr<const internal::Shape_features>, turns> features_;
   std::mutex roles_mutex_;
   std::shared_ptr<const Role_model> role_model_;
   internal::Turned_roles turned_roles_;
+  std::vector<Front> fronts_; // of this model
 };
 
 } // namespace CGAL::Shape_correspondence

@@ -18,7 +18,7 @@ constexpr double no_variance = 1e-12; // in a direction, over the largest: less 
 Eigen::Matrix3d orientation(const Surface& surface)
 {
   const Surface centred = surface.rowwise() - surface.colwise().mean();
-  const Eigen::Matrix3d covariance = centred.matrix().transpose() * centred.matrix() / double(surface.rows());
+  const Eigen::Matrix3d covariance = scatter_matrix(centred.matrix().transpose()) / double(surface.rows());
   const Eigen_system eigen = eigen_system(covariance);
   const Eigen::Array3d squares = eigen.values;
   const double largest = squares.maxCoeff();
@@ -75,16 +75,17 @@ void add_unions(Normalized_shape& result, const Aligned_shape& shape, const Part
   result.unions.erase(std::remove_if(result.unions.begin(), result.unions.end(), is_all), result.unions.end());
 
   const auto n = Eigen::Index(result.unions.size());
-  result.union_boxes = {Eigen::ArrayX3d(n, 3), Eigen::ArrayX3d(n, 3)};
+  Boxes boxes{Eigen::ArrayX3d(n, 3), Eigen::ArrayX3d(n, 3)};
   for (const std::vector<std::size_t>& parts : result.unions) {
     const Surface surface = surface_of(result, parts);
-    add_box(result.union_boxes, Eigen::Index(result.union_parts.size()), surface);
+    add_box(boxes, Eigen::Index(result.union_parts.size()), surface);
     result.union_parts.push_back(part_extent(surface, options));
     result.union_parts.back().on_ground =
         std::any_of(parts.begin(), parts.end(), [&](std::size_t part) { return result.parts[part].on_ground; });
     result.union_parts.back().is_in_chain =
         std::all_of(parts.begin(), parts.end(), [&](std::size_t part) { return result.parts[part].is_in_chain; });
   }
+  result.union_boxes = Measured_boxes(boxes, options.tolerance);
 }
 
 } // namespace
@@ -111,13 +112,15 @@ Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assembl
   const Axes side = (high - low > comparison_grid).select(high - low, 1.);
 
   const auto n = Eigen::Index(shape.parts.size());
-  result.boxes = {Eigen::ArrayX3d(n, 3), Eigen::ArrayX3d(n, 3)};
+  Boxes boxes{Eigen::ArrayX3d(n, 3), Eigen::ArrayX3d(n, 3)};
   for (const Sampled_part& part : shape.parts) {
     result.surfaces.push_back((part.surface.transpose().array().rowwise() - low.transpose()).rowwise() /
                               side.transpose());
-    add_box(result.boxes, Eigen::Index(result.parts.size()), result.surfaces.back());
+    add_box(boxes, Eigen::Index(result.parts.size()), result.surfaces.back());
     result.parts.push_back(part_extent(result.surfaces.back(), options));
   }
+  result.boxes = Measured_boxes(boxes, options.tolerance);
+  result.closeness = closeness_of_ends(boxes, options.warp_width);
   for (std::size_t part = 0; part < shape.parts.size(); ++part) {
     result.parts[part].on_ground = assemblies.is_on_ground[part];
     result.parts[part].is_in_chain = assemblies.is_in_chain[part];

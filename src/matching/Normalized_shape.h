@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "matching/Boxes.h"
 #include "matching/nearest_points_kernel.h"
 #include "matching/part_assemblies.h"
 #include "structure/align_shapes.h"
@@ -19,12 +20,6 @@ namespace CGAL::Shape_correspondence::internal {
 
 using Axes = Eigen::Array3d;
 using Surface = Eigen::ArrayX3d; // a point a row
-
-// The boxes of all parts, one a row.
-struct Boxes
-{
-  Eigen::ArrayX3d low, high;
-};
 
 // A part, or several as one.
 struct Part_extent
@@ -46,11 +41,12 @@ struct Normalized_shape
   std::vector<Surface> surfaces;
   std::vector<Point_lanes> lanes; // of the surfaces
   std::vector<Part_extent> parts;
-  Boxes boxes;
+  Measured_boxes boxes;
+  Closeness closeness; // of the ends of the boxes
 
   std::vector<std::vector<std::size_t>> unions; // sets of parts that may correspond to one part as a whole
   std::vector<Part_extent> union_parts;
-  Boxes union_boxes;
+  Measured_boxes union_boxes;
 
   Shape_rank rank;
 };

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
@@ -16,12 +17,12 @@ using namespace internal;
 
 namespace {
 
-// The least cost of every part of `a` and a union that every part of `b` is in; infinite for parts in none.
-Eigen::MatrixXd costs_of_unions(const Normalized_shape& a, const Normalized_shape& b, const Point_distances& a_from_b,
-                                const Point_distances& b_from_a, const Part_matching_options& options)
+// Lowers the costs to those of parts of `a` and unions that the parts of `b` are in.
+template <typename Costs>
+void lower_to_unions(const Normalized_shape& a, const Normalized_shape& b, const Point_distances& a_from_b,
+                     const Point_distances& b_from_a, const Part_matching_options& options, Costs&& costs)
 {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Constant(Eigen::Index(a.parts.size()), Eigen::Index(b.parts.size()),
-                                                     std::numeric_limits<double>::infinity());
+  if (b.unions.empty()) return;
   const Eigen::MatrixXd boxes = costs_of_boxes(a.boxes, b.union_boxes, options);
   for (std::size_t h = 0; h < b.unions.size(); ++h)
     for (std::size_t i = 0; i < a.parts.size(); ++i) {
@@ -30,35 +31,33 @@ Eigen::MatrixXd costs_of_unions(const Normalized_shape& a, const Normalized_shap
                           boxes(Eigen::Index(i), Eigen::Index(h)) +
                           options.weights.chamfer * chamfer(a_from_b, b_from_a, i, parts) + options.whole;
       for (std::size_t j : parts) {
-        double& least = result(Eigen::Index(i), Eigen::Index(j));
+        double& least = costs(Eigen::Index(i), Eigen::Index(j));
         least = std::min(least, cost);
       }
     }
-  return result;
 }
 
 // The costs that no warp changes.
-Eigen::MatrixXd costs_of_kind(const Normalized_shape& a, const Normalized_shape& b, const Point_distances& a_from_b,
-                              const Point_distances& b_from_a, const Part_matching_options& options)
+Eigen::MatrixXd costs_of_kind(const Normalized_shape& a, const Normalized_shape& b, const Surface_distances& surfaces,
+                              const Part_matching_options& options)
 {
   Eigen::MatrixXd result(Eigen::Index(a.parts.size()), Eigen::Index(b.parts.size()));
-  for (std::size_t i = 0; i < a.parts.size(); ++i)
-    for (std::size_t j = 0; j < b.parts.size(); ++j)
+  for (std::size_t j = 0; j < b.parts.size(); ++j)
+    for (std::size_t i = 0; i < a.parts.size(); ++i)
       result(Eigen::Index(i), Eigen::Index(j)) =
-          cost_of_kind(a.parts[i], b.parts[j], options) + options.weights.chamfer * chamfer(a_from_b, b_from_a, i, j);
+          cost_of_kind(a.parts[i], b.parts[j], options) +
+          options.weights.chamfer * chamfer(surfaces.a_from_b, surfaces.b_from_a, i, j);
   return result;
 }
 
 Eigen::MatrixXd ranked_part_costs(const Normalized_shape& a, const Normalized_shape& b,
                                   const Part_matching_options& options)
 {
-  Point_distances a_from_b, b_from_a;
-  point_distances(a, b, a_from_b, b_from_a);
-
-  const Eigen::MatrixXd of_kind = costs_of_kind(a, b, a_from_b, b_from_a, options);
-  return costs_after_warping(a.boxes, b.boxes, of_kind, options)
-      .cwiseMin(costs_of_unions(a, b, a_from_b, b_from_a, options))
-      .cwiseMin(costs_of_unions(b, a, b_from_a, a_from_b, options).transpose());
+  const Surface_distances surfaces(a, b);
+  Eigen::MatrixXd result = costs_after_warping(a, b, costs_of_kind(a, b, surfaces, options), options);
+  lower_to_unions(a, b, surfaces.a_from_b, surfaces.b_from_a, options, result);
+  lower_to_unions(b, a, surfaces.b_from_a, surfaces.a_from_b, options, result.transpose());
+  return result;
 }
 
 } // namespace
@@ -102,22 +101,35 @@ Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& tar
                     normalized_shape(target, part_assemblies(target, options), options), options);
 }
 
-Eigen::MatrixXd part_costs(const Normalized_shape& shape, const Part_matching_options& options)
+void add_costs_within(const Normalized_shape& shape, const std::vector<std::size_t>& parts,
+                      const Part_matching_options& options, Eigen::MatrixXd& costs)
 {
-  Eigen::MatrixXd result = costs_of_boxes(shape.boxes, shape.boxes, options);
-  for (std::size_t i = 0; i < shape.parts.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto row = Eigen::Index(i), column = Eigen::Index(j);
-      result(row, column) += cost_of_kind(shape.parts[i], shape.parts[j], options) +
-                             options.weights.chamfer * chamfer(shape.lanes[i], shape.lanes[j]);
-      result(column, row) = result(row, column);
+  if (parts.empty()) return;
+  if (costs.size() == 0)
+    costs.setConstant(Eigen::Index(shape.parts.size()), Eigen::Index(shape.parts.size()),
+                      std::numeric_limits<double>::quiet_NaN());
+  const Eigen::MatrixXd of_boxes = costs_of_boxes(shape.boxes, shape.boxes, options);
+  Chamfer_distance distance;
+  for (std::size_t part : parts)
+    for (std::size_t other = 0; other < shape.parts.size(); ++other) {
+      const auto [low, high] = std::minmax(part, other); // in one order, whichever is asked for
+      const auto row = Eigen::Index(high), column = Eigen::Index(low);
+      if (!std::isnan(costs(row, column))) continue;
+      double cost = of_boxes(row, column);
+      if (low < high)
+        cost += cost_of_kind(shape.parts[high], shape.parts[low], options) +
+                options.weights.chamfer * distance(shape.lanes[high], shape.lanes[low]);
+      costs(row, column) = costs(column, row) = cost;
     }
-  return result;
 }
 
 Eigen::MatrixXd part_costs(const Aligned_shape& shape, const Part_matching_options& options)
 {
-  return part_costs(normalized_shape(shape, part_assemblies(shape, options), options), options);
+  std::vector<std::size_t> all(shape.parts.size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  Eigen::MatrixXd result;
+  add_costs_within(normalized_shape(shape, part_assemblies(shape, options), options), all, options, result);
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence

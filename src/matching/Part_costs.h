@@ -36,8 +36,11 @@ struct Normalized_shape;
 /// they have the same rank.
 Eigen::MatrixXd part_costs(const internal::Normalized_shape& source, const internal::Normalized_shape& target,
                            const Part_matching_options& options);
-/// The same.
-Eigen::MatrixXd part_costs(const internal::Normalized_shape& shape, const Part_matching_options& options);
+/// Fills in what parts cost with each part of their own shape, where that is not there yet. What is there is not
+/// touched: others may read the rows of parts that they asked for before.
+/// \param costs empty before the first time
+void add_costs_within(const internal::Normalized_shape& shape, const std::vector<std::size_t>& parts,
+                      const Part_matching_options& options, Eigen::MatrixXd& costs);
 
 /// The cost of two sets of parts: the mean of what every part costs with the one of the other set that it costs least
 /// with, averaged over both sets. \pre neither is empty

@@ -17,8 +17,7 @@ std::size_t index_of_turn(int quarter_turns) { return std::size_t((quarter_turns
 Matching_problem::Shared_shape Prepared_shape::Alignments::aligned(int quarter_turns)
 {
   const std::size_t turn = index_of_turn(quarter_turns);
-  std::call_once(is_aligned_[turn],
-                 [&] { shapes_[turn] = std::make_shared<Deformable_shape>(align_shape(graph_, int(turn))); });
+  is_aligned_[turn]([&] { shapes_[turn] = std::make_shared<Deformable_shape>(align_shape(graph_, int(turn))); });
   return shapes_[turn];
 }
 
@@ -36,19 +35,45 @@ std::shared_ptr<const Shape_roles> Prepared_shape::Alignments::roles(const std::
                                                                      int quarter_turns)
 {
   const std::lock_guard<std::mutex> lock(roles_mutex_);
-  if (role_model_ != model) turned_roles_ = {};
+  return roles_of(model, quarter_turns);
+}
+
+const std::shared_ptr<const Shape_roles>&
+Prepared_shape::Alignments::roles_of(const std::shared_ptr<const Role_model>& model, int quarter_turns)
+{
+  if (role_model_ != model) {
+    turned_roles_ = {};
+    fronts_.clear();
+  }
   role_model_ = model;
   std::shared_ptr<const Shape_roles>& result = turned_roles_[std::size_t(quarter_turns)];
-  if (!result) result = std::make_shared<Shape_roles>(graph_, *model, quarter_turns);
+  if (!result)
+    result =
+        std::make_shared<Shape_roles>([this, turns = given_quarter_turns(structure(graph_).frame) +
+                                                     quarter_turns] { return role_evidence(graph_, *aligned(turns)); },
+                                      *model);
   return result;
 }
 
 Turned_roles Prepared_shape::Alignments::roles_by_turn(const std::shared_ptr<const Role_model>& model)
 {
-  Turned_roles result;
+  const std::lock_guard<std::mutex> lock(roles_mutex_);
   for (int turn = 0; turn < int(turns); ++turn)
-    result[std::size_t(turn)] = roles(model, turn);
-  return result;
+    roles_of(model, turn);
+  return turned_roles_;
+}
+
+int Prepared_shape::Alignments::front(const std::shared_ptr<const Role_model>& model, std::size_t category,
+                                      const Part_matching_options& options)
+{
+  const std::lock_guard<std::mutex> lock(roles_mutex_);
+  for (int turn = 0; turn < int(turns); ++turn)
+    roles_of(model, turn);
+  for (const Front& known : fronts_)
+    if (known.category == category && known.clearly_better == options.clearly_better) return known.turn;
+  const int turn = likely_front(turned_roles_, category, model->data().trees, options);
+  fronts_.push_back({category, options.clearly_better, turn});
+  return turn;
 }
 
 Prepared_shape::Prepared_shape(const Structural_graph& graph)

@@ -142,11 +142,13 @@ Role_forest::Role_forest(const std::vector<Role_example>& examples, int trees, s
 Eigen::MatrixXi Role_forest::votes(const Role_features& parts, int roles) const
 {
   Eigen::MatrixXi result = Eigen::MatrixXi::Zero(parts.rows(), roles);
-  for (Eigen::Index part = 0; part < parts.rows(); ++part)
-    for (std::uint32_t node : roots_) {
-      while (nodes_[node].feature != leaf)
-        node = parts(part, nodes_[node].feature) <= nodes_[node].value ? node + 1 : nodes_[node].right;
-      ++result(part, nodes_[node].value);
+  for (const std::uint32_t root : roots_) // a tree stays in the cache for all parts
+    for (Eigen::Index part = 0; part < parts.rows(); ++part) {
+      const std::uint8_t* const features = &parts(part, 0);
+      const Node* node = &nodes_[root];
+      while (node->feature != leaf)
+        node = features[node->feature] <= node->value ? node + 1 : &nodes_[node->right];
+      ++result(part, node->value);
     }
   return result;
 }

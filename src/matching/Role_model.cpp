@@ -61,9 +61,9 @@ Role_distances::Role_distances(const std::vector<Category_roles>& categories)
     examples_.push_back(standardised(features_of(category.examples)));
 }
 
-Role_features Role_distances::standardised(const Role_features& parts) const
+Role_distances::Rows Role_distances::standardised(const Role_features& parts) const
 {
-  Role_features result(parts.rows(), parts.cols());
+  Rows result = Rows::Zero(parts.rows(), row_length);
   for (Eigen::Index i = 0; i < parts.rows(); ++i)
     for (Eigen::Index feature = 0; feature < ROLE_FEATURE_COUNT; ++feature)
       result(i, feature) = standard_[std::size_t(feature)][parts(i, feature)];
@@ -72,8 +72,8 @@ Role_features Role_distances::standardised(const Role_features& parts) const
 
 double Role_distances::mean_distance(const Role_features& parts, std::size_t category) const
 {
-  const Role_features queries = standardised(parts);
-  const Role_features& examples = examples_[category];
+  const Rows queries = standardised(parts);
+  const Rows& examples = examples_[category];
   double sum = 0;
   for (Eigen::Index i = 0; i < queries.rows(); ++i) {
     const std::uint8_t* const query = &queries(i, 0);
@@ -81,8 +81,8 @@ double Role_distances::mean_distance(const Role_features& parts, std::size_t cat
     for (Eigen::Index j = 0; j < examples.rows(); ++j) {
       const std::uint8_t* const example = &examples(j, 0);
       int distance = 0;
-      for (int feature = 0; feature < ROLE_FEATURE_COUNT; ++feature)
-        distance += std::abs(int(query[feature]) - int(example[feature]));
+      for (int k = 0; k < row_length; ++k)
+        distance += std::abs(int(query[k]) - int(example[k]));
       least = std::min(least, distance);
     }
     sum += least;
@@ -90,10 +90,14 @@ double Role_distances::mean_distance(const Role_features& parts, std::size_t cat
   return sum / (double(queries.rows()) * int(ROLE_FEATURE_COUNT) * steps_per_deviation);
 }
 
+Role_evidence role_evidence(const Structural_graph& graph, const Aligned_shape& shape)
+{
+  return {role_features(graph, shape), part_sides(shape)};
+}
+
 Role_evidence role_evidence(const Structural_graph& graph, int quarter_turns)
 {
-  const Aligned_shape shape = align_shape(graph, given_quarter_turns(structure(graph).frame) + quarter_turns);
-  return {role_features(graph, shape), part_sides(shape)};
+  return role_evidence(graph, align_shape(graph, given_quarter_turns(structure(graph).frame) + quarter_turns));
 }
 
 } // namespace internal

@@ -64,10 +64,14 @@ public:
   double mean_distance(const Role_features& parts, std::size_t category) const;
 
 private:
-  Role_features standardised(const Role_features& parts) const;
+  // Rows of whole vectors of 16 bytes, 0 behind the features.
+  static constexpr int row_length = (ROLE_FEATURE_COUNT + 15) / 16 * 16;
+  using Rows = Eigen::Array<std::uint8_t, Eigen::Dynamic, row_length, Eigen::RowMajor>;
+
+  Rows standardised(const Role_features& parts) const;
 
   std::array<std::array<std::uint8_t, 256>, ROLE_FEATURE_COUNT> standard_; // by feature and value
-  std::vector<Role_features> examples_;                                    // by category, standardised
+  std::vector<Rows> examples_;                                             // by category, standardised
 };
 
 // What the labels of parts are told from, by index in the structural graph.
@@ -79,5 +83,7 @@ struct Role_evidence
 
 // Of a shape that looks to +z once it was turned so often by 90° from the orientation that it was given in.
 Role_evidence role_evidence(const Structural_graph& graph, int quarter_turns = 0);
+// Of one that was turned so, `shape`.
+Role_evidence role_evidence(const Structural_graph& graph, const Aligned_shape& shape);
 
 } // namespace CGAL::Shape_correspondence::internal

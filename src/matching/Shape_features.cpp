@@ -18,9 +18,10 @@ Shape_features::Shape_features(const Aligned_shape& shape, const Part_matching_o
   normalized = normalized_shape(shape, assemblies, options);
 }
 
-const Eigen::MatrixXd& Shape_features::costs_within() const
+const Eigen::MatrixXd& Shape_features::costs_within(const std::vector<std::size_t>& parts) const
 {
-  std::call_once(has_costs_within_, [&] { costs_within_ = part_costs(normalized, options); });
+  const std::lock_guard<std::mutex> lock(mutex_);
+  add_costs_within(normalized, parts, options, costs_within_);
   return costs_within_;
 }
 
@@ -28,7 +29,7 @@ bool are_same(const Part_matching_options& a, const Part_matching_options& b)
 {
   const auto values = [](const Part_matching_options& o) {
     const Part_cost_weights& w = o.weights;
-    return std::make_tuple(w.overlap, w.extent, w.ground, w.place, w.orientation, w.chamfer, o.tolerance,
+    return std::make_tuple(w.overlap, w.extent, w.ground, w.place, w.orientation, w.chamfer, o.tolerance, o.warp_width,
                            o.main_surface, o.side_depth, o.wall_width, o.repetition, o.panels, o.support);
   };
   return values(a) == values(b);

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <mutex>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -26,12 +27,13 @@ struct Shape_features
 
   std::size_t size() const { return shape.parts.size(); }
 
-  // What the parts cost standing for each other, computed when it is first asked for.
-  const Eigen::MatrixXd& costs_within() const;
+  // What parts cost standing for each other: the rows of these parts, computed when they are first asked for; others
+  // may have no values yet.
+  const Eigen::MatrixXd& costs_within(const std::vector<std::size_t>& parts) const;
 
 private:
-  mutable std::once_flag has_costs_within_;
-  mutable Eigen::MatrixXd costs_within_;
+  mutable std::mutex mutex_;
+  mutable Eigen::MatrixXd costs_within_; // not a number where they were not asked for
 };
 
 // Whether features that were made by one of the two are those of the other.

@@ -92,16 +92,27 @@ Shape_roles::Shape_roles(const Structural_graph& graph, const Role_model& model,
 {}
 
 Shape_roles::Shape_roles(Role_evidence evidence, const Role_model& model)
+    : Shape_roles(std::function<Role_evidence()>(), model)
+{
+  has_evidence_([&] { evidence_ = std::move(evidence); });
+}
+
+Shape_roles::Shape_roles(std::function<Role_evidence()> find_evidence, const Role_model& model)
     : model_(model),
-      evidence_(std::move(evidence)),
+      find_evidence_(std::move(find_evidence)),
       findings_(std::make_unique<Findings[]>(model.data().categories.size()))
 {}
+
+const Role_evidence& Shape_roles::evidence() const
+{
+  has_evidence_([&] { evidence_ = find_evidence_(); });
+  return evidence_;
+}
 
 double Shape_roles::distance(std::size_t category) const
 {
   Findings& found = findings_[category];
-  std::call_once(found.distance_is_found,
-                 [&] { found.distance = model_.distances().mean_distance(evidence_.features, category); });
+  found.distance_is_found([&] { found.distance = model_.distances().mean_distance(evidence().features, category); });
   return found.distance;
 }
 
@@ -115,8 +126,7 @@ bool Shape_roles::is_nearest(std::size_t category) const
 const Role_votes& Shape_roles::votes(std::size_t category) const
 {
   Findings& found = findings_[category];
-  std::call_once(found.votes_are_counted,
-                 [&] { found.votes = counted(evidence_, model_.data().categories[category]); });
+  found.votes_are_counted([&] { found.votes = counted(evidence(), model_.data().categories[category]); });
   return found.votes;
 }
 
@@ -161,13 +171,20 @@ long clear_difference(const Part_matching_options& options) { return -quantized(
 
 int likely_front(const Turned_roles& shape, std::size_t category, int trees, const Part_matching_options& options)
 {
-  std::array<long, 4> likeness{};
-  for (std::size_t turn = 0; turn < 4; ++turn)
-    likeness[turn] =
-        quantized((agreement_of_trees(*shape[turn], category, trees) - shape[turn]->distance(category)) / 2);
-  const auto best = std::max_element(likeness.begin(), likeness.end());
-  const int turn = int(best - likeness.begin());
-  return *best > likeness[0] + clear_difference(options) && shape[std::size_t(turn)]->is_nearest(category) ? turn : 0;
+  const auto agreement = [&](int turn) { return agreement_of_trees(*shape[std::size_t(turn)], category, trees); };
+  const auto likeness = [&](int turn, double agreement) {
+    return quantized((agreement - shape[std::size_t(turn)]->distance(category)) / 2);
+  };
+  long most = likeness(0, agreement(0)) + clear_difference(options);
+  int best = 0;
+  // The likeness is at most half of the agreement, and that at most 0: what cannot be clearly better is not looked at
+  for (int turn = 1; turn < 4 && most < 0; ++turn) {
+    const double agreed = agreement(turn);
+    if (quantized(agreed / 2) <= most) continue;
+    const long found = likeness(turn, agreed);
+    if (found > most) most = found, best = turn;
+  }
+  return best != 0 && shape[std::size_t(best)]->is_nearest(category) ? best : 0;
 }
 
 Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,

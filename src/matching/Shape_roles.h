@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "base/Once.h"
 #include "matching/Role_model_data.h"
 #include "matching/match_parts.h"
 
@@ -10,8 +11,8 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ public:
   // The shape looks to +z once it was turned so often by 90°.
   Shape_roles(const Structural_graph& graph, const Role_model& model, int quarter_turns = 0);
   Shape_roles(Role_evidence evidence, const Role_model& model);
+  // The evidence is looked for when it is first needed.
+  Shape_roles(std::function<Role_evidence()> find_evidence, const Role_model& model);
 
   // From the labelled parts of a category, see `Role_distances::mean_distance()`.
   double distance(std::size_t category) const;
@@ -42,13 +45,17 @@ private:
   // Of a category; found when they are asked for.
   struct Findings
   {
-    std::once_flag distance_is_found, votes_are_counted;
+    Once distance_is_found, votes_are_counted;
     double distance;
     Role_votes votes;
   };
 
+  const Role_evidence& evidence() const;
+
   Role_model model_;
-  Role_evidence evidence_;
+  std::function<Role_evidence()> find_evidence_;
+  mutable Once has_evidence_;
+  mutable Role_evidence evidence_;
   std::unique_ptr<Findings[]> findings_;
 };
 

@@ -4,9 +4,8 @@
 #include "matching/box_costs.h"
 #include "base/quantized.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -24,26 +23,52 @@ double cost_of_kind(const Part_extent& a, const Part_extent& b, const Part_match
   return result;
 }
 
-Eigen::MatrixXd costs_of_boxes(const Boxes& a, const Boxes& b, const Part_matching_options& options)
+Measured_boxes::Measured_boxes(const Boxes& boxes, double tolerance) : Boxes(boxes)
+{
+  const Eigen::ArrayX3d extents = (high - low).max(0.) + tolerance;
+  volumes = extents.rowwise().prod();
+  logs = extents.log();
+}
+
+// Column by column, so that the boxes of one shape are taken several at once.
+Eigen::MatrixXd costs_of_boxes(const Measured_boxes& a, const Measured_boxes& b, const Part_matching_options& options)
 {
   const Part_cost_weights& weights = options.weights;
   const double tolerance = options.tolerance;
-  const auto extents = [](const Boxes& boxes) -> Eigen::ArrayX3d { return (boxes.high - boxes.low).max(0.); };
-  const Eigen::ArrayX3d a_extents = extents(a), b_extents = extents(b);
-  const Eigen::ArrayXd a_volumes = (a_extents + tolerance).rowwise().prod();
-  const Eigen::ArrayXd b_volumes = (b_extents + tolerance).rowwise().prod();
-  const Eigen::ArrayX3d a_logs = (a_extents + tolerance).log(), b_logs = (b_extents + tolerance).log();
-
   Eigen::MatrixXd result(a.low.rows(), b.low.rows());
-  for (Eigen::Index j = 0; j < result.cols(); ++j)
-    for (Eigen::Index i = 0; i < result.rows(); ++i) {
-      const double overlap =
-          (a.high.row(i).min(b.high.row(j)) - a.low.row(i).max(b.low.row(j)) + tolerance).max(0.).prod();
-      const Axes apart = ((a.low.row(i) + a.high.row(i)) - (b.low.row(j) + b.high.row(j))).abs().transpose() / 2;
-      result(i, j) = weights.overlap * (1 - overlap / std::min(a_volumes[i], b_volumes[j])) +
-                     weights.extent * (a_logs.row(i) - b_logs.row(j)).abs().sum() +
-                     weights.place * (apart[0] + apart[2]);
+  for (Eigen::Index j = 0; j < result.cols(); ++j) {
+    const Axes low = b.low.row(j), high = b.high.row(j), sum = low + high, logs = b.logs.row(j);
+    const auto overlap = [&](int axis) {
+      return (a.high.col(axis).min(high[axis]) - a.low.col(axis).max(low[axis]) + tolerance).max(0.);
+    };
+    const auto stretch = [&](int axis) { return (a.logs.col(axis) - logs[axis]).abs(); };
+    const auto apart = [&](int axis) { return ((a.low.col(axis) + a.high.col(axis)) - sum[axis]).abs() / 2; };
+    result.col(j) = (weights.overlap * (1 - overlap(0) * (overlap(1) * overlap(2)) / a.volumes.min(b.volumes[j])) +
+                     weights.extent * (stretch(0) + (stretch(1) + stretch(2))) + weights.place * (apart(0) + apart(2)))
+                        .matrix();
+  }
+  return result;
+}
+
+Closeness closeness_of_ends(const Boxes& boxes, double width)
+{
+  const Eigen::Index n = 2 * boxes.low.rows();
+  Eigen::ArrayXd ends(n);
+  Closeness result;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (Eigen::Index part = 0; part < boxes.low.rows(); ++part) {
+      ends[2 * part] = boxes.low(part, axis);
+      ends[2 * part + 1] = boxes.high(part, axis);
     }
+    Eigen::MatrixXd& closeness = result[std::size_t(axis)];
+    closeness.resize(n, n);
+    for (Eigen::Index end = 0; end < n; ++end) {
+      const Eigen::Index rest = n - end / 2 * 2; // an even number, for the vectors of the exponential
+      closeness.col(end).tail(rest) = (-((ends.tail(rest) - ends[end]) / width).square() / 2).exp().matrix();
+      for (Eigen::Index other = end + 1; other < n; ++other)
+        closeness(end, other) = closeness(other, end);
+    }
+  }
   return result;
 }
 
@@ -58,64 +83,69 @@ Eigen::ArrayXXd mutual_softmax(const Eigen::MatrixXd& costs)
   return likelihood / (of_rows * of_columns.transpose()).array().sqrt();
 }
 
-// Ends of boxes and where they belong in the other shape.
+// Parts whose ends are pulled to each other, those of either shape.
 struct Anchors
 {
-  Eigen::ArrayX3d from, to;
-  Eigen::ArrayXd weights;
+  std::array<std::vector<Eigen::Index>, 2> parts;
+  std::vector<double> weights;
 };
 
-// Where the anchors pull the ends of boxes to: along each axis, the kernel-weighted mean of their displacements and of
-// none, which weighs `inertia`.
-Eigen::ArrayX3d warped(const Eigen::ArrayX3d& ends, const Anchors& anchors, double width, double inertia)
+Anchors anchors_of(const Eigen::MatrixXd& costs, double least_likelihood)
 {
-  Eigen::ArrayX3d result = ends;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::ArrayXd from = anchors.from.col(axis), displacement = anchors.to.col(axis) - from;
-    for (Eigen::Index i = 0; i < ends.rows(); ++i) {
-      const Eigen::ArrayXd influence = anchors.weights * (-((from - ends(i, axis)) / width).square() / 2).exp();
-      result(i, axis) += (influence * displacement).sum() / (influence.sum() + inertia);
+  const Eigen::ArrayXXd likely = mutual_softmax(costs);
+  const long least = quantized(least_likelihood);
+  Anchors result;
+  for (Eigen::Index i = 0; i < costs.rows(); ++i)
+    for (Eigen::Index j = 0; j < costs.cols(); ++j) {
+      if (quantized(likely(i, j)) <= least) continue;
+      result.parts[0].push_back(i);
+      result.parts[1].push_back(j);
+      result.weights.push_back(likely(i, j) / 2);
     }
-  }
   return result;
 }
 
-Boxes warped(const Boxes& boxes, const Anchors& anchors, double width, double inertia)
+// The boxes of one of the shapes, numbered `side`, after the anchors pulled their ends towards those of the other:
+// along each axis by the mean of the displacements, weighted by closeness, and of none, which weighs `inertia`.
+Boxes warped(const Boxes& boxes, const Closeness& closeness, const Boxes& others, const Anchors& anchors,
+             std::size_t side, double inertia)
 {
-  return {warped(boxes.low, anchors, width, inertia), warped(boxes.high, anchors, width, inertia)};
-}
-
-Anchors anchors_of(const Boxes& a, const Boxes& b, const Eigen::MatrixXd& costs, double least_likelihood)
-{
-  const Eigen::ArrayXXd likely = mutual_softmax(costs);
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> pairs;
-  for (Eigen::Index i = 0; i < costs.rows(); ++i)
-    for (Eigen::Index j = 0; j < costs.cols(); ++j)
-      if (quantized(likely(i, j)) > quantized(least_likelihood)) pairs.emplace_back(i, j);
-
-  const auto n = Eigen::Index(2 * pairs.size());
-  Anchors result{Eigen::ArrayX3d(n, 3), Eigen::ArrayX3d(n, 3), Eigen::ArrayXd(n)};
-  for (Eigen::Index k = 0; k < n; k += 2) {
-    const auto& [i, j] = pairs[std::size_t(k / 2)];
-    result.from.row(k) = a.low.row(i), result.from.row(k + 1) = a.high.row(i);
-    result.to.row(k) = b.low.row(j), result.to.row(k + 1) = b.high.row(j);
-    result.weights.segment(k, 2) = likely(i, j) / 2;
+  const std::vector<Eigen::Index>&own = anchors.parts[side], &other = anchors.parts[1 - side];
+  const auto count = Eigen::Index(own.size());
+  Eigen::ArrayXd displacement(2 * count), influence(2 * count);
+  Boxes result = boxes;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const Eigen::Index i = own[std::size_t(k)], j = other[std::size_t(k)];
+      displacement[2 * k] = others.low(j, axis) - boxes.low(i, axis);
+      displacement[2 * k + 1] = others.high(j, axis) - boxes.high(i, axis);
+    }
+    for (Eigen::Index end = 0; end < 2 * boxes.low.rows(); ++end) {
+      const auto near = closeness[std::size_t(axis)].col(end);
+      for (Eigen::Index k = 0; k < count; ++k) {
+        const Eigen::Index low = 2 * own[std::size_t(k)];
+        influence[2 * k] = anchors.weights[std::size_t(k)] * near[low];
+        influence[2 * k + 1] = anchors.weights[std::size_t(k)] * near[low + 1];
+      }
+      (end % 2 == 0 ? result.low : result.high)(end / 2, axis) +=
+          (influence * displacement).sum() / (influence.sum() + inertia);
+    }
   }
   return result;
 }
 
 } // namespace
 
-Eigen::MatrixXd costs_after_warping(const Boxes& a, const Boxes& b, const Eigen::MatrixXd& costs_of_kind,
-                                    const Part_matching_options& options)
+Eigen::MatrixXd costs_after_warping(const Normalized_shape& a, const Normalized_shape& b,
+                                    const Eigen::MatrixXd& costs_of_kind, const Part_matching_options& options)
 {
-  const Eigen::MatrixXd given = costs_of_boxes(a, b, options);
-  const Anchors there = anchors_of(a, b, costs_of_kind + given, options.anchor),
-                back{there.to, there.from, there.weights};
-  const Eigen::MatrixXd source_warped =
-      costs_of_boxes(warped(a, there, options.warp_width, options.anchor), b, options);
-  const Eigen::MatrixXd target_warped = costs_of_boxes(a, warped(b, back, options.warp_width, options.anchor), options);
-  return costs_of_kind + (given + (source_warped + target_warped)) / 3;
+  const Eigen::MatrixXd given = costs_of_boxes(a.boxes, b.boxes, options);
+  const Anchors anchors = anchors_of(costs_of_kind + given, options.anchor);
+  const Boxes warped_a = warped(a.boxes, a.closeness, b.boxes, anchors, 0, options.anchor),
+              warped_b = warped(b.boxes, b.closeness, a.boxes, anchors, 1, options.anchor);
+  return costs_of_kind + (given + (costs_of_boxes(Measured_boxes(warped_a, options.tolerance), b.boxes, options) +
+                                   costs_of_boxes(a.boxes, Measured_boxes(warped_b, options.tolerance), options))) /
+                             3;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -15,11 +15,11 @@ namespace CGAL::Shape_correspondence::internal {
 double cost_of_kind(const Part_extent& a, const Part_extent& b, const Part_matching_options& options);
 
 // The costs of places and extents.
-Eigen::MatrixXd costs_of_boxes(const Boxes& a, const Boxes& b, const Part_matching_options& options);
+Eigen::MatrixXd costs_of_boxes(const Measured_boxes& a, const Measured_boxes& b, const Part_matching_options& options);
 
 // The mean of the costs of boxes as they are, and after either shape was warped towards the other where the pairs that
 // are most probable by all costs ask for it; with the costs of kind.
-Eigen::MatrixXd costs_after_warping(const Boxes& a, const Boxes& b, const Eigen::MatrixXd& costs_of_kind,
-                                    const Part_matching_options& options);
+Eigen::MatrixXd costs_after_warping(const Normalized_shape& a, const Normalized_shape& b,
+                                    const Eigen::MatrixXd& costs_of_kind, const Part_matching_options& options);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -79,10 +79,9 @@ std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways_
                                                                                          std::size_t category) const
 {
   const auto fronts = [&](const Prepared_shape& shape) {
-    const Turned_roles roles = shape.alignments_->roles_by_turn(options_.roles);
-    const int trees = options_.roles->data().trees;
-    return options_.alignments == 1 ? std::vector<int>{likely_front(roles, category, trees, options_.parts)}
-                                    : front_turns(roles, category, trees, options_.parts);
+    Alignments& shapes = *shape.alignments_;
+    if (options_.alignments == 1) return std::vector<int>{shapes.front(options_.roles, category, options_.parts)};
+    return front_turns(shapes.roles_by_turn(options_.roles), category, options_.roles->data().trees, options_.parts);
   };
   const int given = given_quarter_turns(structure(target.graph()).frame) - given_quarter_turns(source_frame_);
   const std::vector<int> of_source = fronts(prepared_source_), of_target = fronts(target);

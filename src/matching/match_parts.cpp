@@ -37,12 +37,13 @@ void check(const Part_matching_options& options)
 Match_matrix pairs_within(const Eigen::MatrixXd& costs, double excess)
 {
   const Eigen::VectorXd least_in_row = costs.rowwise().minCoeff(), least_in_column = costs.colwise().minCoeff();
+  const long most = quantized(excess);
   Match_matrix result(costs.rows(), costs.cols());
-  for (Eigen::Index i = 0; i < costs.rows(); ++i)
-    for (Eigen::Index j = 0; j < costs.cols(); ++j) {
+  for (Eigen::Index j = 0; j < costs.cols(); ++j)
+    for (Eigen::Index i = 0; i < costs.rows(); ++i) {
       const long over_row = quantized(costs(i, j) - least_in_row[i]);
       const long over_column = quantized(costs(i, j) - least_in_column[j]);
-      result(i, j) = (over_row == 0 || over_column == 0) && over_row + over_column <= quantized(excess);
+      result(i, j) = (over_row == 0 || over_column == 0) && over_row + over_column <= most;
     }
   return result;
 }

@@ -51,6 +51,20 @@ struct Double_vector
 #endif
 };
 
+// The least of the numbers of a vector.
+template <int Width>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE double least_of(const typename Double_vector<Width>::type& numbers)
+{
+  if constexpr (Width == 1) {
+    return *reinterpret_cast<const double*>(&numbers);
+  } else {
+    using Half = typename Double_vector<Width / 2>::type;
+    const Half low = *reinterpret_cast<const Half*>(&numbers), high = *(reinterpret_cast<const Half*>(&numbers) + 1);
+    const Half least = low < high ? low : high;
+    return least_of<Width / 2>(least);
+  }
+}
+
 // The least squared distance of every point of `p` from `q`, and of every point of `q` from `p`; both at once, since
 // they need the same distances. There is room for the padding.
 template <int Width>
@@ -64,25 +78,31 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void nearest_squared(const Point_lanes& 
   constexpr int at_once = 4; // points of p
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::fill_n(q_from_p, q.padded(), infinity);
-  for (Eigen::Index k = 0; k < p.count(); k += at_once) {
-    Vector least[at_once];
-    for (Vector& v : least)
-      v = Vector{} + infinity;
-    for (Eigen::Index j = 0; j < q.padded(); j += Width) {
-      const Vector x = *reinterpret_cast<const Vector*>(q[0] + j), y = *reinterpret_cast<const Vector*>(q[1] + j);
-      const Vector z = *reinterpret_cast<const Vector*>(q[2] + j);
-      Vector& nearest = *reinterpret_cast<Vector*>(q_from_p + j);
+  // The pointers are kept: the compiler does not know that results are not written over them
+  const double *px = p[0], *py = p[1], *pz = p[2], *qx = q[0], *qy = q[1], *qz = q[2];
+  const Eigen::Index count = p.count(), padded = q.padded();
+  for (Eigen::Index k = 0; k < count; k += at_once) {
+    Vector least[at_once], x_of[at_once], y_of[at_once], z_of[at_once];
+    for (int i = 0; i < at_once; ++i) {
+      least[i] = Vector{} + infinity;
+      x_of[i] = Vector{} + px[k + i];
+      y_of[i] = Vector{} + py[k + i];
+      z_of[i] = Vector{} + pz[k + i];
+    }
+    for (Eigen::Index j = 0; j < padded; j += Width) {
+      const Vector x = *reinterpret_cast<const Vector*>(qx + j), y = *reinterpret_cast<const Vector*>(qy + j);
+      const Vector z = *reinterpret_cast<const Vector*>(qz + j);
+      Vector nearest = *reinterpret_cast<Vector*>(q_from_p + j);
       for (int i = 0; i < at_once; ++i) {
-        const Vector dx = x - p[0][k + i], dy = y - p[1][k + i], dz = z - p[2][k + i];
+        const Vector dx = x - x_of[i], dy = y - y_of[i], dz = z - z_of[i];
         const Vector squared = dx * dx + dy * dy + dz * dz;
         least[i] = squared < least[i] ? squared : least[i]; // not for padding, where it is not a number
         nearest = squared < nearest ? squared : nearest;
       }
+      *reinterpret_cast<Vector*>(q_from_p + j) = nearest;
     }
-    for (int i = 0; i < at_once; ++i) {
-      const double* lanes = reinterpret_cast<const double*>(&least[i]);
-      p_from_q[k + i] = *std::min_element(lanes, lanes + Width);
-    }
+    for (int i = 0; i < at_once; ++i)
+      p_from_q[k + i] = least_of<Width>(least[i]);
   }
 }
 

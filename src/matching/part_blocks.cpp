@@ -6,6 +6,8 @@
 #include "base/quantized.h"
 #include "matching/Part_costs.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -56,8 +58,8 @@ class One_sided_block_joiner
 public:
   One_sided_block_joiner(std::vector<Block> blocks, const Shape_features& source, const Shape_features& target)
       : blocks_(std::move(blocks)),
-        source_(source),
-        target_(target),
+        of_source_(source.costs_within(one_sided_parts(&Block::source))),
+        of_target_(target.costs_within(one_sided_parts(&Block::target))),
         costs_(blocks_.size()),
         nearest_(blocks_.size(), 0)
   {
@@ -80,10 +82,19 @@ private:
 
   long joining_cost(const Block& a, const Block& b) const
   {
-    if (!a.is_one_sided() && !b.is_one_sided()) return never;
-    if (!a.source.empty() && !b.source.empty()) return quantized(set_cost(source_.costs_within(), a.source, b.source));
-    if (!a.target.empty() && !b.target.empty()) return quantized(set_cost(target_.costs_within(), a.target, b.target));
+    if (!a.is_one_sided()) return b.is_one_sided() ? joining_cost(b, a) : never;
+    if (!a.source.empty() && !b.source.empty()) return quantized(set_cost(of_source_, a.source, b.source));
+    if (!a.target.empty() && !b.target.empty()) return quantized(set_cost(of_target_, a.target, b.target));
     return never;
+  }
+
+  // A block that is made of others has one side only if they all have that one: these are the rows that are needed.
+  std::vector<std::size_t> one_sided_parts(std::vector<std::size_t> Block::*side) const
+  {
+    std::vector<std::size_t> result;
+    for (const Block& block : blocks_)
+      if (block.is_one_sided()) append(result, block.*side);
+    return result;
   }
 
   void find_nearest(std::size_t k)
@@ -124,10 +135,10 @@ private:
       nearest_[k] = kept;
   }
 
-  std::vector<Block> blocks_; // empty where joined to another one
-  const Shape_features &source_, &target_;
-  std::vector<std::vector<long>> costs_; // [k][l] for l < k
-  std::vector<std::size_t> nearest_;     // the first l of least cost for each k > 0
+  std::vector<Block> blocks_;                     // empty where joined to another one
+  const Eigen::MatrixXd &of_source_, &of_target_; // costs within, of the parts in one-sided blocks with all
+  std::vector<std::vector<long>> costs_;          // [k][l] for l < k
+  std::vector<std::size_t> nearest_;              // the first l of least cost for each k > 0
 };
 
 } // namespace

@@ -7,54 +7,71 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-Point_distances room_for_distances(const Normalized_shape& from, const Normalized_shape& to)
+void make_room(Eigen::ArrayXd& numbers, Eigen::Index count)
 {
-  Point_distances result;
-  for (const Surface& surface : from.surfaces)
-    result.emplace_back(surface.rows(), Eigen::Index(to.surfaces.size()));
-  return result;
+  if (numbers.size() < count) numbers.resize(count);
 }
 
 } // namespace
 
-double chamfer(const Point_lanes& p, const Point_lanes& q)
+// The values of a part begin at an even place, as they would in memory of their own: how Eigen adds numbers up depends
+// on the address of the first.
+Point_distances::Point_distances(const Normalized_shape& from, const Normalized_shape& to)
+    : from_(from), sums_(Eigen::Index(from.surfaces.size()), Eigen::Index(to.surfaces.size()))
 {
-  Eigen::ArrayXd p_from_q(p.padded()), q_from_p(q.padded());
-  nearest_squared_kernel().run(p, q, p_from_q.data(), q_from_p.data());
-  return (p_from_q.head(p.count()).sqrt().mean() + q_from_p.head(q.count()).sqrt().mean()) / 2;
+  Eigen::Index size = 0;
+  for (const Surface& surface : from.surfaces) {
+    begin_.push_back(size);
+    size += (surface.rows() * sums_.cols() + 1) / 2 * 2;
+  }
+  values_.resize(size);
 }
 
-void point_distances(const Normalized_shape& a, const Normalized_shape& b, Point_distances& a_from_b,
-                     Point_distances& b_from_a)
+void Point_distances::set_squared(std::size_t part, std::size_t other, const Eigen::ArrayXd& squared)
 {
-  a_from_b = room_for_distances(a, b);
-  b_from_a = room_for_distances(b, a);
+  Eigen::Map<Eigen::ArrayXd> distances(values_.data() + place(part, other), count(part));
+  distances = squared.head(count(part)).sqrt();
+  sums_(Eigen::Index(part), Eigen::Index(other)) = distances.sum();
+}
+
+Surface_distances::Surface_distances(const Normalized_shape& a, const Normalized_shape& b)
+    : a_from_b(a, b), b_from_a(b, a)
+{
   Eigen::ArrayXd p_from_q, q_from_p;
+  const Nearest_squared_kernel& kernel = nearest_squared_kernel();
   for (std::size_t i = 0; i < a.lanes.size(); ++i)
     for (std::size_t j = 0; j < b.lanes.size(); ++j) {
       const Point_lanes &p = a.lanes[i], &q = b.lanes[j];
-      p_from_q.resize(p.padded());
-      q_from_p.resize(q.padded());
-      nearest_squared_kernel().run(p, q, p_from_q.data(), q_from_p.data());
-      a_from_b[i].col(Eigen::Index(j)) = p_from_q.head(p.count()).sqrt();
-      b_from_a[j].col(Eigen::Index(i)) = q_from_p.head(q.count()).sqrt();
+      make_room(p_from_q, p.padded());
+      make_room(q_from_p, q.padded());
+      kernel.run(p, q, p_from_q.data(), q_from_p.data());
+      a_from_b.set_squared(i, j, p_from_q);
+      b_from_a.set_squared(j, i, q_from_p);
     }
+}
+
+double Chamfer_distance::operator()(const Point_lanes& p, const Point_lanes& q)
+{
+  make_room(p_from_q_, p.padded());
+  make_room(q_from_p_, q.padded());
+  nearest_squared_kernel().run(p, q, p_from_q_.data(), q_from_p_.data());
+  return (p_from_q_.head(p.count()).sqrt().mean() + q_from_p_.head(q.count()).sqrt().mean()) / 2;
 }
 
 double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i, std::size_t j)
 {
-  return (a_from_b[i].col(Eigen::Index(j)).mean() + b_from_a[j].col(Eigen::Index(i)).mean()) / 2;
+  return (a_from_b.mean(i, j) + b_from_a.mean(j, i)) / 2;
 }
 
 double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i,
                const std::vector<std::size_t>& parts)
 {
-  Eigen::ArrayXd nearest = a_from_b[i].col(Eigen::Index(parts[0]));
+  Eigen::ArrayXd nearest = a_from_b.of(i, parts[0]);
   double sum = 0, n = 0;
   for (std::size_t j : parts) {
-    nearest = nearest.min(a_from_b[i].col(Eigen::Index(j)));
-    sum += b_from_a[j].col(Eigen::Index(i)).sum();
-    n += double(b_from_a[j].rows());
+    nearest = nearest.min(a_from_b.of(i, j));
+    sum += b_from_a.sum(j, i);
+    n += double(b_from_a.count(j));
   }
   return (nearest.mean() + sum / n) / 2;
 }

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+
+namespace CGAL::Shape_correspondence::internal {
+
+// The boxes of all parts, one a row.
+struct Boxes
+{
+  Eigen::ArrayX3d low, high;
+};
+
+// The same with what their costs need of one shape alone.
+struct Measured_boxes : Boxes
+{
+  Eigen::ArrayXd volumes;
+  Eigen::ArrayX3d logs; // of the extents
+
+  Measured_boxes() = default;
+  Measured_boxes(const Boxes& boxes, double tolerance);
+};
+
+// How much the ends of boxes move with each other in a warp, along each axis: 1 at the same place, less with distance,
+// in units of `width`. Of part i, the low end is number 2 i and the high end number 2 i + 1.
+using Closeness = std::array<Eigen::MatrixXd, 3>;
+
+Closeness closeness_of_ends(const Boxes& boxes, double width);
+
+} // namespace CGAL::Shape_correspondence::internal
