@@ -108,12 +108,18 @@ double diagonal_of(const std::vector<Point>& points)
 using Counts = std::vector<std::vector<double>>; // by labelled part and raw part, of points
 
 /// The points on each part of the one shape that are on each part of the other.
-Counts common_points(const Labelled_points& labelled, std::size_t labelled_parts, const Segmented_shape& raw)
+struct Common_points
+{
+  Counts counts;
+  int quarter_turns = 0; ///< about the up axis that bring the labelled shape onto the raw one
+};
+
+Common_points common_points(const Labelled_points& labelled, std::size_t labelled_parts, const Segmented_shape& raw)
 {
   const Surface surface = surface_of(raw);
   const Triangle_tree tree(surface.triangles);
   const double limit = same_place * diagonal_of(labelled.points);
-  Counts best;
+  Common_points best;
   double most = -1;
   for (int turn = 0; turn < 4; ++turn) { // labelled shapes look to +z, raw ones need not
     Counts counts(labelled_parts, std::vector<double>(raw.parts().size(), 0));
@@ -129,7 +135,7 @@ Counts common_points(const Labelled_points& labelled, std::size_t labelled_parts
     }
     if (all <= most) continue;
     most = all;
-    best = std::move(counts);
+    best = {std::move(counts), turn};
   }
   return best;
 }
@@ -180,10 +186,10 @@ void compare(const std::string& raw_path, const std::string& labelled_path, cons
   const Segmented_shape parts = split_parts(objects, options).shape;
   const auto split = std::chrono::steady_clock::now();
   const Segmented_shape labelled = IO::read_segmented_shape(labelled_path);
-  const Counts counts = common_points(points_on(labelled), labelled.parts().size(), parts);
-  const Agreement agreement = agreement_of(counts);
+  const Common_points common = common_points(points_on(labelled), labelled.parts().size(), parts);
+  const Agreement agreement = agreement_of(common.counts);
   IO::Json shared = IO::Json::array();
-  for (const std::vector<double>& row : counts)
+  for (const std::vector<double>& row : common.counts)
     shared.push_back(IO::Json(row));
   const auto seconds = [](auto a, auto b) { return std::chrono::duration<double>(b - a).count(); };
   std::cout << IO::Json({{"raw", raw_path},
@@ -192,6 +198,7 @@ void compare(const std::string& raw_path, const std::string& labelled_path, cons
                          {"rand", agreement.rand},
                          {"adjusted_rand", agreement.adjusted},
                          {"covered", agreement.covered},
+                         {"quarter_turns", common.quarter_turns},
                          {"read_seconds", seconds(begin, read)},
                          {"split_seconds", seconds(read, split)},
                          {"parts", names_of(parts)},
