@@ -206,8 +206,11 @@ def compare(args, models):
     raw = raw_models_of({name: source for name, (_, source) in shapes.items()}, models)
     words = [word for name in sorted(raw) for word in (raw[name], os.path.join(shapes[name][0], "parts"))]
     parts = os.path.join(args.out, "parts.jsonl")
-    with open(parts, "w") as file:
-        subprocess.run([os.path.join(args.build, "benchmark", "Shape_correspondence", "benchmark_parts"), *words], stdout=file)
+    options = args.options.split()
+    roles = options[options.index("--roles") + 1] if "--roles" in options else "none"
+    with open(parts, "w") as file:  # of the same roles as the matches, which tell parts, too
+        subprocess.run([os.path.join(args.build, "benchmark", "Shape_correspondence", "benchmark_parts"),
+                        *([] if roles == "none" else ["--roles", roles]), *words], stdout=file)
     with open(parts) as file:
         rows = [json.loads(line) for line in file]
     rows = {os.path.basename(os.path.dirname(row["labelled"])): row for row in rows if row["covered"] > 0.8}
@@ -225,7 +228,6 @@ def compare(args, models):
     targets = dict(raw)
     if args.turned:
         targets = {name: with_z_up(raw[name], os.path.join(args.out, "turned", name)) for name in {pair[2] for pair in pairs}}
-    options = args.options.split()
     right = matched = 0
     cache = os.path.join(args.out, "cache")
     for category, source, target in pairs:

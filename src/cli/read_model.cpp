@@ -4,11 +4,11 @@
 #include "cli/read_model.h"
 #include "io/input_file.h"
 #include "io/model_parts.h"
+#include "io/split_by_roles.h"
 #include "matching/up_by_roles.h"
 #include "structure/frame_of_shape.h"
 
 #include <CGAL/Shape_correspondence/IO/parts_json.h>
-#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/estimate_up.h>
 
 #include <algorithm>
@@ -89,6 +89,9 @@ void warn_of_changes(const std::string& path, Read_model& model)
         path + " --html F` shows them.");
     return;
   }
+  if (split.by_materials)
+    model.warnings.push_back("Pieces end where the material changes, since then the parts are more like labelled ones; "
+                             "--parts components or file makes others.");
   if (!split.changes_objects()) return;
   std::string names;
   std::size_t number = 0;
@@ -166,9 +169,7 @@ void turn_by_roles(const Point& up, Read_model& model)
 
 Model_objects read_objects(const std::string& path, const Common_options& options)
 {
-  Model_objects objects;
-  objects.shape = IO::read_segmented_shape(path, options.up_vector(), &objects.warnings);
-  return objects;
+  return IO::read_objects(path, options.up_vector());
 }
 
 Read_model read_model(const std::string& path, const Common_options& options)
@@ -183,12 +184,13 @@ Read_model model_of_objects(const std::string& path, Model_objects objects, cons
   model.warnings = std::move(objects.warnings);
   find_up(path, options, model);
   if (!options.parts_from.empty()) {
-    model.split = IO::split_parts_by_json(model.objects, options.parts_from);
+    model.split = IO::split_parts_by_json(model.objects, options.parts_from, objects.materials);
     return model;
   }
   Part_splitting_options splitting;
   splitting.mode = mode_of(path, options.parts);
-  model.split = split_parts(model.objects, splitting);
+  splitting.materials = std::move(objects.materials);
+  model.split = IO::split_parts_by_roles(model.objects, splitting, options.roles.get());
   if (splitting.mode == Part_splitting::AUTO) warn_of_changes(path, model);
   if (splitting.mode == Part_splitting::SEGMENTS)
     model.warnings.insert(model.warnings.begin(), "The parts come from an automatic segmentation.");

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cli/Common_options.h"
+#include "io/read_objects.h"
 
 #include <CGAL/Shape_correspondence/Role_model.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
@@ -29,12 +30,7 @@ struct Read_model
 /// Of an upright axis: x, y or z.
 char axis_name(const Point& axis);
 
-/// The objects of a model, as its file has them.
-struct Model_objects
-{
-  Segmented_shape shape;
-  std::vector<std::string> warnings; ///< of the reader
-};
+using IO::Model_objects;
 
 /// \throw Invalid_input
 Model_objects read_objects(const std::string& path, const Common_options& options);

@@ -8,7 +8,6 @@
 #include <limits>
 
 namespace CGAL::Shape_correspondence::internal {
-namespace {
 
 double distance_of_nearest_category(const Structural_graph& graph, const Role_model& model)
 {
@@ -18,8 +17,6 @@ double distance_of_nearest_category(const Structural_graph& graph, const Role_mo
     least = std::min(least, roles.distance(category));
   return least;
 }
-
-} // namespace
 
 Up_by_roles up_by_roles(const Structural_graph& graph, const std::array<Shape_frame, 3>& frames,
                         const Role_model& model, const Part_matching_options& options)

@@ -12,6 +12,10 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
+/// How far the parts of a shape are from labelled parts of the category that they are nearest to, in standard
+/// deviations of a feature; infinite without a category.
+double distance_of_nearest_category(const Structural_graph& graph, const Role_model& model);
+
 /// The axis with which the parts of a shape are nearest to labelled parts of a category.
 struct Up_by_roles
 {

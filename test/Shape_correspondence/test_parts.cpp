@@ -217,3 +217,24 @@ TEST_CASE("Where a model stands on several sides, the roles of its parts tell it
   CHECK(swapped["pairs"].size() == found["pairs"].size());
   CHECK_THAT(swapped["warnings"].dump(), Contains("--source-up") && !Contains("--target-up"));
 }
+
+TEST_CASE("Pieces end where the material changes if the parts are then more like labelled ones")
+{
+  const Temporary_folder folder;
+  // A table whose top and legs hang together at corners, of one object with two materials; and a shelf
+  const std::string table = obj_box("o table\nusemtl glass", 0, 0, 7, 0, 10, 1, 10) +
+                            obj_box("usemtl wood", 1, 0, 0, 0, 1, 7, 1) + obj_box("usemtl wood", 2, 9, 0, 0, 1, 7, 1) +
+                            obj_box("usemtl wood", 3, 0, 0, 9, 1, 7, 1) + obj_box("usemtl wood", 4, 9, 0, 9, 1, 7, 1) +
+                            obj_box("o shelf\nusemtl wood", 5, 1, 2, 1, 8, 0.5, 8);
+  const std::string model = quoted(folder.write("table.obj", table));
+  const std::string list = quoted(folder.write("list.json", ""));
+  const std::string graph = "graph " + model + " --abstraction boxes --json - ";
+  const json found = json::parse(run(graph + "--parts-json " + list).out);
+  CHECK(found["parts"].size() == 6);
+  CHECK_THAT(found["warnings"].dump(), Contains("material changes") && Contains("--parts components or file"));
+  CHECK(part_names(json::parse(run(graph + "--parts-from " + list).out)) == part_names(found));
+  CHECK(json::parse(run(graph + "--parts file").out)["parts"].size() == 2);
+  const std::string match = "match " + model + ' ' + model + " --abstraction boxes --json - ";
+  CHECK(json::parse(run(match).out)["pairs"].size() == 6);
+  CHECK(json::parse(run(match + "--roles none").out)["pairs"].size() == 2);
+}
