@@ -5,10 +5,13 @@
 
 #include "command_line.h"
 #include "io/Json.h"
+#include "io/read_objects.h"
+#include "io/split_by_roles.h"
 #include "shape/Triangle_tree.h"
 #include "shape/sample_triangles.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/split_parts.h>
 
@@ -16,6 +19,7 @@
 #include <chrono>
 #include <iostream>
 #include <map>
+#include <optional>
 
 // How well the parts that split_parts() makes of raw model files agree with labelled parts of the same shapes, by
 // points on the labelled surfaces: Rand indices (Rand 1971; Hubert and Arabie 1985), and how much each part has of each
@@ -34,7 +38,7 @@ constexpr int points_of_shape = 8000;
 constexpr double same_place = 0.005; // over the diagonal: how far a labelled point may be from the raw surface
 
 const char* const usage =
-    "Usage: benchmark_parts [--parts auto|file|components|segments] RAW LABELLED [RAW LABELLED]...\n"
+    "Usage: benchmark_parts [--parts auto|file|components|segments] [--roles FILE] RAW LABELLED [RAW LABELLED]...\n"
     "Writes a line of JSON for every pair of a raw model and a folder of labelled part meshes.\n";
 
 Part_splitting mode_of(const std::string& word)
@@ -108,12 +112,18 @@ double diagonal_of(const std::vector<Point>& points)
 using Counts = std::vector<std::vector<double>>; // by labelled part and raw part, of points
 
 /// The points on each part of the one shape that are on each part of the other.
-Counts common_points(const Labelled_points& labelled, std::size_t labelled_parts, const Segmented_shape& raw)
+struct Common_points
+{
+  Counts counts;
+  int quarter_turns = 0; ///< about the up axis that bring the labelled shape onto the raw one
+};
+
+Common_points common_points(const Labelled_points& labelled, std::size_t labelled_parts, const Segmented_shape& raw)
 {
   const Surface surface = surface_of(raw);
   const Triangle_tree tree(surface.triangles);
   const double limit = same_place * diagonal_of(labelled.points);
-  Counts best;
+  Common_points best;
   double most = -1;
   for (int turn = 0; turn < 4; ++turn) { // labelled shapes look to +z, raw ones need not
     Counts counts(labelled_parts, std::vector<double>(raw.parts().size(), 0));
@@ -129,7 +139,7 @@ Counts common_points(const Labelled_points& labelled, std::size_t labelled_parts
     }
     if (all <= most) continue;
     most = all;
-    best = std::move(counts);
+    best = {std::move(counts), turn};
   }
   return best;
 }
@@ -172,26 +182,32 @@ IO::Json names_of(const Segmented_shape& shape)
   return result;
 }
 
-void compare(const std::string& raw_path, const std::string& labelled_path, const Part_splitting_options& options)
+void compare(const std::string& raw_path, const std::string& labelled_path, Part_splitting_options options,
+             const Role_model* roles)
 {
   const auto begin = std::chrono::steady_clock::now();
-  const Segmented_shape objects = IO::read_segmented_shape(raw_path);
+  IO::Model_objects model = IO::read_objects(raw_path, Point::UnitY());
+  const Segmented_shape& objects = model.shape;
   const auto read = std::chrono::steady_clock::now();
-  const Segmented_shape parts = split_parts(objects, options).shape;
+  options.materials = std::move(model.materials);
+  const Part_split of_model = IO::split_parts_by_roles(objects, options, roles);
+  const Segmented_shape& parts = of_model.shape;
   const auto split = std::chrono::steady_clock::now();
   const Segmented_shape labelled = IO::read_segmented_shape(labelled_path);
-  const Counts counts = common_points(points_on(labelled), labelled.parts().size(), parts);
-  const Agreement agreement = agreement_of(counts);
+  const Common_points common = common_points(points_on(labelled), labelled.parts().size(), parts);
+  const Agreement agreement = agreement_of(common.counts);
   IO::Json shared = IO::Json::array();
-  for (const std::vector<double>& row : counts)
+  for (const std::vector<double>& row : common.counts)
     shared.push_back(IO::Json(row));
   const auto seconds = [](auto a, auto b) { return std::chrono::duration<double>(b - a).count(); };
   std::cout << IO::Json({{"raw", raw_path},
                          {"labelled", labelled_path},
                          {"objects", objects.parts().size()},
+                         {"by_materials", of_model.by_materials},
                          {"rand", agreement.rand},
                          {"adjusted_rand", agreement.adjusted},
                          {"covered", agreement.covered},
+                         {"quarter_turns", common.quarter_turns},
                          {"read_seconds", seconds(begin, read)},
                          {"split_seconds", seconds(read, split)},
                          {"parts", names_of(parts)},
@@ -212,11 +228,16 @@ int main(int argc, char** argv)
   try {
     benchmark::Command_line words(argc, argv);
     Part_splitting_options options;
+    std::optional<Role_model> roles;
     std::vector<std::string> paths;
     while (!words.is_at_end()) {
       const std::string& word = words.word();
       if (word == "--parts") {
         options.mode = benchmark::mode_of(words.value());
+        continue;
+      }
+      if (word == "--roles") {
+        roles = IO::read_role_model(words.value());
         continue;
       }
       benchmark::refuse_option(word);
@@ -225,7 +246,7 @@ int main(int argc, char** argv)
     if (paths.empty() || paths.size() % 2 != 0) throw std::invalid_argument("inputs come in pairs");
     for (std::size_t i = 0; i < paths.size(); i += 2) {
       try {
-        benchmark::compare(paths[i], paths[i + 1], options);
+        benchmark::compare(paths[i], paths[i + 1], options, roles ? &*roles : nullptr);
       } catch (const Invalid_input& error) {
         std::cerr << error.what() << '\n';
       }

@@ -4,7 +4,7 @@
 """Models as people have them: what the program makes of files that nobody prepared.
 
   wild_models.py BUILD OUT FOLDER... [--install] [--step N] [--seconds S] [--megabytes M] [--jobs J]
-  wild_models.py BUILD OUT FOLDER... --labelled DATA [--category chair,table] [--options "--roles none"] [--step N]
+  wild_models.py BUILD OUT FOLDER... --labelled DATA [--category chair,table] [--options "--roles none"] [--step N] [--turned]
 
 BUILD is the build folder, FOLDERs hold models in sub-folders of any depth. With --install, OUT/installed is one of them:
 Debian's sweethome3d-furniture, flightgear-data-ai and assimp-testmodels, which has files of all types (apt-get, as root).
@@ -16,7 +16,8 @@ The second form takes models that are also in DATA, a folder of labelled shapes 
 pairs.json): SHAPE ends in the name of the model. It compares parts (Rand indices by surface samples, OUT/parts.jsonl), then
 matches the pairs of pairs.json from raw files and from labelled parts, and evaluates both on labelled parts: those of which a
 part of the raw shape has the most surface correspond as it does. --options are for match; roles that were learned from the
-same shapes know their labelled parts, so `--roles none` is fair.
+same shapes know their labelled parts, so `--roles none` is fair. It also tells which raw models face another side than labelled
+ones do. With --turned, the target of every raw pair is turned to z up, and the program finds the upright axes.
 """
 import argparse
 import collections
@@ -168,10 +169,30 @@ def stand_ins(row):
     return result
 
 
+def with_z_up(model, folder):
+    """A copy of an OBJ file in a folder, turned from y up to z up."""
+    os.makedirs(folder, exist_ok=True)
+    copy = os.path.join(folder, os.path.basename(model))
+    with open(model, errors="replace") as lines, open(copy, "w") as out:
+        for line in lines:
+            words = line.split()
+            if words and words[0] in ("v", "vn"):
+                x, y, z = words[1:4]
+                line = f"{words[0]} {x} {z[1:] if z.startswith('-') else '-' + z} {y}\n"
+            out.write(line)
+    return copy
+
+
+def axes_are_right(result, target):
+    """Whether a result says that z is up in the target, and nothing of the source, where y is up."""
+    told = [w for w in result["warnings"] if "upright axis was taken" in w]
+    return len(told) == 1 and target in told[0] and "taken to be z" in told[0]
+
+
 def match(program, source, target, file, cache, options):
     if not os.path.exists(file):
         done = subprocess.run([program, "match", source, target, "--json", file, "--quiet", "--threads", "1", "--cache", cache,
-                               "--up", "y", *options], capture_output=True, text=True)
+                               *options], capture_output=True, text=True)
         if done.returncode:
             print(done.stderr.strip(), file=sys.stderr)
             return None
@@ -185,8 +206,11 @@ def compare(args, models):
     raw = raw_models_of({name: source for name, (_, source) in shapes.items()}, models)
     words = [word for name in sorted(raw) for word in (raw[name], os.path.join(shapes[name][0], "parts"))]
     parts = os.path.join(args.out, "parts.jsonl")
-    with open(parts, "w") as file:
-        subprocess.run([os.path.join(args.build, "benchmark", "Shape_correspondence", "benchmark_parts"), *words], stdout=file)
+    options = args.options.split()
+    roles = options[options.index("--roles") + 1] if "--roles" in options else "none"
+    with open(parts, "w") as file:  # of the same roles as the matches, which tell parts, too
+        subprocess.run([os.path.join(args.build, "benchmark", "Shape_correspondence", "benchmark_parts"),
+                        *([] if roles == "none" else ["--roles", roles]), *words], stdout=file)
     with open(parts) as file:
         rows = [json.loads(line) for line in file]
     rows = {os.path.basename(os.path.dirname(row["labelled"])): row for row in rows if row["covered"] > 0.8}
@@ -194,25 +218,36 @@ def compare(args, models):
         sys.exit("no model is one of a labelled shape")
     print(f"{len(rows)} raw models of labelled shapes: Rand index {sum(r['rand'] for r in rows.values()) / len(rows):.3f}, "
           f"adjusted {sum(r['adjusted_rand'] for r in rows.values()) / len(rows):.3f}")
+    turned = sorted(name for name, row in rows.items() if row["quarter_turns"])
+    print(f"{len(turned)} face another side: {', '.join(turned)}")
     with open(os.path.join(args.labelled, "pairs.json")) as file:
         pairs = [pair for pair in json.load(file) if pair[1] in rows and pair[2] in rows][:: args.step]
     for kind in ("raw", "carried", "labelled"):
         for category in {pair[0] for pair in pairs}:
             os.makedirs(os.path.join(args.out, kind, category), exist_ok=True)
+    targets = dict(raw)
+    if args.turned:
+        targets = {name: with_z_up(raw[name], os.path.join(args.out, "turned", name)) for name in {pair[2] for pair in pairs}}
+    right = matched = 0
     cache = os.path.join(args.out, "cache")
     for category, source, target in pairs:
         name = os.path.join(category, f"{source}--{target}.json")
         truth = match(program, *(os.path.join(shapes[s][0], "parts") for s in (source, target)),
-                      os.path.join(args.out, "labelled", name), cache, args.options.split())
-        found = match(program, raw[source], raw[target], os.path.join(args.out, "raw", name), cache, args.options.split())
+                      os.path.join(args.out, "labelled", name), cache, ["--up", "y", *options])
+        found = match(program, raw[source], targets[target], os.path.join(args.out, "raw", name), cache,
+                      options if args.turned else ["--up", "y", *options])
         carried = os.path.join(args.out, "carried", name)
         if not truth or not found:
             continue
+        matched += 1
+        right += args.turned and axes_are_right(found, targets[target])
         here, there = stand_ins(rows[source]), stand_ins(rows[target])
         truth["pairs"] = sorted({(a, b) for p, q in found["pairs"] for a in here[p] for b in there[q]})
         truth.pop("confidences", None)
         with open(carried, "w") as file:
             json.dump(truth, file)
+    if args.turned:
+        print(f"The upright axes of {right} of {matched} raw pairs are found.")
     for kind in ("labelled", "carried"):
         print({"labelled": "From labelled parts:", "carried": "From raw files:"}[kind], flush=True)
         subprocess.run([program, "evaluate", os.path.join(args.out, kind), "--ground-truth", args.labelled])
@@ -227,6 +262,7 @@ def main():
     parser.add_argument("--labelled", default="")
     parser.add_argument("--category", default="")
     parser.add_argument("--options", default="")
+    parser.add_argument("--turned", action="store_true")
     parser.add_argument("--step", type=int, default=1, help="take every N-th model or pair")
     parser.add_argument("--seconds", type=float, default=120)
     parser.add_argument("--megabytes", type=int, default=2048)

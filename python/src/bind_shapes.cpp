@@ -10,6 +10,7 @@
 #include "io/atomic_file.h"
 #include "io/input_file.h"
 
+#include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
@@ -108,6 +109,7 @@ std::vector<std::shared_ptr<Graph>> load_graphs(const std::vector<std::string>& 
   Work work;
   return work.run(progress, [&](Work& work) {
     common.on_progress = reports_to(work);
+    common.roles = SC::IO::shipped_role_model();
     const SC::cli::Thread_limit limit(common.threads);
     std::vector<std::string> warnings;
     std::vector<SC::cli::Loaded_shape> shapes =

@@ -9,9 +9,14 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+namespace CGAL::Shape_correspondence {
+class Role_model;
+}
 
 namespace CGAL::Shape_correspondence::cli {
 
@@ -42,6 +47,8 @@ struct Common_options
     std::string up, parts_from; ///< empty: those of all inputs
   };
   std::array<Of_input, 2> of_pair; ///< of the source and the target
+  /// By which the upright axes of models are found where nothing says them; null: by how the models stand.
+  std::shared_ptr<const Role_model> roles;
   Abstraction_options abstraction;
   /// Told of the progress in place of a bar: what is done, how much of it, of how much. It may throw, which ends the
   /// work.

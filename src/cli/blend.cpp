@@ -172,6 +172,7 @@ void run_blend(const std::vector<std::string>& arguments)
   check_outputs({common.json, output.is_file() ? output.path : ""}, inputs);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
+  common.roles = search.roles;
   std::vector<std::string> warnings_of_up;
   std::vector<Loaded_shape> shapes = load_pair(paths, common, warnings_of_up);
   for (std::size_t i : {0u, 1u})

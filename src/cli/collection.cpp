@@ -182,6 +182,7 @@ void run_collection(const std::vector<std::string>& arguments)
     throw Usage_error("several processes need --store, a folder that all of them can use");
   const Thread_limit limit(number_of_threads(common, team));
   add_examples(match, common, matching.search);
+  common.roles = matching.search.roles;
   const std::string store_folder = options.store;
   Tile_store store(store_folder.empty() ? "" : (fs::path(store_folder) / "tiles").string());
   if (common.cache.empty() && !store_folder.empty()) common.cache = (fs::path(store_folder) / "cache").string();

@@ -269,7 +269,13 @@ std::optional<Segmented_shape> Collection_shapes::model(std::size_t shape, const
     std::vector<std::string> names;
     for (const Shape_part& part : read.split.shape.parts())
       names.push_back(part.name);
-    if (names == wanted.parts) return std::move(read.split.shape);
+    if (names != wanted.parts) return std::nullopt;
+    if (read.is_up_estimated) { // roles may have told another one
+      Eigen::Index axis = 1;
+      structure(graph(shape)).frame.axes.col(1).cwiseAbs().maxCoeff(&axis);
+      read.split.shape.set_up(Point::Unit(axis));
+    }
+    return std::move(read.split.shape);
   } catch (const Invalid_input&) { // removed meanwhile
   }
   return std::nullopt;

@@ -157,7 +157,7 @@ po::options_description reading_options(Common_options& options)
       "upright axis of the model: x, y, z, or auto (the axis along which the model stands most stably). Default: the "
       "one "
       "given by the file (glTF, COLLADA, graphs); y for a folder of part meshes; otherwise y unless the model clearly "
-      "stands along another axis, with a warning");
+      "stands along another axis, or its parts are more like labelled ones with another axis up, with a warning");
   add("parts", po::value(&options.parts)->value_name("MODE")->default_value(options.parts),
       "how parts are made of a model file: file (its objects), components (its loose pieces), segments (loose pieces "
       "divided by thickness) or auto (its objects, but objects of unrelated loose pieces are split). "

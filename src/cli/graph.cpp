@@ -13,6 +13,7 @@
 #include "io/report_text.h"
 
 #include <CGAL/Shape_correspondence/IO/parts_json.h>
+#include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
@@ -132,6 +133,7 @@ void run_graph(const std::vector<std::string>& arguments)
   check_outputs({common.json, common.glb, common.html, files.graphml, files.dot, files.parts},
                 {parsed.inputs[0], common.parts_from});
   const Thread_limit limit(common.threads);
+  common.roles = IO::shipped_role_model();
   if (!files.parts.empty() && is_graph_file(parsed.inputs[0]))
     throw Usage_error("--parts-json is for models; a graph has no pieces");
   Loaded_shape shape = load_shape(parsed.inputs[0], common);

@@ -100,10 +100,12 @@ void label_shape(const std::string& path, const Label_options& options, const st
                  const Common_options& common)
 {
   check_outputs({output}, {path, options.roles, options.examples});
-  const Loaded_shape shape = load_shape(path, common);
-  check_part_kinds(common, part_names(shape.graph));
   auto model = options.roles.empty() ? IO::shipped_role_model()
                                      : std::make_shared<const Role_model>(IO::read_role_model(options.roles));
+  Common_options with_roles = common;
+  with_roles.roles = model;
+  const Loaded_shape shape = load_shape(path, with_roles);
+  check_part_kinds(common, part_names(shape.graph));
   std::string category = options.category;
   if (!options.examples.empty()) add_examples(options.examples, common, model, category);
   const Part_roles found = predicted_roles(path, shape.graph, *model, category);

@@ -51,8 +51,8 @@ void build_graph(const Common_options& common, const Structure_options& options,
   shape.graph = common.threads == 1
                     ? build_structural_graph<CGAL::Sequential_tag>(*shape.model, options, &times)
                     : build_structural_graph<CGAL::Parallel_if_available_tag>(*shape.model, options, &times);
-  shape.abstraction_seconds = times.abstraction;
-  shape.structure_seconds = times.structure;
+  shape.abstraction_seconds += times.abstraction;
+  shape.structure_seconds += times.structure;
 }
 
 /// \throw Invalid_input if the model cannot have parts
@@ -95,7 +95,8 @@ void cache_graph(const Structural_graph& graph, const Common_options& common)
   }
 }
 
-void load_model(Read_model model, const Common_options& common, const Structure_options& options, Loaded_shape& shape)
+/// \param model loses its parts, which the shape gets
+void load_model(Read_model& model, const Common_options& common, const Structure_options& options, Loaded_shape& shape)
 {
   const double begin = now();
   check_has_parts(model.split, common);
@@ -115,6 +116,14 @@ void load_model(Read_model model, const Common_options& common, const Structure_
   structure(shape.graph).automatic_parts = shape.split.by_segments;
   std::vector<std::string>& warnings = structure(shape.graph).warnings;
   warnings.insert(warnings.begin(), model.warnings.begin(), model.warnings.end());
+}
+
+/// Loads a model again, the objects of which have got another upright axis.
+void load_turned(Read_model& model, const Common_options& common, const Structure_options& options, Loaded_shape& shape)
+{
+  model.split = std::move(shape.split);
+  model.split.shape.set_up(model.objects.up());
+  load_model(model, common, options, shape);
 }
 
 } // namespace
@@ -165,14 +174,19 @@ Loaded_shape load_shape(const std::string& path, const Common_options& common)
     const double begin = now();
     Read_model model = read_model(path, common);
     shape.read_seconds = now() - begin;
-    load_model(std::move(model), common, options, shape);
+    load_model(model, common, options, shape);
+    if (!common.roles || !model.is_up_estimated) return;
+    const std::optional<Point> up = up_by_roles(model, shape.graph, *common.roles);
+    if (!up || *up == shape.model->up()) return;
+    turn_by_roles(*up, model);
+    load_turned(model, common, options, shape);
   });
 }
 
 Loaded_shape load_shape(const std::string& path, Read_model model, const Common_options& common)
 {
   return loaded(path, common, [&](const Structure_options& options, Loaded_shape& shape) {
-    load_model(std::move(model), common, options, shape);
+    load_model(model, common, options, shape);
   });
 }
 
@@ -220,22 +234,37 @@ std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Commo
 {
   if (!finds_up_of_pair(paths, options)) return load_shapes(paths, options);
   std::vector<Loaded_shape> shapes(2);
-  std::vector<Model_objects> models(2);
+  std::vector<Model_objects> objects(2);
   for_each_input(2, [&](std::size_t i) {
     const double begin = now();
-    models[i] = with_path(paths[i], [&] { return read_objects(paths[i], options.of_input(i)); });
+    objects[i] = with_path(paths[i], [&] { return read_objects(paths[i], options.of_input(i)); });
     shapes[i].read_seconds = now() - begin;
   });
-  const std::vector<std::string> of_axes = find_up_of_pair(paths, models, options);
-  warnings.insert(warnings.end(), of_axes.begin(), of_axes.end());
+  Pair_axes axes = unknown_axes(paths, options);
+  std::vector<std::string> of_axes = find_up_of_pair(paths, axes, {&objects[0].shape, &objects[1].shape}, options);
+  std::array<Read_model, 2> models;
   for_each_input(2, [&](std::size_t i) {
     const double seconds = shapes[i].read_seconds;
     const Common_options of_input = options.of_input(i);
     shapes[i] = loaded(paths[i], of_input, [&](const Structure_options& structure, Loaded_shape& shape) {
-      load_model(model_of_objects(paths[i], std::move(models[i]), of_input), of_input, structure, shape);
+      models[i] = model_of_objects(paths[i], std::move(objects[i]), of_input);
+      load_model(models[i], of_input, structure, shape);
+      if (options.roles && axes.is_unknown[i]) axes.by_roles[i] = up_by_roles(models[i], shape.graph, *options.roles);
     });
     shapes[i].read_seconds += seconds;
   });
+  if (axes.by_roles[0] || axes.by_roles[1]) {
+    of_axes = find_up_of_pair(paths, axes, {&models[0].objects, &models[1].objects}, options);
+    for_each_input(2, [&](std::size_t i) {
+      if (models[i].objects.up() == shapes[i].model->up()) return;
+      const Common_options of_input = options.of_input(i);
+      shapes[i] = loaded(paths[i], of_input, [&](const Structure_options& structure, Loaded_shape& shape) {
+        shape = std::move(shapes[i]);
+        load_turned(models[i], of_input, structure, shape);
+      });
+    });
+  }
+  warnings.insert(warnings.end(), of_axes.begin(), of_axes.end());
   check_part_kinds(options, shapes);
   return shapes;
 }

@@ -100,6 +100,7 @@ void run_match(const std::vector<std::string>& arguments)
   check_outputs({common.json, common.glb, common.html}, parsed.inputs);
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
+  common.roles = search_with.roles;
   std::vector<std::string> warnings_of_up;
   std::vector<Loaded_shape> shapes = load_pair(paths, common, warnings_of_up);
   const Loaded_shape &source = shapes[0], &target = shapes[1];

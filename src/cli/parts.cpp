@@ -11,6 +11,7 @@
 #include "io/quoting.h"
 #include "viewer/parts_sheet.h"
 
+#include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
@@ -139,6 +140,7 @@ void run_parts(const std::vector<std::string>& arguments)
   if (parsed.help) return write_help(std::cout, command_of("parts"));
   const Run_report report(common);
   check(common);
+  common.roles = IO::shipped_role_model();
   check_outputs({common.html}, parsed.inputs);
   const bool all = parsed.values["all"].as<bool>();
   if (all && parsed.inputs.size() != 1) throw Usage_error("--all takes one folder");

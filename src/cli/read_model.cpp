@@ -4,9 +4,11 @@
 #include "cli/read_model.h"
 #include "io/input_file.h"
 #include "io/model_parts.h"
+#include "io/split_by_roles.h"
+#include "matching/up_by_roles.h"
+#include "structure/frame_of_shape.h"
 
 #include <CGAL/Shape_correspondence/IO/parts_json.h>
-#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/estimate_up.h>
 
 #include <algorithm>
@@ -31,12 +33,19 @@ bool says_up(const std::string& path)
   return std::find(formats.begin(), formats.end(), IO::lower_extension(path)) != formats.end();
 }
 
+constexpr const char* warning_of_up = "The upright axis was taken to be ";
+
 std::string warning_of(const Up_estimate& found, const std::string& option)
 {
-  return std::string("The upright axis was taken to be ") + axis_name(found.up) +
-         ", along which the model stands most stably (confidence " +
+  return std::string(warning_of_up) + axis_name(found.up) + ", along which the model stands most stably (confidence " +
          std::to_string(std::lround(100 * found.confidence)) + " %); if that is wrong, give another with " + option +
          ".";
+}
+
+std::string warning_by_roles(const Point& up, const std::string& option)
+{
+  return std::string(warning_of_up) + axis_name(up) +
+         ", with which the parts are most like labelled ones; if that is wrong, give another with " + option + ".";
 }
 
 /// Whether nothing says which axis of a model is up.
@@ -52,6 +61,7 @@ void find_up(const std::string& path, const Common_options& options, Read_model&
   const Up_estimate found = estimate_up(model.objects, is_asked_for ? 1 : odds_of_y);
   model.objects.set_up(found.up);
   model.up_confidence = found.confidence;
+  model.is_up_estimated = true;
   if (is_asked_for || found.up != Point::UnitY()) model.warnings.push_back(warning_of(found, "--up"));
 }
 
@@ -79,6 +89,9 @@ void warn_of_changes(const std::string& path, Read_model& model)
         path + " --html F` shows them.");
     return;
   }
+  if (split.by_materials)
+    model.warnings.push_back("Pieces end where the material changes, since then the parts are more like labelled ones; "
+                             "--parts components or file makes others.");
   if (!split.changes_objects()) return;
   std::string names;
   std::size_t number = 0;
@@ -104,30 +117,59 @@ bool finds_up_of_pair(const std::vector<std::string>& paths, const Common_option
   return is_up_unknown(paths[0], options.of_input(0)) || is_up_unknown(paths[1], options.of_input(1));
 }
 
-std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, std::vector<Model_objects>& models,
-                                         Common_options& options)
+Pair_axes unknown_axes(const std::vector<std::string>& paths, const Common_options& options)
+{
+  Pair_axes result;
+  for (std::size_t i = 0; i < 2; ++i)
+    result.is_unknown[i] = is_up_unknown(paths[i], options.of_input(i));
+  return result;
+}
+
+std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, const Pair_axes& axes,
+                                         const std::array<Segmented_shape*, 2>& shapes, Common_options& options)
 {
   std::array<bool, 2> is_known;
-  for (std::size_t i = 0; i < 2; ++i)
-    is_known[i] = !is_up_unknown(paths[i], options.of_input(i));
-  const std::array<Up_estimate, 2> found =
-      estimate_up_of_pair(models[0].shape, models[1].shape, is_known, odds_of_y_in_pair);
+  for (std::size_t i = 0; i < 2; ++i) {
+    is_known[i] = !axes.is_unknown[i] || axes.by_roles[i].has_value();
+    if (axes.by_roles[i]) shapes[i]->set_up(*axes.by_roles[i]);
+  }
+  const std::array<Up_estimate, 2> found = estimate_up_of_pair(*shapes[0], *shapes[1], is_known, odds_of_y_in_pair);
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < 2; ++i) {
-    if (is_known[i]) continue;
-    models[i].shape.set_up(found[i].up);
+    if (!axes.is_unknown[i]) continue;
+    shapes[i]->set_up(found[i].up);
     options.of_pair[i].up = axis_name(found[i].up);
-    if (found[i].up != Point::UnitY())
-      warnings.push_back(paths[i] + ": " + warning_of(found[i], i == 0 ? "--source-up" : "--target-up"));
+    if (found[i].up == Point::UnitY()) continue;
+    const std::string option = i == 0 ? "--source-up" : "--target-up";
+    warnings.push_back(paths[i] + ": " +
+                       (axes.by_roles[i] ? warning_by_roles(found[i].up, option) : warning_of(found[i], option)));
   }
   return warnings;
 }
 
+std::optional<Point> up_by_roles(const Read_model& model, const Structural_graph& graph, const Role_model& roles)
+{
+  const Segmented_shape& objects = model.objects;
+  const internal::Up_by_roles found = internal::up_by_roles(graph, internal::frames_by_axis(objects), roles);
+  const Point up = Point::Unit(Eigen::Index(found.axis));
+  if (found.is_clear || (found.is_nearer && estimate_up(objects).up == up)) return up;
+  return std::nullopt;
+}
+
+void turn_by_roles(const Point& up, Read_model& model)
+{
+  model.objects.set_up(up);
+  model.up_confidence = 1;
+  std::vector<std::string>& warnings = model.warnings;
+  warnings.erase(std::remove_if(warnings.begin(), warnings.end(),
+                                [](const std::string& warning) { return warning.rfind(warning_of_up, 0) == 0; }),
+                 warnings.end());
+  if (up != Point::UnitY()) warnings.push_back(warning_by_roles(up, "--up"));
+}
+
 Model_objects read_objects(const std::string& path, const Common_options& options)
 {
-  Model_objects objects;
-  objects.shape = IO::read_segmented_shape(path, options.up_vector(), &objects.warnings);
-  return objects;
+  return IO::read_objects(path, options.up_vector());
 }
 
 Read_model read_model(const std::string& path, const Common_options& options)
@@ -142,12 +184,13 @@ Read_model model_of_objects(const std::string& path, Model_objects objects, cons
   model.warnings = std::move(objects.warnings);
   find_up(path, options, model);
   if (!options.parts_from.empty()) {
-    model.split = IO::split_parts_by_json(model.objects, options.parts_from);
+    model.split = IO::split_parts_by_json(model.objects, options.parts_from, objects.materials);
     return model;
   }
   Part_splitting_options splitting;
   splitting.mode = mode_of(path, options.parts);
-  model.split = split_parts(model.objects, splitting);
+  splitting.materials = std::move(objects.materials);
+  model.split = IO::split_parts_by_roles(model.objects, splitting, options.roles.get());
   if (splitting.mode == Part_splitting::AUTO) warn_of_changes(path, model);
   if (splitting.mode == Part_splitting::SEGMENTS)
     model.warnings.insert(model.warnings.begin(), "The parts come from an automatic segmentation.");

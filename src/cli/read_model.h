@@ -4,9 +4,14 @@
 #pragma once
 
 #include "cli/Common_options.h"
+#include "io/read_objects.h"
 
+#include <CGAL/Shape_correspondence/Role_model.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
 #include <CGAL/Shape_correspondence/split_parts.h>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,18 +23,14 @@ struct Read_model
   Segmented_shape objects; ///< as the file has them
   Part_split split;
   double up_confidence = 1; ///< of the upright axis; 1 if it is given
+  bool is_up_estimated = false;
   std::vector<std::string> warnings;
 };
 
 /// Of an upright axis: x, y or z.
 char axis_name(const Point& axis);
 
-/// The objects of a model, as its file has them.
-struct Model_objects
-{
-  Segmented_shape shape;
-  std::vector<std::string> warnings; ///< of the reader
-};
+using IO::Model_objects;
 
 /// \throw Invalid_input
 Model_objects read_objects(const std::string& path, const Common_options& options);
@@ -41,12 +42,29 @@ Read_model model_of_objects(const std::string& path, Model_objects objects, cons
 /// of part meshes are the parts, and y is up. \throw Invalid_input
 Read_model read_model(const std::string& path, const Common_options& options);
 
+/// The upright axis that roles tell of a model whose parts a graph has, if they do: where the parts are clearly nearer
+/// to labelled ones of a category than with any other axis up, or nearer and the model stands most stably along it.
+std::optional<Point> up_by_roles(const Read_model& model, const Structural_graph& graph, const Role_model& roles);
+
+/// Makes an axis that roles tell that of the objects of a model, and changes what is said of it.
+void turn_by_roles(const Point& up, Read_model& model);
+
 /// Whether the upright axes of two inputs are found together: both are models, of one kind, and no option, file or
 /// folder says the axis of one of them.
 bool finds_up_of_pair(const std::vector<std::string>& paths, const Common_options& options);
 
+/// The upright axes of two inputs that are found together, by input.
+struct Pair_axes
+{
+  std::array<bool, 2> is_unknown{};
+  std::array<std::optional<Point>, 2> by_roles; ///< those that roles tell
+};
+
+/// Whether nothing says the axes of two inputs.
+Pair_axes unknown_axes(const std::vector<std::string>& paths, const Common_options& options);
+
 /// Finds these axes and puts them into the shapes and into `options.of_pair`. \return what has to be said of it
-std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, std::vector<Model_objects>& models,
-                                         Common_options& options);
+std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, const Pair_axes& axes,
+                                         const std::array<Segmented_shape*, 2>& shapes, Common_options& options);
 
 } // namespace CGAL::Shape_correspondence::cli

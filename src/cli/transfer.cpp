@@ -130,6 +130,7 @@ void run_transfer(const std::vector<std::string>& arguments)
   outputs.push_back(common.json);
   check_outputs(outputs, {paths[0], paths[1], variables.result, request.labels});
   const Thread_limit limit(common.threads);
+  common.roles = search.roles;
   std::vector<std::string> warnings;
   std::vector<Loaded_shape> shapes = load_pair(paths, common, warnings);
   Loaded_shape &source = shapes[0], &target = shapes[1];

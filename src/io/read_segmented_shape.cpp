@@ -6,6 +6,7 @@
 #include "io/model_appearance.h"
 #include "io/model_parts.h"
 #include "io/quoting.h"
+#include "io/read_objects.h"
 #include "shape/has_area.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <set>
@@ -107,8 +109,9 @@ Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size
 }
 
 /// Adds a part to a shape. \return whether it has a surface; else it is left out
-/// \param appearance where not null, gets that of the part
-bool add_part(const std::string& file, const Model_part& part, Segmented_shape& shape, Shape_appearance* appearance)
+/// \param looks where not null, gets those of the part
+bool add_part(const std::string& file, const Model_part& part, Segmented_shape& shape,
+              std::vector<Part_appearance>* looks)
 {
   for (const Point& corner : part.corners) {
     if (!(corner.array().abs() <= internal::largest_coordinate).all()) // nor is NaN
@@ -119,7 +122,7 @@ bool add_part(const std::string& file, const Model_part& part, Segmented_shape& 
   Part_mesh mesh = weld(part.corners, &kept);
   if (mesh.triangles.cols() == 0 || !internal::has_area(mesh)) return false;
   shape.add_part(part.name, std::move(mesh));
-  if (appearance) appearance->parts.push_back(looks_of(part.appearance, kept));
+  if (looks) looks->push_back(looks_of(part.appearance, kept));
   return true;
 }
 
@@ -135,8 +138,9 @@ void warn(std::size_t number, const std::string& of_what, std::vector<std::strin
 
 constexpr const char* poor_faces = "Faces of fewer than three corners";
 
+/// \param appearance where not null, gets that of the shape \param looks the same of parts alone
 Segmented_shape read_file(const fs::path& path, const Point& up, std::vector<std::string>* warnings,
-                          Shape_appearance* appearance)
+                          Shape_appearance* appearance, std::vector<Part_appearance>* looks)
 {
   const std::string file = path.string(), name = utf8_text(path.stem().string());
   Model_content content = read_parts(file);
@@ -144,6 +148,7 @@ Segmented_shape read_file(const fs::path& path, const Point& up, std::vector<std
   complete_names(name, content.parts);
   if (appearance) {
     *appearance = {};
+    looks = &appearance->parts;
     complete_appearance(file, content, appearance->warnings);
     appearance->materials = std::move(content.materials);
     appearance->textures = std::move(content.textures);
@@ -152,7 +157,7 @@ Segmented_shape read_file(const fs::path& path, const Point& up, std::vector<std
   std::string left_out;
   std::size_t number_left_out = 0;
   for (const Model_part& part : content.parts) {
-    if (add_part(file, part, shape, appearance)) continue;
+    if (add_part(file, part, shape, looks)) continue;
     left_out = part.name;
     ++number_left_out;
   }
@@ -244,7 +249,7 @@ Segmented_shape read_folder(const fs::path& path, const Point& up, std::vector<s
   complete_names(folder_name(path), parts);
   Segmented_shape shape(folder_name(path), up);
   for (std::size_t i = 0; i < files.size(); ++i)
-    if (!add_part(files[i].string(), parts[i], shape, appearance))
+    if (!add_part(files[i].string(), parts[i], shape, appearance ? &appearance->parts : nullptr))
       throw Invalid_input(files[i].string() + ": all triangles have zero area; remove the file or give it a surface");
   warn(faces_left_out, poor_faces, warnings);
   return shape;
@@ -263,7 +268,29 @@ Segmented_shape read_segmented_shape(const std::string& path, const Point& up, s
 {
   check_exists(path);
   if (fs::is_directory(path)) return read_folder(path, up, warnings, appearance);
-  return read_file(path, up, warnings, appearance);
+  return read_file(path, up, warnings, appearance, nullptr);
+}
+
+Model_objects read_objects(const std::string& path, const Point& up)
+{
+  check_exists(path);
+  Model_objects result;
+  if (fs::is_directory(path)) {
+    result.shape = read_folder(path, up, &result.warnings, nullptr);
+    return result;
+  }
+  std::vector<Part_appearance> looks;
+  result.shape = read_file(path, up, &result.warnings, nullptr, &looks);
+  bool has_several = false;
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    std::vector<int>& materials = looks[i].materials;
+    if (materials.size() != std::size_t(result.shape.parts()[i].mesh.triangles.cols())) materials.clear();
+    has_several = has_several ||
+                  std::adjacent_find(materials.begin(), materials.end(), std::not_equal_to<int>()) != materials.end();
+    result.materials.push_back(std::move(materials));
+  }
+  if (!has_several) result.materials.clear();
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::IO

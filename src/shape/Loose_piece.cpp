@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -76,21 +77,37 @@ bool is_closed(const Part_mesh& mesh)
   return true;
 }
 
-} // namespace
-
-std::vector<Part_mesh> loose_pieces(const Part_mesh& mesh)
+/// By corner of a triangle, three after three, the number of its place; a place has one for each material.
+Indices places_of_corners(const Part_mesh& mesh, const std::vector<int>& materials)
 {
   const Indices place = first_at_place(mesh.points);
-  Disjoint_sets sets(place.size());
+  Indices result;
+  std::map<std::pair<std::size_t, int>, std::size_t> number;
+  for (std::size_t t = 0; t < std::size_t(mesh.triangles.cols()); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t at = place[corner(mesh, t, k)];
+      result.push_back(materials.empty() ? at
+                                         : number.emplace(std::pair(at, materials[t]), number.size()).first->second);
+    }
+  return result;
+}
+
+} // namespace
+
+std::vector<Part_mesh> loose_pieces(const Part_mesh& mesh, const std::vector<int>& materials)
+{
+  const Indices place = places_of_corners(mesh, materials);
+  const std::size_t places = place.empty() ? 0 : 1 + *std::max_element(place.begin(), place.end());
+  Disjoint_sets sets(places);
   const auto triangles = std::size_t(mesh.triangles.cols());
   for (std::size_t t = 0; t < triangles; ++t)
-    for (int k = 1; k < 3; ++k)
-      sets.unite(place[corner(mesh, t, 0)], place[corner(mesh, t, k)]);
+    for (std::size_t k = 1; k < 3; ++k)
+      sets.unite(place[3 * t], place[3 * t + k]);
   constexpr std::size_t none = std::size_t(-1);
-  Indices piece_of_set(place.size(), none);
+  Indices piece_of_set(places, none);
   std::vector<Indices> pieces;
   for (std::size_t t = 0; t < triangles; ++t) {
-    std::size_t& piece = piece_of_set[sets[place[corner(mesh, t, 0)]]];
+    std::size_t& piece = piece_of_set[sets[place[3 * t]]];
     if (piece == none) {
       piece = pieces.size();
       pieces.emplace_back();
@@ -98,7 +115,7 @@ std::vector<Part_mesh> loose_pieces(const Part_mesh& mesh)
     pieces[piece].push_back(t);
   }
   std::vector<Part_mesh> result;
-  std::vector<int> number(place.size(), -1);
+  std::vector<int> number(std::size_t(mesh.points.cols()), -1);
   for (const Indices& piece : pieces)
     result.push_back(extracted(mesh, piece, number));
   return result;

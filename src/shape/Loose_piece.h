@@ -21,7 +21,8 @@ struct Loose_piece
 };
 
 /// The triangles that are connected through vertices at the same place, by their first triangles.
-std::vector<Part_mesh> loose_pieces(const Part_mesh& mesh);
+/// \param materials by triangle; only triangles of one are connected. Empty: all are of one
+std::vector<Part_mesh> loose_pieces(const Part_mesh& mesh, const std::vector<int>& materials = {});
 
 /// Measures a piece.
 Loose_piece loose_piece(std::size_t object, Part_mesh mesh);

@@ -63,14 +63,16 @@ Part_mesh joined(const std::vector<const Part_mesh*>& meshes)
 class Splitter
 {
 public:
-  Splitter(const Segmented_shape& objects, const Segmentation_options& segmentation)
+  Splitter(const Segmented_shape& objects, const Segmentation_options& segmentation,
+           const std::vector<std::vector<int>>& materials)
       : objects_(objects.parts()),
         segmentation_(segmentation),
         size_(size_of_model(objects)),
         result_{Segmented_shape(objects.name(), objects.up()), {}, {}}
   {
+    result_.by_materials = !materials.empty();
     for (std::size_t i = 0; i < objects_.size(); ++i)
-      add_pieces(i, loose_pieces(objects_[i].mesh));
+      add_pieces(i, loose_pieces(objects_[i].mesh, materials.empty() ? std::vector<int>() : materials[i]));
     name_pieces();
   }
 
@@ -282,7 +284,7 @@ bool Part_split::changes_objects() const
 
 Part_split split_parts(const Segmented_shape& objects, const Part_splitting_options& options)
 {
-  Splitter splitter(objects, options.segmentation);
+  Splitter splitter(objects, options.segmentation, options.materials);
   switch (options.mode) {
   case Part_splitting::FILE:
     return splitter.objects();
@@ -298,9 +300,10 @@ Part_split split_parts(const Segmented_shape& objects, const Part_splitting_opti
 }
 
 Part_split split_parts(const Segmented_shape& objects, const std::map<std::string, std::string>& part_of_piece,
-                       bool by_segments, const Segmentation_options& segmentation)
+                       bool by_segments, const Segmentation_options& segmentation,
+                       const std::vector<std::vector<int>>& materials)
 {
-  Splitter splitter(objects, segmentation);
+  Splitter splitter(objects, segmentation, materials);
   if (by_segments) splitter.segment();
   return splitter.assigned(part_of_piece);
 }

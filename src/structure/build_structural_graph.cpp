@@ -2,20 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/limits.h"
-#include "shape/sample_triangles.h"
+#include "structure/frame_of_shape.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 
 #include <CGAL/Real_timer.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -23,9 +20,6 @@ namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
-
-constexpr int frame_samples = 4096;    ///< of a whole shape, to find its frame
-constexpr int least_frame_samples = 4; ///< of every part, however small
 
 void check_number_of_parts(const std::string& name, std::size_t parts)
 {
@@ -54,67 +48,6 @@ void check_numbers(const Shape_structure& shape)
   for (const Contact& contact : shape.contacts)
     if (std::max(contact.parts[0], contact.parts[1]) >= shape.parts.size() || contact.parts[0] == contact.parts[1])
       fail("a contact does not name two of its parts");
-}
-
-std::vector<contacts::Sampled_triangle> triangles_of(const Part_mesh& mesh)
-{
-  std::vector<contacts::Sampled_triangle> result;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Point p = mesh.points.col(mesh.triangles(0, t));
-    const Point u = mesh.points.col(mesh.triangles(1, t)) - p, v = mesh.points.col(mesh.triangles(2, t)) - p;
-    result.push_back({p, u, v, u.cross(v).norm() / 2});
-  }
-  return result;
-}
-
-double total_area(const std::vector<contacts::Sampled_triangle>& triangles)
-{
-  double sum = 0;
-  for (const contacts::Sampled_triangle& t : triangles)
-    sum += t.area;
-  return sum;
-}
-
-/// A part's surface, to be sampled.
-struct Part_triangles
-{
-  explicit Part_triangles(const Part_mesh& mesh) : triangles(triangles_of(mesh)), area(total_area(triangles)) {}
-
-  /// An order that does not depend on that of the file: by size, copies by place.
-  bool operator<(const Part_triangles& other) const
-  {
-    const auto key = [](const Part_triangles& part) {
-      const Point& p = part.triangles.front().corner;
-      return std::make_tuple(part.area, p.x(), p.y(), p.z());
-    };
-    return key(*this) < key(other);
-  }
-
-  std::vector<contacts::Sampled_triangle> triangles;
-  double area;
-};
-
-/// Points spread over the whole shape, each part with its share of the area, the same to the bit whatever the order of
-/// the parts.
-Points sample_shape(const Segmented_shape& shape)
-{
-  std::vector<Part_triangles> parts;
-  for (const Shape_part& part : shape.parts())
-    parts.emplace_back(part.mesh);
-  std::sort(parts.begin(), parts.end());
-  double total = 0;
-  for (const Part_triangles& part : parts)
-    total += part.area;
-  std::vector<Point> points;
-  for (const Part_triangles& part : parts) {
-    const int share = static_cast<int>(std::lround(frame_samples * part.area / total));
-    const auto samples = contacts::sample_triangles(part.triangles, std::max(least_frame_samples, share)).points;
-    points.insert(points.end(), samples.begin(), samples.end());
-  }
-  Points result(3, points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    result.col(i) = points[i];
-  return result;
 }
 
 /// Says which parts got their bounding box in place of a skeleton.
@@ -159,7 +92,7 @@ Structural_graph build_structural_graph(const Segmented_shape& shape, const Stru
   timer.start();
   Shape_structure result;
   result.name = shape.name();
-  result.frame = compute_shape_frame(sample_shape(shape), shape.up());
+  result.frame = frame_of(shape);
   const double before = timer.time();
   result.parts = abstract_parts<ConcurrencyTag>(shape, result.frame, options.abstraction);
   const double abstraction = timer.time() - before;

@@ -5,7 +5,11 @@
 
 #include "box_shapes.h"
 #include "generated_shapes.h"
+#include "matching/up_by_roles.h"
+#include "structure/frame_of_shape.h"
 
+#include <CGAL/Shape_correspondence/IO/role_model.h>
+#include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/estimate_up.h>
 
 #include <Eigen/Geometry>
@@ -87,4 +91,36 @@ TEST_CASE("Of two shapes of one kind the one tells of the other")
       CHECK(found[0].up == Point::Unit(a));
       CHECK(found[1].up == Point::Unit(b));
     }
+}
+
+TEST_CASE("Roles tell the upright axis of chairs and tables, however they lie and whichever axis was taken to be up")
+{
+  Structure_options options;
+  options.abstraction.abstractor = Bounding_box_abstraction();
+  const auto roles = IO::shipped_role_model();
+  for (const auto& model : generated_shapes::gen::models()) {
+    const generated_shapes::gen::Assembly assembly = model.make();
+    if (assembly.name.rfind("chair_", 0) != 0 && assembly.name.rfind("table_", 0) != 0) continue;
+    for (int up = 0; up < 3; ++up)
+      for (int taken : {1, 2}) {
+        CAPTURE(assembly.name, up, taken);
+        Segmented_shape shape = moved(generated_shapes::shape_of(assembly), up);
+        shape.set_up(Point::Unit(taken));
+        const internal::Up_by_roles found =
+            internal::up_by_roles(build_structural_graph(shape, options), internal::frames_by_axis(shape), *roles);
+        CHECK(found.axis == std::size_t(up));
+        CHECK(found.is_nearer);
+      }
+  }
+}
+
+TEST_CASE("Without a category roles tell no upright axis")
+{
+  Structure_options options;
+  options.abstraction.abstractor = Bounding_box_abstraction();
+  const Segmented_shape shape = generated_shapes::shape_of(generated_shapes::gen::models()[0].make());
+  const internal::Up_by_roles found =
+      internal::up_by_roles(build_structural_graph(shape, options), internal::frames_by_axis(shape), Role_model());
+  CHECK(!found.is_nearer);
+  CHECK(!found.is_clear);
 }

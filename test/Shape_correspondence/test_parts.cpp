@@ -11,9 +11,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
+namespace fs = std::filesystem;
 using namespace model_files;
 using Catch::Matchers::Contains;
 using nlohmann::json;
@@ -66,6 +71,32 @@ std::string with_z_up(const std::string& obj)
       result += "v " + std::to_string(x) + ' ' + std::to_string(-z) + ' ' + std::to_string(y) + '\n';
     else
       result += line + '\n';
+  }
+  return result;
+}
+
+/// A shape of data/ as one file.
+std::string obj_of_shape(const std::string& name)
+{
+  std::string result;
+  int before = 0;
+  const fs::path folder = fs::path(SHAPE_CORRESPONDENCE_DATA_DIR) / name / "parts";
+  std::vector<fs::path> files{fs::directory_iterator(folder), fs::directory_iterator()};
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) {
+    std::ifstream in(file);
+    int vertices = 0;
+    for (std::string line; std::getline(in, line);) {
+      if (line[0] == 'v' || line[0] == 'o') result += line + '\n';
+      if (line.rfind("v ", 0) == 0) ++vertices;
+      std::istringstream corners(line.substr(1));
+      if (line.rfind("f ", 0) != 0) continue;
+      result += 'f';
+      for (int corner = 0; corners >> corner;)
+        result += ' ' + std::to_string(before + corner);
+      result += '\n';
+    }
+    before += vertices;
   }
   return result;
 }
@@ -154,7 +185,56 @@ TEST_CASE("A model with y up and one with z up are matched by one plain command"
   CHECK(plain["pairs"].size() == 5);
   CHECK(plain["energy"].get<double>() == Approx(0).margin(1e-9));
   CHECK_THAT(plain["warnings"][0].get<std::string>(),
+             Contains("z.obj") && Contains("like labelled ones") && Contains("--target-up"));
+  const json without_roles = json::parse(run(match + "--roles none").out);
+  CHECK(without_roles["pairs"] == plain["pairs"]);
+  CHECK_THAT(without_roles["warnings"][0].get<std::string>(),
              Contains("z.obj") && Contains("confidence") && Contains("--target-up"));
   CHECK(run(match + "--target-up up").status == 2);
   CHECK(json::parse(run(match + "--up y").out)["energy"].get<double>() > 0.01);
+}
+
+TEST_CASE("Where a model stands on several sides, the roles of its parts tell its upright axis")
+{
+  const Temporary_folder folder;
+  const std::string chair = obj_of_shape("chair_four_legged");
+  const std::string y = quoted(folder.write("y.obj", chair)), z = quoted(folder.write("z.obj", with_z_up(chair)));
+  CHECK_THAT(run("parts " + z).out, Contains("y up")); // as it stands
+  const std::string boxes = " --abstraction boxes --json - ";
+  const auto warnings = [&](const std::string& command) { return json::parse(run(command).out)["warnings"].dump(); };
+  CHECK_THAT(warnings("graph " + z + boxes), Contains("taken to be z") && Contains("--up"));
+  CHECK_THAT(warnings("graph " + y + boxes), !Contains("taken to be"));
+  CHECK_THAT(warnings("graph " + z + " --up y" + boxes), !Contains("taken to be"));
+
+  const auto match = [&](const std::string& a, const std::string& b, const std::string& options) {
+    return json::parse(run("match " + a + ' ' + b + boxes + options).out);
+  };
+  const json right = match(y, z, "--source-up y --target-up z"), found = match(y, z, ""), swapped = match(z, y, "");
+  CHECK(found["pairs"] == right["pairs"]);
+  CHECK(found["energy"].get<double>() == Approx(right["energy"].get<double>()));
+  CHECK_THAT(found["warnings"].dump(), Contains("z.obj: The upright axis was taken to be z") &&
+                                           Contains("--target-up") && !Contains("--source-up"));
+  CHECK(swapped["pairs"].size() == found["pairs"].size());
+  CHECK_THAT(swapped["warnings"].dump(), Contains("--source-up") && !Contains("--target-up"));
+}
+
+TEST_CASE("Pieces end where the material changes if the parts are then more like labelled ones")
+{
+  const Temporary_folder folder;
+  // A table whose top and legs hang together at corners, of one object with two materials; and a shelf
+  const std::string table = obj_box("o table\nusemtl glass", 0, 0, 7, 0, 10, 1, 10) +
+                            obj_box("usemtl wood", 1, 0, 0, 0, 1, 7, 1) + obj_box("usemtl wood", 2, 9, 0, 0, 1, 7, 1) +
+                            obj_box("usemtl wood", 3, 0, 0, 9, 1, 7, 1) + obj_box("usemtl wood", 4, 9, 0, 9, 1, 7, 1) +
+                            obj_box("o shelf\nusemtl wood", 5, 1, 2, 1, 8, 0.5, 8);
+  const std::string model = quoted(folder.write("table.obj", table));
+  const std::string list = quoted(folder.write("list.json", ""));
+  const std::string graph = "graph " + model + " --abstraction boxes --json - ";
+  const json found = json::parse(run(graph + "--parts-json " + list).out);
+  CHECK(found["parts"].size() == 6);
+  CHECK_THAT(found["warnings"].dump(), Contains("material changes") && Contains("--parts components or file"));
+  CHECK(part_names(json::parse(run(graph + "--parts-from " + list).out)) == part_names(found));
+  CHECK(json::parse(run(graph + "--parts file").out)["parts"].size() == 2);
+  const std::string match = "match " + model + ' ' + model + " --abstraction boxes --json - ";
+  CHECK(json::parse(run(match).out)["pairs"].size() == 6);
+  CHECK(json::parse(run(match + "--roles none").out)["pairs"].size() == 2);
 }

@@ -41,6 +41,8 @@ struct Part_splitting_options
   double touching_distance = 0.005;           ///< largest gap of pieces in contact
   std::size_t most_parts = 100;      ///< largest number of parts of an object; it stays as it is rather than have more
   Segmentation_options segmentation; ///< options of `Part_splitting::SEGMENTS`, and for models of one piece
+  /// By object and triangle, a number for the material; loose pieces also end where it changes. Empty: they do not.
+  std::vector<std::vector<int>> materials;
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
@@ -67,6 +69,7 @@ struct Part_split
   std::vector<Model_piece> pieces;    ///< sorted by object, then by their first triangles
   std::vector<std::string> decisions; ///< for every object: what became of it, and why
   bool by_segments = false;           ///< whether pieces are segments
+  bool by_materials = false;          ///< whether pieces also end where the material changes
   std::size_t pieces_left_out = 0;    ///< pieces without area
 
   /// Whether the parts are others than the objects.
@@ -105,9 +108,11 @@ Part_split split_parts(const Segmented_shape& objects, const Part_splitting_opti
 /// \param part_of_piece the name of the part for the name of every piece; an empty name leaves the piece out
 /// \param by_segments whether pieces are those of `Part_splitting::SEGMENTS`
 /// \param segmentation how segments are made
+/// \param materials as in `Part_splitting_options`
 /// \throw Invalid_input if a piece is missing, or a name is not that of a piece
 Part_split split_parts(const Segmented_shape& objects, const std::map<std::string, std::string>& part_of_piece,
-                       bool by_segments = false, const Segmentation_options& segmentation = {});
+                       bool by_segments = false, const Segmentation_options& segmentation = {},
+                       const std::vector<std::vector<int>>& materials = {});
 
 } // namespace Shape_correspondence
 } // namespace CGAL

@@ -15,6 +15,7 @@
 
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -31,10 +32,12 @@ void write_parts_json(std::ostream& out, const Part_split& split);
 /// Makes the parts of a model that such a file defines.
 /// \param objects the model
 /// \param path the file
+/// \param materials as in `Part_splitting_options`, for files whose pieces end where the material changes
 /// \return the parts
 /// \throw Invalid_input if the file cannot be read, is no such file, or does not list the pieces of the model; the
 /// message names the file
-Part_split split_parts_by_json(const Segmented_shape& objects, const std::string& path);
+Part_split split_parts_by_json(const Segmented_shape& objects, const std::string& path,
+                               const std::vector<std::vector<int>>& materials = {});
 
 } // namespace IO
 } // namespace Shape_correspondence

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::IO {
+
+/// The objects of a model, as its file has them.
+struct Model_objects
+{
+  Segmented_shape shape;
+  /// By object and triangle, the number of the material, as in `Part_splitting_options`; empty if no object has
+  /// several.
+  std::vector<std::vector<int>> materials;
+  std::vector<std::string> warnings; ///< of the reader
+};
+
+/// The same as `read_segmented_shape()`, with the numbers of materials, but without looks. A folder has none.
+Model_objects read_objects(const std::string& path, const Point& up);
+
+} // namespace CGAL::Shape_correspondence::IO

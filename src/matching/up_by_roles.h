@@ -1,0 +1,31 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Part_matching_options.h>
+#include <CGAL/Shape_correspondence/Role_model.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// How far the parts of a shape are from labelled parts of the category that they are nearest to, in standard
+/// deviations of a feature; infinite without a category.
+double distance_of_nearest_category(const Structural_graph& graph, const Role_model& model);
+
+/// The axis with which the parts of a shape are nearest to labelled parts of a category.
+struct Up_by_roles
+{
+  std::size_t axis = 1;
+  bool is_nearer = false; ///< than with any other axis, by `Part_matching_options::clearly_better`
+  bool is_clear = false;  ///< the same by `Part_matching_options::category_ratio`
+};
+
+/// \param frames of the shape, if x, y or z is up
+Up_by_roles up_by_roles(const Structural_graph& graph, const std::array<Shape_frame, 3>& frames,
+                        const Role_model& model, const Part_matching_options& options = {});
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,15 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// A graph for what looks at the surfaces of parts alone, as roles do: parts are not abstracted, which takes most of
+/// the time of a graph. Their curves are diagonals of boxes, and every part is a group.
+Structural_graph outline_graph(const Segmented_shape& shape);
+
+} // namespace CGAL::Shape_correspondence::internal
