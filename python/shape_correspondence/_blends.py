@@ -25,6 +25,8 @@ class BlendTask(Record):
     end: float  #: time at which it ends
     source: Optional[str] = None  #: the source part, if there is one
     target: Optional[str] = None  #: the target part, if there is one
+    #: why the surfaces of the two are exchanged: ``"torn"`` or ``"thin"``, if the one became the other
+    exchanged: Optional[str] = None
 
 
 class Blend:

@@ -44,6 +44,7 @@ std::shared_ptr<Blend> blend(const std::shared_ptr<Match>& match, int threads, c
     SC::cli::warn_of_sizes(options.size, source.shape, target.shape, warnings);
     const SC::Shape_blend blend(source.shape.graph, *source.shape.model, target.shape.graph, *target.shape.model,
                                 match->best(), options);
+    SC::cli::warn_of_exchanges(blend, source.shape, target.shape, warnings);
     return std::make_shared<Blend>(Blend{match, blend, warnings});
   });
 }

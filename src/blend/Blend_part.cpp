@@ -15,9 +15,9 @@ const Eigen::Matrix3Xi& Blend_part::triangles(int surface) const
   return morph ? morph->triangles(surface) : unmatched->triangles();
 }
 
-Points Blend_part::points(int surface, double t) const
+Points Blend_part::points(int surface, double t, double remaining) const
 {
-  Points result = morph->points(surface, t);
+  Points result = morph->points(surface, t, remaining);
   return is_reflected ? mirrored(std::move(result)) : std::move(result);
 }
 

@@ -50,15 +50,18 @@ struct Blend_part
   std::array<double, 2> foot = {0, 0};              ///< of one that stands, how high it is above the ground, by end
   std::array<std::optional<Tree>, 2> trees;         ///< by surface, at an end; to be moved
   std::array<std::optional<Rest_surface>, 2> rests; ///< by surface, at that end
+  std::array<bool, 2> holds = {false, false};       ///< by surface, whether unmatched parts are attached to it
   double size = 1e-6;                               ///< of the larger one of its surfaces; never less
 
+  bool is_exchange() const { return morph && morph->is_exchange(); }
   bool has_image() const { return image != Blend_task::no_part; }
   /// Of an unmatched one, the end that has it.
   int end() const { return task.source == Blend_task::no_part ? 1 : 0; }
 
   const Eigen::Matrix3Xi& triangles(int surface) const;
   /// Of a matched one, at a time of its task.
-  Points points(int surface, double t) const;
+  /// \param remaining how much there is of the surface
+  Points points(int surface, double t, double remaining = 1) const;
   /// Of an unmatched one, as much as there is of it.
   Points remaining_points(double remaining) const;
   /// Where a point of an unmatched one is then.

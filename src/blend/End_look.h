@@ -28,6 +28,10 @@ struct Seen_surface
 /// The overlaps of closed parts, those that are 0 left out.
 Overlaps overlaps_of(const std::vector<Seen_surface>& surfaces);
 
+/// The share of a surface that another one, which may be open, hides from all sides.
+/// \param is_on_hidden whether what is on the other one is hidden, too
+double hidden_share(const Points& samples, const contacts::Triangle_tree& surface, bool is_on_hidden);
+
 /// What shapes in between are compared with at an end.
 struct End_look
 {

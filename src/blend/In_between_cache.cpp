@@ -13,9 +13,11 @@ namespace {
 std::size_t number_of_points(const In_between_shape& shape)
 {
   Eigen::Index result = 0;
-  for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
+  for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
     for (int surface : {0, 1})
       result += shape.points(part, surface).cols();
+    result += shape.other_points(part).cols();
+  }
   return std::size_t(result);
 }
 

@@ -15,6 +15,8 @@ In_between_shape::In_between_shape(const Blend_structure& blend, const Task_time
       t_(eased(t)),
       points_(blend.parts.size()),
       surface_(blend.parts.size(), -1),
+      others_(blend.parts.size()),
+      has_other_(blend.parts.size(), 0),
       remaining_(blend.parts.size(), 1),
       trees_(blend.parts.size()),
       has_moved_(blend.parts.size(), 1),
@@ -26,7 +28,13 @@ In_between_shape::In_between_shape(const Blend_structure& blend, const Task_time
     if (part.morph) {
       surface_[i] = part.morph->surface(own);
       for (int surface : {0, 1})
-        points_[i][std::size_t(surface)] = part.points(surface, own);
+        if (!part.is_exchange() || surface == surface_[i] || part.holds[std::size_t(surface)])
+          points_[i][std::size_t(surface)] = part.points(surface, own);
+      if (!part.is_exchange()) continue;
+      const int other = 1 - surface_[i];
+      const double there = Part_morph::remaining(other, own);
+      has_other_[i] = there > nothing;
+      others_[i] = part.points(other, own, there);
     } else {
       remaining_[i] = part.end() == 0 ? 1 - own : own;
     }
@@ -38,7 +46,6 @@ void In_between_shape::set_unmatched(std::size_t part, Points points)
   points_[part][0] = std::move(points);
   has_moved_[part] = 1;
   stretches_[part] = {};
-  constexpr double nothing = 1e-6; // of a part: less has no area in floating-point numbers
   if (remaining_[part] > nothing) surface_[part] = 0;
 }
 
@@ -78,6 +85,7 @@ void In_between_shape::apply(const Affine_motion& motion, std::size_t part)
   has_moved_[part] = 1;
   for (Points& surface : points_[part])
     motion.apply(surface);
+  motion.apply(others_[part]);
 }
 
 double In_between_shape::needed_rise(std::size_t part) const

@@ -38,8 +38,9 @@ public:
   std::size_t number_of_parts() const { return points_.size(); }
   /// How far the whole shape is on its way: the time, eased.
   double time() const { return t_; }
+  static constexpr double nothing = 1e-6; ///< of a surface: less has no area in floating-point numbers
 
-  /// The one of a part's surfaces that there is, or -1.
+  /// The one of a part's surfaces that there is, or -1; in an exchange, the one that is there as a whole.
   int surface(std::size_t part) const { return surface_[part]; }
   bool is_there(std::size_t part) const { return surface_[part] >= 0; }
   const Points& points(std::size_t part, int surface) const { return points_[part][std::size_t(surface)]; }
@@ -47,6 +48,9 @@ public:
   const Points& points(std::size_t part) const { return points(part, surface_[part]); }
   /// The same, to be changed.
   Points& moving_points(std::size_t part);
+  /// In an exchange, whether there is something of the other surface, and its points.
+  bool has_other(std::size_t part) const { return has_other_[part]; }
+  const Points& other_points(std::size_t part) const { return others_[part]; }
   /// How much there is of an unmatched part, in [0, 1].
   double remaining(std::size_t part) const { return remaining_[part]; }
   /// An unmatched part is there as far as something of it remains.
@@ -81,6 +85,8 @@ private:
   double t_;
   std::vector<std::array<Points, 2>> points_; ///< by part and surface
   std::vector<int> surface_;
+  std::vector<Points> others_; ///< by part, of an exchange, the points of the other surface
+  std::vector<char> has_other_;
   std::vector<double> remaining_;
   Trees trees_;
   std::vector<char> has_moved_;    ///< by part, since its tree was

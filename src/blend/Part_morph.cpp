@@ -3,6 +3,7 @@
 
 #include "blend/Part_morph.h"
 
+#include "blend/ease.h"
 #include "blend/smooth_places.h"
 #include "map/Charted_mesh.h"
 #include "map/Piece_pair.h"
@@ -35,7 +36,51 @@ Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const
   surfaces_ = std::move(forward_ ? ahead : back);
 }
 
-Points Part_morph::points(int surface, double t) const
+void Part_morph::exchange()
+{
+  for (std::size_t i : {0u, 1u}) { // each stays as it is at its own end
+    Moving_surface& surface = i == 0 ? surfaces_.first : surfaces_.second;
+    const Chart_outline& outline = outlines_[(i == 0) == forward_ ? 0 : 1];
+    for (Eigen::Index k = 0; k < surface.coordinates[i].cols(); ++k)
+      surface.coordinates[i].col(k) = outline.absolute(surface.coordinates[i].col(k));
+    surface.coordinates[1 - i] = surface.coordinates[i];
+    surface.offsets[1 - i] = surface.offsets[i];
+  }
+  surfaces_.change = 0.5;
+  is_exchange_ = true;
+}
+
+void Part_morph::exchange_in_boxes()
+{
+  if (!is_exchange_) exchange();
+  const std::array<Points, 2> own = {points(0, 0), points(1, 1)};
+  for (int end : {0, 1})
+    put_into_box(end, own[std::size_t(end)]);
+}
+
+void Part_morph::put_into_box(int end, const Points& own)
+{
+  Part_chart& chart = end == 0 ? source_ : target_;
+  chart = Part_chart::box(own, chart.axes());
+  Charted_mesh mesh{own, moving(end).triangles, own, own};
+  for (Eigen::Index i = 0; i < own.cols(); ++i) {
+    mesh.coordinates.col(i) = chart.coordinates(own.col(i));
+    mesh.offsets.col(i) =
+        chart.frame(mesh.coordinates.col(i)).transpose() * (own.col(i) - chart(mesh.coordinates.col(i)));
+  }
+  const Moving_surface before = moving(end);
+  moving(end) = at_rest(mesh);
+  moving(end).begin = before.begin;
+  moving(end).end = before.end;
+}
+
+double Part_morph::remaining(int surface, double t)
+{
+  const double gone = surface == 0 ? t : 1 - t;
+  return gone <= 0.5 ? 1 : eased(2 * (1 - gone));
+}
+
+Points Part_morph::points(int surface, double t, double remaining) const
 {
   constexpr double instant = 1e-12; // the least time for a motion
   const Part_chart chart = Part_chart::between(source_, target_, t);
@@ -43,12 +88,25 @@ Points Part_morph::points(int surface, double t) const
   const Moving_surface& mesh = moving(surface);
   const double own_time = forward_ ? t : 1 - t;
   const double moved = std::clamp((own_time - mesh.begin) / std::max(mesh.end - mesh.begin, instant), 0., 1.);
+  const Point scale = is_exchange_ ? Point(remaining * narrowing(t)) : Point::Ones();
   Points result(3, mesh.coordinates[0].cols());
   for (Eigen::Index i = 0; i < result.cols(); ++i) {
-    const Point k = outline.absolute((1 - moved) * mesh.coordinates[0].col(i) + moved * mesh.coordinates[1].col(i));
-    const Point off = (1 - own_time) * mesh.offsets[0].col(i) + own_time * mesh.offsets[1].col(i);
+    const Point q = (1 - moved) * mesh.coordinates[0].col(i) + moved * mesh.coordinates[1].col(i);
+    const Point k = is_exchange_ ? scale.cwiseProduct(q) : outline.absolute(q);
+    const Point off = remaining * ((1 - own_time) * mesh.offsets[0].col(i) + own_time * mesh.offsets[1].col(i));
     result.col(i) = chart(k) + chart.frame(k) * off;
   }
+  return result;
+}
+
+/// By how much extents across that go over by equal factors in equal times are less than those that go over evenly: a
+/// rod that is exchanged for a net is not to become as wide as the net with the net's share of the time.
+Point Part_morph::narrowing(double t) const
+{
+  const Point a = source_.half_extents(), b = target_.half_extents();
+  Point result = Point::Ones();
+  for (int axis = source_.is_sheet() ? 2 : 1; axis < 3; ++axis)
+    result[axis] = std::pow(a[axis], 1 - t) * std::pow(b[axis], t) / ((1 - t) * a[axis] + t * b[axis]);
   return result;
 }
 

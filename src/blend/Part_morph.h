@@ -23,6 +23,9 @@ struct Pair_charts;
 /// of the other that do not tear it; then the other takes over where the first has come to and what the first could not
 /// reach grows out of it. So both ends are exact, nothing jumps, and the surface is that of one input or the other at
 /// any time: closed if both are.
+///
+/// Where that fails, the surfaces are *exchanged*: both go the way of the pair's charts as they are. In the first half
+/// the target's grows from the middle of the source's; in the second half the source's shrinks to there.
 class Part_morph
 {
 public:
@@ -31,16 +34,24 @@ public:
              const std::optional<bool>& forward = {});
 
   bool is_forward() const { return forward_; }
+  bool is_exchange() const { return is_exchange_; }
+  /// Makes it an exchange.
+  void exchange();
+  /// The same in straight charts, of the boxes around both surfaces: nothing is bent, so nothing is torn.
+  void exchange_in_boxes();
 
   /// The surfaces, the one at the source's end first.
   const Eigen::Matrix3Xi& triangles(int surface) const { return moving(surface).triangles; }
 
-  /// Which of the surfaces there is at `t`.
+  /// Which of the surfaces there is at `t`; in an exchange, which is there as a whole.
   int surface(double t) const { return t < switch_time() ? 0 : 1; }
   double switch_time() const { return forward_ ? surfaces_.change : 1 - surfaces_.change; }
 
   /// The points of a surface at `t`, also where it is not the one that there is.
-  Points points(int surface, double t) const;
+  /// \param remaining how much there is of it, in [0, 1], about the middle
+  Points points(int surface, double t, double remaining = 1) const;
+  /// In an exchange, how much there is of a surface.
+  static double remaining(int surface, double t);
 
 private:
   struct Moving_surface
@@ -59,16 +70,19 @@ private:
     double change = 1; ///< when the second takes over
   };
 
+  Point narrowing(double t) const;
+  void put_into_box(int end, const Points& own);
   static Moving_surface at_rest(const Charted_mesh& mesh);
   static Surface_pair surface_pair(const Charted_mesh& a, const Charted_mesh& b);
   const Moving_surface& moving(int surface) const
   {
     return (surface == 0) == forward_ ? surfaces_.first : surfaces_.second;
   }
+  Moving_surface& moving(int surface) { return (surface == 0) == forward_ ? surfaces_.first : surfaces_.second; }
 
   Part_chart source_, target_;
   std::vector<Chart_outline> outlines_; ///< by end
-  bool forward_ = true;
+  bool forward_ = true, is_exchange_ = false;
   Surface_pair surfaces_;
 };
 

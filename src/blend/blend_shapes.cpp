@@ -45,6 +45,22 @@ void check_options(const Blend_options& options)
     throw Invalid_input("Shape_blend: the contact tolerance must be between 0 and 1");
 }
 
+/// What there is of a part, both surfaces where there are two.
+Part_mesh mesh_of(const Blend_structure& blend, const In_between_shape& shape, std::size_t part)
+{
+  const int surface = shape.surface(part);
+  Part_mesh result{blend.to_world(shape.points(part), shape.time()), shape.part(part).triangles(surface)};
+  if (!shape.has_other(part)) return result;
+  const Points other = blend.to_world(shape.other_points(part), shape.time());
+  const Eigen::Matrix3Xi& triangles = shape.part(part).triangles(1 - surface);
+  const Eigen::Index points = result.points.cols(), given = result.triangles.cols();
+  result.points.conservativeResize(3, points + other.cols());
+  result.points.rightCols(other.cols()) = other;
+  result.triangles.conservativeResize(3, given + triangles.cols());
+  result.triangles.rightCols(triangles.cols()) = triangles.array() + int(points);
+  return result;
+}
+
 } // namespace
 
 Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& source_shape,
@@ -103,9 +119,7 @@ Segmented_shape Shape_blend::operator()(double t) const
   const In_between_shape& shape = *in_between;
   Segmented_shape result(blend_->shapes[0].name() + '~' + blend_->shapes[1].name(), blend_->up(t));
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
-    if (shape.is_there(part))
-      result.add_part(shape.part(part).name, {blend_->to_world(shape.points(part), shape.time()),
-                                              shape.part(part).triangles(shape.surface(part))});
+    if (shape.is_there(part)) result.add_part(shape.part(part).name, mesh_of(*blend_, shape, part));
   return result;
 }
 
@@ -128,6 +142,11 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
       result.push_back({part.name, task, part.triangles(0), shrinks ? 0 : task.begin, shrinks ? task.end : 1});
       continue;
     }
+    if (part.is_exchange()) {
+      result.push_back({part.name, task, part.triangles(0), 0, task.end});
+      result.push_back({part.name, task, part.triangles(1), task.begin, 1});
+      continue;
+    }
     const double change = time_of(part.morph->switch_time());
     const double at = change <= 0 ? 0 : change >= 1 ? 1 : task.begin + change * (task.end - task.begin);
     result.push_back({part.name, task, part.triangles(0), 0, at});
@@ -142,8 +161,11 @@ std::vector<Points> Shape_blend::points(double t) const
   const std::shared_ptr<const In_between_shape> in_between = shapes_->at(t);
   const In_between_shape& shape = *in_between;
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
-    for (int surface = 0; surface < (shape.part(part).morph ? 2 : 1); ++surface)
-      result.push_back(blend_->to_world(shape.points(part, surface), shape.time()));
+    for (int surface = 0; surface < (shape.part(part).morph ? 2 : 1); ++surface) {
+      const bool is_other = shape.part(part).is_exchange() && surface != shape.surface(part);
+      const Points& points = is_other ? shape.other_points(part) : shape.points(part, surface);
+      result.push_back(blend_->to_world(points, shape.time()));
+    }
   return result;
 }
 

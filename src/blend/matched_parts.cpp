@@ -3,7 +3,10 @@
 
 #include "blend/Blend_ends.h"
 #include "blend/Blend_part.h"
+#include "blend/exchange_reason.h"
 #include "map/piece_of.h"
+
+#include <CGAL/Shape_correspondence/blend_shapes.h>
 
 #include <algorithm>
 #include <array>
@@ -35,10 +38,15 @@ public:
   std::vector<Blend_part> parts() const
   {
     std::vector<Blend_part> result;
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      std::optional<bool> forward;
-      if (images_[i] < i) forward = result[images_[i]].morph->is_forward();
-      result.push_back(part(i, forward));
+    std::vector<std::shared_ptr<Part_morph>> morphs;
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      result.push_back(part(i, images_[i] < i ? &result[images_[i]] : nullptr, morphs));
+    const std::vector<Blend_exchange> reasons = exchanges(result);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      result[i].task.exchange = reasons[i];
+      if (reasons[i] == Blend_exchange::NONE) continue;
+      morphs[i]->exchange();
+      if (surface_fault(result[i]).torn_share > Shape_blend::torn_tolerance) morphs[i]->exchange_in_boxes();
     }
     return result;
   }
@@ -120,8 +128,8 @@ private:
     return task;
   }
 
-  /// \param forward whether the source's surface moves first; if not said, what is better
-  Blend_part part(std::size_t number, const std::optional<bool>& forward) const
+  /// \param image its mirror image, if it is there, which becomes its counterpart in the same way
+  Blend_part part(std::size_t number, const Blend_part* image, std::vector<std::shared_ptr<Part_morph>>& morphs) const
   {
     const Piece_pair& pair = pairs_[number];
     Blend_part result;
@@ -133,8 +141,9 @@ private:
     const std::array<Part_mesh, 2> pieces = {
         piece(0, pair.source, charted_as.source, charted_as.source_piece, result.is_reflected),
         piece(1, pair.target, charted_as.target, charted_as.target_piece, result.is_reflected)};
-    result.morph =
-        std::make_shared<Part_morph>(charts(charted_as, is_upright_[number], pieces), pieces[0], pieces[1], forward);
+    morphs.push_back(std::make_shared<Part_morph>(charts(charted_as, is_upright_[number], pieces), pieces[0], pieces[1],
+                                                  image ? std::optional(image->morph->is_forward()) : std::nullopt));
+    result.morph = morphs.back();
     set_foot(result, pieces);
     result.add_trees();
     return result;

@@ -98,6 +98,8 @@ private:
       anchors.push_back(part.is_reflected ? mirrored(attachment.at) : attachment.at);
     part.height = mesh.points.row(1).mean();
     const Part_chart& chart = ends_.charted[std::size_t(end_)].charts[part.is_reflected ? image_of(given) : given];
+    for (const Attachment& attachment : part.attachments)
+      parts_[attachment.part].holds[std::size_t(attachment.surface)] = true;
     part.unmatched = std::make_shared<Unmatched_part>(chart, mesh, anchors);
   }
 

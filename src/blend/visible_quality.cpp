@@ -3,6 +3,8 @@
 
 #include "blend/visible_quality.h"
 
+#include "blend/exchange_reason.h"
+
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
 #include <algorithm>
@@ -19,12 +21,13 @@ class Visible_measure
 {
 public:
   Visible_measure(const In_between_shape& shape, const In_between_shape::Trees& trees)
-      : shape_(shape), trees_(trees), extents_(shape.number_of_parts())
+      : shape_(shape), trees_(trees), extents_(shape.number_of_parts()), others_(shape.number_of_parts())
   {
     for (std::size_t part = 0; part < extents_.size(); ++part) {
       if (!shape.is_there(part)) continue;
       extents_[part] = rest(part).extent(shape.points(part));
       area_ += extents_[part].area;
+      if (shape.has_other(part)) add_other(part);
     }
   }
 
@@ -47,10 +50,42 @@ public:
   }
 
 private:
+  /// The other surface of an exchange.
+  struct Other_surface
+  {
+    Surface_extent extent;
+    Points samples;
+    contacts::Triangle_tree tree;
+    double seen, others_seen; ///< shares of it, and of the one that is there as a whole
+  };
+
+  void add_other(std::size_t i)
+  {
+    const Points& points = shape_.other_points(i);
+    const Rest_surface& own = other_rest(i);
+    others_[i].emplace(Other_surface{own.extent(points), own.samples(points),
+                                     *part(i).trees[std::size_t(1 - shape_.surface(i))], 1, 1});
+    Other_surface& other = *others_[i];
+    const Eigen::Matrix3Xi& triangles = part(i).triangles(1 - shape_.surface(i));
+    other.tree.move([&](std::size_t t) { return triangle_of(points, triangles, t); });
+    area_ += other.extent.area;
+    other.seen = 1 - hidden_share(other.samples, *trees_[i], true);
+    other.others_seen = 1 - hidden_share(rest(i).samples(shape_.points(i)), other.tree, false);
+  }
+
+  Seen_surface seen_surface(std::size_t i) const
+  {
+    return {i, rest(i).samples(shape_.points(i)), &*trees_[i], rest(i).is_closed(), extents_[i].volume > 0};
+  }
+
   const Blend_part& part(std::size_t part) const { return shape_.part(part); }
   const Rest_surface& rest(std::size_t part) const
   {
     return *shape_.part(part).rests[std::size_t(shape_.surface(part))];
+  }
+  const Rest_surface& other_rest(std::size_t part) const
+  {
+    return *shape_.part(part).rests[std::size_t(1 - shape_.surface(part))];
   }
   const End_look& look(std::size_t end) const { return shape_.blend().looks[end]; }
 
@@ -67,7 +102,9 @@ private:
     double sum = 0;
     for (std::size_t i = 0; i < extents_.size(); ++i) {
       if (!shape_.is_there(i)) continue;
-      const double own = measure(rest(i), extents_[i]);
+      double own = measure(rest(i), extents_[i]);
+      if (others_[i])
+        own = others_[i]->others_seen * own + others_[i]->seen * measure(other_rest(i), others_[i]->extent);
       double at_ends = 0;
       for (const std::optional<Rest_surface>& surface : part(i).rests)
         if (surface) at_ends = std::max(at_ends, measure(*surface, surface->extent()));
@@ -82,22 +119,7 @@ private:
   double thinning(std::size_t i) const
   {
     constexpr double least_remaining = 0.1; // what is smaller is hardly seen
-    if (shape_.remaining(i) < least_remaining) return 0;
-    bool are_closed = true, is_flat = false;
-    for (const std::optional<Rest_surface>& surface : part(i).rests)
-      if (surface) {
-        are_closed =
-            are_closed && surface->is_closed() && surface->extent().thickness > Surface_extent::least_thickness;
-        is_flat = is_flat || surface->extent().is_flat();
-      }
-    if (is_flat) return 0;
-    const auto thickness = [&](const Surface_extent& extent) {
-      return are_closed ? extent.thickness : extent.spread();
-    };
-    double at_ends = std::numeric_limits<double>::infinity();
-    for (const std::optional<Rest_surface>& surface : part(i).rests)
-      if (surface) at_ends = std::min(at_ends, thickness(surface->extent()));
-    return std::max(0., 1 - thickness(extents_[i]) / (at_ends * shape_.remaining(i)));
+    return shape_.remaining(i) < least_remaining ? 0 : thinning_of(part(i), extents_[i], shape_.remaining(i));
   }
 
   Worst_parts torn() const
@@ -106,7 +128,8 @@ private:
     double sum = 0;
     for (std::size_t i = 0; i < extents_.size(); ++i) {
       if (!shape_.is_there(i)) continue;
-      const double area = rest(i).torn_area(shape_.points(i), extents_[i]);
+      double area = rest(i).torn_area(shape_.points(i), extents_[i]);
+      if (others_[i]) area += other_rest(i).torn_area(shape_.other_points(i), others_[i]->extent);
       improve(worst, area, i);
       sum += area;
     }
@@ -120,9 +143,7 @@ private:
     constexpr double least_share = 0.1; // of a part's surface, less may be the samples' chance
     std::vector<Seen_surface> surfaces;
     for (std::size_t i = 0; i < extents_.size(); ++i)
-      if (shape_.is_there(i))
-        surfaces.push_back(
-            {i, rest(i).samples(shape_.points(i)), &*trees_[i], rest(i).is_closed(), extents_[i].volume > 0});
+      if (shape_.is_there(i)) surfaces.push_back(seen_surface(i));
     Worst_parts worst;
     double sum = 0;
     for (const auto& [pair, share] : overlaps_of(surfaces)) {
@@ -175,6 +196,7 @@ private:
   const In_between_shape& shape_;
   const In_between_shape::Trees& trees_;
   std::vector<Surface_extent> extents_; ///< by part
+  std::vector<std::optional<Other_surface>> others_;
   double area_ = 0;
 };
 

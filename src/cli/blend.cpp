@@ -146,6 +146,21 @@ void warn_of_sizes(Blend_size size, const Loaded_shape& source, const Loaded_sha
                        " times as high as the other; --size same, source or target gives both the same height");
 }
 
+void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
+                       std::vector<std::string>& warnings)
+{
+  for (const auto& [reason, word] :
+       {std::pair(Blend_exchange::TORN, "torn"), std::pair(Blend_exchange::THIN, "crushed")}) {
+    std::string pairs;
+    for (const Blend_task& task : blend.schedules()[0].tasks)
+      if (task.exchange == reason)
+        pairs += (pairs.empty() ? "'" : ", '") + structure(source.graph).parts[task.source].name + "' and '" +
+                 structure(target.graph).parts[task.target].name + "'";
+    if (!pairs.empty())
+      warnings.push_back(pairs + " exchange surfaces half-way, as one would be " + word + " on its way to the other");
+  }
+}
+
 Command_help help_of_blend()
 {
   static Variables unused;
@@ -207,6 +222,7 @@ void run_blend(const std::vector<std::string>& arguments)
   warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
   warnings.insert(warnings.end(), unlikely.begin(), unlikely.end());
   warn_of_sizes(blend_options(output).size, source, target, warnings);
+  warn_of_exchanges(blend, source, target, warnings);
   const auto write_json = [&](std::ostream& out) {
     IO::write_blend_json(out, blend, source.graph, target.graph, paths[0], paths[1], output.path, output.frames,
                          warnings);

@@ -16,4 +16,8 @@ namespace CGAL::Shape_correspondence::cli {
 void warn_of_sizes(Blend_size size, const Loaded_shape& source, const Loaded_shape& target,
                    std::vector<std::string>& warnings);
 
+/// Tells which parts exchange their surfaces, and why.
+void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
+                       std::vector<std::string>& warnings);
+
 } // namespace CGAL::Shape_correspondence::cli

@@ -24,6 +24,12 @@ const char* task_name(Blend_task_type type)
   return names[int(type)];
 }
 
+const char* exchange_name(Blend_exchange exchange)
+{
+  static constexpr const char* names[] = {"", "torn", "thin"};
+  return names[int(exchange)];
+}
+
 Json quality_json(const Blend_quality& quality)
 {
   return {{"gap", quality.gap},       {"apart", quality.apart},       {"asymmetry", quality.asymmetry},
@@ -117,6 +123,7 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
     Json line = {{"task", task_name(task.type)}, {"begin", task.begin}, {"end", task.end}};
     if (task.source != Blend_task::no_part) line["source"] = structure(source).parts[task.source].name;
     if (task.target != Blend_task::no_part) line["target"] = structure(target).parts[task.target].name;
+    if (task.exchange != Blend_exchange::NONE) line["exchanged"] = exchange_name(task.exchange);
     result["tasks"].push_back(line);
   }
   result["schedules"] = Json::array();

@@ -29,16 +29,25 @@ enum class Blend_task_type {
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
+/// Why the surface of a part does not become that of its counterpart, but is *exchanged* for it on the way.
+enum class Blend_exchange {
+  NONE, ///< it is not
+  TORN, ///< it would be torn or folded
+  THIN  ///< it would be far thinner than at both ends
+};
+
+/// \ingroup PkgShapeCorrespondenceMaps
 /// What happens to one part, and when.
 struct Blend_task
 {
   static constexpr std::size_t no_part = std::size_t(-1); ///< index of a part where there is none
 
-  Blend_task_type type = Blend_task_type::MORPH; ///< what happens
-  std::size_t source = no_part;                  ///< index of the source part, if there is one
-  std::size_t target = no_part;                  ///< index of the target part, if there is one
-  double begin = 0;                              ///< time of the blend, in [0, 1], at which it begins
-  double end = 1;                                ///< time of the blend, in [0, 1], at which it ends
+  Blend_task_type type = Blend_task_type::MORPH;  ///< what happens
+  std::size_t source = no_part;                   ///< index of the source part, if there is one
+  std::size_t target = no_part;                   ///< index of the target part, if there is one
+  double begin = 0;                               ///< time of the blend, in [0, 1], at which it begins
+  double end = 1;                                 ///< time of the blend, in [0, 1], at which it ends
+  Blend_exchange exchange = Blend_exchange::NONE; ///< whether surfaces are exchanged, and why
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps

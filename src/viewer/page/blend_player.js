@@ -50,7 +50,9 @@ export class BlendPlayer {
     tasks.prepend(element('summary', `${blend.tasks.length} tasks`, tasks));
     bars.className = 'bars';
     for (const task of blend.tasks) {
-      element('span', `${task.task}: ${taskName(task)}`, bars).title = taskName(task);
+      const kind = task.exchanged ? `${task.task}, exchanged` : task.task;
+      const reason = task.exchanged ? `, exchanged: one surface would be ${task.exchanged} on its way to the other` : '';
+      element('span', `${kind}: ${taskName(task)}`, bars).title = taskName(task) + reason;
       const bar = element('b', '', element('span', '', bars));
       bar.className = task.task;
       bar.style.left = 100 * task.begin + '%';
