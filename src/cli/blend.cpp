@@ -38,8 +38,9 @@ const char* const help_text =
     R"(Usage: shape_correspondence blend SOURCE TARGET -o FOLDER|FILE.glb|FILE.html [options]
 
 Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. Corresponding parts
-morph into each other, split or merge; parts without counterpart shrink or grow; parts in contact stay in contact. The
-first frame is the source, the last one the target.
+morph into each other, split or merge; where a surface would be torn on its way to the other, the one grows in the
+middle of the other, which then shrinks. Parts without counterpart shrink or grow; parts in contact stay in contact.
+The first frame is the source, the last one the target.
 
 With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
 plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb. Otherwise FOLDER is made, with one file for

@@ -47,7 +47,8 @@ struct Blend_surface
 ///
 /// - *Matched parts* morph into each other in coordinates along their curves and sheets, with rotation-minimising
 ///   frames; their own surfaces are carried along. A part that corresponds to many is cut into closed pieces, one for
-///   each.
+///   each. Where a surface would be torn or crushed on the way, the two are *exchanged*: the one grows in the middle of
+///   the other, which then shrinks to there (`Blend_exchange`).
 /// - *Unmatched parts* shrink towards or grow out of what they are attached to: to a point or, between attachments far
 ///   from each other, to a straight segment. Attachments that diverge are given up.
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
