@@ -27,8 +27,19 @@ struct Measured_boxes : Boxes
 
 // How much the ends of boxes move with each other in a warp, along each axis: 1 at the same place, less with distance,
 // in units of `width`. Of part i, the low end is number 2 i and the high end number 2 i + 1.
-using Closeness = std::array<Eigen::MatrixXd, 3>;
+class Closeness
+{
+public:
+  Closeness() = default;
+  Closeness(const Boxes& boxes, double width);
 
-Closeness closeness_of_ends(const Boxes& boxes, double width);
+  // Of an end to all ends. They are kept, or found anew in `room`, with the same bits
+  const double* of_end(int axis, Eigen::Index end, Eigen::ArrayXd& room) const;
+
+private:
+  double m_width = 1;
+  std::array<Eigen::ArrayXd, 3> m_ends;
+  std::array<Eigen::MatrixXd, 3> m_kept; // an end a column, symmetric; empty for shapes of many parts
+};
 
 } // namespace CGAL::Shape_correspondence::internal

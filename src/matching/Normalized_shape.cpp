@@ -120,7 +120,7 @@ Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assembl
     result.parts.push_back(part_extent(result.surfaces.back(), options));
   }
   result.boxes = Measured_boxes(boxes, options.tolerance);
-  result.closeness = closeness_of_ends(boxes, options.warp_width);
+  result.closeness = Closeness(boxes, options.warp_width);
   for (std::size_t part = 0; part < shape.parts.size(); ++part) {
     result.parts[part].on_ground = assemblies.is_on_ground[part];
     result.parts[part].is_in_chain = assemblies.is_in_chain[part];

@@ -50,26 +50,48 @@ Eigen::MatrixXd costs_of_boxes(const Measured_boxes& a, const Measured_boxes& b,
   return result;
 }
 
-Closeness closeness_of_ends(const Boxes& boxes, double width)
+namespace {
+
+constexpr Eigen::Index most_kept_parts = 128; // 96 bytes for each pair of parts
+
+// Of one end to others, an even number of them: the exponential of single ones has other bits than that of vectors.
+template <typename Ends>
+auto closeness_to(const Ends& others, double end, double width)
 {
-  const Eigen::Index n = 2 * boxes.low.rows();
-  Eigen::ArrayXd ends(n);
-  Closeness result;
+  return (-((others - end) / width).square() / 2).exp();
+}
+
+} // namespace
+
+Closeness::Closeness(const Boxes& boxes, double width) : m_width(width)
+{
+  const Eigen::Index parts = boxes.low.rows(), n = 2 * parts;
   for (int axis = 0; axis < 3; ++axis) {
-    for (Eigen::Index part = 0; part < boxes.low.rows(); ++part) {
+    Eigen::ArrayXd& ends = m_ends[std::size_t(axis)];
+    ends.resize(n);
+    for (Eigen::Index part = 0; part < parts; ++part) {
       ends[2 * part] = boxes.low(part, axis);
       ends[2 * part + 1] = boxes.high(part, axis);
     }
-    Eigen::MatrixXd& closeness = result[std::size_t(axis)];
-    closeness.resize(n, n);
+    if (parts > most_kept_parts) continue;
+    Eigen::MatrixXd& kept = m_kept[std::size_t(axis)];
+    kept.resize(n, n);
     for (Eigen::Index end = 0; end < n; ++end) {
-      const Eigen::Index rest = n - end / 2 * 2; // an even number, for the vectors of the exponential
-      closeness.col(end).tail(rest) = (-((ends.tail(rest) - ends[end]) / width).square() / 2).exp().matrix();
+      const Eigen::Index rest = n - end / 2 * 2;
+      kept.col(end).tail(rest) = closeness_to(ends.tail(rest), ends[end], width).matrix();
       for (Eigen::Index other = end + 1; other < n; ++other)
-        closeness(end, other) = closeness(other, end);
+        kept(end, other) = kept(other, end);
     }
   }
-  return result;
+}
+
+const double* Closeness::of_end(int axis, Eigen::Index end, Eigen::ArrayXd& room) const
+{
+  const Eigen::MatrixXd& kept = m_kept[std::size_t(axis)];
+  if (kept.size() > 0) return kept.col(end).data();
+  const Eigen::ArrayXd& ends = m_ends[std::size_t(axis)];
+  room = closeness_to(ends, ends[end], m_width);
+  return room.data();
 }
 
 namespace {
@@ -112,7 +134,7 @@ Boxes warped(const Boxes& boxes, const Closeness& closeness, const Boxes& others
 {
   const std::vector<Eigen::Index>&own = anchors.parts[side], &other = anchors.parts[1 - side];
   const auto count = Eigen::Index(own.size());
-  Eigen::ArrayXd displacement(2 * count), influence(2 * count);
+  Eigen::ArrayXd displacement(2 * count), influence(2 * count), room;
   Boxes result = boxes;
   for (int axis = 0; axis < 3; ++axis) {
     for (Eigen::Index k = 0; k < count; ++k) {
@@ -121,7 +143,7 @@ Boxes warped(const Boxes& boxes, const Closeness& closeness, const Boxes& others
       displacement[2 * k + 1] = others.high(j, axis) - boxes.high(i, axis);
     }
     for (Eigen::Index end = 0; end < 2 * boxes.low.rows(); ++end) {
-      const auto near = closeness[std::size_t(axis)].col(end);
+      const double* const near = closeness.of_end(axis, end, room);
       for (Eigen::Index k = 0; k < count; ++k) {
         const Eigen::Index low = 2 * own[std::size_t(k)];
         influence[2 * k] = anchors.weights[std::size_t(k)] * near[low];

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/up_by_roles.h"
+#include "base/quantized.h"
 #include "matching/Shape_roles.h"
 
 #include <algorithm>
@@ -30,12 +31,12 @@ Up_by_roles up_by_roles(const Structural_graph& graph, const std::array<Shape_fr
     distances[axis] = distance_of_nearest_category(turned, model);
   }
   for (std::size_t axis : {2u, 0u}) // y of equal ones
-    if (distances[axis] < distances[result.axis]) result.axis = axis;
+    if (quantized(distances[axis]) < quantized(distances[result.axis])) result.axis = axis;
   double second = std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (axis != result.axis) second = std::min(second, distances[axis]);
-  result.is_nearer = distances[result.axis] <= (1 - options.clearly_better) * second;
-  result.is_clear = distances[result.axis] <= options.category_ratio * second;
+  result.is_nearer = quantized(distances[result.axis]) <= quantized((1 - options.clearly_better) * second);
+  result.is_clear = quantized(distances[result.axis]) <= quantized(options.category_ratio * second);
   return result;
 }
 

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/eigen_system.h"
+#include "matching/Boxes.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <random>
+
+// Numbers that are found in different ways by how many there are: each way must give the same bits.
+
+using namespace CGAL::Shape_correspondence;
+
+namespace {
+
+internal::Boxes random_boxes(Eigen::Index parts)
+{
+  std::mt19937 random(7);
+  const auto number = [&](Eigen::Index, Eigen::Index) { return double(random()) / double(std::mt19937::max()); };
+  internal::Boxes result;
+  result.low = Eigen::ArrayX3d::NullaryExpr(parts, 3, number);
+  result.high = result.low + Eigen::ArrayX3d::NullaryExpr(parts, 3, number);
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("Ends of boxes are as close in a shape of many parts as in one of few")
+{
+  constexpr double width = 0.2;
+  constexpr Eigen::Index many = 201, few = 57; // more and fewer than are kept
+  const internal::Boxes boxes = random_boxes(many);
+  const internal::Closeness all(boxes, width), first({boxes.low.topRows(few), boxes.high.topRows(few)}, width);
+  Eigen::ArrayXd room, small_room;
+  for (int axis = 0; axis < 3; ++axis)
+    for (Eigen::Index end = 0; end < 2 * few; ++end) {
+      const double *const a = all.of_end(axis, end, room), *const b = first.of_end(axis, end, small_room);
+      const double here = (end % 2 == 0 ? boxes.low : boxes.high)(end / 2, axis);
+      for (Eigen::Index other = 0; other < 2 * few; ++other) {
+        REQUIRE(a[other] == b[other]);
+        const double there = (other % 2 == 0 ? boxes.low : boxes.high)(other / 2, axis);
+        REQUIRE(a[other] == Approx(std::exp(-std::pow((there - here) / width, 2) / 2)));
+      }
+    }
+}
+
+TEST_CASE("Scatter of points is the product of their matrix with its transpose, however many they are")
+{
+  std::mt19937 random(3);
+  for (Eigen::Index n : {1, 2, 5, 13, 14, 15, 31, 32, 64, 127, 128, 129, 200}) {
+    const Points points = Points::NullaryExpr(
+        3, n, [&](Eigen::Index, Eigen::Index) { return double(random()) / double(std::mt19937::max()) - 0.5; });
+    INFO(n);
+    CHECK(internal::scatter_matrix(points) == Eigen::Matrix3d(points * points.transpose()));
+  }
+}

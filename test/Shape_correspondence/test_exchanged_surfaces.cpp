@@ -1,0 +1,157 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "blend/Blend_part.h"
+#include "blend/Part_morph.h"
+#include "blend/Rest_surface.h"
+#include "blend_checks.h"
+#include "box_models.h"
+#include "map/Chart_outline.h"
+#include "map/Piece_pair.h"
+
+#include <CGAL/Shape_correspondence/IO/write_blend.h>
+#include <CGAL/Shape_correspondence/blend_shapes.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// Surfaces that are exchanged because one would be torn on its way to the other, and coordinates that do not tear.
+
+using namespace CGAL::Shape_correspondence;
+using Catch::Matchers::Contains;
+using namespace box_models;
+
+TEST_CASE("Surfaces of which one would be torn on its way to the other are exchanged")
+{
+  // A board becomes bars side by side, with gaps that its surface would have to leave
+  const Box_model board = model_of(stand());
+  Box_model grille = model_of(stand());
+  constexpr int count = 5;
+  Part_mesh bars;
+  for (int i = 0; i < count; ++i) {
+    const Part_mesh bar = box_shapes::box({0.22 * (i - 2), 0.95, 0}, {0.1, 0.1, 0.6});
+    const Eigen::Index points = bars.points.cols(), triangles = bars.triangles.cols();
+    bars.points.conservativeResize(3, points + bar.points.cols());
+    bars.points.rightCols(bar.points.cols()) = bar.points;
+    bars.triangles.conservativeResize(3, triangles + bar.triangles.cols());
+    bars.triangles.rightCols(bar.triangles.cols()) = bar.triangles.array() + int(points);
+  }
+  Segmented_shape with_bars("grille");
+  for (const Shape_part& part : grille.shape.parts())
+    with_bars.add_part(part.name, part.name == "top" ? bars : part.mesh);
+  grille.shape = with_bars;
+  const auto area = [](const Segmented_shape& of) { return blend_checks::area(of.parts()[2].mesh); };
+  for (bool forward : {true, false}) {
+    const Box_model &source = forward ? board : grille, &target = forward ? grille : board;
+    const Shape_blend blend = blend_of(source, target, same_parts(3));
+    const std::vector<Blend_task>& tasks = blend.schedules()[0].tasks;
+    CHECK(tasks[0].exchange == Blend_exchange::NONE);
+    CHECK(tasks[1].exchange == Blend_exchange::NONE);
+    REQUIRE(tasks[2].exchange == Blend_exchange::TORN);
+    for (double t : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+      INFO(t);
+      const Blend_check check = blend.check(t);
+      CHECK(check.faults.empty());
+      CHECK(check.quality.torn == 0);
+    }
+    // Both are there between the ends, and each comes from nothing or goes to nothing
+    CHECK(area(blend(0.5)) == Approx(area(source.shape) + area(target.shape)).epsilon(0.05));
+    CHECK(area(blend(0.01)) == Approx(area(source.shape)).epsilon(0.01));
+    CHECK(area(blend(0.99)) == Approx(area(target.shape)).epsilon(0.01));
+    const std::vector<Blend_surface> surfaces = blend.surfaces();
+    const auto first =
+        std::find_if(surfaces.begin(), surfaces.end(), [](const auto& s) { return s.name == "top~top"; });
+    REQUIRE(first + 1 < surfaces.end());
+    CHECK(first->begin == 0);
+    CHECK(first->end == tasks[2].end);
+    CHECK((first + 1)->begin == tasks[2].begin);
+    CHECK((first + 1)->end == 1);
+    const auto at = std::size_t(first - surfaces.begin());
+    const auto extent = [&](double t, std::size_t surface) {
+      return internal::box_of(blend.points(t)[surface]).diagonal().norm();
+    };
+    CHECK(extent(tasks[2].begin, at + 1) < 1e-6);
+    CHECK(extent(tasks[2].end, at) < 1e-6);
+    std::ostringstream json;
+    IO::write_blend_json(json, blend, source.graph, target.graph, "a", "b", "c", 2, {});
+    CHECK_THAT(json.str(), Contains("\"exchanged\":\"torn\""));
+  }
+  for (const Blend_task& task : blend_of(grille, grille, same_parts(3)).schedules()[0].tasks)
+    CHECK(task.exchange == Blend_exchange::NONE);
+}
+
+TEST_CASE("What is exchanged is as it is at its own end, and goes from there to nothing without being torn")
+{
+  // A hoop becomes a board, in a chart of the hoop's kind or in straight ones
+  constexpr int around = 24, across = 8;
+  Part_mesh hoop{Points(3, around * across), Eigen::Matrix3Xi(3, 2 * around * across)};
+  for (int i = 0; i < around; ++i)
+    for (int j = 0; j < across; ++j) {
+      const double u = 2 * EIGEN_PI * i / around, v = 2 * EIGEN_PI * j / across, r = 1 + 0.1 * std::cos(v);
+      const int next = (i + 1) % around, up = (j + 1) % across, point = i * across + j;
+      hoop.points.col(point) << r * std::cos(u), r * std::sin(u), 0.1 * std::sin(v);
+      hoop.triangles.col(2 * point) << point, next * across + j, next * across + up;
+      hoop.triangles.col(2 * point + 1) << point, next * across + up, i * across + up;
+    }
+  const Part_mesh board = box_shapes::box({3, 0, 0}, {1, 3, 0.2});
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  const internal::Pair_charts charts{internal::Part_chart::box(hoop.points, axes),
+                                     internal::Part_chart::box(board.points, axes)};
+  for (bool in_boxes : {false, true}) {
+    internal::Part_morph morph(charts, hoop, board);
+    const std::array<Points, 2> ends = {morph.points(0, 0), morph.points(1, 1)};
+    if (in_boxes)
+      morph.exchange_in_boxes();
+    else
+      morph.exchange();
+    CHECK(morph.is_exchange());
+    for (int end : {0, 1}) {
+      const Points& own = ends[std::size_t(end)];
+      CHECK((morph.points(end, end) - own).cwiseAbs().maxCoeff() < 1e-12);
+      const internal::Rest_surface rest(own, morph.triangles(end));
+      for (double t : {0.2, 0.5, 0.8}) {
+        const Points half_way = morph.points(end, t), little = morph.points(end, t, 0.1);
+        CHECK(rest.torn_area(half_way, rest.extent(half_way)) == 0);
+        CHECK(internal::box_of(little).sizes().isApprox(0.1 * internal::box_of(half_way).sizes(), 1e-9));
+        CHECK(internal::box_of(half_way).center().x() == Approx(3 * t).margin(1e-9));
+      }
+      CHECK(internal::box_of(morph.points(end, 0.5, 0)).sizes().norm() < 1e-12);
+      CHECK(internal::Part_morph::remaining(end, end) == 1);
+      CHECK(internal::Part_morph::remaining(end, 0.5) == 1);
+      CHECK(internal::Part_morph::remaining(end, 1 - end) == 0);
+    }
+    // Across, by equal factors in equal times
+    const Point sizes = internal::box_of(morph.points(0, 0.5)).sizes();
+    CHECK(sizes.x() == Approx((2.2 + 1) / 2));
+    CHECK(sizes.y() == Approx(std::sqrt(2.2 * 3)));
+    CHECK(sizes.z() == Approx(0.2));
+  }
+}
+
+TEST_CASE("Coordinates relative to outlines: a round one and one with corners are the same disc")
+{
+  constexpr int around = 64;
+  Points round(3, around), square(3, around);
+  for (int i = 0; i < around; ++i) {
+    const double angle = 2 * EIGEN_PI * i / around, c = std::cos(angle), s = std::sin(angle);
+    round.col(i) << c, s, 0.5;
+    square.col(i) << Point(c, s, 0) / std::max(std::abs(c), std::abs(s)) + Point(0, 0, 0.5);
+  }
+  const internal::Chart_outline disc(true, round), plate(true, square);
+  for (int i = 0; i < around; ++i) {
+    CHECK(plate.relative(square.col(i)).head<2>().norm() == Approx(1).epsilon(0.02));
+    CHECK((plate.absolute(disc.relative(round.col(i))) - square.col(i)).norm() < 0.05);
+    CHECK((plate.absolute(plate.relative(square.col(i))) - square.col(i)).norm() < 1e-12);
+    CHECK((internal::Chart_outline::between(disc, plate, 1).absolute(round.col(i)) - plate.absolute(round.col(i)))
+              .norm() < 1e-12);
+  }
+  const internal::Chart_outline flat(false, Points::Zero(3, 4)); // no outline at all
+  CHECK((flat.absolute(flat.relative(Point(0.3, 0.2, 0.1))) - Point(0.3, 0.2, 0.1)).norm() < 1e-12);
+}
