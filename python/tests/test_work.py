@@ -64,7 +64,7 @@ def test_other_threads_run_meanwhile(data):
     done.set()
     thread.join()
     gaps = [b - a for a, b in zip(ticks, ticks[1:])]
-    assert seconds > 0.2
+    assert seconds > 0.05  # long enough for many ticks
     assert max(gaps) < seconds / 2
 
 
