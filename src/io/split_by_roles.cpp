@@ -43,8 +43,7 @@ Part_split split_parts_by_roles(const Segmented_shape& objects, const Part_split
   Part_split divided = split_parts(objects, options);
   if (!may_be_matched(split) || !may_be_matched(divided) || are_same_parts(split, divided)) return split;
   const auto distance = [&](const Part_split& parts) {
-    return internal::quantized(
-        internal::distance_of_nearest_category(internal::outline_graph(parts.shape), *roles));
+    return internal::quantized(internal::distance_of_nearest_category(internal::outline_graph(parts.shape), *roles));
   };
   return distance(divided) < distance(split) ? divided : split;
 }

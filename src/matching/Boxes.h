@@ -37,9 +37,9 @@ public:
   const double* of_end(int axis, Eigen::Index end, Eigen::ArrayXd& room) const;
 
 private:
-  double m_width = 1;
-  std::array<Eigen::ArrayXd, 3> m_ends;
-  std::array<Eigen::MatrixXd, 3> m_kept; // an end a column, symmetric; empty for shapes of many parts
+  double width_ = 1;
+  std::array<Eigen::ArrayXd, 3> ends_;
+  std::array<Eigen::MatrixXd, 3> kept_; // an end a column, symmetric; empty for shapes of many parts
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -63,18 +63,18 @@ auto closeness_to(const Ends& others, double end, double width)
 
 } // namespace
 
-Closeness::Closeness(const Boxes& boxes, double width) : m_width(width)
+Closeness::Closeness(const Boxes& boxes, double width) : width_(width)
 {
   const Eigen::Index parts = boxes.low.rows(), n = 2 * parts;
   for (int axis = 0; axis < 3; ++axis) {
-    Eigen::ArrayXd& ends = m_ends[std::size_t(axis)];
+    Eigen::ArrayXd& ends = ends_[std::size_t(axis)];
     ends.resize(n);
     for (Eigen::Index part = 0; part < parts; ++part) {
       ends[2 * part] = boxes.low(part, axis);
       ends[2 * part + 1] = boxes.high(part, axis);
     }
     if (parts > most_kept_parts) continue;
-    Eigen::MatrixXd& kept = m_kept[std::size_t(axis)];
+    Eigen::MatrixXd& kept = kept_[std::size_t(axis)];
     kept.resize(n, n);
     for (Eigen::Index end = 0; end < n; ++end) {
       const Eigen::Index rest = n - end / 2 * 2;
@@ -87,10 +87,10 @@ Closeness::Closeness(const Boxes& boxes, double width) : m_width(width)
 
 const double* Closeness::of_end(int axis, Eigen::Index end, Eigen::ArrayXd& room) const
 {
-  const Eigen::MatrixXd& kept = m_kept[std::size_t(axis)];
+  const Eigen::MatrixXd& kept = kept_[std::size_t(axis)];
   if (kept.size() > 0) return kept.col(end).data();
-  const Eigen::ArrayXd& ends = m_ends[std::size_t(axis)];
-  room = closeness_to(ends, ends[end], m_width);
+  const Eigen::ArrayXd& ends = ends_[std::size_t(axis)];
+  room = closeness_to(ends, ends[end], width_);
   return room.data();
 }
 

@@ -23,7 +23,9 @@ TEST_CASE("Work is done once, and is done when any of the threads goes on")
     std::vector<std::thread> threads;
     for (int i = 0; i < number_of_threads; ++i)
       threads.emplace_back([&] {
-        for (++ready; ready < number_of_threads;) {}
+        ++ready;
+        while (ready < number_of_threads)
+          std::this_thread::yield();
         once([&] {
           ++times;
           result.assign(1000, round);
