@@ -177,11 +177,12 @@ Pair_evidence Pair_validator::evidence(const Validation_pair& pair, std::size_t 
   auto [told, data] = left_out_model(pair, number, options);
   const Role_model model(std::move(data));
   const Turned_roles a = turned_roles(pair[0], model), b = turned_roles(pair[1], model);
-  const std::size_t none = model.data().categories.size(),
-                    category = options.category_is_told ? told : category_of_pair(*a[0], *b[0], model.data()).index;
+  const Pair_category of_pair = category_of_pair(*a[0], *b[0], model.data());
+  const std::size_t none = model.data().categories.size(), category = options.category_is_told ? told : of_pair.index;
   Pair_evidence result;
   result.truth = ground_truth(source.labels, target.labels);
   result.target_size = target.labels.size();
+  if (of_pair.nearest < none) result.nearest = model.data().categories[of_pair.nearest].name;
   const auto terms = [&](std::size_t of_category) {
     return role_terms(a[0]->votes(of_category), b[0]->votes(of_category));
   };

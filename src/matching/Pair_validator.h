@@ -22,7 +22,8 @@ struct Pair_evidence
   std::size_t target_size = 0;
   Pair_terms told;      // of roles, with the category told; empty if the training saw nothing of it
   std::string category; // as the matcher finds it; empty: none
-  Pair_terms found;     // of roles, in that one
+  std::string nearest;  // even if it is not clear
+  Pair_terms found;     // of roles, in the one that is found
   Front_count fronts;   // with the category told
   // Of least energy, without and with roles; by index in the structural graphs
   std::array<std::vector<Part_correspondence>, 2> least_energy;

@@ -203,7 +203,7 @@ private:
   const std::string& name_;
 };
 
-constexpr const char* magic = "shape_correspondence roles 4";
+constexpr const char* magic = "shape_correspondence roles 5";
 constexpr std::uint32_t most_categories = 1000, most_examples = 1000000, most_example_weight = 1000000000;
 
 } // namespace
@@ -242,6 +242,7 @@ void Role_model::write(std::ostream& out) const
     }
     write.weights(category.weights);
     write.weights(category.confidence);
+    write.weights(category.geometric_confidence);
     category.forest.write(out);
     write.number(std::uint32_t(category.examples.size()));
     for (const Role_example& example : category.examples) {
@@ -276,6 +277,7 @@ Role_model Role_model::read(std::istream& in, const std::string& name)
     }
     read.weights(category.weights);
     read.weights(category.confidence);
+    read.weights(category.geometric_confidence);
     if (!category.forest.read(bytes, data.trees, int(category.classes.size()))) read.fail();
     const std::uint32_t count = read.number(most_examples);
     for (std::uint32_t i = 0; i < count; ++i) { // not reserved: a damaged file may promise more than it has

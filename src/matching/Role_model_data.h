@@ -38,6 +38,8 @@ struct Category_roles
   Role_forest forest;
   Pair_weights weights = usual_pair_weights();
   Confidence_weights confidence = usual_confidence_weights();
+  // Of pairs that geometry alone matches, since this is the nearest category, but not clearly.
+  Confidence_weights geometric_confidence = usual_confidence_weights();
   std::vector<Role_example> examples; // the labelled parts, by class; sorted
 };
 
@@ -46,9 +48,10 @@ constexpr int maximum_trees = 1000; // of a forest
 
 struct Role_model_data
 {
-  std::vector<Category_roles> categories;                               // by name
-  int trees = 0;                                                        // of every forest
-  Confidence_weights geometric_confidence = usual_confidence_weights(); // of pairs where no category is found
+  std::vector<Category_roles> categories; // by name
+  int trees = 0;                          // of every forest
+  // Of what geometry alone matches, for a category that has none of its own.
+  Confidence_weights geometric_confidence = usual_confidence_weights();
 
   // The index of a category; `categories.size()` if there is none of the name.
   std::size_t index(const std::string& category) const;

@@ -148,6 +148,7 @@ Category_roles Role_trainer::category(const std::string& name, const std::vector
   if (known < known_.categories.size()) {
     result.weights = known_.categories[known].weights;
     result.confidence = known_.categories[known].confidence;
+    result.geometric_confidence = known_.categories[known].geometric_confidence;
     parts = known_parts(known_.categories[known]);
   }
   result.name = name;
@@ -159,7 +160,10 @@ Category_roles Role_trainer::category(const std::string& name, const std::vector
       parts.push_back(std::move(part));
   }
   if (parts.empty()) return result;
-  if (known == known_.categories.size()) result.weights = usual_pair_weights(count);
+  if (known == known_.categories.size()) {
+    result.weights = usual_pair_weights(count);
+    result.geometric_confidence = known_.geometric_confidence;
+  }
   std::vector<Example_label> labels;
   for (const Labelled_part& part : parts)
     labels.push_back(part.label);

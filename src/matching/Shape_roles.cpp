@@ -138,16 +138,18 @@ Pair_category nearest_category(const Role_model_data& model, const Part_matching
                                const Distance& distance)
 {
   const std::size_t none = model.categories.size();
-  if (none == 0) return {none, "The role model knows no category; the parts were matched by geometry alone."};
+  if (none == 0) return {none, "The role model knows no category; the parts were matched by geometry alone.", none};
   std::vector<std::pair<double, std::size_t>> categories;
   for (std::size_t category = 0; category < none; ++category)
     categories.emplace_back(distance(category), category);
   std::sort(categories.begin(), categories.end());
   const auto [least, nearest] = categories[0];
   const bool is_clear = none > 1 && least <= options.category_ratio * categories[1].first;
-  if (is_clear || least <= 2 * options.category_distance) return {nearest, ""};
-  return {none, "The shapes are not clearly of a category that the role model knows (the nearest is " +
-                    model.categories[nearest].name + "); the parts were matched by geometry alone."};
+  if (is_clear || least <= 2 * options.category_distance) return {nearest, "", nearest};
+  return {none,
+          "The shapes are not clearly of a category that the role model knows (the nearest is " +
+              model.categories[nearest].name + "); the parts were matched by geometry alone.",
+          nearest};
 }
 
 double distance_of_best_turn(const Turned_roles& shape, std::size_t category)

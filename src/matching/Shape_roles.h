@@ -62,8 +62,9 @@ private:
 // The category that two shapes are taken to be of.
 struct Pair_category
 {
-  std::size_t index = 0; // the number of categories: none
-  std::string note;      // why there is none, a whole sentence
+  std::size_t index = 0;   // the number of categories: none
+  std::string note;        // why there is none, a whole sentence
+  std::size_t nearest = 0; // even if it is not clear; the number of categories: there are none
 };
 
 // The nearest category, or none where the shapes are not much nearer to its labelled parts than to those of others.

@@ -21,6 +21,10 @@ constexpr double slight_charge = 1e-4;  // for large weights, where every catego
 // For weights of a category that are not those of the others: as strong as one shape. Set by cross-validation, where it
 // is flat.
 constexpr double charge_of_category = 1;
+// The same of the offset of confidences: what share of a category's pairs is right differs more than how it grows.
+constexpr double charge_of_offset = 0.25;
+
+Confidence_weights confidence_charges() { return {charge_of_category, charge_of_offset}; }
 
 // By index in the structural graphs.
 Part_matching geometric_match(const Structural_graph& source, const Structural_graph& target,
@@ -103,6 +107,10 @@ Role_validation::Role_validation(const std::vector<Validation_shape>& shapes, co
     pairs_[i].shapes = pairs[i];
   // What was learned with much left out tells nothing of how good what is learned of others is
   if (options.left_out != Left_out::SHAPES && !options.examples) with_others_ = validator_->run(pairs, {});
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    categories_.push_back(shapes[pairs[i][0]].labelled.category);
+    nearest_.push_back((with_others_.empty() ? evidence_ : with_others_)[i].nearest);
+  }
   match({});
 }
 
@@ -111,9 +119,14 @@ Role_validation::~Role_validation() = default;
 void Role_validation::match(const Part_matching_options& parts)
 {
   const std::vector<Pair_evidence>& seen = with_others_.empty() ? evidence_ : with_others_;
-  const auto category_of = [&](std::size_t i) { return shapes_[pairs_[i].shapes[0]].labelled.category; };
   const auto shapes_of = [&](std::size_t i) {
     return std::vector<std::size_t>(pairs_[i].shapes.begin(), pairs_[i].shapes.end());
+  };
+  const auto shapes_of_category = [&](const std::string& category) {
+    std::vector<std::size_t> result;
+    for (std::size_t shape = 0; shape < shapes_.size(); ++shape)
+      if (shapes_[shape].labelled.category == category) result.push_back(shape);
+    return result;
   };
   std::vector<Part_matching> geometric(pairs_.size());
   examples_.assign(pairs_.size(), {});
@@ -126,15 +139,15 @@ void Role_validation::match(const Part_matching_options& parts)
 
   std::map<std::string, Pair_weights> of_others;
   for (std::size_t i = 0; i < pairs_.size(); ++i)
-    if (of_others.count(category_of(i)) == 0) of_others[category_of(i)] = weights_without(category_of(i));
+    if (of_others.count(categories_[i]) == 0) of_others[categories_[i]] = weights_without(categories_[i]);
   std::vector<Pair_weights> own_weights(pairs_.size());
   confidences_.assign(pairs_.size(), {});
   geometric_confidences_.assign(pairs_.size(), {});
   for_each_index(pairs_.size(), true, [&](std::size_t i) {
-    own_weights[i] = of_others.at(category_of(i));
-    if (!options_.examples) own_weights[i] = weights_of(category_of(i), own_weights[i], shapes_of(i));
+    own_weights[i] = of_others.at(categories_[i]);
+    if (!options_.examples) own_weights[i] = weights_of(categories_[i], own_weights[i], shapes_of(i));
     if (seen[i].category.empty()) geometric_confidences_[i] = judged_confidences(geometric[i], seen[i].truth);
-    if (seen[i].category != category_of(i)) return;
+    if (seen[i].category != categories_[i]) return;
     const Pair_terms terms = with_geometric_terms(seen[i].found, geometric[i]);
     confidences_[i] = judged_confidences(match_by_terms(terms, own_weights[i], geometric[i], {}, parts), seen[i].truth);
   });
@@ -145,7 +158,7 @@ void Role_validation::match(const Part_matching_options& parts)
   }
 
   for_each_index(pairs_.size(), true, [&](std::size_t i) {
-    const std::string category = category_of(i);
+    const std::string& category = categories_[i];
     const Pair_evidence& pair = evidence_[i];
     Validated_pair& result = pairs_[i];
     Pair_weights weights = of_others.at(category);
@@ -166,7 +179,12 @@ void Role_validation::match(const Part_matching_options& parts)
       matched = match_by_terms(with_geometric_terms(pair.found, geometric[i]), weights, geometric[i], {}, parts);
       state_confidences(stated, matched);
     } else {
-      state_confidences(geometric_confidence.at(category), matched);
+      Confidence_weights geometric_stated = geometric_confidence.at(category);
+      if (!options_.examples)
+        geometric_stated = geometric_confidence_of(
+            pair.nearest, geometric_stated,
+            options_.left_out == Left_out::CATEGORY ? shapes_of_category(category) : shapes_of(i));
+      state_confidences(geometric_stated, matched);
     }
     if (options_.role_weight > 0) {
       without = pair.least_energy[0];
@@ -190,6 +208,8 @@ Role_model Role_validation::model() const
   for (Category_roles& category : result.categories) {
     category.weights = weights_of(category.name, weights_without(category.name), {});
     category.confidence = confidence_of(category.name, confidence_without(category.name, confidences_), {});
+    category.geometric_confidence =
+        geometric_confidence_of(category.name, confidence_without(category.name, geometric_confidences_), {});
   }
   result.geometric_confidence = confidence_without("", geometric_confidences_);
   return Role_model(std::move(result));
@@ -217,21 +237,21 @@ auto Role_validation::fitted_without(const std::string& left_out, const Examples
   std::map<std::string, std::vector<const Example*>> by_category;
   std::size_t count = 0;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const std::string& category = shapes_[pairs_[i].shapes[0]].labelled.category;
-    if (category == left_out || examples[i].terms.rows() == 0) continue;
-    by_category[category].push_back(&examples[i]);
+    if (categories_[i] == left_out || examples[i].terms.rows() == 0) continue;
+    by_category[categories_[i]].push_back(&examples[i]);
     ++count;
   }
   std::vector<Weighted<term_count>> chosen;
   for (const auto& [category, of_category] : by_category)
     for (const Example* example : of_category)
       chosen.push_back({example, 1 / double(of_category.size())});
-  return Fit<Weights>{fitted_weights<term_count>(chosen, Weights::Zero(), slight_charge), count};
+  return Fit<Weights>{fitted_weights<term_count>(chosen, Weights::Zero(), Weights::Constant(slight_charge)), count};
 }
 
 // Every shape weighs 1.
 template <typename Examples, typename Weights>
-Weights Role_validation::fitted_of(const std::string& category, const Examples& examples, const Weights& expected,
+Weights Role_validation::fitted_of(const std::string& category, const std::vector<std::string>& group,
+                                   const Examples& examples, const Weights& expected, const Weights& charges,
                                    const std::vector<std::size_t>& left_out) const
 {
   constexpr int term_count = Weights::RowsAtCompileTime;
@@ -242,16 +262,14 @@ Weights Role_validation::fitted_of(const std::string& category, const Examples& 
   std::set<std::size_t> seen;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const Validation_pair& pair = pairs_[i].shapes;
-    if (shapes_[pair[0]].labelled.category != category || examples[i].terms.rows() == 0 || is_left_out(pair[0]) ||
-        is_left_out(pair[1]))
-      continue;
+    if (group[i] != category || examples[i].terms.rows() == 0 || is_left_out(pair[0]) || is_left_out(pair[1])) continue;
     of_category.push_back(&examples[i]);
     seen.insert(pair.begin(), pair.end());
   }
   std::vector<Weighted<term_count>> chosen;
   for (const auto* example : of_category)
     chosen.push_back({example, double(seen.size()) / double(of_category.size())});
-  return fitted_weights<term_count>(chosen, expected, charge_of_category);
+  return fitted_weights<term_count>(chosen, expected, charges);
 }
 
 Pair_weights Role_validation::weights_without(const std::string& left_out) const
@@ -263,7 +281,8 @@ Pair_weights Role_validation::weights_without(const std::string& left_out) const
 Pair_weights Role_validation::weights_of(const std::string& category, const Pair_weights& expected,
                                          const std::vector<std::size_t>& left_out) const
 {
-  return fitted_of(category, examples_, expected, left_out);
+  return fitted_of(category, categories_, examples_, expected, Pair_weights(Pair_weights::Constant(charge_of_category)),
+                   left_out);
 }
 
 Confidence_weights Role_validation::confidence_without(const std::string& left_out,
@@ -276,7 +295,14 @@ Confidence_weights Role_validation::confidence_without(const std::string& left_o
 Confidence_weights Role_validation::confidence_of(const std::string& category, const Confidence_weights& expected,
                                                   const std::vector<std::size_t>& left_out) const
 {
-  return fitted_of(category, confidences_, expected, left_out);
+  return fitted_of(category, categories_, confidences_, expected, confidence_charges(), left_out);
+}
+
+Confidence_weights Role_validation::geometric_confidence_of(const std::string& nearest,
+                                                            const Confidence_weights& expected,
+                                                            const std::vector<std::size_t>& left_out) const
+{
+  return fitted_of(nearest, nearest_, geometric_confidences_, expected, confidence_charges(), left_out);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

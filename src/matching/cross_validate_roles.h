@@ -123,13 +123,17 @@ private:
                                         const std::vector<Judged_confidences>& examples) const;
   Confidence_weights confidence_of(const std::string& category, const Confidence_weights& expected,
                                    const std::vector<std::size_t>& left_out) const;
+  // Of pairs that geometry alone matches, fitted to those with this nearest category.
+  Confidence_weights geometric_confidence_of(const std::string& nearest, const Confidence_weights& expected,
+                                             const std::vector<std::size_t>& left_out) const;
 
   // With shapes in the training or not, and weights of their own category or of others only.
   template <typename Examples>
   auto fitted_without(const std::string& category, const Examples& examples) const;
+  // \param group of every pair, the category that it counts for
   template <typename Examples, typename Weights>
-  Weights fitted_of(const std::string& category, const Examples& examples, const Weights& expected,
-                    const std::vector<std::size_t>& left_out) const;
+  Weights fitted_of(const std::string& category, const std::vector<std::string>& group, const Examples& examples,
+                    const Weights& expected, const Weights& charges, const std::vector<std::size_t>& left_out) const;
 
   const std::vector<Validation_shape>& shapes_;
   Validation_options options_;
@@ -137,7 +141,8 @@ private:
   std::unique_ptr<Pair_validator> validator_;
   std::vector<Pair_evidence> evidence_, with_others_; // by pair; the latter with no more left out than its shapes
   std::vector<Validated_pair> pairs_;
-  std::vector<Judged_terms> examples_; // by pair, with the category told and neither shape in the training
+  std::vector<std::string> categories_, nearest_; // of the pairs: their own, and the one found to be nearest
+  std::vector<Judged_terms> examples_;            // by pair, with the category told and neither shape in the training
   // By pair, of the parts that are matched: by roles where the category is found, by geometry alone where none is
   std::vector<Judged_confidences> confidences_, geometric_confidences_;
 };

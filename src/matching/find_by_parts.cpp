@@ -217,7 +217,10 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
   const Role_model_data& model = options_.roles->data();
   const std::optional<Pair_votes> votes = votes_of(target, category, way, result);
   if (!votes) {
-    state_confidences(model.geometric_confidence, matching);
+    state_confidences(category.nearest < model.categories.size()
+                          ? model.categories[category.nearest].geometric_confidence
+                          : model.geometric_confidence,
+                      matching);
     constrain(constraints(*source_, aligned_target), matching);
     return;
   }

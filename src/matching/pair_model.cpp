@@ -91,14 +91,15 @@ double confidence(double probability, const Confidence_weights& weights)
 
 template <int term_count>
 Eigen::Matrix<double, term_count, 1> fitted_weights(const std::vector<Weighted<term_count>>& examples,
-                                                    const Eigen::Matrix<double, term_count, 1>& expected, double charge)
+                                                    const Eigen::Matrix<double, term_count, 1>& expected,
+                                                    const Eigen::Matrix<double, term_count, 1>& charges)
 {
   using Weights = Eigen::Matrix<double, term_count, 1>;
   using Hessian = Eigen::Matrix<double, term_count, term_count>;
   Weights weights = expected;
   for (int step = 0; step < newton_steps; ++step) {
-    Weights gradient = charge * (expected - weights);
-    Hessian hessian = charge * Hessian::Identity();
+    Weights gradient = charges.cwiseProduct(expected - weights);
+    Hessian hessian = charges.asDiagonal();
     for (const auto& [judged, weight_of_all] : examples) {
       const Eigen::ArrayXd p = 1 / (1 + (-(judged->terms * weights).array()).exp());
       const double weight = weight_of_all / double(p.size());
@@ -112,8 +113,9 @@ Eigen::Matrix<double, term_count, 1> fitted_weights(const std::vector<Weighted<t
   return (weights / pair_weight_unit).array().round().matrix() * pair_weight_unit;
 }
 
-template Pair_weights fitted_weights(const std::vector<Weighted<PAIR_TERM_COUNT>>&, const Pair_weights&, double);
+template Pair_weights fitted_weights(const std::vector<Weighted<PAIR_TERM_COUNT>>&, const Pair_weights&,
+                                     const Pair_weights&);
 template Confidence_weights fitted_weights(const std::vector<Weighted<CONFIDENCE_TERM_COUNT>>&,
-                                           const Confidence_weights&, double);
+                                           const Confidence_weights&, const Confidence_weights&);
 
 } // namespace CGAL::Shape_correspondence::internal

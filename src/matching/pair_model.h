@@ -80,12 +80,12 @@ struct Weighted
   double weight;
 };
 
-// Logistic regression by Newton's method, with a charge for the square of how far each weight is from the expected one.
+// Logistic regression by Newton's method, with charges for the square of how far each weight is from the expected one.
 // Rounded to what a file keeps. For the terms of pairs and for those of confidences.
 template <int term_count>
 Eigen::Matrix<double, term_count, 1> fitted_weights(const std::vector<Weighted<term_count>>& examples,
                                                     const Eigen::Matrix<double, term_count, 1>& expected,
-                                                    double charge);
+                                                    const Eigen::Matrix<double, term_count, 1>& charges);
 
 constexpr double pair_weight_unit = 1e-6; // in a file
 

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <sstream>
+#include <utility>
 #include <vector>
 
 using namespace CGAL::Shape_correspondence;
@@ -214,4 +216,31 @@ TEST_CASE("A shape between two categories is of neither, a shape like one of the
                   odd = furniture("odd", {box("a", {-9, 0, 0}, {9, 0.1, 0.1}), box("b", {-9, 6, 0}, {-3, 6.1, 9})}, {});
   CHECK(part_roles(usual.graph, model).category == "chair"); // the first of equals, since it is near
   CHECK(part_roles(odd.graph, model).category.empty());      // it is as far from chairs as from seats
+}
+
+TEST_CASE("What geometry alone matches is as sure as such pairs of the nearest category are right")
+{
+  Role_model_data data = train_role_model(labelled(examples())).data();
+  const std::size_t shelf = data.index("shelf");
+  REQUIRE(shelf < data.categories.size());
+  const Confidence_weights seldom_right{1, -2};
+  data.categories[shelf].geometric_confidence = seldom_right;
+  Search_options options;
+  const Furniture odd = furniture("odd", {box("a", {-9, 0, 0}, {9, 0.1, 0.1}), box("b", {-9, 6, 0}, {-3, 6.1, 9})}, {});
+  const Correspondence geometric = find_correspondence(odd.graph, odd.graph, options);
+  for (const std::size_t category : {shelf, std::size_t(1 - shelf)}) {
+    Role_model_data one = data; // that knows this category only
+    one.categories = {data.categories[category]};
+    std::stringstream file;
+    Role_model(std::move(one)).write(file);
+    options.roles = std::make_shared<const Role_model>(Role_model::read(file, "file"));
+    const Correspondence found = find_correspondence(odd.graph, odd.graph, options);
+    REQUIRE(found.category.empty());
+    REQUIRE(found.pairs.size() == geometric.pairs.size());
+    for (std::size_t k = 0; k < found.pairs.size(); ++k) {
+      const double without = geometric.pairs[k].confidence;
+      CHECK(found.pairs[k].confidence ==
+            Approx(category == shelf ? confidence(without, seldom_right) : without).epsilon(1e-9));
+    }
+  }
 }

@@ -41,18 +41,19 @@ TEST_CASE("Weights of the terms are those that the examples are likeliest with")
   example.is_right.resize(8);
   example.is_right << 1, 1, 1, 0, 1, 0, 0, 0;
   const Pair_weights none = Pair_weights::Zero(),
-                     weights = fitted_weights<PAIR_TERM_COUNT>({{&example, 8}}, none, 1e-4);
+                     weights = fitted_weights<PAIR_TERM_COUNT>({{&example, 8}}, none, none.Constant(1e-4));
   CHECK(weights[SAME_LABEL] == Approx(2 * std::log(3)).epsilon(0.01));
   CHECK(weights[CONSTANT] == Approx(-std::log(3)).epsilon(0.01));
   CHECK(weights[VOTES_AGREE] == 0);
   CHECK(probabilities(example.terms, weights)[0] == Approx(0.75).epsilon(0.01));
   // Examples that a term tells apart without fault have finite weights
   example.is_right << 1, 1, 1, 1, 0, 0, 0, 0;
-  CHECK(fitted_weights<PAIR_TERM_COUNT>({{&example, 8}}, none, 1e-4).allFinite());
+  CHECK(fitted_weights<PAIR_TERM_COUNT>({{&example, 8}}, none, none.Constant(1e-4)).allFinite());
   // A charge that outweighs the examples leaves what was expected
   const Pair_weights expected = usual_pair_weights();
-  CHECK((fitted_weights<PAIR_TERM_COUNT>({{&example, 8}}, expected, 1e6) - expected).norm() < 1e-4);
-  CHECK((fitted_weights<PAIR_TERM_COUNT>({}, expected, 1) - expected).norm() < pair_weight_unit);
+  CHECK((fitted_weights<PAIR_TERM_COUNT>({{&example, 8}}, expected, Pair_weights::Constant(1e6)) - expected).norm() <
+        1e-4);
+  CHECK((fitted_weights<PAIR_TERM_COUNT>({}, expected, Pair_weights::Ones()) - expected).norm() < pair_weight_unit);
 }
 
 TEST_CASE("Confidences are fitted to how often pairs of a probability are right")
@@ -65,7 +66,7 @@ TEST_CASE("Confidences are fitted to how often pairs of a probability are right"
   judged.is_right.resize(8);
   judged.is_right << 1, 1, 1, 0, 1, 0, 0, 0;
   const Confidence_weights none = Confidence_weights::Zero(),
-                           weights = fitted_weights<CONFIDENCE_TERM_COUNT>({{&judged, 8}}, none, 1e-4);
+                           weights = fitted_weights<CONFIDENCE_TERM_COUNT>({{&judged, 8}}, none, none.Constant(1e-4));
   CHECK(confidence(0.9, weights) == Approx(0.75).epsilon(0.01));
   CHECK(confidence(0.5, weights) == Approx(0.25).epsilon(0.01));
   // What is certain or impossible stays so, and the usual weights change nothing
