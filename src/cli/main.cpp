@@ -84,32 +84,31 @@ void reserve_standard_streams()
     if (fcntl(stream, F_GETFD) == -1) open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-// Bytes of memory
-constexpr int most_kept = 1 << 26;             // of what is freed
-constexpr int largest_kept_block = 1 << 22;    // greater ones are given back when they are freed
-constexpr int heap_growth = 1 << 22;           // at a time
-constexpr std::size_t heap_at_start = 3 << 18; // what the match of two shapes of which the graphs are known takes
-
 /// Lets the allocator keep what is freed, in place of giving it back to the system and asking for it again, which takes
 /// 3 to 10 % of the time of a `graph`.
 void keep_freed_memory()
 {
 #ifdef __GLIBC__
+  // Bytes
+  constexpr int most_kept = 1 << 26;
+  constexpr int largest_kept_block = 1 << 22; // greater ones are given back when they are freed
+  constexpr int heap_growth = 1 << 22;        // at a time
   mallopt(M_TRIM_THRESHOLD, most_kept);
   mallopt(M_MMAP_THRESHOLD, largest_kept_block);
   mallopt(M_TOP_PAD, heap_growth);
 #endif
 }
 
-/// Asks the system for the first pages of the heap at once: one by one, when they are first written to, they take ten
+/// Asks the system for the first pages of the heap at once. When they are first written to, one by one, they take ten
 /// times as long.
 void fill_heap()
 {
 #if defined(__GLIBC__) && defined(MADV_POPULATE_WRITE)
-  const auto page = std::uintptr_t(sysconf(_SC_PAGESIZE));
-  void* const block = std::malloc(heap_at_start); // the allocator keeps it
+  constexpr std::size_t size = 3 << 18; // bytes: what the match of two shapes takes whose graphs are known
+  const auto page = std::size_t(sysconf(_SC_PAGESIZE));
+  void* const block = std::malloc(size); // the allocator keeps it
   const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(block) + page - 1) / page * page;
-  if (block) madvise(reinterpret_cast<void*>(begin), heap_at_start / page * page - page, MADV_POPULATE_WRITE);
+  if (block) madvise(reinterpret_cast<void*>(begin), size / page * page - page, MADV_POPULATE_WRITE);
   std::free(block);
 #endif
 }
