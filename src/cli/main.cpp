@@ -8,16 +8,12 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/version.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <iostream>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
-#include <sys/mman.h>
 #include <unistd.h>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -99,20 +95,6 @@ void keep_freed_memory()
 #endif
 }
 
-/// Asks the system for the first pages of the heap at once. When they are first written to, one by one, they take ten
-/// times as long.
-void fill_heap()
-{
-#if defined(__GLIBC__) && defined(MADV_POPULATE_WRITE)
-  constexpr std::size_t size = 3 << 18; // bytes: what the match of two shapes takes whose graphs are known
-  const auto page = std::size_t(sysconf(_SC_PAGESIZE));
-  void* const block = std::malloc(size); // the allocator keeps it
-  const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(block) + page - 1) / page * page;
-  if (block) madvise(reinterpret_cast<void*>(begin), size / page * page - page, MADV_POPULATE_WRITE);
-  std::free(block);
-#endif
-}
-
 } // namespace
 } // namespace CGAL::Shape_correspondence::cli
 
@@ -120,6 +102,5 @@ int main(int argc, char* argv[])
 {
   CGAL::Shape_correspondence::cli::reserve_standard_streams();
   CGAL::Shape_correspondence::cli::keep_freed_memory();
-  CGAL::Shape_correspondence::cli::fill_heap();
   return CGAL::Shape_correspondence::cli::run(std::vector<std::string>(argv + 1, argv + argc));
 }
