@@ -100,9 +100,8 @@ TEST_CASE("A cache knows folders of part meshes, and only those of the same name
   CHECK(changes("a byte of a part"));
   pair.folder.write("a/parts/leg_1.obj", text);
   CHECK_FALSE(changes("the part as it was"));
-  fs::rename(leg, pair.folder.path("a/parts/post.obj"));
+  fs::rename(leg, pair.folder.path("a/parts/leg_0.obj")); // the order of the files is the same
   CHECK(changes("the name of a part"));
-  fs::copy(pair.folder.path("a/parts/post.obj"), pair.folder.path("a/parts/post_2.obj"));
   pair.folder.write("a/parts/post_2.obj", obj_box("o post", 0, 0, 0, -0.1, 0.1, 0.7, 0.2));
   CHECK(changes("one part more"));
   fs::remove(pair.folder.path("a/parts/top.obj"));
