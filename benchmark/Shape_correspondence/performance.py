@@ -49,7 +49,8 @@ The exponents are those of a least squares line through the logarithms, with the
 \\section sc_pf_pair A Pair from Files
 
 Wall-clock seconds of the command `match` for the chairs {pair}, in as many threads as the machine has cores: {cold} the first time, and {warm} with
-`--cache` once their graphs are known (median of nine).
+`--cache` once their graphs are known (median of nine). A folder of part meshes is then known by the names and bytes of its files, which are parsed only
+where meshes are needed (`--glb`, `--html`); model files are parsed each time.
 
 \\section sc_pf_compare Comparing Builds
 

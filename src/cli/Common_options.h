@@ -53,6 +53,7 @@ struct Common_options
   /// Told of the progress in place of a bar: what is done, how much of it, of how much. It may throw, which ends the
   /// work.
   std::function<void(const std::string&, std::size_t, std::size_t)> on_progress;
+  bool graphs_suffice = false; ///< shapes may be loaded without their models, where the cache has their graphs
   bool quiet = false;
   bool verbose = false;
   int threads = 0; ///< 0: all

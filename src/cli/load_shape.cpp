@@ -3,6 +3,7 @@
 
 #include "cli/load_shape.h"
 #include "base/for_each_index.h"
+#include "cli/Known_folder.h"
 #include "cli/clock.h"
 #include "cli/collection_shapes.h"
 #include "cli/outputs.h"
@@ -106,7 +107,7 @@ void load_model(Read_model& model, const Common_options& common, const Structure
   std::optional<Structural_graph> known = cached_graph(content, common);
   shape.read_seconds += now() - begin;
   if (known) {
-    shape.graph = *known;
+    shape.graph = std::move(*known);
   } else {
     build_graph(common, options, shape);
     structure(shape.graph).content = content;
@@ -172,9 +173,16 @@ Loaded_shape load_shape(const std::string& path, const Common_options& common)
   return loaded(path, common, [&](const Structure_options& options, Loaded_shape& shape) {
     if (is_graph_file(path)) return load_graph(path, common, options, shape);
     const double begin = now();
+    const Known_folder folder(path, common, options);
+    if (std::optional<Structural_graph> known = folder.find()) {
+      shape.graph = std::move(*known);
+      shape.read_seconds = now() - begin;
+      return;
+    }
     Read_model model = read_model(path, common);
     shape.read_seconds = now() - begin;
     load_model(model, common, options, shape);
+    folder.keep(shape.graph, model.warnings);
     if (!common.roles || !model.is_up_estimated) return;
     const std::optional<Point> up = up_by_roles(model, shape.graph, *common.roles);
     if (!up || *up == shape.model->up()) return;

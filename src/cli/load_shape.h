@@ -31,7 +31,8 @@ struct Loaded_shape
 };
 
 /// Reads a model, or a structural graph from a file that ends in `.json` or `.xml`, and builds what is missing of its
-/// graph. \throw Invalid_input; the message names `path`
+/// graph. With `Common_options::graphs_suffice`, a folder of part meshes that the cache knows has no model.
+/// \throw Invalid_input; the message names `path`
 Loaded_shape load_shape(const std::string& path, const Common_options& options);
 
 /// The same of a model that was read. \param path names it in messages

@@ -101,6 +101,7 @@ void run_match(const std::vector<std::string>& arguments)
   const Thread_limit limit(common.threads);
   const std::vector<std::string>& paths = parsed.inputs;
   common.roles = search_with.roles;
+  common.graphs_suffice = common.glb.empty() && common.html.empty();
   std::vector<std::string> warnings_of_up;
   std::vector<Loaded_shape> shapes = load_pair(paths, common, warnings_of_up);
   const Loaded_shape &source = shapes[0], &target = shapes[1];

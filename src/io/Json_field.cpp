@@ -45,22 +45,31 @@ std::size_t Json_field::size() const
   return value_->size();
 }
 
+Json_field Json_field::element(std::size_t index) const
+{
+  return at((*value_)[index], place_ + "[" + std::to_string(index) + "]");
+}
+
 std::vector<Json_field> Json_field::elements() const
 {
-  if (!value_->is_array()) fail("is not an array [...]");
   std::vector<Json_field> result;
+  result.reserve(size());
   for (std::size_t i = 0; i < value_->size(); ++i)
-    result.push_back(at((*value_)[i], place_ + "[" + std::to_string(i) + "]"));
+    result.push_back(element(i));
   return result;
+}
+
+void Json_field::check_size(std::size_t size, const char* meaning) const
+{
+  if (this->size() != size)
+    fail("is not " + std::string(meaning) + ": it has " + std::to_string(this->size()) + " elements instead of " +
+         std::to_string(size));
 }
 
 std::vector<Json_field> Json_field::elements(std::size_t size, const char* meaning) const
 {
-  std::vector<Json_field> result = elements();
-  if (result.size() != size)
-    fail("is not " + std::string(meaning) + ": it has " + std::to_string(result.size()) + " elements instead of " +
-         std::to_string(size));
-  return result;
+  check_size(size, meaning);
+  return elements();
 }
 
 double Json_field::number() const
@@ -121,6 +130,37 @@ Point Json_field::unit_vector() const
   const Point result = point();
   if (std::abs(result.norm() - 1) > 1e-6) fail("is not a unit vector");
   return result;
+}
+
+namespace {
+
+/// Whether it is a point, of coordinates that are not too large.
+bool is_point(const nlohmann::json& value)
+{
+  return value.is_array() && value.size() == 3 && std::all_of(value.begin(), value.end(), [](const auto& coordinate) {
+           return coordinate.is_number() && std::abs(coordinate.template get<double>()) <= internal::largest_coordinate;
+         });
+}
+
+} // namespace
+
+Points Json_field::points() const
+{
+  Points result(3, size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    const nlohmann::json& value = (*value_)[i];
+    if (is_point(value)) // which needs no text that says where it is
+      result.col(Eigen::Index(i)) = Point(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
+    else
+      result.col(Eigen::Index(i)) = element(i).point();
+  }
+  return result;
+}
+
+Points Json_field::points(std::size_t size, const char* meaning) const
+{
+  check_size(size, meaning);
+  return points();
 }
 
 namespace {

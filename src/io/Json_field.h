@@ -11,6 +11,7 @@
 #include <iosfwd>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -40,6 +41,8 @@ public:
   std::vector<std::string> texts() const; ///< of an array
   Point point() const;                    ///< fails beyond `largest_coordinate`
   Point unit_vector() const;
+  Points points() const; ///< of an array
+  Points points(std::size_t size, const char* meaning) const;
 
 private:
   friend Json_field read_json(std::istream& in, const std::string& file);
@@ -50,7 +53,12 @@ private:
       : value_(std::move(value)), file_(file), place_(std::move(place))
   {}
 
-  Json_field at(const nlohmann::json& value, std::string place) const { return {Value(value_, &value), file_, place}; }
+  Json_field at(const nlohmann::json& value, std::string place) const
+  {
+    return {Value(value_, &value), file_, std::move(place)};
+  }
+  Json_field element(std::size_t index) const;
+  void check_size(std::size_t size, const char* meaning) const;
 
   Value value_;
   std::string file_;

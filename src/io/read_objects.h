@@ -5,6 +5,7 @@
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,10 @@ struct Model_objects
 
 /// The same as `read_segmented_shape()`, with the numbers of materials, but without looks. A folder has none.
 Model_objects read_objects(const std::string& path, const Point& up);
+
+/// A digest of all that `read_objects()` reads of a folder of part meshes: the names and the bytes of its files, and
+/// the name of the shape. None if it is no such folder, or has files that name other files.
+/// \throw Invalid_input if a file cannot be read
+std::optional<std::string> digest_of_folder(const std::string& path);
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/assimp_functions.h"
 #include "io/colours.h"
 #include "io/input_file.h"
 #include "io/isolated.h"
@@ -8,8 +9,7 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
-#include <assimp/DefaultIOSystem.h>
-#include <assimp/Importer.hpp>
+#include <assimp/cfileio.h>
 #include <assimp/config.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -42,7 +43,9 @@ Transform transform_of(const aiNode& node)
 class Scene_reader
 {
 public:
-  Scene_reader(const std::string& file, const aiScene& scene) : file_(file), scene_(scene) {}
+  Scene_reader(const std::string& file, const Assimp_functions& assimp, const aiScene& scene)
+      : file_(file), assimp_(assimp), scene_(scene)
+  {}
 
   /// \param are_linear whether colours are linear light, not as screens have them
   Model_content read(bool are_linear)
@@ -62,19 +65,22 @@ private:
   {
     Surface_material material;
     aiString name;
-    if (of_file.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) material.name = name.C_Str();
+    if (assimp_.material_string(&of_file, AI_MATKEY_NAME, &name) == AI_SUCCESS) material.name = name.C_Str();
     aiColor4D colour;
-    if (of_file.Get(AI_MATKEY_BASE_COLOR, colour) == AI_SUCCESS ||
-        of_file.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS) {
+    if (assimp_.material_colour(&of_file, AI_MATKEY_BASE_COLOR, &colour) == AI_SUCCESS ||
+        assimp_.material_colour(&of_file, AI_MATKEY_COLOR_DIFFUSE, &colour) == AI_SUCCESS) {
       const Colour rgb(colour.r, colour.g, colour.b);
       material.colour.head<3>() = is_linear ? rgb : linear_colour(rgb);
       material.colour[3] = colour.a;
     }
-    float opacity = 1;
-    if (!is_linear && of_file.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS) material.colour[3] = opacity;
+    ai_real opacity = 1;
+    if (!is_linear && assimp_.material_numbers(&of_file, AI_MATKEY_OPACITY, &opacity, nullptr) == AI_SUCCESS)
+      material.colour[3] = opacity;
     for (aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
       aiString path;
-      if (of_file.GetTexture(type, 0, &path) != AI_SUCCESS || path.length == 0) continue;
+      const aiReturn found =
+          assimp_.material_texture(&of_file, type, 0, &path, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr);
+      if (found != AI_SUCCESS || path.length == 0) continue;
       material.texture = add_texture(of_file, type, path);
       if (!is_linear) material.colour.head<3>().setOnes(); // as programs for modelling take it
       break;
@@ -89,7 +95,7 @@ private:
       texture.bytes.assign(reinterpret_cast<const char*>(inside->pcData), inside->mWidth);
     const auto wrap = [&](const char* key) {
       int mode = aiTextureMapMode_Wrap;
-      material.Get(key, type, 0, mode);
+      assimp_.material_integers(&material, key, type, 0, &mode, nullptr);
       return mode == aiTextureMapMode_Mirror  ? Texture_wrap::MIRROR
              : mode == aiTextureMapMode_Clamp ? Texture_wrap::CLAMP
                                               : Texture_wrap::REPEAT;
@@ -164,38 +170,72 @@ private:
   }
 
   std::string file_;
+  const Assimp_functions& assimp_;
   const aiScene& scene_;
   Model_content content_;
 };
 
-/// Knows regular files only: a pipe that a model names may never end.
-class Regular_files : public Assimp::DefaultIOSystem
-{
-public:
-  bool Exists(const char* file) const override
-  {
-    std::error_code error;
-    return std::filesystem::is_regular_file(file, error);
-  }
+// How assimp gets at files
 
-  Assimp::IOStream* Open(const char* file, const char* mode) override
-  {
-    return Exists(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
-  }
+struct Opened_file : aiFile
+{
+  std::FILE* stream;
 };
 
-Model_content read_scene(const std::string& file)
+std::FILE* stream_of(aiFile* file) { return static_cast<Opened_file*>(file)->stream; }
+
+std::size_t size_of(aiFile* file)
 {
-  Assimp::Importer importer;
-  importer.SetIOHandler(std::make_unique<Regular_files>().release()); // the importer deletes it
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false); // they would be nodes of their own
-  const aiScene* const scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_SortByPType);
+  const long place = std::ftell(stream_of(file));
+  std::fseek(stream_of(file), 0, SEEK_END);
+  const long size = std::ftell(stream_of(file));
+  std::fseek(stream_of(file), place, SEEK_SET);
+  return std::size_t(size);
+}
+
+/// Knows regular files only: a pipe that a model names may never end.
+aiFile* open_for_assimp(aiFileIO*, const char* path, const char* mode)
+{
+  std::error_code error;
+  std::FILE* const stream = std::filesystem::is_regular_file(path, error) ? std::fopen(path, mode) : nullptr;
+  if (!stream) return nullptr;
+  auto file = std::make_unique<Opened_file>();
+  file->stream = stream;
+  file->ReadProc = [](aiFile* from, char* to, std::size_t size, std::size_t count) {
+    return std::fread(to, size, count, stream_of(from));
+  };
+  file->WriteProc = [](aiFile*, const char*, std::size_t, std::size_t) { return std::size_t(0); };
+  file->TellProc = [](aiFile* of) { return std::size_t(std::ftell(stream_of(of))); };
+  file->FileSizeProc = size_of;
+  file->SeekProc = [](aiFile* in, std::size_t offset, aiOrigin origin) {
+    const int from = origin == aiOrigin_SET ? SEEK_SET : origin == aiOrigin_CUR ? SEEK_CUR : SEEK_END;
+    return std::fseek(stream_of(in), long(offset), from) == 0 ? aiReturn_SUCCESS : aiReturn_FAILURE;
+  };
+  file->FlushProc = [](aiFile*) {};
+  return file.release();
+}
+
+void close_for_assimp(aiFileIO*, aiFile* file)
+{
+  const std::unique_ptr<Opened_file> closed(static_cast<Opened_file*>(file));
+  std::fclose(closed->stream);
+}
+
+Model_content read_scene(const std::string& file, const Assimp_functions& assimp)
+{
+  const std::unique_ptr<aiPropertyStore, decltype(assimp.release_property_store)> properties(
+      assimp.create_property_store(), assimp.release_property_store);
+  assimp.set_property(properties.get(), AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, 1);
+  assimp.set_property(properties.get(), AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0); // they would be nodes of their own
+  aiFileIO files{open_for_assimp, close_for_assimp, nullptr};
+  const std::unique_ptr<const aiScene, decltype(assimp.release_import)> scene(
+      assimp.import_file(file.c_str(), aiProcess_Triangulate | aiProcess_SortByPType, &files, properties.get()),
+      assimp.release_import);
   if (!scene || !scene->mRootNode)
     throw Invalid_input(file + ": it cannot be read as a model of the format that its extension says (" +
-                        importer.GetErrorString() + ")");
+                        assimp.error_string() + ")");
   const std::string extension = lower_extension(file);
-  Model_content content = Scene_reader(file, *scene).read(extension == ".gltf" || extension == ".glb");
+  Model_content content = Scene_reader(file, assimp, *scene).read(extension == ".gltf" || extension == ".glb");
   if (content.parts.empty())
     throw Invalid_input(file + ": there is no triangle in it; a model needs a mesh for every part");
   return content;
@@ -321,12 +361,22 @@ private:
   std::size_t at_ = 0;
 };
 
+const Assimp_functions& assimp_of(const std::string& file)
+{
+  try {
+    return assimp_functions();
+  } catch (const Invalid_input& error) {
+    throw Invalid_input(file + ": " + error.what());
+  }
+}
+
 } // namespace
 
 Model_content read_parts_with_assimp(const std::string& file)
 {
+  const Assimp_functions& assimp = assimp_of(file); // here, such that the processes have it loaded
   // assimp is not made for damaged files: some end it, some make it take all memory
-  const std::string bytes = run_isolated(file, [&] { return encoded(read_scene(file)); });
+  const std::string bytes = run_isolated(file, [&] { return encoded(read_scene(file, assimp)); });
   return Decoder(bytes, file)();
 }
 

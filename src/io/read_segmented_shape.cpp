@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/limits.h"
+#include "io/digest.h"
 #include "io/input_file.h"
 #include "io/model_appearance.h"
 #include "io/model_parts.h"
@@ -232,10 +233,13 @@ std::string folder_name(const fs::path& folder)
   return utf8_text(path.filename().string());
 }
 
+/// Where the part meshes of a folder are.
+fs::path folder_of_parts(const fs::path& path) { return fs::is_directory(path / "parts") ? path / "parts" : path; }
+
 Segmented_shape read_folder(const fs::path& path, const Point& up, std::vector<std::string>* warnings,
                             Shape_appearance* appearance)
 {
-  const fs::path folder = fs::is_directory(path / "parts") ? path / "parts" : path;
+  const fs::path folder = folder_of_parts(path);
   const std::vector<fs::path> files = model_files(folder);
   if (files.empty())
     throw Invalid_input(folder.string() + ": there is no part in the folder; it needs a mesh file for every part (" +
@@ -269,6 +273,17 @@ Segmented_shape read_segmented_shape(const std::string& path, const Point& up, s
   check_exists(path);
   if (fs::is_directory(path)) return read_folder(path, up, warnings, appearance);
   return read_file(path, up, warnings, appearance, nullptr);
+}
+
+std::optional<std::string> digest_of_folder(const std::string& path)
+{
+  if (!fs::is_directory(path)) return std::nullopt;
+  std::string all = digest(folder_name(path));
+  for (const fs::path& file : model_files(folder_of_parts(path))) {
+    if (!text_reader_of(lower_extension(file.string()))) return std::nullopt; // a glTF file names its buffers
+    all += digest(file.filename().string()) + digest(content_of(file.string()));
+  }
+  return digest(all);
 }
 
 Model_objects read_objects(const std::string& path, const Point& up)

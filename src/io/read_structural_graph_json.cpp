@@ -20,14 +20,6 @@ using Part_indices = std::map<std::string, std::size_t>;
 
 constexpr double same_direction = 1e-6; // of unit vectors that a person may have typed
 
-Points points_of(const std::vector<Json_field>& list)
-{
-  Points result(3, list.size());
-  for (std::size_t i = 0; i < list.size(); ++i)
-    result.col(i) = list[i].point();
-  return result;
-}
-
 void check_extent(const Json_field& field, const Points& points)
 {
   if ((points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm() == 0)
@@ -39,8 +31,8 @@ Curve read_curve(const Json_field& part)
   Curve curve;
   const Json_field list = part["points"];
   curve.closed = part.has("closed") && part["closed"].boolean();
-  if (list.elements().size() < 2) list.fail("has fewer than 2 points");
-  curve.points = points_of(list.elements());
+  if (list.size() < 2) list.fail("has fewer than 2 points");
+  curve.points = list.points();
   check_extent(list, curve.points);
   return curve;
 }
@@ -55,7 +47,7 @@ Sheet read_sheet(const Json_field& part)
   std::vector<Points> points; // of each row, before room is made for all: a damaged file may promise more than it has
   points.reserve(rows.size());
   for (const Json_field& row : rows)
-    points.push_back(points_of(row.elements(cols, "as long as the first row")));
+    points.push_back(row.points(cols, "as long as the first row"));
   Sheet sheet;
   sheet.rows = static_cast<int>(rows.size());
   sheet.cols = static_cast<int>(cols);
@@ -138,7 +130,7 @@ Part_abstraction read_part(const Json_field& field)
   if (field.has("volume")) part.volume = field["volume"].number_at_least_0();
   if (field.has("hull_volume")) part.hull_volume = field["hull_volume"].number_at_least_0();
   if (field.has("area")) part.area = field["area"].number_at_least_0();
-  if (field.has("surface")) part.surface = points_of(field["surface"].elements());
+  if (field.has("surface")) part.surface = field["surface"].points();
   if (field.has("abstraction")) part.report = read_report(field["abstraction"]);
   return part;
 }

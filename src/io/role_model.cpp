@@ -4,13 +4,15 @@
 #include "io/checked_file.h"
 #include "io/input_file.h"
 #include "io/shipped_roles.h"
+#include "matching/Role_model_data.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
-#include <cstddef>
+#include <cstdint>
 #include <sstream>
-#include <streambuf>
+#include <string_view>
+#include <utility>
 
 namespace CGAL::Shape_correspondence::IO {
 
@@ -18,15 +20,11 @@ namespace {
 
 constexpr const char* model_title = "shape_correspondence role model";
 
-// Reads from memory without a copy of it.
-struct Memory_buffer : std::streambuf
+internal::Stored_bytes bytes_of(std::string_view text, std::shared_ptr<const void> owner)
 {
-  Memory_buffer(const char* begin, std::size_t size)
-  {
-    char* const first = const_cast<char*>(begin); // as std::streambuf wants it; nothing is written
-    setg(first, first, first + size);
-  }
-};
+  const auto* const begin = reinterpret_cast<const std::uint8_t*>(text.data());
+  return {begin, begin + text.size(), std::move(owner)};
+}
 
 } // namespace
 
@@ -46,19 +44,17 @@ Role_model read_role_model(const std::string& path)
   if (!content)
     throw Invalid_input(path +
                         ": it is not a role model, or it is damaged; `shape_correspondence roles train` makes one");
-  std::istringstream model(*content);
-  return Role_model::read(model, path);
+  const auto bytes = std::make_shared<const std::string>(*content);
+  return Role_model(internal::read_role_model_data(bytes_of(*bytes, bytes), path));
 }
 
 std::shared_ptr<const Role_model> shipped_role_model()
 {
   static const auto model = std::make_shared<const Role_model>([] {
     // It is part of the program: its digest, which takes as long as the rest, is not looked at
-    Memory_buffer bytes(reinterpret_cast<const char*>(shipped_roles), shipped_roles_size);
-    std::istream file(&bytes);
-    std::string title;
-    std::getline(file, title);
-    return Role_model::read(file, "the role model of the package");
+    std::string_view bytes(reinterpret_cast<const char*>(shipped_roles), shipped_roles_size);
+    bytes.remove_prefix(bytes.find('\n') + 1);
+    return Role_model(internal::read_role_model_data(bytes_of(bytes, nullptr), "the role model of the package"));
   }());
   return model;
 }

@@ -8,14 +8,12 @@
 #include <numeric>
 #include <ostream>
 #include <random>
-#include <streambuf>
 
 namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
 constexpr int tried_features = ROLE_FEATURE_COUNT / 3; // at each split
-constexpr int maximum_depth = 1000;                    // of a tree that is read: no more than a file may ask for
 
 using Random = std::mt19937_64; // the same numbers on all machines, unlike the distributions of the standard library
 
@@ -128,26 +126,27 @@ private:
   std::vector<double> left_, right_; // weights of roles
 };
 
-Role_forest::Role_forest(const std::vector<Role_example>& examples, int trees, std::uint64_t seed)
+Role_forest::Role_forest(const std::vector<Role_example>& examples, int trees, std::uint64_t seed) : Role_forest()
 {
   int roles = 0;
   for (const Role_example& example : examples)
     roles = std::max(roles, example.role + 1);
   for (int tree = 0; tree < trees; ++tree) {
-    roots_.push_back(std::uint32_t(nodes_.size()));
-    Builder(examples, roles, seed + std::uint64_t(tree), nodes_);
+    trees_->roots.push_back(std::uint32_t(trees_->nodes.size()));
+    Builder(examples, roles, seed + std::uint64_t(tree), trees_->nodes);
   }
 }
 
 Eigen::MatrixXi Role_forest::votes(const Role_features& parts, int roles) const
 {
+  const std::vector<Node>& nodes = trees().nodes;
   Eigen::MatrixXi result = Eigen::MatrixXi::Zero(parts.rows(), roles);
-  for (const std::uint32_t root : roots_) // a tree stays in the cache for all parts
+  for (const std::uint32_t root : trees().roots) // a tree stays in the cache for all parts
     for (Eigen::Index part = 0; part < parts.rows(); ++part) {
       const std::uint8_t* const features = &parts(part, 0);
-      const Node* node = &nodes_[root];
+      const Node* node = &nodes[root];
       while (node->feature != leaf)
-        node = features[node->feature] <= node->value ? node + 1 : &nodes_[node->right];
+        node = features[node->feature] <= node->value ? node + 1 : &nodes[node->right];
       ++result(part, node->value);
     }
   return result;
@@ -155,31 +154,55 @@ Eigen::MatrixXi Role_forest::votes(const Role_features& parts, int roles) const
 
 void Role_forest::write(std::ostream& out) const
 {
-  for (const Node& node : nodes_) {
+  for (const Node& node : trees().nodes) {
     out.put(char(node.feature));
     out.put(char(node.value));
   }
 }
 
-bool Role_forest::read_subtree(std::streambuf& in, int roles, int depth)
+bool Role_forest::read(Stored_bytes& bytes, int trees, int roles)
 {
-  const int feature = in.sbumpc(), value = in.sbumpc(); // less than 0 at the end
-  if (value < 0 || depth == maximum_depth) return false;
-  const std::size_t node = nodes_.size();
-  nodes_.push_back({std::uint8_t(feature), std::uint8_t(value)});
-  if (feature == leaf) return value < roles;
-  if (feature >= ROLE_FEATURE_COUNT || !read_subtree(in, roles, depth + 1)) return false;
-  nodes_[node].right = std::uint32_t(nodes_.size());
-  return read_subtree(in, roles, depth + 1);
+  const std::uint8_t* const begin = bytes.next;
+  bool is_right = true;
+  for (int tree = 0; tree < trees; ++tree)
+    for (std::size_t to_come = 1; to_come > 0; bytes.next += node_size) { // nodes that others ask for
+      if (bytes.size() < node_size) return false;
+      const std::uint8_t feature = bytes.next[0], value = bytes.next[1];
+      const bool is_leaf = feature == leaf;
+      is_right &= is_leaf ? value < roles : feature < ROLE_FEATURE_COUNT;
+      to_come += is_leaf ? std::size_t(-1) : 1;
+    }
+  trees_ = std::make_shared<Trees>();
+  trees_->stored = {begin, bytes.next, bytes.owner};
+  return is_right;
 }
 
-bool Role_forest::read(std::streambuf& in, int trees, int roles)
+void Role_forest::make_trees(Trees& trees)
 {
-  for (int tree = 0; tree < trees; ++tree) {
-    roots_.push_back(std::uint32_t(nodes_.size()));
-    if (!read_subtree(in, roles, 0)) return false;
+  const Stored_bytes& stored = trees.stored;
+  trees.nodes.reserve(stored.size() / node_size);
+  std::vector<std::uint32_t> parents; // of right children that are to come
+  bool is_root = true;
+  for (const std::uint8_t* next = stored.next; next != stored.end; next += node_size) {
+    const auto node = std::uint32_t(trees.nodes.size());
+    if (is_root) trees.roots.push_back(node);
+    trees.nodes.push_back({next[0], next[1]});
+    is_root = false;
+    if (next[0] != leaf) {
+      parents.push_back(node);
+    } else if (parents.empty()) {
+      is_root = true;
+    } else {
+      trees.nodes[parents.back()].right = node + 1;
+      parents.pop_back();
+    }
   }
-  return true;
+}
+
+const Role_forest::Trees& Role_forest::trees() const
+{
+  trees_->are_made([this] { make_trees(*trees_); });
+  return *trees_;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "base/Once.h"
+#include "matching/Stored_bytes.h"
 #include "matching/role_features.h"
 
 #include <Eigen/Core>
@@ -10,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <iosfwd>
+#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -29,24 +32,23 @@ struct Role_example
 };
 
 // Extremely randomised trees (Geurts, Ernst, Wehenkel 2006): each split is the best of thresholds drawn for a third of
-// the features, leaves are pure as far as the features tell. A tree votes for one role.
+// the features, leaves are pure as far as the features tell. A tree votes for one role. Copies share their trees.
 class Role_forest
 {
 public:
-  Role_forest() = default;
+  Role_forest() : trees_(std::make_shared<Trees>()) {}
   // \pre the examples are sorted, and there are some
   Role_forest(const std::vector<Role_example>& examples, int trees, std::uint64_t seed);
 
-  int number_of_trees() const { return int(roots_.size()); }
   // How many trees vote for each role: part × role.
   Eigen::MatrixXi votes(const Role_features& parts, int roles) const;
 
   void write(std::ostream& out) const;
-  // \return false if what is read is no forest for so many roles
-  bool read(std::streambuf& in, int trees, int roles);
+  // Verifies all nodes, but makes trees of them only when somebody asks for votes, which most forests of a model are
+  // never asked for. \return false if what is read is no forest for so many roles
+  bool read(Stored_bytes& bytes, int trees, int roles);
 
 private:
-  // In the order root, left subtree, right subtree.
   struct Node
   {
     std::uint8_t feature;    // `leaf` of a leaf
@@ -54,13 +56,22 @@ private:
     std::uint32_t right = 0; // index of the right child; the left one is next
   };
   static constexpr std::uint8_t leaf = 255;
+  static constexpr std::size_t node_size = 2; // bytes in a file: feature and value
+
+  struct Trees
+  {
+    std::vector<Node> nodes; // in the order root, left subtree, right subtree
+    std::vector<std::uint32_t> roots;
+    Stored_bytes stored{}; // nodes that were read; none if the trees were grown
+    Once are_made;         // of what is stored
+  };
 
   class Builder;
 
-  bool read_subtree(std::streambuf& in, int roles, int depth);
+  static void make_trees(Trees& trees);
+  const Trees& trees() const;
 
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> roots_;
+  std::shared_ptr<Trees> trees_;
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <istream>
+#include <iterator>
 #include <limits>
 #include <ostream>
-#include <streambuf>
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
@@ -22,14 +22,6 @@ namespace internal {
 namespace {
 
 constexpr double steps_per_deviation = 32; // of a standardised feature, a byte: it reaches over four deviations
-
-Role_features features_of(const std::vector<Role_example>& examples)
-{
-  Role_features result(Eigen::Index(examples.size()), ROLE_FEATURE_COUNT);
-  for (std::size_t i = 0; i < examples.size(); ++i)
-    std::copy(examples[i].features.begin(), examples[i].features.end(), &result(Eigen::Index(i), 0));
-  return result;
-}
 
 } // namespace
 
@@ -42,37 +34,46 @@ std::size_t Role_model_data::index(const std::string& category) const
 
 Role_distances::Role_distances(const std::vector<Category_roles>& categories)
 {
-  for (int feature = 0; feature < ROLE_FEATURE_COUNT; ++feature) {
-    double count = 0, sum = 0, squares = 0; // whole numbers: exact
-    for (const Category_roles& category : categories)
-      for (const Role_example& example : category.examples) {
-        const double value = example.features[std::size_t(feature)];
-        count += 1;
-        sum += value;
-        squares += value * value;
+  double count = 0;
+  std::array<std::uint64_t, ROLE_FEATURE_COUNT> sums{}, sums_of_squares{};
+  for (const Category_roles& category : categories) {
+    count += double(category.examples.size());
+    for (const Role_example& example : category.examples)
+      for (std::size_t feature = 0; feature < ROLE_FEATURE_COUNT; ++feature) {
+        const std::uint64_t value = example.features[feature];
+        sums[feature] += value;
+        sums_of_squares[feature] += value * value;
       }
+  }
+  for (std::size_t feature = 0; feature < ROLE_FEATURE_COUNT; ++feature) {
+    const auto sum = double(sums[feature]), squares = double(sums_of_squares[feature]);
     const double variance = count > 0 ? squares / count - (sum / count) * (sum / count) : 0;
     const double scale = steps_per_deviation / std::sqrt(std::max(1., variance));
     for (int value = 0; value < 256; ++value)
-      standard_[std::size_t(feature)][std::size_t(value)] =
+      standard_[feature][std::size_t(value)] =
           std::uint8_t(std::lround(std::clamp((value - 127.) * scale + 127, 0., 255.)));
   }
   for (const Category_roles& category : categories)
-    examples_.push_back(standardised(features_of(category.examples)));
+    examples_.push_back(standardised(Eigen::Index(category.examples.size()), [&](Eigen::Index i) {
+      return category.examples[std::size_t(i)].features.data();
+    }));
 }
 
-Role_distances::Rows Role_distances::standardised(const Role_features& parts) const
+template <typename Features>
+Role_distances::Rows Role_distances::standardised(Eigen::Index rows, const Features& features) const
 {
-  Rows result = Rows::Zero(parts.rows(), row_length);
-  for (Eigen::Index i = 0; i < parts.rows(); ++i)
-    for (Eigen::Index feature = 0; feature < ROLE_FEATURE_COUNT; ++feature)
-      result(i, feature) = standard_[std::size_t(feature)][parts(i, feature)];
+  Rows result = Rows::Zero(rows, row_length);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const std::uint8_t* const of_row = features(i);
+    for (std::size_t feature = 0; feature < ROLE_FEATURE_COUNT; ++feature)
+      result(i, Eigen::Index(feature)) = standard_[feature][of_row[feature]];
+  }
   return result;
 }
 
 double Role_distances::mean_distance(const Role_features& parts, std::size_t category) const
 {
-  const Rows queries = standardised(parts);
+  const Rows queries = standardised(parts.rows(), [&](Eigen::Index i) { return &parts(i, 0); });
   const Rows& examples = examples_[category];
   double sum = 0;
   for (Eigen::Index i = 0; i < queries.rows(); ++i) {
@@ -122,6 +123,8 @@ const Category_roles& category_of(const Role_model_data& data, const std::string
                       (known.empty() ? "none" : known));
 }
 
+constexpr const char* magic = "shape_correspondence roles 5";
+constexpr std::uint32_t most_categories = 1000, most_examples = 1000000, most_example_weight = 1000000000;
 constexpr long most_weight_steps = 1000000000; // of a weight, either way
 
 // Numbers and texts one after the other, the least byte of a number first.
@@ -157,8 +160,7 @@ private:
 class Binary_reader
 {
 public:
-  // Not from the stream itself, which would look at its state at every byte.
-  Binary_reader(std::streambuf& in, const std::string& name) : in_(in), name_(name) {}
+  Binary_reader(Stored_bytes bytes, const std::string& name) : bytes_(std::move(bytes)), name_(name) {}
 
   [[noreturn]] void fail() const
   {
@@ -168,9 +170,10 @@ public:
   // \param most the largest value that it may have
   std::uint32_t number(std::uint32_t most)
   {
+    const std::uint8_t* const bytes = take(4);
     std::uint32_t value = 0;
-    for (int shift = 0; shift < 32; shift += 8)
-      value |= std::uint32_t(byte()) << shift;
+    for (int i = 0; i < 4; ++i)
+      value |= std::uint32_t(bytes[i]) << 8 * i;
     if (value > most) fail();
     return value;
   }
@@ -178,10 +181,8 @@ public:
   std::string text()
   {
     constexpr std::uint32_t longest_text = 1000;
-    std::string value(number(longest_text), ' ');
-    for (char& c : value)
-      c = char(byte());
-    return value;
+    const std::uint32_t size = number(longest_text);
+    return std::string(reinterpret_cast<const char*>(take(size)), size);
   }
 
   template <typename Weights>
@@ -191,20 +192,40 @@ public:
       weight = double(long(number(2 * most_weight_steps)) - most_weight_steps) * pair_weight_unit;
   }
 
-  std::uint8_t byte()
+  // So many bytes.
+  const std::uint8_t* take(std::size_t size)
   {
-    const int value = in_.sbumpc();
-    if (value < 0) fail();
-    return std::uint8_t(value);
+    if (bytes_.size() < size) fail();
+    bytes_.next += size;
+    return bytes_.next - size;
+  }
+
+  Role_forest forest(int trees, std::size_t classes)
+  {
+    Role_forest result;
+    if (!result.read(bytes_, trees, int(classes))) fail();
+    return result;
+  }
+
+  std::vector<Role_example> examples(std::size_t classes)
+  {
+    constexpr std::size_t example_size = ROLE_FEATURE_COUNT + 1 + 4;
+    const std::uint32_t count = number(most_examples);
+    if (bytes_.size() / example_size < count) fail(); // before there is memory for more than the file has
+    std::vector<Role_example> result(count);
+    for (Role_example& example : result) {
+      std::copy_n(take(ROLE_FEATURE_COUNT), std::size_t(ROLE_FEATURE_COUNT), example.features.begin());
+      example.role = *take(1);
+      if (example.role >= classes) fail();
+      example.weight = number(most_example_weight);
+    }
+    return result;
   }
 
 private:
-  std::streambuf& in_;
+  Stored_bytes bytes_;
   const std::string& name_;
 };
-
-constexpr const char* magic = "shape_correspondence roles 5";
-constexpr std::uint32_t most_categories = 1000, most_examples = 1000000, most_example_weight = 1000000000;
 
 } // namespace
 
@@ -253,11 +274,10 @@ void Role_model::write(std::ostream& out) const
   }
 }
 
-Role_model Role_model::read(std::istream& in, const std::string& name)
+Role_model_data internal::read_role_model_data(Stored_bytes bytes, const std::string& name)
 {
-  std::streambuf& bytes = *in.rdbuf();
-  Binary_reader read(bytes, name);
-  if (!in || read.text() != magic) read.fail();
+  Binary_reader read(std::move(bytes), name);
+  if (read.text() != magic) read.fail();
   if (read.number(ROLE_FEATURE_COUNT) != ROLE_FEATURE_COUNT) read.fail();
   Role_model_data data;
   data.trees = int(read.number(maximum_trees));
@@ -278,18 +298,18 @@ Role_model Role_model::read(std::istream& in, const std::string& name)
     read.weights(category.weights);
     read.weights(category.confidence);
     read.weights(category.geometric_confidence);
-    if (!category.forest.read(bytes, data.trees, int(category.classes.size()))) read.fail();
-    const std::uint32_t count = read.number(most_examples);
-    for (std::uint32_t i = 0; i < count; ++i) { // not reserved: a damaged file may promise more than it has
-      Role_example& example = category.examples.emplace_back();
-      for (std::uint8_t& value : example.features)
-        value = read.byte();
-      example.role = read.byte();
-      if (example.role >= category.classes.size()) read.fail();
-      example.weight = read.number(most_example_weight);
-    }
+    category.forest = read.forest(data.trees, category.classes.size());
+    category.examples = read.examples(category.classes.size());
   }
-  return Role_model(std::move(data));
+  return data;
+}
+
+Role_model Role_model::read(std::istream& in, const std::string& name)
+{
+  const auto bytes =
+      std::make_shared<const std::string>(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  const auto* const begin = reinterpret_cast<const std::uint8_t*>(bytes->data());
+  return Role_model(read_role_model_data({begin, begin + bytes->size(), bytes}, name));
 }
 
 Part_roles part_roles(const Structural_graph& graph, const Role_model& model, const std::string& category)

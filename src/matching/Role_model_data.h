@@ -57,6 +57,9 @@ struct Role_model_data
   std::size_t index(const std::string& category) const;
 };
 
+// What `Role_model::write()` has written. \throw Invalid_input if it is damaged; the message begins with `name`
+Role_model_data read_role_model_data(Stored_bytes bytes, const std::string& name);
+
 // Distances of parts from labelled ones, every feature in units of its standard deviation over all labelled parts.
 class Role_distances
 {
@@ -71,7 +74,9 @@ private:
   static constexpr int row_length = (ROLE_FEATURE_COUNT + 15) / 16 * 16;
   using Rows = Eigen::Array<std::uint8_t, Eigen::Dynamic, row_length, Eigen::RowMajor>;
 
-  Rows standardised(const Role_features& parts) const;
+  // \param features of a row, by its index
+  template <typename Features>
+  Rows standardised(Eigen::Index rows, const Features& features) const;
 
   std::array<std::array<std::uint8_t, 256>, ROLE_FEATURE_COUNT> standard_; // by feature and value
   std::vector<Rows> examples_;                                             // by category, standardised

@@ -17,8 +17,12 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <random>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace CGAL::Shape_correspondence;
@@ -102,6 +106,86 @@ TEST_CASE("A role model is the same for any order of the shapes, and after it wa
   for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 50) {
     std::istringstream in(whole.substr(0, size));
     CHECK_THROWS_AS(Role_model::read(in, "cut"), Invalid_input);
+  }
+}
+
+namespace {
+
+/// Examples of three classes, by chance.
+std::vector<Role_example> random_examples(std::size_t count)
+{
+  std::mt19937 random(7);
+  std::vector<Role_example> result(count);
+  for (Role_example& example : result) {
+    for (std::uint8_t& feature : example.features)
+      feature = std::uint8_t(random() % 20);
+    example.role = std::uint8_t(random() % 3);
+    example.weight = 1;
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::string bytes_of(const Role_forest& forest)
+{
+  std::ostringstream out;
+  forest.write(out);
+  return out.str();
+}
+
+/// Whether it is a forest, all of it; `forest` gets it.
+bool is_read(const std::string& text, int trees, int roles, Role_forest& forest)
+{
+  const auto owner = std::make_shared<const std::string>(text);
+  const auto* const begin = reinterpret_cast<const std::uint8_t*>(owner->data());
+  Stored_bytes stored{begin, begin + owner->size(), owner};
+  return forest.read(stored, trees, roles) && stored.size() == 0;
+}
+
+} // namespace
+
+TEST_CASE("A forest that was read votes as the one that was grown, whoever asks first")
+{
+  constexpr int trees = 9, roles = 3;
+  const Role_forest grown(random_examples(60), trees, 5);
+  Role_forest read;
+  REQUIRE(is_read(bytes_of(grown), trees, roles, read));
+  Role_forest unasked;
+  REQUIRE(is_read(bytes_of(grown), trees, roles, unasked));
+  Role_features parts(40, ROLE_FEATURE_COUNT);
+  std::mt19937 random(11);
+  std::generate(parts.data(), parts.data() + parts.size(), [&] { return std::uint8_t(random() % 20); });
+  const Eigen::MatrixXi expected = grown.votes(parts, roles);
+  CHECK(expected.rowwise().sum() == Eigen::VectorXi::Constant(parts.rows(), trees));
+  std::vector<Eigen::MatrixXi> votes(4);
+  std::vector<std::thread> threads;
+  for (Eigen::MatrixXi& found : votes)
+    threads.emplace_back([&found, &parts, copy = read] { found = copy.votes(parts, roles); });
+  for (std::thread& thread : threads)
+    thread.join();
+  for (const Eigen::MatrixXi& found : votes)
+    CHECK(found == expected);
+  CHECK(bytes_of(unasked) == bytes_of(grown));
+}
+
+TEST_CASE("What is no forest is refused when it is read, before anybody asks for votes")
+{
+  constexpr int trees = 9, roles = 3;
+  const std::string whole = bytes_of(Role_forest(random_examples(60), trees, 5));
+  Role_forest read;
+  CHECK(is_read(whole, trees, roles, read));
+  CHECK_FALSE(is_read(whole, trees + 1, roles, read));
+  CHECK_FALSE(is_read(whole, trees - 1, roles, read));
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    CHECK_FALSE(is_read(whole.substr(0, size), trees, roles, read));
+  const char leaf = char(255), no_feature = char(ROLE_FEATURE_COUNT);
+  for (std::size_t node = 0; node < whole.size(); node += 2) {
+    std::string damaged = whole;
+    if (whole[node] == leaf)
+      damaged[node + 1] = char(roles);
+    else
+      damaged[node] = no_feature;
+    CHECK_FALSE(is_read(damaged, trees, roles, read));
   }
 }
 

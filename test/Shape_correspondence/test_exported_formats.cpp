@@ -6,8 +6,10 @@
 #include "model_files.h"
 
 #include "generator/textures.h"
+#include "io/assimp_functions.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <assimp/Exporter.hpp>
 #include <assimp/Importer.hpp>
@@ -19,6 +21,7 @@
 
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;
+using Catch::Matchers::Contains;
 
 namespace gen = CGAL::Shape_correspondence::generator;
 
@@ -59,4 +62,14 @@ TEST_CASE("Models in formats that assimp writes have their parts, materials and 
       if (!is_seat) CHECK(looks.textures.at(std::size_t(material.texture)).bytes == gen::test_picture());
     }
   }
+}
+
+TEST_CASE("A library of assimp that is missing is an error, and the next one is tried")
+{
+  CHECK_THROWS_WITH(IO::loaded_assimp_functions({"libno_assimp.so.0", "libno_other.so.0"}),
+                    Contains("assimp, which cannot be loaded") && Contains("libno_assimp.so.0") &&
+                        Contains("install it"));
+  CHECK_THROWS_WITH(IO::loaded_assimp_functions({"libno_assimp.so.0", "libc.so.6"}), Contains("lacks a function"));
+  CHECK(&IO::assimp_functions() == &IO::assimp_functions());
+  CHECK(IO::assimp_functions().import_file == &aiImportFileExWithProperties); // of the library that is linked here
 }
