@@ -184,7 +184,7 @@ def match(
         paper's beam search) or ``"exact"`` (least deformation energy, with a proof)
     :param part_matching: options of ``"parts"`` other than the defaults: weights of the terms in the cost of a pair of
         parts (``overlap``, ``extent``, ``ground``, ``place``, ``orientation``, ``chamfer``), other costs (``whole``,
-        ``excess``, ``confident_excess``, ``shared_counterpart``), lengths in the unit box (``tolerance``, ``warp_width``,
+        ``excess``, ``confident_excess``), lengths in the unit box (``tolerance``, ``warp_width``,
         ``side_depth``, ``wall_width``), shares (``anchor``, ``main_surface``, ``clearly_better``,
         ``category_ratio``, ``category_distance``), the size of a regular arrangement (``repetition``), and which sets of
         parts are matched as a whole (``panels``, ``support``); see `Part_matching_options` of the library

@@ -87,7 +87,6 @@ void visit(SC::Part_matching_options& options, Visitor& option)
   option("warp_width", options.warp_width);
   option("excess", options.excess);
   option("confident_excess", options.confident_excess);
-  option("shared_counterpart", options.shared_counterpart);
   option("main_surface", options.main_surface);
   option("side_depth", options.side_depth);
   option("wall_width", options.wall_width);

@@ -7,9 +7,6 @@
 #include "matching/surface_distances.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
@@ -62,25 +59,6 @@ Eigen::MatrixXd ranked_part_costs(const Normalized_shape& a, const Normalized_sh
 
 } // namespace
 
-double set_cost(const Eigen::MatrixXd& costs, const std::vector<std::size_t>& rows,
-                const std::vector<std::size_t>& columns)
-{
-  double over_rows = 0, over_columns = 0;
-  for (std::size_t i : rows) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t j : columns)
-      least = std::min(least, costs(Eigen::Index(i), Eigen::Index(j)));
-    over_rows += least;
-  }
-  for (std::size_t j : columns) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i : rows)
-      least = std::min(least, costs(Eigen::Index(i), Eigen::Index(j)));
-    over_columns += least;
-  }
-  return (over_rows / double(rows.size()) + over_columns / double(columns.size())) / 2;
-}
-
 double mean_least_cost(const Eigen::MatrixXd& costs)
 {
   return costs.rowwise().minCoeff().mean() + costs.colwise().minCoeff().mean();
@@ -99,37 +77,6 @@ Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& tar
 {
   return part_costs(normalized_shape(source, part_assemblies(source, options), options),
                     normalized_shape(target, part_assemblies(target, options), options), options);
-}
-
-void add_costs_within(const Normalized_shape& shape, const std::vector<std::size_t>& parts,
-                      const Part_matching_options& options, Eigen::MatrixXd& costs)
-{
-  if (parts.empty()) return;
-  if (costs.size() == 0)
-    costs.setConstant(Eigen::Index(shape.parts.size()), Eigen::Index(shape.parts.size()),
-                      std::numeric_limits<double>::quiet_NaN());
-  const Eigen::MatrixXd of_boxes = costs_of_boxes(shape.boxes, shape.boxes, options);
-  Chamfer_distance distance;
-  for (std::size_t part : parts)
-    for (std::size_t other = 0; other < shape.parts.size(); ++other) {
-      const auto [low, high] = std::minmax(part, other); // in one order, whichever is asked for
-      const auto row = Eigen::Index(high), column = Eigen::Index(low);
-      if (!std::isnan(costs(row, column))) continue;
-      double cost = of_boxes(row, column);
-      if (low < high)
-        cost += cost_of_kind(shape.parts[high], shape.parts[low], options) +
-                options.weights.chamfer * distance(shape.lanes[high], shape.lanes[low]);
-      costs(row, column) = costs(column, row) = cost;
-    }
-}
-
-Eigen::MatrixXd part_costs(const Aligned_shape& shape, const Part_matching_options& options)
-{
-  std::vector<std::size_t> all(shape.parts.size());
-  std::iota(all.begin(), all.end(), std::size_t(0));
-  Eigen::MatrixXd result;
-  add_costs_within(normalized_shape(shape, part_assemblies(shape, options), options), all, options, result);
-  return result;
 }
 
 } // namespace CGAL::Shape_correspondence

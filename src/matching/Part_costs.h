@@ -10,9 +10,6 @@
 
 #include <Eigen/Core>
 
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Shape_correspondence {
 
 /// The cost of every part of the source (row) corresponding to every part of the target (column), by index of the
@@ -25,9 +22,6 @@ namespace CGAL::Shape_correspondence {
 Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
                            const Part_matching_options& options = {});
 
-/// How unlike the parts of one shape are among each other, by the same costs as they are.
-Eigen::MatrixXd part_costs(const Aligned_shape& shape, const Part_matching_options& options = {});
-
 namespace internal {
 struct Normalized_shape;
 }
@@ -36,16 +30,6 @@ struct Normalized_shape;
 /// they have the same rank.
 Eigen::MatrixXd part_costs(const internal::Normalized_shape& source, const internal::Normalized_shape& target,
                            const Part_matching_options& options);
-/// Fills in what parts cost with each part of their own shape, where that is not there yet. What is there is not
-/// touched: others may read the rows of parts that they asked for before.
-/// \param costs empty before the first time
-void add_costs_within(const internal::Normalized_shape& shape, const std::vector<std::size_t>& parts,
-                      const Part_matching_options& options, Eigen::MatrixXd& costs);
-
-/// The cost of two sets of parts: the mean of what every part costs with the one of the other set that it costs least
-/// with, averaged over both sets. \pre neither is empty
-double set_cost(const Eigen::MatrixXd& costs, const std::vector<std::size_t>& rows,
-                const std::vector<std::size_t>& columns);
 
 /// How badly two shapes go together: the mean of the least cost of every source part, and that of every target part,
 /// added. \pre the matrix has rows and columns

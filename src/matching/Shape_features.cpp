@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/Shape_features.h"
-#include "matching/Part_costs.h"
 
-#include <algorithm>
 #include <tuple>
-#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -16,13 +13,6 @@ Shape_features::Shape_features(const Aligned_shape& shape, const Part_matching_o
   if (!options.panels) assemblies.panels.clear();
   if (!options.support) assemblies.support.clear();
   normalized = normalized_shape(shape, assemblies, options);
-}
-
-const Eigen::MatrixXd& Shape_features::costs_within(const std::vector<std::size_t>& parts) const
-{
-  const std::lock_guard<std::mutex> lock(mutex_);
-  add_costs_within(normalized, parts, options, costs_within_);
-  return costs_within_;
 }
 
 bool are_same(const Part_matching_options& a, const Part_matching_options& b)

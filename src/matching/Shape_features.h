@@ -7,11 +7,7 @@
 
 #include <CGAL/Shape_correspondence/Search_options.h>
 
-#include <Eigen/Core>
-
 #include <cstddef>
-#include <mutex>
-#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -26,14 +22,6 @@ struct Shape_features
   Shape_features(const Aligned_shape& shape, const Part_matching_options& options);
 
   std::size_t size() const { return shape.parts.size(); }
-
-  // What parts cost standing for each other: the rows of these parts, computed when they are first asked for; others
-  // may have no values yet.
-  const Eigen::MatrixXd& costs_within(const std::vector<std::size_t>& parts) const;
-
-private:
-  mutable std::mutex mutex_;
-  mutable Eigen::MatrixXd costs_within_; // not a number where they were not asked for
 };
 
 // Whether features that were made by one of the two are those of the other.

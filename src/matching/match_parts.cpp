@@ -21,8 +21,8 @@ void check(const Part_matching_options& options)
 {
   const Part_cost_weights& w = options.weights;
   for (double value : {w.overlap, w.extent, w.ground, w.place, w.orientation, w.chamfer, options.whole, options.excess,
-                       options.confident_excess, options.shared_counterpart, options.main_surface, options.side_depth,
-                       options.wall_width, options.category_ratio, options.category_distance, options.clearly_better})
+                       options.confident_excess, options.main_surface, options.side_depth, options.wall_width,
+                       options.category_ratio, options.category_distance, options.clearly_better})
     if (!(value >= 0) || !std::isfinite(value))
       throw Invalid_input("match_parts: the weights and bounds of costs must be finite and not negative");
   if (options.clearly_better >= 1)
@@ -155,7 +155,7 @@ Match_matrix matched(const Eigen::MatrixXd& costs, const Shape_features& source,
 {
   const Match_matrix confident = pairs_within(costs, options.confident_excess);
   Match_matrix pairs = pairs_within(costs, options.excess);
-  complete_blocks(joined_blocks(confident, source, target, options), confident, costs, source, target, options, pairs);
+  complete_blocks(blocks_of(confident, source, target), confident, costs, source, target, options, pairs);
   if (support_as_sets(confident, source.assemblies, target.assemblies)) {
     separate_supports(source, target, pairs);
     match_all(source.assemblies.legs, target.assemblies.legs, pairs);

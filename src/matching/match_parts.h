@@ -29,20 +29,19 @@ bool comes_first(const Aligned_shape& a, const Aligned_shape& b);
 /// Matches parts by their costs alone, without deforming a shape.
 ///
 /// A pair is judged by how much more it costs than the best one of either part, so that no cost is too high for parts
-/// that have nothing better. Pairs that cost little more than the best ones, the confident ones, join parts and groups
-/// of both shapes to blocks. A part that is in no confident pair joins the block of the parts that it resembles most. A
-/// block with as many parts of either shape keeps its pairs (four legs and four legs); of one with different numbers
-/// every part corresponds to every other (a back of five slats and one of seven; a pedestal and four legs), as in a
-/// block with a panel, whose parts have no places of their own, unless they pair one to one at no more than
-/// `Part_matching_options::tolerance`: those are the same parts.
+/// that have nothing better. Pairs that cost little more than the best ones, the confident ones, join parts and panels
+/// of both shapes to blocks. A block with as many parts of either shape keeps its pairs (four legs and four legs); of
+/// one with different numbers every part corresponds to every other (a back of five slats and one of seven; a pedestal
+/// and four legs), as in a block with a panel, whose parts have no places of their own, unless they pair one to one at
+/// no more than `Part_matching_options::tolerance`: those are the same parts.
 ///
 /// The supports of the shapes (`Part_assemblies::support`) are matched as sets, and with nothing else, unless their
 /// parts pair one to one, but for some that stand on the ground apart from the others (a ladder beside the legs of a
 /// bed). Where one of the two shapes has a chain, it hangs, and is turned over. Pinned pairs are in the result, with
 /// confidence 1; pairs that are not allowed are not.
 ///
-/// Deterministic; the source and the target have the same standing. O(n m k²) as `part_costs()`, and O(b³) for b
-/// blocks. \throw Invalid_input if a weight or an option is negative or not finite
+/// Deterministic; the source and the target have the same standing. O(n m k²) as `part_costs()`. \throw Invalid_input
+/// if a weight or an option is negative or not finite
 Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
                           const Part_matching_options& options = {},
                           const internal::Match_constraints& constraints = {});

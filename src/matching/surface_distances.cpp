@@ -50,14 +50,6 @@ Surface_distances::Surface_distances(const Normalized_shape& a, const Normalized
     }
 }
 
-double Chamfer_distance::operator()(const Point_lanes& p, const Point_lanes& q)
-{
-  make_room(p_from_q_, p.padded());
-  make_room(q_from_p_, q.padded());
-  nearest_squared_kernel().run(p, q, p_from_q_.data(), q_from_p_.data());
-  return (p_from_q_.head(p.count()).sqrt().mean() + q_from_p_.head(q.count()).sqrt().mean()) / 2;
-}
-
 double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i, std::size_t j)
 {
   return (a_from_b.mean(i, j) + b_from_a.mean(j, i)) / 2;

@@ -50,18 +50,7 @@ struct Surface_distances
   Surface_distances(const Normalized_shape& a, const Normalized_shape& b);
 };
 
-// The chamfer distance of two surfaces, the mean distance of the points of either from the other, one after the other
-// in the same memory.
-class Chamfer_distance
-{
-public:
-  double operator()(const Point_lanes& p, const Point_lanes& q);
-
-private:
-  Eigen::ArrayXd p_from_q_, q_from_p_;
-};
-
-// The chamfer distance of two parts.
+// The chamfer distance of two parts: the mean distance of the points of either from the other.
 double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i, std::size_t j);
 
 // The chamfer distance of a part and the union of several.

@@ -244,7 +244,7 @@ TEST_CASE("Matches do not depend on position, scale, turning and part order")
 TEST_CASE("Less excess leaves fewer pairs, all of them among the others'")
 {
   Part_matching_options strict;
-  strict.excess = strict.confident_excess = strict.shared_counterpart = 0;
+  strict.excess = strict.confident_excess = 0;
   const Pairs few = pairs(table_with_double_legs(), hand_made::table(), strict);
   const Pairs many = pairs(table_with_double_legs(), hand_made::table());
   CHECK(few.size() < many.size());
@@ -265,7 +265,7 @@ TEST_CASE("Confidence: a probability, high where there is no doubt and lower whe
     CHECK(pair.confidence < 1);
   }
   Part_matching_options strict; // either of two legs side by side would do, but only one top
-  strict.excess = strict.confident_excess = strict.shared_counterpart = 0;
+  strict.excess = strict.confident_excess = 0;
   const Part_matching doubtful = matching(table_with_double_legs(), hand_made::table(), strict);
   CHECK(confidence(doubtful, 1, 1) > 0);
   CHECK(confidence(doubtful, 1, 1) < confidence(doubtful, 0, 0));

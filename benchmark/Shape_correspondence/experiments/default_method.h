@@ -43,8 +43,7 @@ inline void ablation(const Dataset& dataset)
   }
   const std::tuple<const char*, double Part_matching_options::*, double> rules[] = {
       {"best pairs of parts only", &Part_matching_options::excess, 0},
-      {"no confident pairs, so no blocks", &Part_matching_options::confident_excess, 0},
-      {"no shared counterparts", &Part_matching_options::shared_counterpart, 0}};
+      {"no confident pairs, so no blocks", &Part_matching_options::confident_excess, 0}};
   for (const auto& [name, rule, value] : rules) {
     Search_options options;
     options.parts.*rule = value;
@@ -61,8 +60,7 @@ inline void ablation(const Dataset& dataset)
   plain.parts.panels = plain.parts.support = false;
   methods.emplace_back("no panels or support", ours(plain));
   plain.parts.excess = 2;
-  plain.parts.shared_counterpart = 4;
-  methods.emplace_back("nor their bounds: excess 2, shared counterpart 4", ours(plain));
+  methods.emplace_back("nor their bound: excess 2", ours(plain));
   methods.emplace_back("no symmetry groups", without_symmetry(ours(default_options())));
   compare_by_halves(dataset, methods, "costs and rules");
 }

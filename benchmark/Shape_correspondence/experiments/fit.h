@@ -169,8 +169,7 @@ inline std::vector<Variant> variants_of_constants()
   for (const Matching_constant& constant : matching_constants()) {
     const std::string name = constant.name;
     const double value = constant.value({});
-    if (constant.is_weight() || name == "excess" || name == "confident_excess" || name == "shared_counterpart")
-      add("no " + name, constant, 0);
+    if (constant.is_weight() || name == "excess" || name == "confident_excess") add("no " + name, constant, 0);
     if (name == "whole") add("no wholes", constant, 1e3);
     if (name == "anchor") add("no warp", constant, 1e3);
     if (name.find("category") == 0 || name == "clearly_better") continue; // they choose what is learned

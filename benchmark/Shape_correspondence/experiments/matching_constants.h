@@ -74,8 +74,6 @@ inline const std::vector<Matching_constant>& matching_constants()
        "by at most this sum. Smaller values give fewer pairs of higher precision."},
       {"confident_excess", &O::confident_excess, true,
        "Cost. The same bound for pairs that decide which sets of parts correspond."},
-      {"shared_counterpart", &O::shared_counterpart, true,
-       "Cost. Largest one between parts of one shape that may share a counterpart."},
       {"main_surface", &O::main_surface, true,
        "Share. A seat or table top covers at least this much of the shape as seen from above, and is no thicker than "
        "this much of its shorter side."},

@@ -60,8 +60,6 @@ struct Part_matching_options
   double excess = 1.5;
   /// Cost. The same bound for pairs that decide which sets of parts correspond.
   double confident_excess = 0.5;
-  /// Cost. Largest one between parts of one shape that may share a counterpart.
-  double shared_counterpart = 3.5;
   /// Share. A seat or table top covers at least this much of the shape as seen from above, and is no thicker than this
   /// much of its shorter side.
   double main_surface = 0.3;
