@@ -185,7 +185,7 @@ def negative(number):
     return number[1:] if number.startswith("-") else "-" + number
 
 
-def turned(model, folder, turn):
+def turned_copy(model, folder, turn):
     """A copy of an OBJ file in a folder, turned; links to what is beside it, such as materials."""
     os.makedirs(folder, exist_ok=True)
     for name in os.listdir(os.path.dirname(model)):
@@ -248,7 +248,7 @@ def compare(args, models):
             os.makedirs(os.path.join(args.out, kind, category), exist_ok=True)
     targets = dict(raw)
     if args.turned:
-        targets = {name: turned(raw[name], os.path.join(args.out, "turned", name), "z_up") for name in {pair[2] for pair in pairs}}
+        targets = {name: turned_copy(raw[name], os.path.join(args.out, "turned", name), "z_up") for name in {pair[2] for pair in pairs}}
     right = matched = 0
     cache = os.path.join(args.out, "cache")
     for category, source, target in pairs:
@@ -282,7 +282,7 @@ def match_pairs(args, models):
     for category, source, target, turn in pairs:
         first, second = (model_of(name, models) for name in (source, target))
         name = "--".join([category, *(n.replace("/", "_") for n in (source, target))])
-        second = turned(second, os.path.join(folder, name), turn)
+        second = turned_copy(second, os.path.join(folder, name), turn)
         page = os.path.join(folder, name + ".html")
         done = subprocess.run([program, "match", first, second, "--html", page, "--json", page[:-4] + "json"],
                               capture_output=True, text=True)
