@@ -22,8 +22,8 @@
 #include <optional>
 
 // How well the parts that split_parts() makes of raw model files agree with labelled parts of the same shapes, by
-// points on the labelled surfaces: Rand indices (Rand 1971; Hubert and Arabie 1985), and how much each part has of each
-// other.
+// points on the labelled surfaces: Rand indices (Rand 1971; Hubert and Arabie 1985), F1 of parts, and how much each
+// part has of each other.
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -35,6 +35,7 @@ using internal::contacts::Triangle;
 using internal::contacts::Triangle_tree;
 
 constexpr int points_of_shape = 8000;
+constexpr double found_share = 0.75; // of the union of two parts that is in both, more than which one is the other
 constexpr double same_place = 0.005; // over the diagonal: how far a labelled point may be from the raw surface
 
 const char* const usage =
@@ -147,13 +148,14 @@ Common_points common_points(const Labelled_points& labelled, std::size_t labelle
 struct Agreement
 {
   double rand = 0, adjusted = 0;
+  double f1 = 0;      ///< of parts, of raw ones those that have points
   double covered = 0; ///< share of the labelled surface that is in the raw model
 };
 
 Agreement agreement_of(const Counts& counts)
 {
   double all = 0, together = 0, rows = 0, columns = 0;
-  std::vector<double> column_sums(counts[0].size(), 0);
+  std::vector<double> row_sums, column_sums(counts[0].size(), 0);
   for (const std::vector<double>& row : counts) {
     double sum = 0;
     for (std::size_t j = 0; j < row.size(); ++j) {
@@ -161,6 +163,7 @@ Agreement agreement_of(const Counts& counts)
       sum += row[j];
       column_sums[j] += row[j];
     }
+    row_sums.push_back(sum);
     rows += sum * sum;
     all += sum;
   }
@@ -171,6 +174,12 @@ Agreement agreement_of(const Counts& counts)
   result.rand = 1 - (rows + columns - 2 * together) / pairs;
   result.adjusted = largest > expected ? (together - expected) / (largest - expected) : 1;
   result.covered = all / points_of_shape;
+  double found = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    for (std::size_t j = 0; j < column_sums.size(); ++j)
+      found += counts[i][j] > found_share * (row_sums[i] + column_sums[j] - counts[i][j]);
+  const auto seen = std::count_if(column_sums.begin(), column_sums.end(), [](double sum) { return sum > 0; });
+  result.f1 = 2 * found / double(counts.size() + std::size_t(seen));
   return result;
 }
 
@@ -206,6 +215,7 @@ void compare(const std::string& raw_path, const std::string& labelled_path, Part
                          {"by_materials", of_model.by_materials},
                          {"rand", agreement.rand},
                          {"adjusted_rand", agreement.adjusted},
+                         {"f1", agreement.f1},
                          {"covered", agreement.covered},
                          {"quarter_turns", common.quarter_turns},
                          {"read_seconds", seconds(begin, read)},

@@ -5,6 +5,7 @@
 
   wild_models.py BUILD OUT FOLDER... [--install] [--step N] [--seconds S] [--megabytes M] [--jobs J]
   wild_models.py BUILD OUT FOLDER... --labelled DATA [--category chair,table] [--options "--roles none"] [--step N] [--turned]
+  wild_models.py BUILD OUT FOLDER... --pairs FILE
 
 BUILD is the build folder, FOLDERs hold models in sub-folders of any depth. With --install, OUT/installed is one of them:
 Debian's sweethome3d-furniture, flightgear-data-ai and assimp-testmodels, which has files of all types (apt-get, as root).
@@ -13,11 +14,14 @@ The first form makes a structural graph of every N-th model, each in a process t
 writes OUT/models.csv: read or refused and why, objects, parts, seconds, megabytes; and a summary to standard output.
 
 The second form takes models that are also in DATA, a folder of labelled shapes (CATEGORY/SHAPE/parts, labels.json,
-pairs.json): SHAPE ends in the name of the model. It compares parts (Rand indices by surface samples, OUT/parts.jsonl), then
+pairs.json): SHAPE ends in the name of the model. It compares parts (Rand indices and F1 by surface samples, OUT/parts.jsonl), then
 matches the pairs of pairs.json from raw files and from labelled parts, and evaluates both on labelled parts: those of which a
 part of the raw shape has the most surface correspond as it does. --options are for match; roles that were learned from the
 same shapes know their labelled parts, so `--roles none` is fair. It also tells which raw models face another side than labelled
 ones do. With --turned, the target of every raw pair is turned to z up, and the program finds the upright axes.
+
+The third form matches pairs of models without options, and takes pictures of the pages: OUT/pairs/*.png. Each line of FILE has a
+category, two models as LIBRARY/NAME, and how the second one is turned (wild_pairs.txt).
 """
 import argparse
 import collections
@@ -34,6 +38,8 @@ import sys
 import tempfile
 import time
 import zipfile
+
+from contact_sheet import screenshot
 
 MODEL_TYPES = (".obj", ".ac", ".gltf", ".glb", ".dae", ".fbx", ".3ds", ".dxf", ".ply", ".stl", ".off")
 WAITING = 10  # times as long as it may work a process may take, on a busy machine
@@ -169,16 +175,29 @@ def stand_ins(row):
     return result
 
 
-def with_z_up(model, folder):
-    """A copy of an OBJ file in a folder, turned from y up to z up."""
+# What becomes of x, y, z of a model with y up
+TURNS = {"z_up": lambda x, y, z: (x, negative(z), y),
+         "quarter": lambda x, y, z: (z, y, negative(x)),
+         "z_up,quarter": lambda x, y, z: (z, x, y)}
+
+
+def negative(number):
+    return number[1:] if number.startswith("-") else "-" + number
+
+
+def turned_copy(model, folder, turn):
+    """A copy of an OBJ file in a folder, turned; links to what is beside it, such as materials."""
     os.makedirs(folder, exist_ok=True)
+    for name in os.listdir(os.path.dirname(model)):
+        link = os.path.join(folder, name)
+        if not os.path.lexists(link) and name != os.path.basename(model):
+            os.symlink(os.path.abspath(os.path.join(os.path.dirname(model), name)), link)
     copy = os.path.join(folder, os.path.basename(model))
     with open(model, errors="replace") as lines, open(copy, "w") as out:
         for line in lines:
             words = line.split()
             if words and words[0] in ("v", "vn"):
-                x, y, z = words[1:4]
-                line = f"{words[0]} {x} {z[1:] if z.startswith('-') else '-' + z} {y}\n"
+                line = " ".join([words[0], *TURNS[turn](*words[1:4])]) + "\n"
             out.write(line)
     return copy
 
@@ -217,7 +236,9 @@ def compare(args, models):
     if not rows:
         sys.exit("no model is one of a labelled shape")
     print(f"{len(rows)} raw models of labelled shapes: Rand index {sum(r['rand'] for r in rows.values()) / len(rows):.3f}, "
-          f"adjusted {sum(r['adjusted_rand'] for r in rows.values()) / len(rows):.3f}")
+          f"adjusted {sum(r['adjusted_rand'] for r in rows.values()) / len(rows):.3f}, "
+          f"F1 of parts {sum(r['f1'] for r in rows.values()) / len(rows):.3f}; "
+          f"pieces end at materials in {sum(r['by_materials'] for r in rows.values())}")
     turned = sorted(name for name, row in rows.items() if row["quarter_turns"])
     print(f"{len(turned)} face another side: {', '.join(turned)}")
     with open(os.path.join(args.labelled, "pairs.json")) as file:
@@ -227,7 +248,7 @@ def compare(args, models):
             os.makedirs(os.path.join(args.out, kind, category), exist_ok=True)
     targets = dict(raw)
     if args.turned:
-        targets = {name: with_z_up(raw[name], os.path.join(args.out, "turned", name)) for name in {pair[2] for pair in pairs}}
+        targets = {name: turned_copy(raw[name], os.path.join(args.out, "turned", name), "z_up") for name in {pair[2] for pair in pairs}}
     right = matched = 0
     cache = os.path.join(args.out, "cache")
     for category, source, target in pairs:
@@ -253,6 +274,33 @@ def compare(args, models):
         subprocess.run([program, "evaluate", os.path.join(args.out, kind), "--ground-truth", args.labelled])
 
 
+def match_pairs(args, models):
+    program = os.path.join(args.build, "shape_correspondence")
+    folder = os.path.join(args.out, "pairs")
+    with open(args.pairs) as file:
+        pairs = [line.split() for line in file if line.strip() and not line.startswith("#")]
+    for category, source, target, turn in pairs:
+        first, second = (model_of(name, models) for name in (source, target))
+        name = "--".join([category, *(n.replace("/", "_") for n in (source, target))])
+        second = turned_copy(second, os.path.join(folder, name), turn)
+        page = os.path.join(folder, name + ".html")
+        done = subprocess.run([program, "match", first, second, "--html", page, "--json", page[:-4] + "json"],
+                              capture_output=True, text=True)
+        print(f"{name}, {turn}\n{done.stdout}{done.stderr}", flush=True)
+        if done.returncode:
+            continue
+        screenshot("chromium", page, page[:-4] + "png", 1600, 900)
+
+
+def model_of(name, models):
+    """The model of a name, LIBRARY/NAME."""
+    library, word = name.split("/")
+    found = [m for m in models if library in m.split(os.sep) and os.path.splitext(os.path.basename(m))[0] == word]
+    if len(found) != 1:
+        sys.exit(f"{len(found)} models are '{name}'")
+    return found[0]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build")
@@ -263,6 +311,7 @@ def main():
     parser.add_argument("--category", default="")
     parser.add_argument("--options", default="")
     parser.add_argument("--turned", action="store_true")
+    parser.add_argument("--pairs", default="")
     parser.add_argument("--step", type=int, default=1, help="take every N-th model or pair")
     parser.add_argument("--seconds", type=float, default=120)
     parser.add_argument("--megabytes", type=int, default=2048)
@@ -276,7 +325,9 @@ def main():
     models = models_in(folders)
     if not models:
         sys.exit("there is no model; name a folder, or --install some")
-    if args.labelled:
+    if args.pairs:
+        match_pairs(args, models)
+    elif args.labelled:
         compare(args, models)
     else:
         survey(args, models)

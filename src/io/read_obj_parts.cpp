@@ -185,12 +185,11 @@ private:
   /// Whether loose pieces do not tell the parts of an object: one is most of its surface, or they are too many.
   bool needs_materials(const Section& section) const
   {
-    const std::vector<Part_mesh> pieces = internal::loose_pieces(weld(part_of(section, "").corners));
+    const std::vector<internal::Loose_piece> pieces = internal::loose_pieces(0, weld(part_of(section, "").corners));
     double largest = 0, all = 0;
-    for (const Part_mesh& piece : pieces) {
-      const double area = internal::loose_piece(0, piece).area;
-      largest = std::max(largest, area);
-      all += area;
+    for (const internal::Loose_piece& piece : pieces) {
+      largest = std::max(largest, piece.area);
+      all += piece.area;
     }
     return pieces.size() > internal::most_parts || largest > mostly_one_piece * all;
   }

@@ -37,7 +37,7 @@ Part_split split_parts_by_roles(const Segmented_shape& objects, const Part_split
                                 const Role_model* roles)
 {
   Part_splitting_options whole = options;
-  whole.materials.clear();
+  whole.divide_by_materials = false;
   Part_split split = split_parts(objects, whole);
   if (options.mode != Part_splitting::AUTO || options.materials.empty() || !roles) return split;
   Part_split divided = split_parts(objects, options);

@@ -88,7 +88,8 @@ std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways_
   std::vector<Way> result;
   for (int from : of_source)
     for (int to : of_target)
-      if (options_.alignments != 1 || from != 0 || to != 0) result.push_back({given + to - from, from, to, true});
+      if (options_.alignments != 1 || from != 0 || to != 0)
+        result.push_back({((given + to - from) % 4 + 4) % 4, from, to, true});
   return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -62,23 +63,49 @@ Part_mesh extracted(const Part_mesh& mesh, const Indices& triangles, std::vector
   return result;
 }
 
-bool is_closed(const Part_mesh& mesh)
+/// Two vertices, and the numbers of their places, the lower one first.
+struct Edge
+{
+  std::array<std::size_t, 2> places, vertices;
+};
+
+/// The edges of all triangles, those at one place after one another.
+std::vector<Edge> sorted_edges(const Part_mesh& mesh)
 {
   const Indices place = first_at_place(mesh.points);
-  std::vector<std::array<std::size_t, 2>> edges;
+  std::vector<Edge> result;
   for (std::size_t t = 0; t < std::size_t(mesh.triangles.cols()); ++t)
     for (int k = 0; k < 3; ++k) {
-      const auto [a, b] = std::minmax(place[corner(mesh, t, k)], place[corner(mesh, t, (k + 1) % 3)]);
-      if (a != b) edges.push_back({a, b});
+      const std::size_t a = corner(mesh, t, k), b = corner(mesh, t, (k + 1) % 3);
+      if (place[a] < place[b]) result.push_back({{place[a], place[b]}, {a, b}});
+      if (place[b] < place[a]) result.push_back({{place[b], place[a]}, {b, a}});
     }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i < edges.size(); i += 2)
-    if (i + 1 == edges.size() || edges[i] != edges[i + 1]) return false;
-  return true;
+  std::sort(result.begin(), result.end(), [](const Edge& p, const Edge& q) { return p.places < q.places; });
+  return result;
 }
 
-/// By corner of a triangle, three after three, the number of its place; a place has one for each material.
-Indices places_of_corners(const Part_mesh& mesh, const std::vector<int>& materials)
+/// Calls a function with an edge of each place, and of how many triangles it is.
+template <typename Function>
+void for_each_edge(const Part_mesh& mesh, Function function)
+{
+  const std::vector<Edge> edges = sorted_edges(mesh);
+  for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
+    while (next < edges.size() && edges[next].places == edges[i].places)
+      ++next;
+    function(edges[i], next - i);
+  }
+}
+
+bool is_closed(const Part_mesh& mesh)
+{
+  bool result = true;
+  for_each_edge(mesh, [&](const Edge&, std::size_t triangles) { result = result && triangles % 2 == 0; });
+  return result;
+}
+
+/// By corner of a triangle, three after three, the number of its place; if it divides, a place has one for each
+/// material.
+Indices places_of_corners(const Part_mesh& mesh, const std::vector<int>& materials, bool divide)
 {
   const Indices place = first_at_place(mesh.points);
   Indices result;
@@ -86,17 +113,17 @@ Indices places_of_corners(const Part_mesh& mesh, const std::vector<int>& materia
   for (std::size_t t = 0; t < std::size_t(mesh.triangles.cols()); ++t)
     for (int k = 0; k < 3; ++k) {
       const std::size_t at = place[corner(mesh, t, k)];
-      result.push_back(materials.empty() ? at
-                                         : number.emplace(std::pair(at, materials[t]), number.size()).first->second);
+      result.push_back(divide ? number.emplace(std::pair(at, materials[t]), number.size()).first->second : at);
     }
   return result;
 }
 
 } // namespace
 
-std::vector<Part_mesh> loose_pieces(const Part_mesh& mesh, const std::vector<int>& materials)
+std::vector<Loose_piece> loose_pieces(std::size_t object, const Part_mesh& mesh, const std::vector<int>& materials,
+                                      bool divide)
 {
-  const Indices place = places_of_corners(mesh, materials);
+  const Indices place = places_of_corners(mesh, materials, divide && !materials.empty());
   const std::size_t places = place.empty() ? 0 : 1 + *std::max_element(place.begin(), place.end());
   Disjoint_sets sets(places);
   const auto triangles = std::size_t(mesh.triangles.cols());
@@ -114,10 +141,14 @@ std::vector<Part_mesh> loose_pieces(const Part_mesh& mesh, const std::vector<int
     }
     pieces[piece].push_back(t);
   }
-  std::vector<Part_mesh> result;
+  std::vector<Loose_piece> result;
   std::vector<int> number(std::size_t(mesh.points.cols()), -1);
-  for (const Indices& piece : pieces)
-    result.push_back(extracted(mesh, piece, number));
+  for (const Indices& piece : pieces) {
+    result.push_back(loose_piece(object, extracted(mesh, piece, number)));
+    if (materials.empty()) continue;
+    for (std::size_t t : piece)
+      result.back().materials.insert(materials[t]);
+  }
   return result;
 }
 
@@ -144,6 +175,23 @@ Loose_piece loose_piece(std::size_t object, Part_mesh mesh)
   const double size = size_of(mesh.points, middle);
   const bool closed = is_closed(mesh);
   return {object, std::move(mesh), area, size, closed};
+}
+
+Points border_points(const Part_mesh& mesh, double spacing)
+{
+  std::vector<Point> points;
+  for_each_edge(mesh, [&](const Edge& edge, std::size_t triangles) {
+    if (triangles != 1) return;
+    const Point a = mesh.points.col(Eigen::Index(edge.vertices[0])),
+                b = mesh.points.col(Eigen::Index(edge.vertices[1]));
+    const double steps = std::max(1., std::ceil((b - a).norm() / spacing));
+    for (double k = 0.5; k < steps; ++k)
+      points.push_back(a + k / steps * (b - a));
+  });
+  Points result(3, Eigen::Index(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result.col(Eigen::Index(i)) = points[i];
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

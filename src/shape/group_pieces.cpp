@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shape/group_pieces.h"
+#include "base/Nearest_points.h"
 #include "shape/Hull_planes.h"
 #include "shape/Triangle_tree.h"
 #include "shape/sample_triangles.h"
@@ -31,11 +32,15 @@ constexpr double share_in_hull = 0.95;    // of a piece that is in a hull
 constexpr double share_interlocked = 0.3; // of each of two pieces in the other's hull
 constexpr double alike = 0.01;            // relative difference of areas and sizes of copies
 constexpr std::size_t fewest_copies = 3;
-constexpr double assembly_size = 0.3;   // of an object whose pieces stay together if they touch
-constexpr double shell_distance = 0.03; // between both shells of a panel
-constexpr double shell_areas = 0.7;     // least ratio of them
-constexpr double unlimited = 1e100;     // a distance that none reaches
-constexpr double speck_size = 0.01;     // a smaller piece joins what it touches, whatever its object
+constexpr double share_of_seam = 0.9;    // of a border that is along another one
+constexpr double width_of_patch = 0.9;   // of its border, over its own
+constexpr double border_spacing = 0.002; // of points on a border
+constexpr double holder_size = 0.5;      // of what holds pieces; a larger one is the frame of the model
+constexpr double assembly_size = 0.3;    // of an object whose pieces stay together if they touch, or of a decal
+constexpr double shell_distance = 0.03;  // between both shells of a panel
+constexpr double shell_areas = 0.7;      // least ratio of them
+constexpr double unlimited = 1e100;      // a distance that none reaches
+constexpr double speck_size = 0.01;      // a smaller piece joins what it touches, whatever its object
 
 /// A piece with what distances to it need.
 class Measured_piece
@@ -75,7 +80,37 @@ public:
     return other.hull().share_inside(samples_, tolerance);
   }
 
+  /// Whether it has a border, as wide as the piece; that of a tube or bottle is narrower.
+  bool is_patch() const
+  {
+    const Points& points = border().points;
+    return points.cols() > 0 && size_of(points, points.rowwise().mean()) > width_of_patch * piece_.size;
+  }
+
+  /// Which share of the border is nearer than a distance to that of another piece.
+  double share_of_border_along(const Measured_piece& other, double distance) const
+  {
+    const Points& points = border().points;
+    Eigen::Index near = 0;
+    for (Eigen::Index i = 0; i < points.cols(); ++i)
+      near += other.border().tree.nearest_within(points.col(i), distance) >= 0;
+    return double(near) / double(points.cols());
+  }
+
 private:
+  struct Border
+  {
+    explicit Border(Points border) : points(std::move(border)), tree(points) {}
+    Points points;
+    Nearest_points tree;
+  };
+
+  const Border& border() const
+  {
+    if (!border_) border_.emplace(border_points(piece_.mesh, border_spacing * model_size_));
+    return *border_;
+  }
+
   static std::vector<Triangle> triangles_of(const Part_mesh& mesh)
   {
     std::vector<Triangle> result;
@@ -115,6 +150,7 @@ private:
   Points samples_;
   double model_size_;
   mutable std::optional<Hull_planes> hull_; ///< made when it is asked for
+  mutable std::optional<Border> border_;    ///< the same
 };
 
 /// Why a piece joins another one.
@@ -149,7 +185,7 @@ public:
       if (end - begin > 1) group_object(begin, end);
       begin = end;
     }
-    join_specks();
+    join_across_objects();
     return std::move(result_);
   }
 
@@ -178,6 +214,7 @@ private:
         result_.reasons[i] = joins[i]->reason + (' ' + names_[joins[i]->to]);
       }
     join_interlocked(begin, end);
+    join_seams(begin, end);
     if (number_of_groups(begin, end) <= options_.most_parts || objects_ == 1) return;
     kept = "it would be " + std::to_string(number_of_groups(begin, end)) + " parts";
     unite(begin, end);
@@ -213,6 +250,7 @@ private:
 
   bool holds_all_others(std::size_t largest, std::size_t begin, std::size_t end)
   {
+    if (pieces_[largest].size > holder_size * size_) return false;
     for (std::size_t i = begin; i < end; ++i)
       if (i != largest && pieces_[i].size > (1 + alike) * pieces_[largest].size) return false;
     const double tolerance = hull_tolerance * size_;
@@ -353,23 +391,58 @@ private:
       }
   }
 
-  /// Pieces so small that they are a screw or a dot, whatever their object, unless that was kept.
-  void join_specks()
+  /// Patches of one surface: the border of one, which is as wide as it is, runs along that of another.
+  void join_seams(std::size_t begin, std::size_t end)
+  {
+    for (std::size_t i = begin; i < end; ++i) {
+      std::pair longest(share_of_seam, unlimited); // and of equal ones that of the largest piece
+      std::size_t to = i;
+      for (std::size_t j = begin; j < end; ++j) {
+        if (i == j || !may_have_seam(i, j)) continue;
+        const std::pair seam(measured(i).share_of_border_along(measured(j), options_.touching_distance * size_),
+                             pieces_[j].area);
+        if (seam <= longest) continue;
+        longest = seam;
+        to = j;
+      }
+      if (to == i || !result_.sets.unite(i, to)) continue;
+      if (result_.reasons[i].empty()) result_.reasons[i] = "has a seam with " + names_[to];
+    }
+  }
+
+  bool may_have_seam(std::size_t i, std::size_t other)
+  {
+    if (pieces_[i].closed || pieces_[other].closed || pieces_[i].materials != pieces_[other].materials) return false;
+    return boxes_are_near(i, other, options_.touching_distance * size_) && measured(i).is_patch();
+  }
+
+  /// Screws, dots and decals join a piece of another object, unless theirs was kept.
+  void join_across_objects()
   {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       const bool is_kept = !result_.kept[pieces_[i].object].empty();
-      if (is_kept || pieces_[i].size >= speck_size * size_ || !result_.reasons[i].empty()) continue;
+      if (is_kept || pieces_[i].size >= assembly_size * size_ || !result_.reasons[i].empty()) continue;
       std::optional<Join> best;
       for (std::size_t other = 0; other < pieces_.size(); ++other) {
-        if (pieces_[other].object == pieces_[i].object || pieces_[other].size < 2 * pieces_[i].size) continue;
-        if (!are_touching(i, other)) continue;
-        const double distance = measured(i).distance_to(measured(other), best ? best->distance : unlimited);
-        if (std::isfinite(distance)) best = Join{other, distance, "tiny, touches"};
+        if (pieces_[other].object == pieces_[i].object) continue;
+        if (const std::optional<Join> join = join_across(i, other, best ? best->distance : unlimited)) best = join;
       }
       if (!best) continue;
       result_.sets.unite(i, best->to);
       result_.reasons[i] = best->reason + (' ' + names_[best->to]);
     }
+  }
+
+  /// \param nearest distance of the farthest point, which this one has to be nearer than
+  std::optional<Join> join_across(std::size_t i, std::size_t other, double nearest)
+  {
+    const double touching = options_.touching_distance * size_;
+    if (!boxes_are_near(i, other, touching)) return {};
+    const bool is_speck = pieces_[i].size < speck_size * size_ && pieces_[other].size >= 2 * pieces_[i].size;
+    if (is_speck ? !are_touching(i, other) : pieces_[i].closed || !may_join(i, other)) return {};
+    const double distance = measured(i).distance_to(measured(other), is_speck ? nearest : std::min(nearest, touching));
+    if (!std::isfinite(distance)) return {};
+    return Join{other, distance, is_speck ? "tiny, touches" : "lies on"};
   }
 
   const std::vector<Loose_piece>& pieces_;

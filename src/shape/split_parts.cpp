@@ -64,15 +64,17 @@ class Splitter
 {
 public:
   Splitter(const Segmented_shape& objects, const Segmentation_options& segmentation,
-           const std::vector<std::vector<int>>& materials)
+           const std::vector<std::vector<int>>& materials, bool divide)
       : objects_(objects.parts()),
         segmentation_(segmentation),
         size_(size_of_model(objects)),
         result_{Segmented_shape(objects.name(), objects.up()), {}, {}}
   {
-    result_.by_materials = !materials.empty();
+    result_.by_materials = divide && !materials.empty();
     for (std::size_t i = 0; i < objects_.size(); ++i)
-      add_pieces(i, loose_pieces(objects_[i].mesh, materials.empty() ? std::vector<int>() : materials[i]));
+      for (Loose_piece& piece :
+           loose_pieces(i, objects_[i].mesh, materials.empty() ? std::vector<int>() : materials[i], divide))
+        add_piece(std::move(piece));
     name_pieces();
   }
 
@@ -87,10 +89,8 @@ public:
     for (const Loose_piece& piece : whole) {
       const Mesh_segmentation segments = segment_mesh(piece.mesh, segmentation_);
       result_.pieces_left_out += segments.pieces_left_out;
-      std::vector<Part_mesh> meshes;
       for (const Shape_part& segment : segments.shape.parts())
-        meshes.push_back(segment.mesh);
-      add_pieces(piece.object, std::move(meshes));
+        add_piece(loose_piece(piece.object, segment.mesh));
     }
     name_pieces();
   }
@@ -159,14 +159,12 @@ public:
 private:
   using Group = std::vector<std::size_t>; // of pieces
 
-  void add_pieces(std::size_t object, std::vector<Part_mesh> meshes)
+  void add_piece(Loose_piece piece)
   {
-    for (Part_mesh& mesh : meshes) {
-      if (has_area(mesh))
-        pieces_.push_back(loose_piece(object, std::move(mesh)));
-      else
-        ++result_.pieces_left_out;
-    }
+    if (has_area(piece.mesh))
+      pieces_.push_back(std::move(piece));
+    else
+      ++result_.pieces_left_out;
   }
 
   void name_pieces()
@@ -284,7 +282,7 @@ bool Part_split::changes_objects() const
 
 Part_split split_parts(const Segmented_shape& objects, const Part_splitting_options& options)
 {
-  Splitter splitter(objects, options.segmentation, options.materials);
+  Splitter splitter(objects, options.segmentation, options.materials, options.divide_by_materials);
   switch (options.mode) {
   case Part_splitting::FILE:
     return splitter.objects();
@@ -303,7 +301,7 @@ Part_split split_parts(const Segmented_shape& objects, const std::map<std::strin
                        bool by_segments, const Segmentation_options& segmentation,
                        const std::vector<std::vector<int>>& materials)
 {
-  Splitter splitter(objects, segmentation, materials);
+  Splitter splitter(objects, segmentation, materials, true);
   if (by_segments) splitter.segment();
   return splitter.assigned(part_of_piece);
 }

@@ -149,10 +149,11 @@ void turn_by_a_quarter(Furniture& furniture)
   }
 }
 
-/// Whether all six parts of one chair are found in the other.
+/// Whether all six parts of one chair are found in the other, and the turns are those that a result file may have.
 bool is_right(const Furniture& source, const Furniture& target, const Correspondence& found)
 {
-  return found.category == "chair" && found.pairs.size() == 6 &&
+  return found.target_quarter_turns >= 0 && found.target_quarter_turns < 4 && found.category == "chair" &&
+         found.pairs.size() == 6 &&
          std::all_of(found.pairs.begin(), found.pairs.end(), [&](const Part_correspondence& pair) {
            return source.labels[pair.source].fine == target.labels[pair.target].fine;
          });

@@ -252,6 +252,84 @@ TEST_CASE("An object that would become too many parts stays as it is")
   CHECK(names(dusty) == std::vector<std::string>{"pot", "dust"});
 }
 
+namespace {
+
+/// The cover of a cushion in three patches with piping between them: front, back, and the sides as a strip.
+std::vector<Part_mesh> patches_of_cushion(double gap)
+{
+  Part_mesh sides = box({0, 0, 0}, {1, 1, 0.3}, 0, 4);
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index t = 0; t < sides.triangles.cols(); ++t) {
+    const auto z = [&](int k) { return sides.points(2, sides.triangles(k, t)); };
+    if (z(0) != z(1) || z(0) != z(2)) kept.push_back(t);
+  }
+  Eigen::Matrix3Xi triangles(3, Eigen::Index(kept.size()));
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    triangles.col(Eigen::Index(i)) = sides.triangles.col(kept[i]);
+  sides.triangles = triangles;
+  return {sides, sheet({0, 0, 0.15 + gap}, 1, 1), sheet({0, 0, -0.15 - gap}, 1, 1)};
+}
+
+} // namespace
+
+TEST_CASE("Patches whose borders run along one another are one part, unless their materials differ")
+{
+  const auto parts = [](double gap, std::vector<std::vector<int>> materials) {
+    Part_splitting_options options;
+    options.materials = std::move(materials);
+    options.divide_by_materials = false;
+    return split_parts(
+        model({{"fabric", joined(patches_of_cushion(gap))}, {"frame", box({0, -0.7, 0}, {1, 0.1, 0.3})}}), options);
+  };
+  const Part_split cushion = parts(0.004, {});
+  CHECK(cushion.shape.parts().size() == 2);
+  CHECK_THAT(cushion.pieces[1].reason + cushion.pieces[2].reason, Contains("has a seam with fabric#1"));
+  CHECK(parts(0.05, {}).shape.parts().size() == 4);
+  const Eigen::Index strip = patches_of_cushion(0)[0].triangles.cols();
+  std::vector<int> of_fabric(std::size_t(strip) + 4, 0);
+  of_fabric[std::size_t(strip)] = of_fabric[std::size_t(strip) + 1] = 1; // a face of another one
+  const Part_split split = parts(0.004, {of_fabric, std::vector<int>(12, 0)});
+  CHECK(split.shape.parts().size() == 3);
+  CHECK_FALSE(split.by_materials);
+}
+
+TEST_CASE("Tubes that stand on one another are no patches")
+{
+  const auto tube = [](double closed_end, double open_end) {
+    return part_meshes::turned({{0, closed_end}, {0.05, closed_end}, {0.05, open_end}});
+  };
+  const Part_split split = split_parts(
+      model({{"metal", joined({tube(0, 1), tube(2, 1.001)})}, {"foot", box({0, -0.1, 0}, {0.5, 0.1, 0.5})}}));
+  CHECK(split.shape.parts().size() == 3);
+}
+
+TEST_CASE("What the frame of a model holds are parts, such as drawers")
+{
+  const auto parts = [](double size) { // of the cabinet, over that of the model
+    const Part_mesh drawers = joined({box({0, 0.3, 0}, {0.8, 0.3, 0.8}), box({0, -0.3, 0}, {0.8, 0.3, 0.8})});
+    return split_parts(model({{"wood", joined({box({0, 0, 0}, {1, 1, 1}), drawers})},
+                              {"far", box({0, 0, 1 / size}, {1, 1, 0.1})}}))
+        .shape.parts()
+        .size();
+  };
+  CHECK(parts(0.9) == 4);
+  CHECK(parts(0.2) == 2);
+}
+
+TEST_CASE("A decal joins what it lies on, larger sheets and solids do not")
+{
+  const auto parts = [](const Part_mesh& other) {
+    return split_parts(
+        model({{"door", box({0, 0, 0}, {1, 1, 0.1})}, {"other", other}, {"foot", box({0, -0.6, 0}, {1, 0.2, 0.5})}}));
+  };
+  const Part_split decal = parts(sheet({0, 0, 0.052}, 0.2, 0.2));
+  CHECK(decal.shape.parts().size() == 2);
+  CHECK(decal.pieces[1].reason == "lies on door");
+  CHECK(parts(sheet({0, 0, 0.1}, 0.2, 0.2)).shape.parts().size() == 3);
+  CHECK(parts(sheet({0, 0, 0.052}, 0.8, 0.8)).shape.parts().size() == 3);
+  CHECK(parts(box({0, 0, 0.0525}, {0.2, 0.2, 0.004})).shape.parts().size() == 3);
+}
+
 TEST_CASE("A model of one object becomes its pieces, one of one piece its segments")
 {
   const Part_split pieces = split_parts(model({{"table", joined({top(), legs()[0], legs()[1]})}}));

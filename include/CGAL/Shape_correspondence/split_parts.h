@@ -41,8 +41,9 @@ struct Part_splitting_options
   double touching_distance = 0.005;           ///< largest gap of pieces in contact
   std::size_t most_parts = 100;      ///< largest number of parts of an object; it stays as it is rather than have more
   Segmentation_options segmentation; ///< options of `Part_splitting::SEGMENTS`, and for models of one piece
-  /// By object and triangle, a number for the material; loose pieces also end where it changes. Empty: they do not.
+  /// By object and triangle, a number for the material; patches of one material may have a seam. Empty: it is one.
   std::vector<std::vector<int>> materials;
+  bool divide_by_materials = true; ///< whether loose pieces also end where the material changes
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
@@ -82,15 +83,17 @@ struct Part_split
 /// Makes parts of the objects of a model. An object may have pieces that only share a material, such as four legs, and
 /// one part may have several pieces, such as the spokes of a wheel. In mode `Part_splitting::AUTO`
 /// - an object stays whole if it is one piece, if the hull of its largest piece contains all others (a spoked wheel, a
-///   cushion with its piping), or if it is smaller than .3 of the model and its pieces touch, unless it is the only
-///   object;
+///   cushion with its piping) and is smaller than .5 of the model, or if it is smaller than .3 of the model and its
+///   pieces touch, unless it is the only object;
 /// - of other objects every piece is a part, but a piece joins the one that it lies on (a lining, a screw, the other
 ///   shell of a panel), a small one the one that it touches, and pieces that touch and are deep in each other's hulls
-///   stay together; a piece smaller than .01 also joins a piece of another object that it touches;
+///   stay together; so do patches of one material if the border of one, as wide as the patch, runs along that of the
+///   other (the front and the sides of a cushion);
+/// - a piece smaller than .01 also joins a piece of another object that it touches, and an open one smaller than .3 one
+///   that it lies on (a decal);
 /// - three or more copies of a piece are all treated like the majority of them;
 /// - an object that has more than 1000 pieces stays as it is, and so does one of several objects if it would become
-/// more
-///   than `most_parts` parts;
+///   over `most_parts` parts;
 /// - a model that would be one part becomes its pieces, and one that is one piece its segments, if they are at most 30.
 ///
 /// The result does not depend on position, size, rotation (except for rounding) and order. Parts have the name of their
