@@ -283,6 +283,7 @@ IO::Json role_manifest_json(const Role_training_set& set, const Role_validation&
     const Category_roles& learned = model.data().categories[model.data().index(category)];
     entry["weights"] = json_of(learned.weights);
     entry["confidence"] = json_of(learned.confidence);
+    entry["geometric_confidence"] = json_of(learned.geometric_confidence);
     result["categories"].push_back(std::move(entry));
   }
   result["weights"] = json_of(validation.weights());
