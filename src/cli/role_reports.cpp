@@ -61,6 +61,7 @@ std::string interval_text(const Estimate& estimate) { return decimals(estimate.l
 /// How well confidences tell right from wrong. Every pair of shapes of a category weighs the same.
 struct Calibration
 {
+  bool has_confidences = false;
   double stated = 0, right = 0; // mean confidence of the pairs of parts, and share of those that are right
   double auc = 0;               // how often a pair that is right has more confidence than one that is wrong
   double sure_precision = 0;    // share that is right of those of a confidence of `sure` or more
@@ -90,6 +91,7 @@ Calibration calibration_of(const Role_training_set& set, const Role_validation& 
   std::sort(all.begin(), all.end(),
             [](const Weighted_pair& a, const Weighted_pair& b) { return a.confidence < b.confidence; });
   Calibration result;
+  result.has_confidences = !all.empty();
   double wrong = 0, ordered = 0, sure_right = 0;
   for (const Weighted_pair& pair : all) {
     result.stated += pair.weight * pair.confidence;
@@ -240,7 +242,7 @@ void write_role_table(std::ostream& out, const Role_training_set& set, const Rol
       rows.back().push_back(text);
     for (double value :
          {confidences.stated, confidences.right, confidences.auc, confidences.sure_precision, confidences.sure_share})
-      rows.back().push_back(decimals(value));
+      rows.back().push_back(confidences.has_confidences ? decimals(value) : "-");
     for (const auto fronts : {&Front_count::possible, &Front_count::sure})
       rows.back().push_back(share_of_fronts(set, validation, name == "mean" ? "" : name, fronts));
     for (const auto labels : {&Validated_pair::labels_by_geometry, &Validated_pair::labels_joined})

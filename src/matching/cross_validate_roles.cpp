@@ -196,7 +196,7 @@ void Role_validation::match(const Part_matching_options& parts)
     result.labels_by_geometry = transferred_share(geometric[i], source, target);
     result.labels_joined = transferred_share(matched, source, target);
     result.fronts = pair.fronts;
-    result.judged = judged(matched.pairs, pair.truth);
+    if (options_.role_weight == 0) result.judged = judged(matched.pairs, pair.truth);
   });
 }
 

@@ -85,7 +85,7 @@ struct Validated_pair
   // The share of the target's parts that get their coarse label from the source.
   double labels_by_geometry = 0, labels_joined = 0;
   Front_count fronts;              // of the two shapes, with the category told
-  std::vector<Judged_pair> judged; // of the matcher's pairs
+  std::vector<Judged_pair> judged; // of the matcher's pairs; none of least energy, which have no confidence
 };
 
 struct Pair_evidence;

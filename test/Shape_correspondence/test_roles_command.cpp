@@ -72,6 +72,13 @@ TEST_CASE("The command roles")
   const Run few = run("roles evaluate " + data + quick + "--leave-out category --number-of-examples 1 --told --json -");
   REQUIRE(few.status == 0);
   CHECK(nlohmann::json::parse(few.out)["weights"].contains("same_label"));
+
+  // Correspondences of least energy have no confidences
+  const Run energy = run("roles evaluate " + data + quick + "--role-weight 1 --json -");
+  CHECK(energy.status == 0);
+  for (const auto& pair : nlohmann::json::parse(energy.out)["pairs"])
+    CHECK(pair["confidences"].empty());
+
   CHECK_THAT(run("roles evaluate " + data + " --number-of-examples 0").error, Contains("at least 1"));
 
   CHECK_THAT(run("roles train " + data).error, Contains("needs --output"));
