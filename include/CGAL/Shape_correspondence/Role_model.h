@@ -51,7 +51,8 @@ public:
 
   /// Writes the model, in bytes that are the same on all machines.
   void write(std::ostream& out) const;
-  /// Reads what `write()` has written, and the stream to its end. \throw Invalid_input if it is damaged; the message begins with `name`
+  /// Reads what `write()` has written, and the stream to its end. \throw Invalid_input if it is damaged; the message
+  /// begins with `name`
   static Role_model read(std::istream& in, const std::string& name);
 
   /// For the package's own use.
