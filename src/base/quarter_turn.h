@@ -7,11 +7,14 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
+// The number of quarter turns from 0 to 3 that comes to the same.
+inline int within_a_turn(int quarter_turns) { return (quarter_turns % 4 + 4) % 4; }
+
 // Quarter turn about y as an exact rotation: no rounding, so that a self-match costs exactly 0.
 inline Eigen::Matrix3d quarter_turn(int turns)
 {
   static constexpr int cosine[] = {1, 0, -1, 0};
-  const int k = ((turns % 4) + 4) % 4;
+  const int k = within_a_turn(turns);
   const double c = cosine[k], s = cosine[(k + 3) % 4];
   Eigen::Matrix3d turn;
   turn << c, 0, s, 0, 1, 0, -s, 0, c;

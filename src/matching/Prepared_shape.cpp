@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/quarter_turn.h"
 #include "matching/Alignments.h"
 
 #include <cstddef>
@@ -10,7 +11,7 @@ using namespace internal;
 
 namespace {
 
-std::size_t index_of_turn(int quarter_turns) { return std::size_t((quarter_turns % 4 + 4) % 4); }
+std::size_t index_of_turn(int quarter_turns) { return std::size_t(within_a_turn(quarter_turns)); }
 
 } // namespace
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/quarter_turn.h"
 #include "matching/Correspondence_finder_impl.h"
 #include "matching/Search_run.h"
 #include "matching/aligned_matching.h"
@@ -89,7 +90,7 @@ std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways_
   for (int from : of_source)
     for (int to : of_target)
       if (options_.alignments != 1 || from != 0 || to != 0)
-        result.push_back({((given + to - from) % 4 + 4) % 4, from, to, true});
+        result.push_back({within_a_turn(given + to - from), from, to, true});
   return result;
 }
 

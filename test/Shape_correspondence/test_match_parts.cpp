@@ -235,7 +235,7 @@ TEST_CASE("Less excess leaves fewer pairs, all of them among the others'")
 {
   Part_matching_options strict, generous;
   strict.excess = strict.confident_excess = 0;
-  generous.excess = 5; // the cost of a leg at the other side
+  generous.excess = 5;
   const Pairs few = pairs(table_with_double_legs(), hand_made::table(), strict);
   const Pairs many = pairs(table_with_double_legs(), hand_made::table(), generous);
   CHECK(few.size() < many.size());
