@@ -165,8 +165,8 @@ const Structural_rods& Matching_problem::Contact_table::rods(std::uint32_t a, st
     return *known;
   }
   const int n = int(first.order->size()), m = int(second.order->size());
-  piece_rods_.emplace_back(fitted_.source_samples(first), n, first.repeats, fitted_.source_samples(second), m,
-                           second.repeats, piece_memory_.take(Structural_rods::size(n, m)));
+  piece_rods_.emplace_back(fitted_.source_samples(first), n, fitted_.source_samples(second), m,
+                           piece_memory_.take(Structural_rods::size(n, m)));
   known = &piece_rods_.back();
   return *known;
 }

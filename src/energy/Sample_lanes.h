@@ -22,8 +22,9 @@ constexpr float far_away = 1e6f;
 struct alignas(64) Sample_lanes
 {
   float coordinates[3][lane_count];
+  int repeats, stride = 1; // so many samples are equal each: those that are `stride` apart
 
-  explicit Sample_lanes(const Points& samples, int repeats = 1)
+  explicit Sample_lanes(const Points& samples, int repeats = 1) : repeats(repeats)
   {
     const int count = int(samples.cols()) * repeats;
     for (int i = 0; i < count; ++i)
@@ -31,9 +32,10 @@ struct alignas(64) Sample_lanes
     pad(count);
   }
   // In the order of `deform_to_fit()`.
-  Sample_lanes(const Points& samples, const std::vector<int>& order)
+  Sample_lanes(const Points& samples, const std::vector<int>& order) : repeats(int(order.size() / samples.cols()))
   {
-    const int count = int(order.size()), repeats = count / int(samples.cols());
+    const int count = int(order.size());
+    if (repeats > 1 && order[0] / repeats != order[1] / repeats) stride = repeats; // columns of the grid became rows
     for (int i = 0; i < count; ++i)
       set(i, samples.col(repeats == 1 ? order[std::size_t(i)] : order[std::size_t(i)] / repeats));
     pad(count);
@@ -64,8 +66,7 @@ struct alignas(64) Rod_block
 constexpr int samples_in_blocks(int count) { return count / block_lanes * block_lanes; }
 constexpr int blocks_of(int count) { return (count + block_lanes - 1) / block_lanes; }
 
-// Squared length, in units of the shape's height, under which a rod has no direction. Added to squared lengths, it
-// keeps them from being 0.
+// Squared length, in units of the shape's height, under which a rod has no direction.
 constexpr float zero_rod = 1e-9f;
 
 } // namespace CGAL::Shape_correspondence::internal

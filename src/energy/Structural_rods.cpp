@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/Structural_rods.h"
+#include "base/quantized.h"
 #include "energy/rod_cosines.h"
 #include "energy/rod_directions.h"
 
@@ -30,34 +31,32 @@ Structural_rods::Structural_rods(const Points& first, const Points& second, int 
 
 Structural_rods::Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats,
                                  Own_rods memory)
-    : Structural_rods(Sample_lanes(first, first_repeats), int(first.cols()) * first_repeats, first_repeats,
-                      Sample_lanes(second, second_repeats), int(second.cols()) * second_repeats, second_repeats,
-                      memory.get())
+    : Structural_rods(Sample_lanes(first, first_repeats), int(first.cols()) * first_repeats,
+                      Sample_lanes(second, second_repeats), int(second.cols()) * second_repeats, memory.get())
 {
   memory_ = std::move(memory);
 }
 
-Structural_rods::Structural_rods(const Sample_lanes& from, int first_count, int first_repeats, const Sample_lanes& to,
-                                 int second_count, int second_repeats, Rod_block* memory)
+Structural_rods::Structural_rods(const Sample_lanes& from, int first_count, const Sample_lanes& to, int second_count,
+                                 Rod_block* memory)
     : rods_(memory), first_count_(first_count), second_count_(second_count)
 {
   CGAL_precondition(first_count_ <= maximum_samples && second_count_ <= maximum_samples);
   const int in_blocks = samples_in_blocks(second_count_);
   static const Rod_writer write = available_rod_writers().back();
-  const Rod_rows there = write(from, 0, first_count_, first_repeats, to, in_blocks, memory);
+  const Rod_rows there = write(from, 0, first_count_, to, in_blocks, memory);
   memory += std::ptrdiff_t(first_count_) * blocks_of(in_blocks);
-  const Rod_rows back = write(to, in_blocks, second_count_, second_repeats, from, first_count_, memory);
-  directionless_ = double(there.directionless + back.directionless) / (first_count_ * second_count_);
+  const Rod_rows back = write(to, in_blocks, second_count_, from, first_count_, memory);
+  directionless_ = there.directionless + back.directionless;
+  share_ = 1 / double(first_count_ * second_count_);
+  shortest_ = std::sqrt(double(std::min(there.shortest_squared, back.shortest_squared)));
   longest_ = std::sqrt(double(std::max(there.longest_squared, back.longest_squared)));
-  const Rod_answer<1> unmoved = rod_kernels().both(&rods_, from, first_count_, to, second_count_);
-  unmoved_ = double(unmoved.squared_cosines[0]);
-  shortest_ = std::sqrt(double(unmoved.least_squared_length));
 }
 
 double Structural_rods::distortion(float squared_cosines) const
 {
-  if (unmoved_ == 0) return 0;
-  return distortion_energy(directionless_ + (1 - directionless_) * (double(squared_cosines) / unmoved_));
+  const double mean = (directionless_ + double(squared_cosines)) * share_;
+  return mean > 1 - comparison_grid ? 0 : distortion_energy(mean);
 }
 
 void distortions(const std::vector<const Structural_rods*>& pairs, const Sample_lanes& first,

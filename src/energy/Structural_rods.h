@@ -35,9 +35,8 @@ public:
   Structural_rods(const Points& first, const Points& second, int first_repeats = 1, int second_repeats = 1);
   /// The same of samples of which the lanes already have as many as they count times, `first_count` and `second_count`
   /// in all, in memory that is not theirs and outlives them. \pre `memory` has `size()` blocks
-  Structural_rods(const internal::Sample_lanes& first, int first_count, int first_repeats,
-                  const internal::Sample_lanes& second, int second_count, int second_repeats,
-                  internal::Rod_block* memory);
+  Structural_rods(const internal::Sample_lanes& first, int first_count, const internal::Sample_lanes& second,
+                  int second_count, internal::Rod_block* memory);
   /// How many blocks of directions so many samples have.
   static std::size_t size(int first_count, int second_count);
 
@@ -59,15 +58,16 @@ private:
   internal::Own_rods memory_; // where it is theirs
   const internal::Rod_block* rods_ = nullptr;
   int first_count_ = 0, second_count_ = 0;
-  double directionless_ = 0; // share of the rods that have length zero
-  double unmoved_ = 0;       // the sum over the other rods, one each up to rounding
+  double directionless_ = 0; // how many rods have length zero
+  double share_ = 0;         // of one rod in the mean over all
   double shortest_ = 0;      // d
   double longest_ = 0;       // f
 };
 
 /// E_d (Eq. 3), `distortion_energy()`, of pairs of parts that all turn into the samples `first` and `second`, as many
 /// as each of them had; cosines (Eq. 2) are summed in single precision. A rod of length zero keeps its direction
-/// whatever happens; one that becomes zero loses it. Exactly 0 when nothing moved. O(number of rods).
+/// whatever happens; one that becomes zero loses it. 0 if
+/// the mean of squared cosines is 1 to within `comparison_grid`. O(number of rods).
 void distortions(const std::vector<const Structural_rods*>& pairs, const internal::Sample_lanes& first,
                  const internal::Sample_lanes& second, std::vector<double>& result);
 

@@ -53,6 +53,21 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void keep_positive(typename Lane_vector<
   }
 }
 
+// x becomes max(x, `zero_rod`), where it is not negative.
+template <int Width>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void keep_from_zero(typename Lane_vector<Width>::type& x)
+{
+  if constexpr (Width == 1) {
+    x = x > zero_rod ? x : zero_rod;
+  } else {
+    using Lanes = typename Lane_vector<Width>::type;
+    using Bits = typename Lane_vector<Width>::bits;
+    const Lanes least = Lanes{} + zero_rod;
+    const Bits a = reinterpret_cast<Bits>(x), b = reinterpret_cast<Bits>(least);
+    x = reinterpret_cast<Lanes>(a > b ? a : b);
+  }
+}
+
 // x becomes min(x, y), where neither is negative.
 template <int Width>
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void keep_least(typename Lane_vector<Width>::type& x,
@@ -158,8 +173,8 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void add_rows(const Rod_block* const* ro
         keep_least<Width>(totals.least[k], next_length);
       }
       if constexpr (Sources > 0) {
-        length += zero_rod;
-        next_length += zero_rod;
+        keep_from_zero<Width>(length);
+        keep_from_zero<Width>(next_length);
         const Lanes both = 1.0f / (length * next_length), inverse = both * next_length,
                     next_inverse = is_pair ? both * length : Lanes{};
 #pragma GCC unroll 4
@@ -168,6 +183,47 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void add_rows(const Rod_block* const* ro
           find_squared_along<Width>(rods[s][row + block], k, rod, squared);
           find_squared_along<Width>(rods[s][next_row + block], k, next_rod, next_squared);
           totals.cosines[s][k] += squared * inverse + next_squared * next_inverse;
+        }
+      }
+    }
+  }
+}
+
+// The same for all `n` samples of `from`, of which several are equal: the rods that they have after the deformation are
+// found once, and divided by once.
+template <int Width, int Blocks, int Sources, bool Least>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void add_equal_rows(const Rod_block* const* rods, const Sample_lanes& from,
+                                                            int n, const Sample_lanes& to,
+                                                            Rod_totals<Width, Sources>& totals)
+{
+#ifdef __clang__
+#pragma STDC FP_CONTRACT OFF
+#endif
+  using Lanes = typename Lane_vector<Width>::type;
+  constexpr int in_block = block_lanes / Width;
+  const auto& at = from.coordinates;
+  const int repeats = from.repeats, stride = from.stride;
+  for (int group = 0; group < n / repeats; ++group) {
+    const int first = stride == 1 ? group * repeats : group;
+    const float start[3] = {at[0][first], at[1][first], at[2][first]};
+    for (int l = 0; l < Blocks * in_block; ++l) {
+      const int block = l / in_block, k = l % in_block;
+      Lanes rod[3], length;
+      find_rods<Width>(start, to, l, rod, length);
+      if constexpr (Least) keep_least<Width>(totals.least[k], length);
+      if constexpr (Sources > 0) {
+        keep_from_zero<Width>(length);
+        const Lanes inverse = 1.0f / length;
+#pragma GCC unroll 4
+        for (int s = 0; s < Sources; ++s) {
+          const Rod_block* before = rods[s] + std::ptrdiff_t(first) * Blocks + block;
+          Lanes sum = {};
+          for (int i = 0; i < repeats; ++i, before += std::ptrdiff_t(stride) * Blocks) {
+            Lanes squared;
+            find_squared_along<Width>(*before, k, rod, squared);
+            sum += squared;
+          }
+          totals.cosines[s][k] += sum * inverse;
         }
       }
     }
@@ -202,7 +258,10 @@ answer(const Rod_block* const* rods, const Sample_lanes& first, int n, const Sam
   const int back = n * blocks;
   Rod_totals<Width, Sources> totals;
   if (blocks == 1) add_rows<Width, 1, Sources, Least>(rods, 0, first, 0, n, second, totals);
-  if (blocks == 2) add_rows<Width, 2, Sources, Least>(rods, 0, first, 0, n, second, totals);
+  if (blocks == 2 && first.repeats > 1)
+    add_equal_rows<Width, 2, Sources, Least>(rods, first, n, second, totals);
+  else if (blocks == 2)
+    add_rows<Width, 2, Sources, Least>(rods, 0, first, 0, n, second, totals);
   if (in_blocks < m) {
     if (back_blocks == 1) add_rows<Width, 1, Sources, Least>(rods, back, second, in_blocks, m, first, totals);
     if (back_blocks == 2) add_rows<Width, 2, Sources, Least>(rods, back, second, in_blocks, m, first, totals);

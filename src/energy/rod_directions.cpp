@@ -34,19 +34,26 @@ alignas(64) constexpr std::array<std::int32_t, lane_count> lane_indices = number
 template <int Width>
 struct Row_totals
 {
+  using Lanes = typename Lane_vector<Width>::type;
   using Bits = typename Lane_vector<Width>::bits;
 
-  Bits directionless = {}, longest_squared = {};
+  Bits directionless = {}, longest_squared = {}, shortest_squared;
+
+  Row_totals()
+  {
+    const Lanes longer = Lanes{} + far_away * far_away;
+    std::memcpy(&shortest_squared, &longer, sizeof longer);
+  }
 
   Rod_rows result() const
   {
-    std::int32_t counts[Width], squares[Width];
+    std::int32_t counts[Width];
+    float longest[Width], shortest[Width];
     std::memcpy(counts, &directionless, sizeof counts);
-    std::memcpy(squares, &longest_squared, sizeof squares);
-    const std::int32_t longest = *std::max_element(squares, squares + Width);
-    Rod_rows rows{std::accumulate(counts, counts + Width, 0), 0};
-    std::memcpy(&rows.longest_squared, &longest, sizeof longest);
-    return rows;
+    std::memcpy(longest, &longest_squared, sizeof longest);
+    std::memcpy(shortest, &shortest_squared, sizeof shortest);
+    return {std::accumulate(counts, counts + Width, 0), *std::min_element(shortest, shortest + Width),
+            *std::max_element(longest, longest + Width)};
   }
 };
 
@@ -98,15 +105,16 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_row(const Sample_lanes& from,
     }
     const Bits of_rods = squared_bits & is_rod;
     totals.directionless += is_rod & ~has_direction & repeats;
+    totals.shortest_squared = squared_bits < totals.shortest_squared ? squared_bits : totals.shortest_squared;
     totals.longest_squared = of_rods > totals.longest_squared ? of_rods : totals.longest_squared;
   }
 }
 
 template <int Width>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_rows rows(const Sample_lanes& from, int first, int last, int repeats,
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_rows rows(const Sample_lanes& from, int first, int last,
                                                       const Sample_lanes& to, int count, Rod_block* rods)
 {
-  const int blocks = blocks_of(count);
+  const int blocks = blocks_of(count), repeats = from.repeats;
   Row_totals<Width> totals;
   while (first < last) {
     const int next = std::min(last, (first / repeats + 1) * repeats);
@@ -120,10 +128,10 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_rows rows(const Sample_lanes& from, 
 
 #define CGAL_SHAPE_CORRESPONDENCE_ROWS(name, instructions, bytes)                                                      \
   CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
-  Rod_rows rows_##name(const Sample_lanes& from, int first, int last, int repeats, const Sample_lanes& to, int count,  \
+  Rod_rows rows_##name(const Sample_lanes& from, int first, int last, const Sample_lanes& to, int count,               \
                        Rod_block* rods)                                                                                \
   {                                                                                                                    \
-    return rows<vector_width<float>(bytes)>(from, first, last, repeats, to, count, rods);                              \
+    return rows<vector_width<float>(bytes)>(from, first, last, to, count, rods);                                       \
   }
 CGAL_SHAPE_CORRESPONDENCE_FOR_INSTRUCTIONS(CGAL_SHAPE_CORRESPONDENCE_ROWS)
 #undef CGAL_SHAPE_CORRESPONDENCE_ROWS

@@ -13,13 +13,13 @@ namespace CGAL::Shape_correspondence::internal {
 struct Rod_rows
 {
   int directionless = 0;
-  float longest_squared = 0;
+  float shortest_squared, longest_squared; // lengths
 };
 
-// Writes the directions of rods in rows, a block after the other: from the samples `first` to `last` of `from`, of
-// which each `repeats` in a row are the same, to the first `count` samples of `to`.
-using Rod_writer = Rod_rows (*)(const Sample_lanes& from, int first, int last, int repeats, const Sample_lanes& to,
-                                int count, Rod_block* rods);
+// Writes the directions of rods in rows, a block after the other: from the samples `first` to `last` of `from`, in its
+// own order, to the first `count` samples of `to`.
+using Rod_writer = Rod_rows (*)(const Sample_lanes& from, int first, int last, const Sample_lanes& to, int count,
+                                Rod_block* rods);
 
 // Those that this machine can run, the fastest one last. All write the same bits.
 std::vector<Rod_writer> available_rod_writers();

@@ -155,8 +155,8 @@ TEST_CASE("Samples that count several times have the rods of as many samples")
       std::vector<internal::Rod_block> memory(Structural_rods::size(36, 36));
       const Rod_energy expected = Structural_rods(repeated(a, first), repeated(b, second)).energy(c, d);
       for (const Rod_energy& energy : {Structural_rods(a, b, first, second).energy(c, d),
-                                       Structural_rods(internal::Sample_lanes(a, first), 36, first,
-                                                       internal::Sample_lanes(b, second), 36, second, memory.data())
+                                       Structural_rods(internal::Sample_lanes(a, first), 36,
+                                                       internal::Sample_lanes(b, second), 36, memory.data())
                                            .energy(c, d)}) {
         CHECK(energy.distortion == expected.distortion);
         CHECK(energy.connectedness == expected.connectedness);
@@ -194,9 +194,10 @@ TEST_CASE("All vector instructions write the same directions of rods")
           }
         for (const internal::Rod_writer write : internal::available_rod_writers()) {
           std::vector<internal::Rod_block> rods(expected.size());
-          const internal::Rod_rows rows = write(from, 0, n, repeats, to, m, rods.data());
+          const internal::Rod_rows rows = write(from, 0, n, to, m, rods.data());
           CHECK(rows.directionless == repeats);
           CHECK(rows.longest_squared == longest_squared);
+          CHECK(rows.shortest_squared == 0);
           for (std::size_t block = 0; block < rods.size(); ++block)
             for (int axis = 0; axis < 3; ++axis)
               CHECK(std::equal(std::begin(rods[block].direction[axis]), std::end(rods[block].direction[axis]),
