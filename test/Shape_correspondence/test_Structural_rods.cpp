@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 using namespace CGAL::Shape_correspondence;
 using hand_made::points;
@@ -85,9 +86,9 @@ TEST_CASE("Every rod kernel of the machine gives the bits of the plain one")
     WARN("this machine has no AVX-512: that kernel is not tested, the widest one is " << kernels.back().name);
 #endif
   std::srand(3);
-  for (const int n : {1, 5, 6, 17, 36})
+  for (const auto& [n, repeats] : {std::pair(1, 1), {5, 1}, {6, 1}, {17, 1}, {36, 1}, {36, 6}})
     for (const int m : {1, 6, 16, 33, 36}) {
-      const Points a = Points::Random(3, n), b = Points::Random(3, m);
+      const Points a = Points::Random(3, n / repeats), b = Points::Random(3, m);
       std::vector<internal::Rod_block> before(4 * std::size_t((n + m) * internal::maximum_blocks));
       for (internal::Rod_block& block : before)
         for (int j = 0; j < internal::block_lanes; ++j) {
@@ -98,11 +99,11 @@ TEST_CASE("Every rod kernel of the machine gives the bits of the plain one")
       const internal::Rod_block* rods[4];
       for (int s = 0; s < 4; ++s)
         rods[s] = before.data() + s * (n + m) * internal::maximum_blocks;
-      const internal::Sample_lanes first(a), second(b);
+      const internal::Sample_lanes first(a, repeats), second(b);
       const auto expected = kernels[0].four(rods, first, n, second, m);
       const float least = kernels[0].least_length(nullptr, first, n, second, m).least_squared_length;
       for (const internal::Rod_kernels& kernel : kernels) {
-        CAPTURE(kernel.name, n, m);
+        CAPTURE(kernel.name, n, m, repeats);
         CHECK(kernel.least_length(nullptr, first, n, second, m).least_squared_length == least);
         const auto four = kernel.four(rods, first, n, second, m);
         for (int s = 0; s < 4; ++s) {
@@ -160,6 +161,37 @@ TEST_CASE("Samples that count several times have the rods of as many samples")
                                            .energy(c, d)}) {
         CHECK(energy.distortion == expected.distortion);
         CHECK(energy.connectedness == expected.connectedness);
+      }
+    }
+}
+
+TEST_CASE("A sheet that becomes a curve has the rods of a sheet of equal columns or rows")
+{
+  std::srand(19);
+  const Points curve = Points::Random(3, 6), d = Points::Random(3, 36);
+  std::vector<Structural_rods> rods;
+  for (int i = 0; i < 7; ++i)
+    rods.emplace_back(Points::Random(3, 36), Points::Random(3, 36));
+  std::vector<const Structural_rods*> pairs;
+  for (const Structural_rods& pair : rods)
+    pairs.push_back(&pair);
+  for (const bool columns : {true, false})
+    for (const bool backwards : {true, false}) {
+      std::vector<int> order; // of the samples of a sheet of six equal columns
+      Points samples(3, 36);
+      for (int i = 0; i < 36; ++i) {
+        const int along = columns ? i / 6 : i % 6;
+        order.push_back(6 * (backwards ? 5 - along : along) + (columns ? i % 6 : i / 6));
+        samples.col(i) = curve.col(order.back() / 6);
+      }
+      std::vector<double> result;
+      distortions(pairs, internal::Sample_lanes(curve, order), internal::Sample_lanes(d), result);
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const Rod_energy expected = rods[i].energy(internal::Sample_lanes(samples), internal::Sample_lanes(d));
+        CHECK(result[i] == Approx(expected.distortion).margin(1e-6));
+        const Rod_energy one = rods[i].energy(internal::Sample_lanes(curve, order), internal::Sample_lanes(d));
+        CHECK(one.distortion == result[i]);
+        CHECK(one.connectedness == expected.connectedness);
       }
     }
 }
