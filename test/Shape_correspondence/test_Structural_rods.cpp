@@ -155,10 +155,10 @@ TEST_CASE("Samples that count several times have the rods of as many samples")
       const Points c = Points::Random(3, 36), d = Points::Random(3, 36);
       std::vector<internal::Rod_block> memory(Structural_rods::size(36, 36));
       const Rod_energy expected = Structural_rods(repeated(a, first), repeated(b, second)).energy(c, d);
-      for (const Rod_energy& energy : {Structural_rods(a, b, first, second).energy(c, d),
-                                       Structural_rods(internal::Sample_lanes(a, first), 36,
-                                                       internal::Sample_lanes(b, second), 36, memory.data())
-                                           .energy(c, d)}) {
+      for (const Rod_energy& energy :
+           {Structural_rods(a, b, first, second).energy(c, d),
+            Structural_rods(internal::Sample_lanes(a, first), 36, internal::Sample_lanes(b, second), 36, memory.data())
+                .energy(c, d)}) {
         CHECK(energy.distortion == expected.distortion);
         CHECK(energy.connectedness == expected.connectedness);
       }
