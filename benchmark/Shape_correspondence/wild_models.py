@@ -311,7 +311,7 @@ def compare_set(args, models, data, roles_for):
     targets = dict(raw)
     if args.turned:
         targets = {name: turned_copy(raw[name], os.path.join(out, "turned", name), "z_up") for name in {pair[2] for pair in pairs}}
-    right = matched = 0
+    right = matched = without_category = 0
     cache = os.path.join(args.out, "cache")
     for category, source, target in pairs:
         name = os.path.join(category, f"{source}--{target}.json")
@@ -325,6 +325,7 @@ def compare_set(args, models, data, roles_for):
             continue
         matched += 1
         right += args.turned and axes_are_right(found, targets[target])
+        without_category += "category" in truth and "category" not in found
         here, there = stand_ins(rows[roles, source]), stand_ins(rows[roles, target])
         truth["pairs"] = sorted({(a, b) for p, q in found["pairs"] for a in here[p] for b in there[q]})
         truth.pop("confidences", None)
@@ -332,7 +333,8 @@ def compare_set(args, models, data, roles_for):
             json.dump(truth, file)
     if args.turned:
         print(f"The upright axes of {right} of {matched} raw pairs are found.")
-    print_matches({kind: scores(program, os.path.join(out, kind), data) for kind in ("labelled", "carried")})
+    print(f"Of {without_category} pairs a category is found from labelled parts, but not from raw files.")
+    print_matches(*(scores(program, os.path.join(out, kind), data) for kind in ("labelled", "carried")))
 
 
 def part_rows(args, roles, paths):
@@ -361,21 +363,24 @@ def mean(numbers):
 
 
 def scores(program, folder, data):
-    """F1 of the results in a folder, in lists by category."""
+    """F1 of the results in a folder, by category, source and target."""
     done = subprocess.run([program, "evaluate", folder, "--ground-truth", data, "--json", "-", "--quiet"], check=True,
                           stdout=subprocess.PIPE, text=True)
-    result = collections.defaultdict(list)
-    for row in json.loads(done.stdout)["results"]:
-        result[row["category"]].append(row["f1"])
-    return result
+    return {(row["category"], row["source"], row["target"]): row["f1"] for row in json.loads(done.stdout)["results"]}
 
 
-def print_matches(f1):
+def print_matches(labelled, raw):
+    """Means by category, and the shapes whose pairs lose most."""
     print("|  | pairs | F1 from labelled parts | from raw files |\n|---|---|---|---|")
-    lines = [(category, f1["labelled"][category], f1["carried"][category]) for category in f1["labelled"]]
-    lines.append(("mean of pairs", *([x for some in f1[kind].values() for x in some] for kind in ("labelled", "carried"))))
-    for name, labelled, raw in lines:
-        print(f"| {name} | {len(raw)} | {mean(labelled):.3f} | {mean(raw):.3f} |", flush=True)
+    for category in [*sorted({pair[0] for pair in raw}), None]:
+        pairs = [pair for pair in raw if category in (pair[0], None)]
+        print(f"| {category or 'mean of pairs'} | {len(pairs)} | {mean(labelled[pair] for pair in pairs):.3f} | "
+              f"{mean(raw[pair] for pair in pairs):.3f} |")
+    lost = collections.Counter()
+    for pair in raw:
+        for shape in pair[1:]:
+            lost[shape] += labelled[pair] - raw[pair]
+    print("lost most, sums over pairs: " + ", ".join(f"{shape} {loss:.2f}" for shape, loss in lost.most_common(6)), flush=True)
 
 
 def match_pairs(args, models):
