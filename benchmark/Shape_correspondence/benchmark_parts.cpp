@@ -17,8 +17,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <map>
+#include <numeric>
 #include <optional>
 
 // How well the parts that split_parts() makes of raw model files agree with labelled parts of the same shapes, by
@@ -35,6 +37,7 @@ using internal::contacts::Triangle;
 using internal::contacts::Triangle_tree;
 
 constexpr int points_of_shape = 8000;
+constexpr int points_of_part = 32;   // at least, so that small ones are seen
 constexpr double found_share = 0.75; // of the union of two parts that is in both, more than which one is the other
 constexpr double same_place = 0.005; // over the diagonal: how far a labelled point may be from the raw surface
 
@@ -74,30 +77,44 @@ Surface surface_of(const Segmented_shape& shape)
   return result;
 }
 
-/// Points on a surface, and the part of each.
+/// Points on a surface, and of each the part and how much of the surface it stands for.
 struct Labelled_points
 {
   std::vector<Point> points;
   std::vector<std::size_t> parts;
+  std::vector<double> weights; ///< their sum is `points_of_shape`
 };
 
+std::vector<Sampled_triangle> sampled_triangles_of(const Part_mesh& mesh)
+{
+  std::vector<Sampled_triangle> result;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Point a = mesh.points.col(mesh.triangles(0, t)), u = mesh.points.col(mesh.triangles(1, t)) - a,
+                v = mesh.points.col(mesh.triangles(2, t)) - a;
+    result.push_back({a, u, v, u.cross(v).norm() / 2});
+  }
+  return result;
+}
+
+/// Points of each part by its share of the area, and not fewer than `points_of_part`.
 Labelled_points points_on(const Segmented_shape& shape)
 {
-  const Surface surface = surface_of(shape);
-  std::vector<Sampled_triangle> triangles;
-  std::vector<double> area_until;
-  double area = 0;
-  for (const Triangle& t : surface.triangles) {
-    const Point u = t[1] - t[0], v = t[2] - t[0];
-    triangles.push_back({t[0], u, v, u.cross(v).norm() / 2});
-    area_until.push_back(area += triangles.back().area);
+  std::vector<std::vector<Sampled_triangle>> triangles;
+  std::vector<double> areas;
+  for (const Shape_part& part : shape.parts()) {
+    triangles.push_back(sampled_triangles_of(part.mesh));
+    areas.push_back(std::accumulate(triangles.back().begin(), triangles.back().end(), 0.,
+                                    [](double sum, const Sampled_triangle& t) { return sum + t.area; }));
   }
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.);
   Labelled_points result;
-  result.points = internal::contacts::sample_triangles(triangles, points_of_shape).points;
-  for (std::size_t k = 0; k < result.points.size(); ++k) {
-    const double target = (double(k) + 0.5) / points_of_shape * area;
-    const auto found = std::lower_bound(area_until.begin(), area_until.end() - 1, target);
-    result.parts.push_back(surface.parts[std::size_t(found - area_until.begin())]);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const int n = std::max(points_of_part, int(std::lround(points_of_shape * areas[i] / area)));
+    const internal::contacts::Surface_samples samples = internal::contacts::sample_triangles(triangles[i], n);
+    result.points.insert(result.points.end(), samples.points.begin(), samples.points.end());
+    result.parts.resize(result.points.size(), i);
+    for (double of_sample : samples.areas)
+      result.weights.push_back(of_sample / area * points_of_shape);
   }
   return result;
 }
@@ -110,9 +127,9 @@ double diagonal_of(const std::vector<Point>& points)
   return box.diagonal().norm();
 }
 
-using Counts = std::vector<std::vector<double>>; // by labelled part and raw part, of points
+using Counts = std::vector<std::vector<double>>; // by labelled part and raw part, of points by their weights
 
-/// The points on each part of the one shape that are on each part of the other.
+/// How many points on each part of the one shape are on each part of the other, by their weights.
 struct Common_points
 {
   Counts counts;
@@ -135,8 +152,8 @@ Common_points common_points(const Labelled_points& labelled, std::size_t labelle
       double squared = limit * limit;
       std::size_t triangle = 0;
       if (!tree.improve_nearest(rotation * labelled.points[k], nearest, squared, triangle)) continue;
-      ++counts[labelled.parts[k]][surface.parts[tree.given_number(triangle)]];
-      ++all;
+      counts[labelled.parts[k]][surface.parts[tree.given_number(triangle)]] += labelled.weights[k];
+      all += labelled.weights[k];
     }
     if (all <= most) continue;
     most = all;

@@ -5,7 +5,10 @@
 #include "shape/meshes.h"
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 
@@ -13,6 +16,42 @@ namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr std::size_t fewest_triangles = 24; // of a part: two boxes
+constexpr double margin = 0.05;              // around the triangles at an edge, over the diagonal of their box
+
+/// The place of Lindstrom and Turk, or the middle of the edge where that is far away, as on thin pieces: the planes
+/// that it is computed from nearly meet in a line.
+class Near_placement
+{
+public:
+  template <class Profile>
+  auto operator()(const Profile& profile) const
+  {
+    auto place = anywhere_(profile);
+    if (place && !box_of(profile).contains(point_of(*place))) *place = CGAL::midpoint(profile.p0(), profile.p1());
+    return place;
+  }
+
+private:
+  template <class Cgal_point>
+  static Point point_of(const Cgal_point& p)
+  {
+    return {p.x(), p.y(), p.z()};
+  }
+
+  /// The box of the triangles at an edge, with a margin.
+  template <class Profile>
+  static Eigen::AlignedBox3d box_of(const Profile& profile)
+  {
+    Eigen::AlignedBox3d box(point_of(profile.p0()));
+    box.extend(point_of(profile.p1()));
+    for (const auto vertex : profile.link())
+      box.extend(point_of(get(profile.vertex_point_map(), vertex)));
+    const Point side = Point::Constant(margin * box.diagonal().norm());
+    return {box.min() - side, box.max() + side};
+  }
+
+  Surface_mesh_simplification::LindstromTurk_placement<internal::Halfedge_mesh> anywhere_;
+};
 
 Part_mesh simplified_part(const Part_mesh& mesh, std::size_t most_triangles)
 {
@@ -20,7 +59,8 @@ Part_mesh simplified_part(const Part_mesh& mesh, std::size_t most_triangles)
   internal::Halfedge_mesh surface = internal::manifold_surface(mesh);
   const std::size_t edges = most_triangles * 3 / 2; // a closed surface has so many
   Surface_mesh_simplification::edge_collapse(
-      surface, Surface_mesh_simplification::Count_stop_predicate<internal::Halfedge_mesh>(edges));
+      surface, Surface_mesh_simplification::Count_stop_predicate<internal::Halfedge_mesh>(edges),
+      CGAL::parameters::get_placement(Near_placement()));
   surface.collect_garbage();
   return surface.number_of_faces() > 0 ? internal::to_part_mesh(surface) : mesh;
 }

@@ -69,3 +69,26 @@ TEST_CASE("Triangles that are no surface are simplified, too")
   CHECK(simple.parts()[0].mesh.triangles.cols() > 0);
   CHECK(simple.parts()[0].mesh.points.allFinite());
 }
+
+TEST_CASE("No vertex of a simplified part leaves the extents of the part")
+{
+  const auto card = [](int k) {
+    return box({std::sin(3.1 * k), std::sin(1.7 * k), std::sin(2.3 * k)}, {1, 0.5, 0.001}, 0.1 * k, 1);
+  };
+  const int n = 100;
+  const Eigen::Index points = card(0).points.cols(), triangles = card(0).triangles.cols();
+  Part_mesh cards; // nearly flat, so that the planes of their triangles meet far away
+  cards.points.resize(3, points * n);
+  cards.triangles.resize(3, triangles * n);
+  for (int k = 0; k < n; ++k) {
+    cards.points.middleCols(points * k, points) = card(k).points;
+    cards.triangles.middleCols(triangles * k, triangles) = card(k).triangles.array() + int(points) * k;
+  }
+  Segmented_shape shape("cards");
+  shape.add_part("cards", cards);
+  const Part_mesh simple = IO::simplified_shape(shape, 400).parts()[0].mesh;
+  CHECK(simple.triangles.cols() <= 600);
+  const Eigen::AlignedBox3d before = bounds(cards), after = bounds(simple);
+  CHECK((before.min() - after.min()).maxCoeff() < 0.001 * before.diagonal().norm());
+  CHECK((after.max() - before.max()).maxCoeff() < 0.001 * before.diagonal().norm());
+}
