@@ -68,7 +68,7 @@ void run_in_parallel(std::size_t n, const std::function<void(std::size_t)>& work
 
 void for_each_index(std::size_t n, bool parallel, const std::function<void(std::size_t)>& work)
 {
-  if (parallel) return run_in_parallel(n, work);
+  if (parallel && n > 1) return run_in_parallel(n, work);
   for (std::size_t i = 0; i < n; ++i)
     work(i);
 }

@@ -23,6 +23,7 @@
 #include <filesystem>
 #include <fstream>
 #include <new>
+#include <utility>
 
 namespace CGAL::Shape_correspondence::cli {
 namespace {
@@ -149,15 +150,21 @@ auto with_path(const std::string& path, const Read& read)
   }
 }
 
+Structure_options structure_options(const Common_options& common)
+{
+  Structure_options options;
+  options.abstraction = common.abstraction;
+  options.symmetry = common.symmetry_options();
+  options.contacts.tolerance = common.contact_tolerance;
+  return options;
+}
+
 /// Calls `load` with options and the shape to fill in; errors name `path`.
 template <typename Load>
 Loaded_shape loaded(const std::string& path, const Common_options& common, const Load& load)
 {
   Progress_bar bar(common, path);
-  Structure_options options;
-  options.abstraction = common.abstraction;
-  options.symmetry = common.symmetry_options();
-  options.contacts.tolerance = common.contact_tolerance;
+  Structure_options options = structure_options(common);
   options.abstraction.progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
   return with_path(path, [&] {
     Loaded_shape shape;
@@ -166,19 +173,30 @@ Loaded_shape loaded(const std::string& path, const Common_options& common, const
   });
 }
 
-} // namespace
+/// An input of which there is a graph, in its file or in the cache. \param folder gets what the cache may know it by
+std::optional<Loaded_shape> find_graph(const std::string& path, const Common_options& common,
+                                       std::optional<Known_folder>& folder)
+{
+  return with_path(path, [&]() -> std::optional<Loaded_shape> {
+    const Structure_options options = structure_options(common);
+    std::optional<Loaded_shape> shape(std::in_place);
+    if (is_graph_file(path)) {
+      load_graph(path, common, options, *shape);
+      return shape;
+    }
+    const double begin = now();
+    std::optional<Structural_graph> known = folder.emplace(path, common, options).find();
+    if (!known) return std::nullopt;
+    shape->graph = std::move(*known);
+    shape->read_seconds = now() - begin;
+    return shape;
+  });
+}
 
-Loaded_shape load_shape(const std::string& path, const Common_options& common)
+Loaded_shape build_shape(const std::string& path, const Common_options& common, const Known_folder& folder)
 {
   return loaded(path, common, [&](const Structure_options& options, Loaded_shape& shape) {
-    if (is_graph_file(path)) return load_graph(path, common, options, shape);
     const double begin = now();
-    const Known_folder folder(path, common, options);
-    if (std::optional<Structural_graph> known = folder.find()) {
-      shape.graph = std::move(*known);
-      shape.read_seconds = now() - begin;
-      return;
-    }
     Read_model model = read_model(path, common);
     shape.read_seconds = now() - begin;
     load_model(model, common, options, shape);
@@ -189,6 +207,15 @@ Loaded_shape load_shape(const std::string& path, const Common_options& common)
     turn_by_roles(*up, model);
     load_turned(model, common, options, shape);
   });
+}
+
+} // namespace
+
+Loaded_shape load_shape(const std::string& path, const Common_options& common)
+{
+  std::optional<Known_folder> folder;
+  std::optional<Loaded_shape> shape = find_graph(path, common, folder);
+  return shape ? std::move(*shape) : build_shape(path, common, *folder);
 }
 
 Loaded_shape load_shape(const std::string& path, Read_model model, const Common_options& common)
@@ -231,8 +258,20 @@ void check_part_kinds(const Common_options& options, const std::vector<Loaded_sh
 
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
 {
+  // One after the other, since that takes less time than to start threads
   std::vector<Loaded_shape> shapes(paths.size());
-  for_each_input(paths.size(), [&](std::size_t i) { shapes[i] = load_shape(paths[i], options.of_input(i)); });
+  std::vector<std::optional<Known_folder>> folders(paths.size());
+  std::vector<std::size_t> models;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (std::optional<Loaded_shape> shape = find_graph(paths[i], options.of_input(i), folders[i]))
+      shapes[i] = std::move(*shape);
+    else
+      models.push_back(i);
+  }
+  for_each_input(models.size(), [&](std::size_t k) {
+    const std::size_t i = models[k];
+    shapes[i] = build_shape(paths[i], options.of_input(i), *folders[i]);
+  });
   check_part_kinds(options, shapes);
   return shapes;
 }

@@ -38,7 +38,7 @@ Loaded_shape load_shape(const std::string& path, const Common_options& options);
 /// The same of a model that was read. \param path names it in messages
 Loaded_shape load_shape(const std::string& path, Read_model model, const Common_options& options);
 
-/// The same for several inputs at once, on as many threads as there are, each with its own options.
+/// The same for several inputs, each with its own options; graphs are built on as many threads as there are.
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options);
 
 /// The same for the source and the target of a correspondence, whose upright axes are found together where nothing says
