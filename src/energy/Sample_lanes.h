@@ -66,7 +66,8 @@ struct alignas(64) Rod_block
 constexpr int samples_in_blocks(int count) { return count / block_lanes * block_lanes; }
 constexpr int blocks_of(int count) { return (count + block_lanes - 1) / block_lanes; }
 
-// Squared length, in units of the shape's height, under which a rod has no direction.
+// Squared length, in units of the shape's height, under which a rod has no direction. After the deformation a rod
+// counts as at least so long.
 constexpr float zero_rod = 1e-9f;
 
 } // namespace CGAL::Shape_correspondence::internal

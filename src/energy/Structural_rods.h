@@ -66,8 +66,8 @@ private:
 
 /// E_d (Eq. 3), `distortion_energy()`, of pairs of parts that all turn into the samples `first` and `second`, as many
 /// as each of them had; cosines (Eq. 2) are summed in single precision. A rod of length zero keeps its direction
-/// whatever happens; one that becomes zero loses it. 0 if
-/// the mean of squared cosines is 1 to within `comparison_grid`. O(number of rods).
+/// whatever happens; one that becomes zero loses it. 0 if the mean of squared cosines is 1 to within `comparison_grid`,
+/// so that what does not move costs nothing. O(number of rods).
 void distortions(const std::vector<const Structural_rods*>& pairs, const internal::Sample_lanes& first,
                  const internal::Sample_lanes& second, std::vector<double>& result);
 

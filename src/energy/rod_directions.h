@@ -13,7 +13,7 @@ namespace CGAL::Shape_correspondence::internal {
 struct Rod_rows
 {
   int directionless = 0;
-  float shortest_squared, longest_squared; // lengths
+  float shortest_squared, longest_squared; // of their lengths
 };
 
 // Writes the directions of rods in rows, a block after the other: from the samples `first` to `last` of `from`, in its
