@@ -85,26 +85,14 @@ struct Labelled_points
   std::vector<double> weights; ///< their sum is `points_of_shape`
 };
 
-std::vector<Sampled_triangle> sampled_triangles_of(const Part_mesh& mesh)
-{
-  std::vector<Sampled_triangle> result;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Point a = mesh.points.col(mesh.triangles(0, t)), u = mesh.points.col(mesh.triangles(1, t)) - a,
-                v = mesh.points.col(mesh.triangles(2, t)) - a;
-    result.push_back({a, u, v, u.cross(v).norm() / 2});
-  }
-  return result;
-}
-
 /// Points of each part by its share of the area, and not fewer than `points_of_part`.
 Labelled_points points_on(const Segmented_shape& shape)
 {
   std::vector<std::vector<Sampled_triangle>> triangles;
   std::vector<double> areas;
   for (const Shape_part& part : shape.parts()) {
-    triangles.push_back(sampled_triangles_of(part.mesh));
-    areas.push_back(std::accumulate(triangles.back().begin(), triangles.back().end(), 0.,
-                                    [](double sum, const Sampled_triangle& t) { return sum + t.area; }));
+    triangles.push_back(internal::contacts::sampled_triangles_of(part.mesh));
+    areas.push_back(internal::contacts::total_area(triangles.back()));
   }
   const double area = std::accumulate(areas.begin(), areas.end(), 0.);
   Labelled_points result;

@@ -26,6 +26,8 @@ With --folds, roles are learned, too: the shapes of all DATA are divided into N 
 matched with roles that were learned from all folds but those of its two shapes, and from the shapes of --generated
 (generate_models --benchmark). They have not seen these two, but others of their category.
 
+Matches and role models that are in OUT are not made again: take another OUT for other options, data or programs.
+
 The last form matches pairs of models without options, and takes pictures of the pages: OUT/pairs/*.png. Each line of FILE has a
 category, two models as LIBRARY/NAME, and how the second one is turned (wild_pairs.txt).
 """

@@ -124,12 +124,7 @@ private:
   /// Points by area, and vertices, which corners are among.
   static Points samples_of(const Part_mesh& mesh)
   {
-    std::vector<contacts::Sampled_triangle> triangles;
-    for (const Triangle& t : triangles_of(mesh)) {
-      const Point u = t[1] - t[0], v = t[2] - t[0];
-      triangles.push_back({t[0], u, v, u.cross(v).norm() / 2});
-    }
-    std::vector<Point> points = contacts::sample_triangles(triangles, piece_samples).points;
+    std::vector<Point> points = contacts::sample_triangles(contacts::sampled_triangles_of(mesh), piece_samples).points;
     const Eigen::Index step = 1 + (mesh.points.cols() - 1) / vertex_samples;
     for (Eigen::Index v = 0; v < mesh.points.cols(); v += step)
       points.push_back(mesh.points.col(v));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <Eigen/Geometry>
 
@@ -28,13 +29,30 @@ struct Sampled_triangle
   double area;
 };
 
+inline std::vector<Sampled_triangle> sampled_triangles_of(const Part_mesh& mesh)
+{
+  std::vector<Sampled_triangle> result;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Point p = mesh.points.col(mesh.triangles(0, t));
+    const Point u = mesh.points.col(mesh.triangles(1, t)) - p, v = mesh.points.col(mesh.triangles(2, t)) - p;
+    result.push_back({p, u, v, u.cross(v).norm() / 2});
+  }
+  return result;
+}
+
+inline double total_area(const std::vector<Sampled_triangle>& triangles)
+{
+  double sum = 0;
+  for (const Sampled_triangle& t : triangles)
+    sum += t.area;
+  return sum;
+}
+
 /// `n` points, evenly spread by area; the k-th takes its place in its triangle from a low-discrepancy sequence.
 inline Surface_samples sample_triangles(const std::vector<Sampled_triangle>& triangles, int n)
 {
   constexpr double step_1 = 0.7548776662466927, step_2 = 0.5698402909980532; // powers of the plastic number
-  double total = 0;
-  for (const Sampled_triangle& t : triangles)
-    total += t.area;
+  const double total = total_area(triangles);
   Surface_samples samples;
   std::size_t current = 0;
   double passed = 0;

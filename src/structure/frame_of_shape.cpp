@@ -17,29 +17,12 @@ namespace {
 constexpr int frame_samples = 4096;    ///< of a whole shape, to find its frame
 constexpr int least_frame_samples = 4; ///< of every part, however small
 
-std::vector<contacts::Sampled_triangle> sampled_triangles_of(const Part_mesh& mesh)
-{
-  std::vector<contacts::Sampled_triangle> result;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Point p = mesh.points.col(mesh.triangles(0, t));
-    const Point u = mesh.points.col(mesh.triangles(1, t)) - p, v = mesh.points.col(mesh.triangles(2, t)) - p;
-    result.push_back({p, u, v, u.cross(v).norm() / 2});
-  }
-  return result;
-}
-
-double total_area(const std::vector<contacts::Sampled_triangle>& triangles)
-{
-  double sum = 0;
-  for (const contacts::Sampled_triangle& t : triangles)
-    sum += t.area;
-  return sum;
-}
-
 /// A part's surface, to be sampled.
 struct Part_triangles
 {
-  explicit Part_triangles(const Part_mesh& mesh) : triangles(sampled_triangles_of(mesh)), area(total_area(triangles)) {}
+  explicit Part_triangles(const Part_mesh& mesh)
+      : triangles(contacts::sampled_triangles_of(mesh)), area(contacts::total_area(triangles))
+  {}
 
   /// An order that does not depend on that of the file: by size, copies by place.
   bool operator<(const Part_triangles& other) const

@@ -120,13 +120,24 @@ TEST_CASE("Every rod kernel of the machine gives the bits of the plain one")
     }
 }
 
+namespace {
+
+// Seven pairs are compared four, two and one at once.
+std::vector<Structural_rods> seven_pairs(int first_count, int second_count)
+{
+  std::vector<Structural_rods> rods;
+  for (int i = 0; i < 7; ++i)
+    rods.emplace_back(Points::Random(3, first_count), Points::Random(3, second_count));
+  return rods;
+}
+
+} // namespace
+
 TEST_CASE("Pairs that turn into the same one have the energies that they have alone")
 {
   std::srand(11);
   const Points c = Points::Random(3, 6), d = Points::Random(3, 36);
-  std::vector<Structural_rods> rods;
-  for (int i = 0; i < 7; ++i)
-    rods.emplace_back(Points::Random(3, 6), Points::Random(3, 36));
+  const std::vector<Structural_rods> rods = seven_pairs(6, 36);
   std::vector<const Structural_rods*> pairs;
   std::vector<double> result;
   for (const Structural_rods& pair : rods) {
@@ -169,9 +180,7 @@ TEST_CASE("A sheet that becomes a curve has the rods of a sheet of equal columns
 {
   std::srand(19);
   const Points curve = Points::Random(3, 6), d = Points::Random(3, 36);
-  std::vector<Structural_rods> rods;
-  for (int i = 0; i < 7; ++i)
-    rods.emplace_back(Points::Random(3, 36), Points::Random(3, 36));
+  const std::vector<Structural_rods> rods = seven_pairs(36, 36);
   std::vector<const Structural_rods*> pairs;
   for (const Structural_rods& pair : rods)
     pairs.push_back(&pair);
