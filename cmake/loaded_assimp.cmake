@@ -24,9 +24,9 @@ function(use_assimp library)
   endif()
   list(TRANSFORM assimp_libraries REPLACE "(.+)" "\"\\1\"" OUTPUT_VARIABLE names)
   string(REPLACE ";" "," names "${names}")
-  set_property(SOURCE src/io/assimp_functions.cpp APPEND PROPERTY
+  set_property(SOURCE src/io/read/assimp_functions.cpp APPEND PROPERTY
                COMPILE_DEFINITIONS "SHAPE_CORRESPONDENCE_ASSIMP_LIBRARIES=${names}")
-  set_source_files_properties(src/io/assimp_functions.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  set_source_files_properties(src/io/read/assimp_functions.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_include_directories(${library} SYSTEM PRIVATE $<TARGET_PROPERTY:assimp::assimp,INTERFACE_INCLUDE_DIRECTORIES>)
   target_link_libraries(${library} PRIVATE ${CMAKE_DL_LIBS})
 endfunction()

@@ -8,7 +8,7 @@
 
 #include "cli/blend_warnings.h"
 #include "cli/thread_limit.h"
-#include "io/atomic_file.h"
+#include "io/system/atomic_file.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>

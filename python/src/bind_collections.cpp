@@ -16,7 +16,7 @@
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 #include <CGAL/Shape_correspondence/nearest_shapes.h>
 
-#include "io/atomic_file.h"
+#include "io/system/atomic_file.h"
 
 #include <pybind11/stl.h>
 

@@ -8,8 +8,8 @@
 
 #include "cli/thread_limit.h"
 #include "cli/transfer_looks.h"
-#include "io/atomic_file.h"
-#include "io/input_file.h"
+#include "io/system/atomic_file.h"
+#include "io/system/input_file.h"
 #include "viewer/match_page.h"
 
 #include <CGAL/Shape_correspondence/IO/write_glb.h>

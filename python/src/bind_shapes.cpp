@@ -7,8 +7,8 @@
 #include "work.h"
 
 #include "cli/thread_limit.h"
-#include "io/atomic_file.h"
-#include "io/input_file.h"
+#include "io/system/atomic_file.h"
+#include "io/system/input_file.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>

@@ -14,7 +14,7 @@
 #include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
-#include "io/quoting.h"
+#include "io/system/quoting.h"
 #include "matching/unlikely_pairs.h"
 #include "viewer/match_page.h"
 

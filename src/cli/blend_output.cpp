@@ -4,7 +4,7 @@
 #include "cli/blend_output.h"
 #include "base/for_each_index.h"
 #include "base/limits.h"
-#include "io/atomic_file.h"
+#include "io/system/atomic_file.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 

@@ -13,7 +13,7 @@
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "cli/transfer_labels.h"
-#include "io/quoting.h"
+#include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>

@@ -6,7 +6,7 @@
 #include "cli/collection_options.h"
 #include "cli/collection_shapes.h"
 #include "cli/collection_work.h"
-#include "io/Mapped_matrix.h"
+#include "io/system/Mapped_matrix.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 #include <CGAL/Shape_correspondence/co_analysis.h>

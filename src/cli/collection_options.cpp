@@ -3,7 +3,7 @@
 
 #include "cli/collection_options.h"
 #include "cli/command_line.h"
-#include "io/digest.h"
+#include "io/system/digest.h"
 
 #include <CGAL/Shape_correspondence/Role_model.h>
 #include <CGAL/Shape_correspondence/version.h>

@@ -6,8 +6,8 @@
 #include "cli/data_folder.h"
 #include "cli/outputs.h"
 #include "cli/run_report.h"
-#include "io/atomic_file.h"
-#include "io/quoting.h"
+#include "io/system/atomic_file.h"
+#include "io/system/quoting.h"
 
 #include <boost/algorithm/string/join.hpp>
 

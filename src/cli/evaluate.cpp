@@ -7,7 +7,7 @@
 #include "cli/outputs.h"
 #include "cli/run_report.h"
 #include "cli/text_table.h"
-#include "io/Json.h"
+#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>

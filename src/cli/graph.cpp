@@ -9,8 +9,8 @@
 #include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
-#include "io/quoting.h"
-#include "io/report_text.h"
+#include "io/system/quoting.h"
+#include "io/write/report_text.h"
 
 #include <CGAL/Shape_correspondence/IO/parts_json.h>
 #include <CGAL/Shape_correspondence/IO/role_model.h>

@@ -12,7 +12,7 @@
 #include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
-#include "io/quoting.h"
+#include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>

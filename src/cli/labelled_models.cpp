@@ -3,7 +3,7 @@
 
 #include "cli/labelled_models.h"
 #include "cli/load_shape.h"
-#include "io/Json_field.h"
+#include "io/read/Json_field.h"
 #include "matching/cross_validate_roles.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "io/Json.h"
+#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 

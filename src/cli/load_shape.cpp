@@ -10,7 +10,7 @@
 #include "cli/progress_bar.h"
 #include "cli/read_model.h"
 #include "cli/suggestion.h"
-#include "io/input_file.h"
+#include "io/system/input_file.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>

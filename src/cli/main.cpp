@@ -3,7 +3,7 @@
 
 #include "cli/Common_options.h"
 #include "cli/commands.h"
-#include "io/quoting.h"
+#include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/version.h>

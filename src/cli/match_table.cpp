@@ -3,7 +3,7 @@
 
 #include "cli/match_table.h"
 #include "cli/text_table.h"
-#include "io/quoting.h"
+#include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/outputs.h"
-#include "io/atomic_file.h"
-#include "io/quoting.h"
+#include "io/system/atomic_file.h"
+#include "io/system/quoting.h"
 
 #include <filesystem>
 #include <iostream>

@@ -7,8 +7,8 @@
 #include "cli/read_model.h"
 #include "cli/run_report.h"
 #include "cli/text_table.h"
-#include "io/model_parts.h"
-#include "io/quoting.h"
+#include "io/read/model_parts.h"
+#include "io/system/quoting.h"
 #include "viewer/parts_sheet.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>

@@ -3,7 +3,7 @@
 
 #include "cli/progress_bar.h"
 #include "cli/clock.h"
-#include "io/quoting.h"
+#include "io/system/quoting.h"
 
 #include <cmath>
 #include <iostream>

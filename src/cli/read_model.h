@@ -4,7 +4,7 @@
 #pragma once
 
 #include "cli/Common_options.h"
-#include "io/read_objects.h"
+#include "io/read/read_objects.h"
 
 #include <CGAL/Shape_correspondence/Role_model.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>

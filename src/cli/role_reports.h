@@ -4,7 +4,7 @@
 #pragma once
 
 #include "cli/Role_training_set.h"
-#include "io/Json.h"
+#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/Role_model.h>
 

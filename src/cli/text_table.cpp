@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/text_table.h"
-#include "io/quoting.h"
+#include "io/system/quoting.h"
 
 #include <boost/algorithm/string/join.hpp>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/tile_store.h"
-#include "io/atomic_file.h"
-#include "io/checked_file.h"
+#include "io/system/atomic_file.h"
+#include "io/system/checked_file.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

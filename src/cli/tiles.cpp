@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/tiles.h"
-#include "io/digest.h"
+#include "io/system/digest.h"
 
 #include <algorithm>
 

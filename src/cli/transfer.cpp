@@ -10,8 +10,8 @@
 #include "cli/run_report.h"
 #include "cli/thread_limit.h"
 #include "cli/transfer_looks.h"
-#include "io/input_file.h"
-#include "io/quoting.h"
+#include "io/system/input_file.h"
+#include "io/system/quoting.h"
 #include "matching/unlikely_pairs.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>

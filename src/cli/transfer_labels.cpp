@@ -7,7 +7,7 @@
 #include "cli/labels_json.h"
 #include "cli/outputs.h"
 #include "cli/text_table.h"
-#include "io/atomic_file.h"
+#include "io/system/atomic_file.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>

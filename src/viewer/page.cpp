@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "viewer/page.h"
-#include "io/quoting.h"
+#include "io/system/quoting.h"
 #include "viewer/shipped_viewer.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>

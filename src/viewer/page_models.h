@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "io/simplified_shape.h"
+#include "io/write/simplified_shape.h"
 
 #include <optional>
 #include <vector>

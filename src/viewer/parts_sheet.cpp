@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "viewer/parts_sheet.h"
-#include "io/colours.h"
-#include "io/simplified_shape.h"
+#include "io/system/colours.h"
+#include "io/write/simplified_shape.h"
 #include "viewer/page.h"
 
 #include <Eigen/Geometry>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "io/glb_builder.h"
+#include "io/write/glb_builder.h"
 
 #include <CGAL/Shape_correspondence/split_parts.h>
 

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/colours.h"
-#include "io/drawn_shape.h"
-#include "io/simplified_shape.h"
+#include "io/system/colours.h"
+#include "io/write/drawn_shape.h"
+#include "io/write/simplified_shape.h"
 #include "viewer/page.h"
 
 #include <CGAL/Shape_correspondence/IO/write_collection_html.h>

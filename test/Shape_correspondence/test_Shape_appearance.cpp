@@ -6,7 +6,7 @@
 #include "model_files.h"
 
 #include "generator/textures.h"
-#include "io/image_file.h"
+#include "io/system/image_file.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>

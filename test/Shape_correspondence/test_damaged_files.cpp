@@ -6,7 +6,7 @@
 // Files that are cut off, or made to harm: each is read, or is an error that names it, within moments.
 
 #include "hand_made_graphs.h"
-#include "io/isolated.h"
+#include "io/system/isolated.h"
 #include "model_files.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>

@@ -6,7 +6,7 @@
 #include "model_files.h"
 
 #include "generator/textures.h"
-#include "io/assimp_functions.h"
+#include "io/read/assimp_functions.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>

@@ -6,7 +6,7 @@
 // Disks that are full, files that were changed, processes that are killed or stopped, outputs in each other's way.
 
 #include "hand_made_graphs.h"
-#include "io/atomic_file.h"
+#include "io/system/atomic_file.h"
 #include "program.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>

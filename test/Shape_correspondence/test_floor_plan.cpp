@@ -96,7 +96,7 @@ std::map<std::string, std::vector<std::string>> package_includes()
 /// The room of a file; empty if there is none.
 std::string room_of(const std::string& file, const Floor_plan& plan)
 {
-  if (file.compare(0, public_prefix.size(), public_prefix) != 0) return file.substr(0, file.find('/'));
+  if (file.compare(0, public_prefix.size(), public_prefix) != 0) return file.substr(0, file.rfind('/'));
   const std::string name = fs::path(file.substr(public_prefix.size())).replace_extension().generic_string();
   const auto listed = plan.headers.find(name);
   if (listed != plan.headers.end()) return listed->second;

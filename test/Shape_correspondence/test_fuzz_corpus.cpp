@@ -6,7 +6,7 @@
 // What the fuzz targets begin with and have found, in every build; random structural graphs through the library.
 
 #include "fuzz/file_readers.h"
-#include "io/model_parts.h"
+#include "io/read/model_parts.h"
 #include "model_files.h"
 #include "random_graph.h"
 

@@ -7,7 +7,7 @@
 
 #include "box_shapes.h"
 #include "hand_made_graphs.h"
-#include "io/quoting.h"
+#include "io/system/quoting.h"
 #include "page_documents.h"
 #include "program.h"
 #include "viewer/match_page.h"

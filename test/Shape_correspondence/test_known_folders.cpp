@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What a cache knows of folders of part meshes before they are parsed.
-#include "io/checked_file.h"
+#include "io/system/checked_file.h"
 #include "model_files.h"
 #include "program.h"
 

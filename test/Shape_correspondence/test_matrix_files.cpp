@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/Mapped_matrix.h"
+#include "io/system/Mapped_matrix.h"
 #include "model_files.h"
 
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>

@@ -6,7 +6,7 @@
 #ifndef SHAPE_CORRESPONDENCE_TEST_FILE_READERS_H
 #define SHAPE_CORRESPONDENCE_TEST_FILE_READERS_H
 
-#include "io/image_file.h"
+#include "io/system/image_file.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/parts_json.h>

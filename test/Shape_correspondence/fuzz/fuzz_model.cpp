@@ -5,7 +5,7 @@
 
 // A reader of models, READER: any bytes are read or refused; what is read is welded.
 
-#include "io/model_parts.h"
+#include "io/read/model_parts.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

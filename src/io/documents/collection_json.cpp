@@ -1,0 +1,161 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/write/Json.h"
+
+#include <CGAL/Shape_correspondence/IO/collection_json.h>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+Json shapes_json(const Collection& collection)
+{
+  Json result = Json::array();
+  for (const Collection::Shape& shape : collection.shapes)
+    result.push_back({{"name", shape.name}, {"file", shape.file}, {"parts", shape.parts}});
+  return result;
+}
+
+Json energies_json(const Collection& collection)
+{
+  Json result = Json::array();
+  for (std::size_t i = 0; i < collection.shapes.size(); ++i) {
+    result.push_back(Json::array());
+    for (std::size_t j = 0; j < collection.shapes.size(); ++j)
+      result.back().push_back(collection.energy(i, j));
+  }
+  return result;
+}
+
+double distance(const Collection& collection, std::size_t i, std::size_t j)
+{
+  return (collection.energy(i, j) + collection.energy(j, i)) / 2;
+}
+
+Json medoid_json(const Collection& collection)
+{
+  const std::size_t n = collection.shapes.size();
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    sum += distance(collection, collection.medoid, i);
+  return {{"shape", collection.shapes[collection.medoid].name},
+          {"mean_distance", sum / double(std::max<std::size_t>(1, n - 1))}};
+}
+
+Json tree_json(const Collection& collection)
+{
+  Json result = Json::array();
+  for (const auto& [a, b] : collection.tree)
+    result.push_back(
+        {{"shapes", {collection.shapes[a].name, collection.shapes[b].name}}, {"distance", distance(collection, a, b)}});
+  return result;
+}
+
+Json pairs_json(const Part_map& map, const Collection::Shape& source, const Collection::Shape& target)
+{
+  Json result = Json::array();
+  for (const Part_correspondence& pair : map.pairs)
+    result.push_back({source.parts[pair.source], target.parts[pair.target]});
+  return result;
+}
+
+Json confidences_json(const Part_map& map)
+{
+  Json result = Json::array();
+  for (const Part_correspondence& pair : map.pairs)
+    result.push_back(pair.confidence);
+  return result;
+}
+
+Json bridges_json(const Collection& collection)
+{
+  Json result = Json::array();
+  for (const Collection::Bridge& bridge : collection.bridges) {
+    const Transitive_correspondence& way = bridge.correspondence;
+    const Collection::Shape &source = collection.shapes[bridge.source], &target = collection.shapes[bridge.target];
+    Json chain = Json::array();
+    for (std::size_t shape : way.chain.shapes)
+      chain.push_back(collection.shapes[shape].name);
+    result.push_back({{"source", source.name},
+                      {"target", target.name},
+                      {"chain", chain},
+                      {"energy", way.chain.energy},
+                      {"direct_energy", way.direct_energy},
+                      {"pairs", pairs_json(way.map, source, target)},
+                      {"confidences", confidences_json(way.map)}});
+  }
+  return result;
+}
+
+Json matches_json(const Collection& collection)
+{
+  Json result = Json::array();
+  for (const Shape_pair_map& match : collection.matches) {
+    const Collection::Shape &source = collection.shapes[match.source], &target = collection.shapes[match.target];
+    result.push_back({{"source", source.name},
+                      {"target", target.name},
+                      {"pairs", pairs_json(match.map, source, target)},
+                      {"confidences", confidences_json(match.map)}});
+  }
+  return result;
+}
+
+Json clusters_json(const Collection& collection)
+{
+  std::vector<Json> parts(std::size_t(collection.co_analysis.number_of_labels), Json::array());
+  for (std::size_t shape = 0; shape < collection.shapes.size(); ++shape)
+    for (std::size_t part = 0; part < collection.shapes[shape].parts.size(); ++part) {
+      const int label = collection.co_analysis.labels[shape][part];
+      if (label != Co_analysis::none)
+        parts[std::size_t(label)].push_back({collection.shapes[shape].name, collection.shapes[shape].parts[part]});
+    }
+  Json result = Json::array();
+  for (std::size_t label = 0; label < parts.size(); ++label)
+    result.push_back({{"label", label}, {"parts", std::move(parts[label])}});
+  return result;
+}
+
+} // namespace
+
+void write_collection_json(std::ostream& out, const Collection& collection)
+{
+  Json result;
+  result["format"] = "shape_correspondence/collection";
+  result["version"] = 1;
+  result["shapes"] = shapes_json(collection);
+  result["medoid"] = medoid_json(collection);
+  result["spanning_tree"] = tree_json(collection);
+  result["bridge_count"] = collection.bridge_count;
+  result["bridges"] = bridges_json(collection);
+  result["co_analysis"] = {{"shape_pairs", collection.co_analysis_shape_pairs},
+                           {"part_pairs", collection.co_analysis.part_pairs},
+                           {"rejected_part_pairs", collection.co_analysis.rejected_pairs}};
+  result["clusters"] = clusters_json(collection);
+  if (collection.shapes.size() <= largest_written_matrix) result["energies"] = energies_json(collection);
+  if (!collection.matches.empty()) result["matches"] = matches_json(collection);
+  result["warnings"] = collection.warnings;
+  result.write(out);
+}
+
+void write_nearest_json(std::ostream& out, const Nearest_in_collection& found)
+{
+  Json result;
+  result["format"] = "shape_correspondence/nearest";
+  result["version"] = 1;
+  result["query"] = found.query.file;
+  result["shapes"] = found.shapes.size();
+  result["evaluations"] = found.nearest.evaluations;
+  result["nearest"] = Json::array();
+  for (const Near_shape& near : found.nearest.shapes) {
+    const Collection::Shape& shape = found.shapes[near.shape];
+    result["nearest"].push_back({{"name", shape.name},
+                                 {"file", shape.file},
+                                 {"distance", near.distance},
+                                 {"pairs", pairs_json(near.map, found.query, shape)},
+                                 {"confidences", confidences_json(near.map)}});
+  }
+  result["warnings"] = found.warnings;
+  result.write(out);
+}
+
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,0 +1,195 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/write/Json.h"
+#include "io/read/Json_field.h"
+
+#include <CGAL/Shape_correspondence/IO/correspondence_json.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+constexpr const char* match_format = "shape_correspondence/match";
+
+const char* direction_name(Direction direction)
+{
+  return direction == Direction::SOURCE_TO_TARGET ? "source_to_target" : "target_to_source";
+}
+
+Json names(const std::vector<std::size_t>& parts, const Structural_graph& graph)
+{
+  Json result = Json::array();
+  for (std::size_t part : parts)
+    result.push_back(structure(graph).parts[part].name);
+  return result;
+}
+
+Json pairs(const Correspondence& correspondence, const Structural_graph& source, const Structural_graph& target)
+{
+  Json result = Json::array();
+  for (const Part_correspondence& pair : correspondence.pairs)
+    result.push_back({structure(source).parts[pair.source].name, structure(target).parts[pair.target].name});
+  return result;
+}
+
+/// By pair; none where the method does not tell.
+Json confidences(const Correspondence& correspondence)
+{
+  Json result = Json::array();
+  for (const Part_correspondence& pair : correspondence.pairs) {
+    if (!pair.has_confidence()) return Json::array();
+    result.push_back(pair.confidence);
+  }
+  return result;
+}
+
+Json groups(const Correspondence& correspondence, const Structural_graph& source, const Structural_graph& target)
+{
+  Json result = Json::array();
+  for (const Group_match& group : correspondence.groups) {
+    result.push_back({{"source", names(group.source, source)},
+                      {"target", names(group.target, target)},
+                      {"operation", name_of(group.operation)},
+                      {"energy", group.energy},
+                      {"terms", {{"distortion", group.distortion}, {"connectedness", group.connectedness}}},
+                      {"solidity_ratio", group.solidity_ratio}});
+    // Not a number: not asked for; infinity, which JSON does not have: there is no other match
+    if (std::isinf(group.min_marginal))
+      result.back()["min_marginal"] = "infinite";
+    else if (!std::isnan(group.min_marginal))
+      result.back()["min_marginal"] = group.min_marginal;
+  }
+  return result;
+}
+
+Json contacts(const Correspondence& correspondence, const Structural_graph& deformed)
+{
+  Json result = Json::array();
+  for (const Contact_energy& contact : correspondence.contacts) {
+    result.push_back({{"parts", names({contact.parts[0], contact.parts[1]}, deformed)},
+                      {"distortion", contact.distortion},
+                      {"connectedness", contact.connectedness}});
+  }
+  return result;
+}
+
+Json terms(const Energy_terms& terms)
+{
+  Json result = {{"distortion", terms.distortion}, {"connectedness", terms.connectedness}, {"split", terms.split}};
+  if (terms.unmatched > 0) result["unmatched"] = terms.unmatched;
+  if (terms.roles > 0) result["roles"] = terms.roles;
+  return result;
+}
+
+Json solutions(const std::vector<Correspondence>& ranked, const Structural_graph& source,
+               const Structural_graph& target)
+{
+  Json result = Json::array();
+  for (const Correspondence& c : ranked)
+    result.push_back({{"energy", c.energy}, {"terms", terms(c.terms)}, {"pairs", pairs(c, source, target)}});
+  return result;
+}
+
+} // namespace
+
+void write_correspondence_json(std::ostream& out, const Correspondence& c, const Structural_graph& source,
+                               const Structural_graph& target, const std::string& source_file,
+                               const std::string& target_file, const Match_seconds& seconds)
+{
+  write_correspondences_json(out, {c}, source, target, source_file, target_file, seconds);
+}
+
+void write_correspondences_json(std::ostream& out, const std::vector<Correspondence>& ranked,
+                                const Structural_graph& source, const Structural_graph& target,
+                                const std::string& source_file, const std::string& target_file,
+                                const Match_seconds& seconds)
+{
+  const Correspondence& c = ranked.front();
+  const bool forward = c.direction == Direction::SOURCE_TO_TARGET;
+  Json result;
+  result["format"] = match_format;
+  result["version"] = 1;
+  result["source"] = source_file;
+  result["target"] = target_file;
+  result["energy"] = c.energy;
+  result["terms"] = terms(c.terms);
+  result["direction"] = direction_name(c.direction);
+  result["target_quarter_turns"] = c.target_quarter_turns;
+  result["complete"] = c.complete;
+  result["optimal"] = c.optimal;
+  result["pairs"] = pairs(c, source, target);
+  if (Json known = confidences(c); !known.empty()) result["confidences"] = std::move(known);
+  if (!c.category.empty()) {
+    result["category"] = c.category;
+    result["roles"] = {{"source", Json(c.source_roles)}, {"target", Json(c.target_roles)}};
+  }
+  result["groups"] = groups(c, source, target);
+  result["contacts"] = contacts(c, forward ? source : target);
+  result["unmatched_source"] = names(c.unmatched_source, source);
+  result["unmatched_target"] = names(c.unmatched_target, target);
+  result["seconds"] = {{"read", seconds.read},
+                       {"abstraction", seconds.abstraction},
+                       {"structure", seconds.structure},
+                       {"search", seconds.search}};
+  result["search"] = {{"method", c.search.method},
+                      {"states", c.search.states},
+                      {"evaluations", c.search.evaluations},
+                      {"lower_bound", c.search.lower_bound}};
+  result["warnings"] = c.warnings;
+  if (ranked.size() > 1) result["solutions"] = solutions(ranked, source, target);
+  result.write(out);
+}
+
+Named_correspondence read_correspondence_json(const std::string& file)
+{
+  const Json_field root = read_json_file(file);
+  if (root["format"].text() != match_format)
+    root["format"].fail("is '" + root["format"].text() + "', not '" + match_format + "'");
+  if (root["version"].integer() != 1) root["version"].fail("is not 1, the one that this program knows");
+  Named_correspondence result{root["source"].text(), root["target"].text(), {}, root["complete"].boolean()};
+  for (const Json_field& pair : root["pairs"].elements()) {
+    const std::vector<Json_field> names = pair.elements(2, "a pair of part names");
+    result.pairs.push_back({names[0].text(), names[1].text()});
+  }
+  if (root.has("target_quarter_turns")) {
+    result.target_quarter_turns = root["target_quarter_turns"].integer();
+    if (result.target_quarter_turns < 0 || result.target_quarter_turns > 3)
+      root["target_quarter_turns"].fail("is not 0, 1, 2 or 3");
+  }
+  if (!root.has("confidences")) return result;
+  auto pair = result.pairs.begin();
+  for (const Json_field& confidence : root["confidences"].elements(result.pairs.size(), "a confidence for each pair"))
+    if ((pair++->confidence = confidence.number_at_least_0()) > 1) confidence.fail("is greater than 1");
+  return result;
+}
+
+Correspondence correspondence_of(const Named_correspondence& named, const Structural_graph& source,
+                                 const Structural_graph& target, const std::string& file)
+{
+  const auto part = [&](const std::string& name, const Structural_graph& graph) {
+    const auto& parts = structure(graph).parts;
+    const auto found =
+        std::find_if(parts.begin(), parts.end(), [&](const Part_abstraction& p) { return p.name == name; });
+    if (found == parts.end())
+      throw Invalid_input(file + ": it matches part '" + name + "', which " + structure(graph).name +
+                          " does not have; give the shapes that were matched, in that order");
+    return static_cast<std::size_t>(found - parts.begin());
+  };
+  Correspondence result;
+  for (const Named_part_correspondence& pair : named.pairs) {
+    const std::size_t t = part(pair.target, target), s = part(pair.source, source);
+    result.pairs.push_back({s, t, pair.confidence});
+  }
+  std::sort(result.pairs.begin(), result.pairs.end(), is_before);
+  result.target_quarter_turns = named.target_quarter_turns;
+  result.complete = named.complete;
+  return result;
+}
+
+bool is_correspondence_json(const std::string& file) { return read_json_file(file).has("format", match_format); }
+
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,0 +1,198 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/read/Json_field.h"
+#include "base/limits.h"
+#include "io/read/document.h"
+#include "io/system/input_file.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+
+namespace CGAL::Shape_correspondence::IO {
+
+void Json_field::fail(const std::string& what) const
+{
+  throw Invalid_input(file_ + ": " + (place_.empty() ? "the document" : place_) + " " + what);
+}
+
+bool Json_field::has(const std::string& key) const
+{
+  if (!value_->is_object()) fail("is not an object {...}");
+  return value_->contains(key);
+}
+
+bool Json_field::has(const std::string& key, const std::string& text) const
+{
+  return value_->is_object() && value_->value(key, nlohmann::json()) == text;
+}
+
+Json_field Json_field::operator[](const std::string& key) const
+{
+  if (!has(key)) fail("has no key \"" + key + "\"");
+  return at((*value_)[key], place_.empty() ? key : place_ + "." + key);
+}
+
+std::size_t Json_field::size() const
+{
+  if (!value_->is_array()) fail("is not an array [...]");
+  return value_->size();
+}
+
+Json_field Json_field::element(std::size_t index) const
+{
+  return at((*value_)[index], place_ + "[" + std::to_string(index) + "]");
+}
+
+std::vector<Json_field> Json_field::elements() const
+{
+  std::vector<Json_field> result;
+  result.reserve(size());
+  for (std::size_t i = 0; i < value_->size(); ++i)
+    result.push_back(element(i));
+  return result;
+}
+
+void Json_field::check_size(std::size_t size, const char* meaning) const
+{
+  if (this->size() != size)
+    fail("is not " + std::string(meaning) + ": it has " + std::to_string(this->size()) + " elements instead of " +
+         std::to_string(size));
+}
+
+std::vector<Json_field> Json_field::elements(std::size_t size, const char* meaning) const
+{
+  check_size(size, meaning);
+  return elements();
+}
+
+double Json_field::number() const
+{
+  if (!value_->is_number()) fail("is not a number");
+  const double result = value_->get<double>();
+  if (!(std::abs(result) <= internal::largest_number)) fail("is beyond 1e50");
+  return result;
+}
+
+double Json_field::number_at_least_0() const
+{
+  const double result = number();
+  if (result < 0) fail("is negative");
+  return result;
+}
+
+int Json_field::integer() const
+{
+  if (!value_->is_number_integer()) fail("is not a whole number");
+  constexpr int largest = std::numeric_limits<int>::max();
+  if (std::abs(value_->get<double>()) > largest) fail("is beyond " + std::to_string(largest));
+  return value_->get<int>();
+}
+
+bool Json_field::boolean() const
+{
+  if (!value_->is_boolean()) fail("is neither true nor false");
+  return value_->get<bool>();
+}
+
+bool Json_field::is_null() const { return value_->is_null(); }
+
+std::string Json_field::text() const
+{
+  if (!value_->is_string()) fail("is not a string");
+  return value_->get<std::string>();
+}
+
+std::vector<std::string> Json_field::texts() const
+{
+  std::vector<std::string> result;
+  for (const Json_field& element : elements())
+    result.push_back(element.text());
+  return result;
+}
+
+Point Json_field::point() const
+{
+  const std::vector<Json_field> coordinates = elements(3, "a point [x, y, z]");
+  const Point result(coordinates[0].number(), coordinates[1].number(), coordinates[2].number());
+  if (result.cwiseAbs().maxCoeff() > internal::largest_coordinate) fail("has a coordinate beyond 1e15");
+  return result;
+}
+
+Point Json_field::unit_vector() const
+{
+  const Point result = point();
+  if (std::abs(result.norm() - 1) > 1e-6) fail("is not a unit vector");
+  return result;
+}
+
+namespace {
+
+/// Whether it is a point, of coordinates that are not too large.
+bool is_point(const nlohmann::json& value)
+{
+  return value.is_array() && value.size() == 3 && std::all_of(value.begin(), value.end(), [](const auto& coordinate) {
+           return coordinate.is_number() && std::abs(coordinate.template get<double>()) <= internal::largest_coordinate;
+         });
+}
+
+} // namespace
+
+Points Json_field::points() const
+{
+  Points result(3, size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    const nlohmann::json& value = (*value_)[i];
+    if (is_point(value)) // which needs no text that says where it is
+      result.col(Eigen::Index(i)) = Point(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
+    else
+      result.col(Eigen::Index(i)) = element(i).point();
+  }
+  return result;
+}
+
+Points Json_field::points(std::size_t size, const char* meaning) const
+{
+  check_size(size, meaning);
+  return points();
+}
+
+namespace {
+
+/// Throws `std::bad_alloc` if there is not the memory for the values of a document. The parser cannot: it needs memory
+/// to take down again what it has built.
+void check_memory(const std::string& text)
+{
+  constexpr std::size_t size_of_value = 128; // bytes, with what lists that grow leave behind
+  ::operator delete(::operator new(size_of_value*(1 + std::size_t(std::count(text.begin(), text.end(), ',')))));
+}
+
+} // namespace
+
+Json_field read_json(std::istream& in, const std::string& file)
+{
+  const std::string text = read_document(in, file);
+  if (text.empty()) throw Invalid_input(file + ": the file is empty");
+  check_json_depth(text, file);
+  check_memory(text);
+  try {
+    return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(text)), file, ""};
+  } catch (const nlohmann::json::exception& error) {
+    const std::string what = error.what(); // after the name of the exception, in brackets
+    throw Invalid_input(file + ": it is not a JSON document (" + what.substr(what.find("] ") + 2) + ")");
+  }
+}
+
+Json_field read_json_file(const std::string& path)
+{
+  std::ifstream in = open_input(path);
+  return read_json(in, path);
+}
+
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/read/model_parts.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <numeric>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+// Corners that bend back by less than this, over the polygon's area, count as straight.
+constexpr double straight = 1e-12;
+
+// Corners of a concave polygon up to which its triangles are found, in time cubic in them at worst; those of a greater
+// one are a fan.
+constexpr std::size_t most_corners = 1000;
+
+/// Twice the area vector of a polygon (Newell).
+Point area_vector(const std::vector<Point>& polygon)
+{
+  Point sum = Point::Zero();
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    sum += (polygon[i] - polygon[0]).cross(polygon[i + 1] - polygon[0]);
+  return sum;
+}
+
+double signed_area(const Point& a, const Point& b, const Point& c, const Point& normal)
+{
+  return (b - a).cross(c - a).dot(normal);
+}
+
+bool is_convex(const std::vector<Point>& polygon, const Point& normal, double tolerance)
+{
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (signed_area(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n], normal) < -tolerance) return false;
+  }
+  return true;
+}
+
+/// Whether corner i of `rest` can be cut off: it bends outwards and no other corner lies in its triangle.
+bool is_ear(const std::vector<Point>& polygon, const std::vector<std::size_t>& rest, std::size_t i, const Point& normal)
+{
+  const std::size_t n = rest.size();
+  const Point &a = polygon[rest[(i + n - 1) % n]], &b = polygon[rest[i]], &c = polygon[rest[(i + 1) % n]];
+  if (signed_area(a, b, c, normal) <= 0) return false;
+  for (std::size_t j = 0; j < n; ++j) {
+    const Point& p = polygon[rest[j]];
+    if (p == a || p == b || p == c) continue;
+    if (signed_area(a, b, p, normal) >= 0 && signed_area(b, c, p, normal) >= 0 && signed_area(c, a, p, normal) >= 0)
+      return false;
+  }
+  return true;
+}
+
+void add_fan(const std::vector<std::size_t>& polygon, std::vector<std::size_t>& triangles)
+{
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    triangles.insert(triangles.end(), {polygon[0], polygon[i], polygon[i + 1]});
+}
+
+bool lexicographically_less(const Point& p, const Point& q)
+{
+  return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
+}
+
+/// For every corner the first corner at the same place.
+std::vector<int> first_at_same_place(const std::vector<Point>& corners)
+{
+  std::vector<int> order(corners.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return lexicographically_less(corners[a], corners[b]); });
+  std::vector<int> first(corners.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && corners[order[i]] == corners[order[i - 1]];
+    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
+} // namespace
+
+std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
+{
+  std::vector<std::size_t> result, rest(polygon.size());
+  std::iota(rest.begin(), rest.end(), std::size_t(0));
+  const Point area = area_vector(polygon);
+  const Point normal = area.normalized();
+  const bool is_fan =
+      polygon.size() < 4 || polygon.size() > most_corners || is_convex(polygon, normal, straight * area.norm());
+  while (!is_fan && rest.size() > 3) {
+    std::size_t ear = 0;
+    while (ear < rest.size() && !is_ear(polygon, rest, ear, normal))
+      ++ear;
+    if (ear == rest.size()) break; // a polygon that crosses itself: any triangles do
+    const std::size_t n = rest.size();
+    result.insert(result.end(), {rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]});
+    rest.erase(rest.begin() + std::ptrdiff_t(ear));
+  }
+  add_fan(rest, result);
+  return result;
+}
+
+void add_polygon(const std::vector<Point>& polygon, std::vector<Point>& corners)
+{
+  for (std::size_t corner : triangles_of_polygon(polygon))
+    corners.push_back(polygon[corner]);
+}
+
+Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept)
+{
+  const std::vector<int> first = first_at_same_place(corners);
+  std::vector<int> vertex(corners.size(), -1);
+  std::vector<int> used; // corner that stands for each vertex
+  std::vector<Eigen::Vector3i> triangles;
+  for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
+    const Eigen::Vector3i c(first[t], first[t + 1], first[t + 2]);
+    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
+    if (kept) kept->push_back(t / 3);
+    for (int corner : c) {
+      if (vertex[corner] < 0) {
+        vertex[corner] = static_cast<int>(used.size());
+        used.push_back(corner);
+      }
+    }
+    triangles.emplace_back(vertex[c[0]], vertex[c[1]], vertex[c[2]]);
+  }
+  Part_mesh mesh;
+  mesh.points.resize(3, used.size());
+  for (std::size_t i = 0; i < used.size(); ++i)
+    mesh.points.col(i) = corners[used[i]];
+  mesh.triangles.resize(3, triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    mesh.triangles.col(i) = triangles[i];
+  return mesh;
+}
+
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,0 +1,287 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "base/limits.h"
+#include "io/read/model_parts.h"
+#include "io/read/text_words.h"
+#include "shape/Loose_piece.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <algorithm>
+#include <map>
+
+// An own reader for Wavefront OBJ: assimp keeps coordinates as float, so a shape far from the origin would lose digits,
+// and CGAL's reader drops the names of objects and groups.
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+// Share of the surface. Of 20 files of one object and several materials whose parts are known, all are better divided
+// by materials above it, and none below; the pieces have at most .70 or at least .93.
+constexpr double mostly_one_piece = 0.8;
+
+/// A face as it is written.
+struct Obj_polygon
+{
+  std::vector<std::size_t> vertices;
+  std::vector<int> coordinates; ///< of the corners, -1: none; empty: none of any
+  int material = -1;            ///< by number of its name
+};
+
+/// A part under construction: an `o` statement, or a `g` statement inside one.
+struct Section
+{
+  std::string object;
+  std::string group;
+  std::vector<Obj_polygon> polygons;
+};
+
+class Obj_reader
+{
+public:
+  Obj_reader(std::string_view text, const std::string& file) : text_(text), file_(file), sections_(1) {}
+
+  Model_content read()
+  {
+    while (!text_.empty())
+      read_statement(trimmed(without_comment(next_statement())));
+    divide_by_materials();
+    return content();
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& what) const
+  {
+    throw Invalid_input(file_ + ", line " + std::to_string(line_number_) + ": " + what);
+  }
+
+  /// A line, and those that it is continued on by a backslash at its end.
+  std::string_view next_statement()
+  {
+    std::string_view line = read_line();
+    if (!is_continued(line)) return line;
+    joined_.clear();
+    for (; is_continued(line); line = read_line())
+      joined_.append(line, 0, line.find_last_of('\\')).append(1, ' ');
+    return joined_.append(line);
+  }
+
+  std::string_view read_line()
+  {
+    ++line_number_;
+    return next_line(text_);
+  }
+
+  static bool is_continued(std::string_view line)
+  {
+    const std::string_view text = trimmed(line);
+    return !text.empty() && text.back() == '\\';
+  }
+
+  /// A # inside a word is no comment: names have it.
+  static std::string_view without_comment(std::string_view line)
+  {
+    std::size_t hash = line.find('#');
+    while (hash != std::string_view::npos && hash > 0 && line[hash - 1] != ' ' && line[hash - 1] != '\t')
+      hash = line.find('#', hash + 1);
+    return line.substr(0, hash);
+  }
+
+  void read_statement(std::string_view statement)
+  {
+    const std::string_view keyword = next_word(statement);
+    if (keyword == "v")
+      read_vertex(statement);
+    else if (keyword == "f" || keyword == "fo")
+      read_face(statement);
+    else if (keyword == "o")
+      sections_.push_back({name_of(statement, "object"), "", {}});
+    else if (keyword == "g")
+      sections_.push_back({sections_.back().object, name_of(statement, "default"), {}});
+    else if (keyword == "usemtl")
+      use_material(std::string(trimmed(statement)));
+    else if (keyword == "vt")
+      read_texture_coordinates(statement);
+    else if (keyword == "mtllib")
+      libraries_.emplace_back(trimmed(statement));
+  }
+
+  void use_material(const std::string& name)
+  {
+    material_ = material_numbers_.emplace(name, int(materials_.size())).first->second;
+    if (std::size_t(material_) == materials_.size()) materials_.push_back(name);
+  }
+
+  /// What is no number is 0: looks do not decide whether a model is read.
+  void read_texture_coordinates(std::string_view statement)
+  {
+    Eigen::Vector2f at(0, 0);
+    for (float& coordinate : at)
+      if (!parse(next_word(statement), coordinate)) coordinate = 0;
+    coordinates_.emplace_back(at.x(), 1 - at.y());
+  }
+
+  static std::string name_of(std::string_view statement, const std::string& otherwise)
+  {
+    const std::string name(trimmed(statement));
+    return name.empty() ? otherwise : name;
+  }
+
+  void read_vertex(std::string_view statement)
+  {
+    Point point;
+    for (double& coordinate : point) {
+      const std::string_view word = next_word(statement);
+      if (!parse(word, coordinate)) fail("a vertex needs three numbers; " + cited(word) + " is none");
+    }
+    points_.push_back(point);
+  }
+
+  void read_face(std::string_view statement)
+  {
+    Obj_polygon polygon;
+    polygon.material = material_;
+    for (std::string_view word = next_word(statement); !word.empty(); word = next_word(statement)) {
+      const std::size_t slash = std::min(word.find('/'), word.size());
+      polygon.vertices.push_back(vertex_index(word.substr(0, slash)));
+      if (!coordinates_.empty()) polygon.coordinates.push_back(coordinate_index(word.substr(slash)));
+    }
+    if (polygon.vertices.size() < 3) {
+      ++faces_left_out_;
+      return;
+    }
+    sections_.back().polygons.push_back(std::move(polygon));
+  }
+
+  /// \param rest of a corner, from the first slash on
+  int coordinate_index(std::string_view rest) const
+  {
+    long long index = 0;
+    const long long count = static_cast<long long>(coordinates_.size());
+    if (rest.empty() || !parse(rest.substr(1, rest.find('/', 1) - 1), index)) return -1;
+    if (index == 0 || index > count || index < -count) return -1;
+    return int(index > 0 ? index - 1 : count + index);
+  }
+
+  std::size_t vertex_index(std::string_view word) const
+  {
+    long long index = 0;
+    if (!parse(word, index)) fail(cited(word) + " is not a vertex number");
+    const long long count = static_cast<long long>(points_.size());
+    if (index == 0 || index > count || index < -count)
+      fail("a face uses vertex " + std::to_string(index) + ", but " + std::to_string(count) +
+           " vertices come before it" + in_part());
+    return static_cast<std::size_t>(index > 0 ? index - 1 : count + index);
+  }
+
+  std::string in_part() const
+  {
+    const Section& section = sections_.back();
+    const std::string& name = section.group.empty() ? section.object : section.group;
+    return name.empty() ? "" : " (part " + cited(name) + ")";
+  }
+
+  /// Whether loose pieces do not tell the parts of an object: one is most of its surface, or they are too many.
+  bool needs_materials(const Section& section) const
+  {
+    const std::vector<internal::Loose_piece> pieces = internal::loose_pieces(0, weld(part_of(section, "").corners));
+    double largest = 0, all = 0;
+    for (const internal::Loose_piece& piece : pieces) {
+      largest = std::max(largest, piece.area);
+      all += piece.area;
+    }
+    return pieces.size() > internal::most_parts || largest > mostly_one_piece * all;
+  }
+
+  Model_part part_of(const Section& section, const std::string& name) const
+  {
+    Model_part result{name, {}};
+    std::vector<Point> polygon;
+    for (const Obj_polygon& of_file : section.polygons) {
+      polygon.clear();
+      for (std::size_t i : of_file.vertices)
+        polygon.push_back(points_[i]);
+      const std::vector<std::size_t> corners = triangles_of_polygon(polygon);
+      for (std::size_t corner : corners) {
+        result.corners.push_back(polygon[corner]);
+        const int number = of_file.coordinates.empty() ? -1 : of_file.coordinates[corner];
+        if (!coordinates_.empty())
+          result.appearance.coordinates.push_back(number < 0 ? Eigen::Vector2f(0, 0)
+                                                             : coordinates_[std::size_t(number)]);
+      }
+      if (!materials_.empty())
+        result.appearance.materials.insert(result.appearance.materials.end(), corners.size() / 3, of_file.material);
+    }
+    return result;
+  }
+
+  /// In a file of one object materials stand for objects where its pieces do not.
+  void divide_by_materials()
+  {
+    const auto has_faces = [](const Section& section) { return !section.polygons.empty(); };
+    if (std::count_if(sections_.begin(), sections_.end(), has_faces) != 1) return;
+    const Section whole = *std::find_if(sections_.begin(), sections_.end(), has_faces);
+    std::map<std::string, std::size_t> number;
+    std::vector<Section> divided;
+    for (const Obj_polygon& polygon : whole.polygons) {
+      const std::string material = polygon.material < 0 ? "" : materials_[std::size_t(polygon.material)];
+      if (number.emplace(material, divided.size()).second)
+        divided.push_back({material.empty() ? whole.object : material, "", {}});
+      divided[number[material]].polygons.push_back(polygon);
+    }
+    if (divided.size() > 1 && needs_materials(whole)) sections_ = std::move(divided);
+  }
+
+  /// The objects that have a group of each name with faces, up to two.
+  std::map<std::string, std::vector<std::string>> objects_of_groups() const
+  {
+    std::map<std::string, std::vector<std::string>> result;
+    for (const Section& section : sections_) {
+      if (section.polygons.empty()) continue;
+      std::vector<std::string>& objects = result[section.group];
+      if (objects.empty() || (objects.size() < 2 && objects[0] != section.object)) objects.push_back(section.object);
+    }
+    return result;
+  }
+
+  Model_content content() const
+  {
+    const std::map<std::string, std::vector<std::string>> objects = objects_of_groups();
+    // A group's own name, preceded by its object's where groups of several objects share it
+    const auto part_name = [&](const Section& section) {
+      if (section.group.empty()) return section.object;
+      const bool is_shared = objects.at(section.group).size() > 1 && !section.object.empty();
+      return is_shared ? section.object + "/" + section.group : section.group;
+    };
+    Model_content result;
+    result.faces_left_out = faces_left_out_;
+    for (const Section& section : sections_)
+      if (!section.polygons.empty()) result.parts.push_back(part_of(section, part_name(section)));
+    for (const std::string& material : materials_)
+      result.materials.push_back({material, Eigen::Vector4d::Ones(), -1});
+    result.materials_are_names = true;
+    result.libraries = libraries_;
+    if (result.parts.empty())
+      throw Invalid_input(file_ + ": there is no face in it; it is not a Wavefront OBJ model, or an empty one");
+    return result;
+  }
+
+  std::string_view text_;
+  std::string joined_; ///< a statement of several lines
+  std::string file_;
+  std::size_t line_number_ = 0;
+  std::size_t faces_left_out_ = 0;
+  std::vector<Point> points_;
+  std::vector<Section> sections_;
+  std::vector<Eigen::Vector2f> coordinates_;
+  std::vector<std::string> materials_, libraries_; ///< names
+  std::map<std::string, int> material_numbers_;
+  int material_ = -1; ///< of the faces that come next
+};
+
+} // namespace
+
+Model_content read_obj_parts(std::string_view text, const std::string& file) { return Obj_reader(text, file).read(); }
+
+} // namespace CGAL::Shape_correspondence::IO

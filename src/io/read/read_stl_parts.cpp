@@ -1,0 +1,105 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/read/model_parts.h"
+#include "io/read/text_words.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <cstdint>
+#include <cstring>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+// Of binary files: a header of 80 bytes, a count, and for each triangle a normal, three corners and two bytes more
+constexpr std::size_t header_size = 84, triangle_size = 50, normal_size = 12;
+
+std::uint32_t little_endian(std::string_view bytes)
+{
+  std::uint32_t result = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    result |= std::uint32_t(static_cast<unsigned char>(bytes[i])) << (8 * i);
+  return result;
+}
+
+Model_content read_binary_stl(std::string_view text, const std::string& file)
+{
+  const std::size_t count = little_endian(text.substr(header_size - 4));
+  if (count > (text.size() - header_size) / triangle_size)
+    throw Invalid_input(file + ": it cannot be read as an STL model: it says that it has " + std::to_string(count) +
+                        " triangles, which is more than the file holds; it is cut off or damaged");
+  Model_content result;
+  result.parts.emplace_back();
+  for (std::size_t t = 0; t < count; ++t) {
+    const std::string_view corners = text.substr(header_size + t * triangle_size + normal_size);
+    for (std::size_t k = 0; k < 3; ++k) {
+      Point corner;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t bits = little_endian(corners.substr(4 * (3 * k + i)));
+        float coordinate;
+        std::memcpy(&coordinate, &bits, sizeof coordinate);
+        corner[Eigen::Index(i)] = coordinate;
+      }
+      result.parts[0].corners.push_back(corner);
+    }
+  }
+  return result;
+}
+
+/// Every solid is a part.
+Model_content read_text_stl(std::string_view text, const std::string& file)
+{
+  Model_content result;
+  std::size_t line_number = 0;
+  const auto fail = [&](const std::string& what) {
+    throw Invalid_input(file + ", line " + std::to_string(line_number) + ": " + what);
+  };
+  std::size_t corners_of_face = 0;
+  while (!text.empty()) {
+    ++line_number;
+    std::string_view line = next_line(text);
+    const std::string_view keyword = next_word(line);
+    if (keyword == "solid") result.parts.push_back({std::string(trimmed(line)), {}});
+    if (keyword == "facet") corners_of_face = 0;
+    if (keyword == "endfacet" && corners_of_face != 3) fail("a facet does not have three corners");
+    if (keyword != "vertex" || result.parts.empty()) continue;
+    Point corner;
+    for (double& coordinate : corner) {
+      const std::string_view word = next_word(line);
+      if (!parse(word, coordinate)) fail("a vertex needs three numbers; " + cited(word) + " is none");
+    }
+    ++corners_of_face;
+    result.parts.back().corners.push_back(corner);
+  }
+  if (corners_of_face % 3 != 0) fail("the file ends in the middle of a facet; it is cut off");
+  std::vector<Model_part> parts;
+  for (Model_part& part : result.parts)
+    if (!part.corners.empty()) parts.push_back(std::move(part));
+  result.parts = std::move(parts);
+  return result;
+}
+
+/// Headers of binary files may begin with the word, too.
+bool is_text_stl(std::string_view text)
+{
+  if (text.size() >= header_size &&
+      text.size() == header_size + triangle_size * std::size_t(little_endian(text.substr(header_size - 4))))
+    return false;
+  return next_word(text) == "solid";
+}
+
+} // namespace
+
+Model_content read_stl_parts(std::string_view text, const std::string& file)
+{
+  const bool is_text = is_text_stl(text);
+  if (!is_text && text.size() < header_size)
+    throw Invalid_input(file + ": it cannot be read as an STL model; it is another kind of file or cut off");
+  Model_content result = is_text ? read_text_stl(text, file) : read_binary_stl(text, file);
+  if (result.parts.empty() || result.parts[0].corners.empty())
+    throw Invalid_input(file + ": there is no triangle in it; a model needs a mesh for every part");
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,0 +1,243 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/system/atomic_file.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <atomic>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <unistd.h>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& path, const std::string& why)
+{
+  const std::string name = path == "-" ? "standard output" : path;
+  throw Invalid_input(name + ": it cannot be written (" + why + "); choose another place for the output");
+}
+
+bool is_device(const fs::path& file)
+{
+  std::error_code error;
+  return fs::exists(file, error) && !fs::is_regular_file(file, error) && !fs::is_directory(file, error);
+}
+
+std::string parent_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path().string() : "."; }
+
+/// What the names of temporary files go on with, after that of the file they are for; then follow the process and a
+/// count.
+const std::string& temporary_mark()
+{
+  static const std::string mark = [] {
+    char name[65] = {};
+    gethostname(name, sizeof name - 1);
+    std::string result = ".tmp-";
+    for (const char* c = name; *c; ++c)
+      if (std::isalnum(static_cast<unsigned char>(*c))) result += *c;
+    return result + '-';
+  }();
+  return mark;
+}
+
+/// Another name beside `place` each time; other processes may have made something of that name.
+std::string temporary_name(const fs::path& place)
+{
+  static std::atomic<unsigned> count{0};
+  return place.string() + temporary_mark() + std::to_string(getpid()) + '_' + std::to_string(count++);
+}
+
+/// The process of this machine that made a temporary file; 0 for other names.
+pid_t maker_of(const std::string& name)
+{
+  const std::string& mark = temporary_mark();
+  const std::size_t at = name.rfind(mark);
+  if (at == std::string::npos) return 0;
+  pid_t process = 0;
+  unsigned count = 0;
+  const char *const begin = name.data() + at + mark.size(), *const end = name.data() + name.size();
+  const auto [line, error] = std::from_chars(begin, end, process);
+  if (error != std::errc() || line == end || *line != '_') return 0;
+  const auto [last, count_error] = std::from_chars(line + 1, end, count);
+  return count_error == std::errc() && last == end ? process : 0;
+}
+
+/// Puts what is written on the disk, before it takes the place of what was there.
+void synchronize(const std::string& name, const std::string& path)
+{
+  const int descriptor = open(name.c_str(), O_RDONLY);
+  const bool failed = descriptor >= 0 && fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP;
+  const int reason = errno;
+  if (descriptor >= 0) close(descriptor);
+  if (failed) fail(path, std::strerror(reason));
+}
+
+/// What is made under a temporary name, for `path`; removed again unless it is renamed.
+class Temporary
+{
+public:
+  Temporary(const std::string& path, const std::string& name) : path_(path), name_(name) {}
+  ~Temporary()
+  {
+    std::error_code error;
+    if (!renamed_) fs::remove_all(name_, error);
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+  const std::string& name() const { return name_; }
+
+  void rename_to(const fs::path& place)
+  {
+    std::error_code error;
+    const fs::file_status old = fs::status(place, error);
+    if (fs::is_regular_file(old)) fs::permissions(name_, old.permissions(), error);
+    synchronize(name_, path_);
+    fs::rename(name_, place, error); // takes the place of a file, or of an empty folder
+    if (error) fail(path_, error.message());
+    renamed_ = true;
+    synchronize(parent_of(place), path_);
+  }
+
+private:
+  std::string path_, name_;
+  bool renamed_ = false;
+};
+
+/// Makes a file of a new name beside `file`. \return its name
+std::string make_file_beside(const fs::path& file, const std::string& path)
+{
+  for (;;) {
+    const std::string name = temporary_name(file);
+    const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
+    if (descriptor >= 0) {
+      close(descriptor);
+      return name;
+    }
+    if (errno != EEXIST) fail(path, std::strerror(errno));
+  }
+}
+
+/// Makes a folder of a new name beside `folder`. \return its name
+std::string make_folder_beside(const fs::path& folder, const std::string& path)
+{
+  for (;;) {
+    const std::string name = temporary_name(folder);
+    std::error_code error;
+    if (fs::create_directory(name, error)) return name;
+    if (error) fail(path, error.message());
+  }
+}
+
+/// Without slashes at its end, which would be inside the folder.
+fs::path folder_path(const std::string& path)
+{
+  const std::size_t last = path.find_last_not_of('/');
+  return last == std::string::npos ? fs::path(path) : fs::path(path.substr(0, last + 1));
+}
+
+void write_directly(const std::string& path, std::ostream& out, const std::function<void(std::ostream&)>& write)
+{
+  errno = 0;
+  write(out);
+  out.flush();
+  if (!out) fail(path, errno ? std::strerror(errno) : "writing failed");
+}
+
+void check_existing(const std::string& path, const fs::path& file)
+{
+  std::error_code error;
+  if (fs::is_directory(file, error)) fail(path, "it is a folder");
+  if (fs::exists(file, error) && access(file.c_str(), W_OK) != 0) fail(path, std::strerror(errno));
+}
+
+} // namespace
+
+fs::path written_file(const std::string& path)
+{
+  std::error_code error;
+  const fs::path target = fs::canonical(path, error);
+  if (!error) return target;
+  if (error == std::errc::too_many_symbolic_link_levels) fail(path, error.message());
+  fs::path file = path;
+  while (fs::is_symlink(file, error))
+    file = file.parent_path() / fs::read_symlink(file);
+  return file;
+}
+
+void check_writable(const std::string& path)
+{
+  if (path == "-") return;
+  const fs::path file = written_file(path);
+  check_existing(path, file);
+  if (is_device(file)) return;
+  remove_leftovers(parent_of(file), file.filename().string());
+  Temporary(path, make_file_beside(file, path)); // gone again at once
+}
+
+void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write)
+{
+  if (path == "-") return write_directly(path, std::cout, write);
+  const fs::path file = written_file(path);
+  check_existing(path, file);
+  if (is_device(file)) {
+    std::ofstream out(file, std::ios::binary);
+    return write_directly(path, out, write);
+  }
+  Temporary temporary(path, make_file_beside(file, path));
+  std::ofstream out(temporary.name(), std::ios::binary);
+  write_directly(path, out, write);
+  out.close();
+  if (!out) fail(path, std::strerror(errno));
+  temporary.rename_to(file);
+}
+
+void check_new_folder(const std::string& path)
+{
+  const fs::path folder = folder_path(path);
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail(path, "it is a file");
+  if (fs::exists(folder, error) && !fs::is_empty(folder, error)) fail(path, "the folder is there and not empty");
+  remove_leftovers(parent_of(folder), folder.filename().string());
+  Temporary(path, make_folder_beside(folder, path)); // gone again at once
+}
+
+void write_folder_atomically(const std::string& path, const std::function<void(const std::string&)>& write)
+{
+  const fs::path folder = folder_path(path);
+  Temporary temporary(path, make_folder_beside(folder, path));
+  write(temporary.name());
+  temporary.rename_to(folder);
+}
+
+void remove_leftovers(const std::string& folder, const std::string& beginning)
+{
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    const pid_t maker = name.compare(0, beginning.size(), beginning) == 0 ? maker_of(name) : 0;
+    if (maker > 0 && kill(maker, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), error);
+  }
+}
+
+void make_folder(const std::string& path, const std::string& use)
+{
+  std::error_code error, none;
+  fs::create_directories(path, error);
+  if (!fs::is_directory(path, none))
+    throw Invalid_input(path + ": it cannot be used as " + use + " (" + (error ? error.message() : "it is a file") +
+                        "); choose another folder");
+}
+
+} // namespace CGAL::Shape_correspondence::IO

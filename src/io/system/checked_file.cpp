@@ -1,0 +1,44 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/system/checked_file.h"
+#include "io/system/atomic_file.h"
+#include "io/system/digest.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace CGAL::Shape_correspondence::IO {
+
+namespace {
+
+std::string heading(const std::string& title, const std::string& content)
+{
+  return title + ' ' + digest(content) + '\n';
+}
+
+} // namespace
+
+void write_checked_file(const std::string& path, const std::string& title, const std::string& content)
+{
+  write_atomically(path, [&](std::ostream& out) { out << heading(title, content) << content; });
+}
+
+std::optional<std::string> checked_content(const std::string& file, const std::string& title)
+{
+  const std::size_t line = file.find('\n');
+  if (line == std::string::npos) return std::nullopt;
+  std::string content = file.substr(line + 1);
+  if (file.compare(0, line + 1, heading(title, content)) != 0) return std::nullopt;
+  return content;
+}
+
+std::optional<std::string> read_checked_file(const std::string& path, const std::string& title)
+{
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return checked_content(text.str(), title);
+}
+
+} // namespace CGAL::Shape_correspondence::IO

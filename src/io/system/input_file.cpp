@@ -1,0 +1,42 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/system/input_file.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <boost/algorithm/string/case_conv.hpp>
+
+#include <filesystem>
+#include <locale>
+
+namespace CGAL::Shape_correspondence::IO {
+
+namespace fs = std::filesystem;
+
+void check_exists(const std::string& path)
+{
+  std::error_code error; // is none where nothing has the name
+  if (fs::exists(path, error)) return;
+  throw Invalid_input(path +
+                      (error ? ": it cannot be used (" + error.message() + ")" : ": there is no such file or folder"));
+}
+
+std::ifstream open_input(const std::string& path)
+{
+  check_exists(path);
+  std::error_code error;
+  if (fs::is_directory(path, error)) throw Invalid_input(path + ": it is a folder; name a file in it");
+  if (fs::is_fifo(path, error)) // opening it waits until somebody writes to it
+    throw Invalid_input(path + ": it is a pipe; copy what it has into a file");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw Invalid_input(path + ": it cannot be opened for reading; check its permissions");
+  return in;
+}
+
+std::string lower_extension(const std::string& path)
+{
+  return boost::algorithm::to_lower_copy(fs::path(path).extension().string(), std::locale::classic());
+}
+
+} // namespace CGAL::Shape_correspondence::IO

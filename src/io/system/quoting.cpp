@@ -1,0 +1,181 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/system/quoting.h"
+
+#include <cctype>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+constexpr std::uint32_t no_character = 0xFFFFFFFF;
+
+/// The character of UTF-8 that begins at `text[at]`, and its bytes; `no_character` if none does.
+struct Utf8_character
+{
+  std::uint32_t code = no_character;
+  std::size_t size = 1;
+};
+
+Utf8_character character_at(const std::string& text, std::size_t at)
+{
+  const auto byte = [&](std::size_t i) { return std::uint32_t(static_cast<unsigned char>(text[i])); };
+  const std::uint32_t first = byte(at);
+  if (first < 0x80) return {first, 1};
+  const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || at + size > text.size()) return {};
+  std::uint32_t code = first & (0xFFu >> (size + 1));
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(at + i) & 0xC0) != 0x80) return {};
+    code = code << 6 | (byte(at + i) & 0x3F);
+  }
+  const bool is_overlong = code < (size == 4 ? 0x10000u : size == 3 ? 0x800u : 0x80u);
+  const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
+  if (is_overlong || is_surrogate || code > 0x10FFFF) return {};
+  return {code, size};
+}
+
+bool is_utf8(const std::string& text)
+{
+  for (std::size_t at = 0; at < text.size();) {
+    const Utf8_character c = character_at(text, at);
+    if (c.code == no_character) return false;
+    at += c.size;
+  }
+  return true;
+}
+
+bool is_control(std::uint32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
+
+/// Marks that turn the direction of writing, and ends of lines and paragraphs.
+bool is_layout(std::uint32_t code)
+{
+  return (code >= 0x200E && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+}
+
+std::string hexadecimal(const char* format, std::uint32_t code)
+{
+  char result[16];
+  std::snprintf(result, sizeof result, format, static_cast<unsigned>(code));
+  return result;
+}
+
+std::string percent(const std::string& bytes)
+{
+  std::string result;
+  for (char byte : bytes)
+    result += hexadecimal("%%%02X", static_cast<unsigned char>(byte));
+  return result;
+}
+
+bool is_percent_code(const std::string& text, std::size_t at)
+{
+  const auto is_digit = [&](std::size_t i) {
+    return i < text.size() && std::isxdigit(static_cast<unsigned char>(text[i])) != 0;
+  };
+  return text[at] == '%' && is_digit(at + 1) && is_digit(at + 2);
+}
+
+/// Replaces the characters that a format cannot hold. \param text in UTF-8 \param is_special of a code and its place
+std::string with_percent_codes(const std::string& text,
+                               const std::function<bool(std::uint32_t code, std::size_t at)>& is_special)
+{
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const Utf8_character c = character_at(text, at);
+    const std::string bytes = text.substr(at, c.size);
+    result += is_percent_code(text, at) || is_special(c.code, at) ? percent(bytes) : bytes;
+    at += c.size;
+  }
+  return result;
+}
+
+/// A line of its own, trimmed by those who read it. \param is_special what else cannot be there
+std::string one_line(const std::string& text, const std::function<bool(std::uint32_t code, std::size_t at)>& is_special)
+{
+  return with_percent_codes(text, [&](std::uint32_t code, std::size_t at) {
+    const bool is_outer_blank = code == ' ' && (at == 0 || at + 1 == text.size());
+    return is_control(code) || is_layout(code) || is_outer_blank || is_special(code, at);
+  });
+}
+
+} // namespace
+
+std::string utf8_text(const std::string& bytes)
+{
+  if (is_utf8(bytes)) return bytes;
+  std::string result;
+  for (char byte : bytes) {
+    const auto code = static_cast<unsigned char>(byte);
+    if (code < 0x80) {
+      result += byte;
+    } else {
+      result += static_cast<char>(0xC0 | code >> 6);
+      result += static_cast<char>(0x80 | (code & 0x3F));
+    }
+  }
+  return result;
+}
+
+std::string quote_obj(const std::string& name)
+{
+  const std::string text = utf8_text(name);
+  return one_line(text, [&](std::uint32_t code, std::size_t at) {
+    const bool begins_comment = code == '#' && (at == 0 || text[at - 1] == ' ');
+    const bool continues_line = code == '\\' && at + 1 == text.size();
+    return begins_comment || continues_line;
+  });
+}
+
+std::string quote_ply(const std::string& name)
+{
+  return one_line(utf8_text(name), [](std::uint32_t, std::size_t) { return false; });
+}
+
+std::string quote_dot(const std::string& name)
+{
+  const auto is_illegal = [](std::uint32_t code, std::size_t) { return is_control(code) && code != '\n'; };
+  std::string result = "\"";
+  for (char c : with_percent_codes(utf8_text(name), is_illegal))
+    result += c == '"' ? "\\\"" : c == '\\' ? "\\\\" : c == '\n' ? "\\n" : std::string(1, c);
+  return result + '"';
+}
+
+std::string quote_graphml(const std::string& name)
+{
+  return with_percent_codes(utf8_text(name), [](std::uint32_t code, std::size_t) {
+    return (is_control(code) && code != '\t' && code != '\n') || code == 0xFFFE || code == 0xFFFF;
+  });
+}
+
+std::string quote_csv(const std::string& field)
+{
+  std::string text = utf8_text(field);
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (char c : text)
+    result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + '"';
+}
+
+std::string quote_terminal(const std::string& text, bool keeps_lines)
+{
+  std::string result;
+  const std::string all = utf8_text(text);
+  for (std::size_t at = 0; at < all.size();) {
+    const Utf8_character c = character_at(all, at);
+    if (is_layout(c.code))
+      result += hexadecimal("\\u{%04X}", c.code);
+    else if (is_control(c.code) && !(keeps_lines && c.code == '\n'))
+      result += hexadecimal("\\x%02X", c.code);
+    else
+      result.append(all, at, c.size);
+    at += c.size;
+  }
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "base/for_each_index.h"
+#include "base/limits.h"
+#include "io/write/Json.h"
+#include "io/system/little_endian.h"
+#include "io/system/quoting.h"
+
+#include <CGAL/Shape_correspondence/IO/write_blend.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <ostream>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+const char* task_name(Blend_task_type type)
+{
+  static constexpr const char* names[] = {"morph", "split", "merge", "shrink", "grow"};
+  return names[int(type)];
+}
+
+const char* exchange_name(Blend_exchange exchange)
+{
+  static constexpr const char* names[] = {"", "torn", "thin"};
+  return names[int(exchange)];
+}
+
+Json quality_json(const Blend_quality& quality)
+{
+  return {{"gap", quality.gap},       {"apart", quality.apart},       {"asymmetry", quality.asymmetry},
+          {"ground", quality.ground}, {"thinning", quality.thinning}, {"area", quality.area},
+          {"volume", quality.volume}, {"torn", quality.torn},         {"overlap", quality.overlap},
+          {"wobble", quality.wobble}};
+}
+
+/// Numbers with as many digits as it takes to read the same ones again.
+template <typename Numbers>
+void append_line(std::string& lines, char keyword, const Numbers& numbers)
+{
+  std::array<char, 32> digits;
+  lines += keyword;
+  for (const auto number : numbers)
+    (lines += ' ').append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+  lines += '\n';
+}
+
+/// \param asymmetry of the ends
+Json tolerances_json(double asymmetry)
+{
+  return {{"gap", Shape_blend::contact_tolerance},   {"asymmetry", asymmetry + Shape_blend::symmetry_tolerance},
+          {"ground", Shape_blend::ground_tolerance}, {"thinning", Shape_blend::thinning_tolerance},
+          {"area", Shape_blend::area_tolerance},     {"volume", Shape_blend::volume_tolerance},
+          {"torn", Shape_blend::torn_tolerance},     {"overlap", Shape_blend::overlap_tolerance},
+          {"wobble", Shape_blend::wobble_tolerance}};
+}
+
+} // namespace
+
+void write_segmented_shape_obj(std::ostream& out, const Segmented_shape& shape)
+{
+  std::string lines;
+  int first = 1;
+  for (const Shape_part& part : shape.parts()) {
+    lines += "o " + quote_obj(part.name) + '\n';
+    for (const auto& p : part.mesh.points.colwise())
+      append_line(lines, 'v', p);
+    for (const auto& corners : part.mesh.triangles.colwise())
+      append_line(lines, 'f', (corners.array() + first).matrix());
+    first += static_cast<int>(part.mesh.points.cols());
+    out << lines;
+    lines.clear();
+  }
+}
+
+void write_segmented_shape_ply(std::ostream& out, const Segmented_shape& shape)
+{
+  Eigen::Index points = 0, triangles = 0;
+  out << "ply\nformat binary_little_endian 1.0\n";
+  int number = 0;
+  for (const Shape_part& part : shape.parts()) {
+    out << "comment part " << number++ << ' ' << quote_ply(part.name) << '\n';
+    points += part.mesh.points.cols();
+    triangles += part.mesh.triangles.cols();
+  }
+  out << "element vertex " << points << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
+      << triangles << "\nproperty list uchar int vertex_indices\nproperty int part\nend_header\n";
+  std::string vertices, faces;
+  std::int32_t first = 0;
+  number = 0;
+  for (const Shape_part& part : shape.parts()) {
+    for (Eigen::Index i = 0; i < part.mesh.points.size(); ++i)
+      append_little_endian<double, std::uint64_t>(vertices, part.mesh.points.data()[i]);
+    for (Eigen::Index t = 0; t < part.mesh.triangles.cols(); ++t) {
+      faces.push_back(3);
+      for (int corner : part.mesh.triangles.col(t))
+        append_little_endian<std::int32_t, std::uint32_t>(faces, first + corner);
+      append_little_endian<std::int32_t, std::uint32_t>(faces, number);
+    }
+    first += static_cast<std::int32_t>(part.mesh.points.cols());
+    ++number;
+  }
+  out << vertices << faces;
+}
+
+void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structural_graph& source,
+                      const Structural_graph& target, const std::string& source_file, const std::string& target_file,
+                      const std::string& output, int frames, const std::vector<std::string>& warnings)
+{
+  internal::check_number_of_frames(frames);
+  Json result;
+  result["format"] = "shape_correspondence/blend";
+  result["version"] = 1;
+  result["source"] = source_file;
+  result["target"] = target_file;
+  result["output"] = output;
+  result["tasks"] = Json::array();
+  for (const Blend_task& task : blend.schedules()[0].tasks) {
+    Json line = {{"task", task_name(task.type)}, {"begin", task.begin}, {"end", task.end}};
+    if (task.source != Blend_task::no_part) line["source"] = structure(source).parts[task.source].name;
+    if (task.target != Blend_task::no_part) line["target"] = structure(target).parts[task.target].name;
+    if (task.exchange != Blend_exchange::NONE) line["exchanged"] = exchange_name(task.exchange);
+    result["tasks"].push_back(line);
+  }
+  result["schedules"] = Json::array();
+  for (const Blend_schedule& schedule : blend.schedules())
+    result["schedules"].push_back({{"name", schedule.name}, {"quality", quality_json(schedule.quality)}});
+  std::vector<Blend_check> checks(static_cast<std::size_t>(frames));
+  internal::for_each_index<CGAL::Parallel_if_available_tag>(
+      checks.size(), [&](std::size_t frame) { checks[frame] = blend.check(double(frame) / (frames - 1)); });
+  result["tolerances"] = tolerances_json(std::max(checks.front().quality.asymmetry, checks.back().quality.asymmetry));
+  result["frames"] = Json::array();
+  for (int frame = 0; frame < frames; ++frame) {
+    const Blend_check& check = checks[static_cast<std::size_t>(frame)];
+    result["frames"].push_back(
+        {{"t", double(frame) / (frames - 1)}, {"quality", quality_json(check.quality)}, {"faults", check.faults}});
+  }
+  result["warnings"] = warnings;
+  result.write(out);
+}
+
+} // namespace CGAL::Shape_correspondence::IO
