@@ -6,11 +6,10 @@
 #include "model_files.h"
 
 #include "generator/textures.h"
-#include "io/system/image_file.h"
+#include "texture/image_file.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
-#include <CGAL/Shape_correspondence/IO/write_glb.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/Shape_appearance.h>
 #include <CGAL/Shape_correspondence/split_parts.h>
@@ -35,7 +34,7 @@ struct Model
 Model read(const std::string& path)
 {
   Model model;
-  model.shape = IO::read_segmented_shape(path, Point::UnitY(), nullptr, &model.looks);
+  model.shape = IO::read_shape_and_appearance(path, model.looks);
   return model;
 }
 
@@ -136,13 +135,14 @@ TEST_CASE("Texture coordinates without bounds become 0")
 TEST_CASE("Every truncation of an image is an error or an image, and none ends the program")
 {
   const std::string png = gen::test_picture();
-  const Image image = IO::decoded_image(png);
+  IO::Image_budget budget;
+  const Image image = IO::decoded_image(png, budget);
   CHECK(image.width == 128);
   CHECK(image.pixels[4 * (128 * 20 + 40)] == 60 + 25 * 2); // red of the third column
-  CHECK(IO::decoded_image(IO::png_of(image)).pixels == image.pixels);
+  CHECK(IO::decoded_image(IO::png_of(image), budget).pixels == image.pixels);
   for (std::size_t size = 0; size < png.size(); size += 97)
-    CHECK_THROWS_AS(IO::decoded_image(png.substr(0, size)), Invalid_input);
-  CHECK_THROWS_AS(IO::decoded_image("\xff\xd8\xff\xe0 no jpeg"), Invalid_input);
+    CHECK_THROWS_AS(IO::decoded_image(png.substr(0, size), budget), Invalid_input);
+  CHECK_THROWS_AS(IO::decoded_image("\xff\xd8\xff\xe0 no jpeg", budget), Invalid_input);
 }
 
 TEST_CASE("Colours of vertices and faces are read from PLY and OFF")
