@@ -10,7 +10,7 @@
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/system/quoting.h"
-#include "io/write/report_text.h"
+#include "io/read/report_text.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/parts_json.h>

@@ -284,6 +284,19 @@ TEST_CASE("Of the files that a model names only those of its folder are read, un
   CHECK(read_complaint(gltf("own.bin")).empty());
 }
 
+TEST_CASE("Counts that a file claims take no memory before the file has shown what it counts")
+{
+  const Temporary_folder folder;
+  const std::string header =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uint double vertex_indices\nend_header\n";
+  const std::string count("\x00\x00\x10\x00", 4), rest(1 << 20, '\0'); // 2^20 doubles are claimed, 2^17 are there
+  CHECK_THAT(read_complaint(folder.write("a.ply", header + count + rest)), Contains("a list of 1048576 numbers"));
+  const std::string large = folder.write("large.obj", "o a\n");
+  fs::resize_file(large, std::uintmax_t(3) << 30);
+  CHECK_THAT(read_complaint(large), Contains("larger than 2 GB"));
+}
+
 TEST_CASE("A small COLLADA file of a thousand million instances is an error within seconds")
 {
   std::string nodes;

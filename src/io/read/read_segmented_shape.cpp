@@ -49,6 +49,9 @@ std::string content_of(const std::string& file)
   if (!fs::is_regular_file(file)) throw Invalid_input(file + ": it is a device; copy the model into a file");
   const std::uintmax_t size = fs::file_size(file);
   if (size == 0) throw Invalid_input(file + ": the file is empty");
+  if (size > internal::largest_model)
+    throw Invalid_input(file + ": it is larger than " + std::to_string(internal::largest_model >> 30) +
+                        " GB; simplify the model, or cut it into parts");
   std::string text(size, '\0');
   in.read(text.data(), std::streamsize(size));
   text.resize(std::size_t(in.gcount()));
