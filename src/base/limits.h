@@ -46,9 +46,6 @@ inline void check_number_of_frames(int frames)
                         std::to_string(frames));
 }
 
-/// Bytes of a model file.
-constexpr std::size_t largest_model = std::size_t(2) << 30;
-
 /// Bytes of a JSON or XML document, and how deep its values may be nested.
 constexpr std::size_t largest_document = std::size_t(1) << 28;
 constexpr std::size_t deepest_document = 100;

@@ -23,6 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uintmax_t largest_model = std::uintmax_t(2) << 30; // bytes of a file
+
 const char* const known_formats = "OBJ, PLY, STL, OFF, glTF, GLB, COLLADA (dae), FBX, 3DS, DXF, AC3D (ac)";
 
 using Text_reader = Model_content (*)(std::string_view, const std::string&);
@@ -49,8 +51,8 @@ std::string content_of(const std::string& file)
   if (!fs::is_regular_file(file)) throw Invalid_input(file + ": it is a device; copy the model into a file");
   const std::uintmax_t size = fs::file_size(file);
   if (size == 0) throw Invalid_input(file + ": the file is empty");
-  if (size > internal::largest_model)
-    throw Invalid_input(file + ": it is larger than " + std::to_string(internal::largest_model >> 30) +
+  if (size > largest_model)
+    throw Invalid_input(file + ": it is larger than " + std::to_string(largest_model >> 30) +
                         " GB; simplify the model, or cut it into parts");
   std::string text(size, '\0');
   in.read(text.data(), std::streamsize(size));
