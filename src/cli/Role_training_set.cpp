@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Role_training_set.h"
-#include "cli/command_line.h"
+#include "cli/Command.h"
 
 #include <utility>
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/read_model.h"
-#include "io/system/input_file.h"
 #include "io/read/model_parts.h"
 #include "io/read/split_by_roles.h"
+#include "io/system/input_file.h"
 #include "matching/up_by_roles.h"
 #include "structure/frame_of_shape.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/role_reports.h"
-#include "cli/text_table.h"
+#include "cli/text.h"
 #include "matching/mean_differences.h"
 
 #include <algorithm>
