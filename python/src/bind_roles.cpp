@@ -5,7 +5,7 @@
 #include "handles.h"
 #include "work.h"
 
-#include "cli/commands.h"
+#include "cli/Command.h"
 #include "cli/predicted_labels.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
@@ -30,7 +30,7 @@ std::string predict(const Graph& graph, const Role_model& model, const std::stri
 /// What the program does with these arguments of its command `roles`.
 bool run_command(const std::vector<std::string>& arguments)
 {
-  SC::cli::run_roles(arguments);
+  SC::cli::command_of("roles")->run(arguments);
   return true;
 }
 

@@ -76,8 +76,7 @@ void add_structure_options(Option_table& table, Common_options& options)
 {
   Option_table::Group add = table.group("Options on structural graphs");
   Symmetry_options& symmetry = options.structure.symmetry;
-  add("no-symmetry", Switched_off{&symmetry.enabled}, "make every part a group of its own")
-      .in_python("detect_symmetry");
+  add("no-symmetry", Switched_off{&symmetry.enabled}, "make every part a group of its own");
   add("symmetries", "KINDS", symmetry_kinds(symmetry), "kinds of symmetry groups to detect");
   add("symmetry-tolerance", "T", &symmetry.tolerance,
       "largest distance of a part from its image, as a fraction of the diagonal of the part")
@@ -181,7 +180,7 @@ void add_common_options(Option_table& table, Common_options& options)
 
 void add_reading_options(Option_table& table, Common_options& options)
 {
-  Option_table::Group add = table.group("Options on model files");
+  Option_table::Group add = table.group(reading_group);
   add("up", "AXIS", &options.up,
       "upright axis of the model: x, y, z, or auto (the axis along which the model stands most stably). Default: the "
       "one given by the file (glTF, COLLADA, graphs); y for a folder of part meshes; otherwise y unless the model "

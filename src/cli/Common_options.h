@@ -57,6 +57,7 @@ struct Common_options
 /// The words of a list with commas in between.
 std::vector<std::string> words_of(const std::string& list);
 
+constexpr const char* reading_group = "Options on model files";
 constexpr const char* abstraction_group = "Options on part abstraction";
 
 // Each adds options to the table of a command

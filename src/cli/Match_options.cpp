@@ -15,6 +15,10 @@
 #include <utility>
 
 namespace CGAL::Shape_correspondence::cli {
+
+const std::vector<std::pair<const char*, Search_method>> search_methods{
+    {"parts", Search_method::PARTS}, {"beam", Search_method::BEAM}, {"exact", Search_method::EXACT}};
+
 namespace {
 
 /// Of a contact of a group that is left unmatched; about what a badly deformed contact costs.
@@ -76,15 +80,20 @@ Text_field number_of_alignments(std::optional<int>& number)
   return result;
 }
 
-const char* name_of(Search_method method)
+std::string name_of(Search_method method) { return choice(method, search_methods).get(); }
+
+/// An empty method is what other options ask for.
+Text_field method_or_auto(std::optional<Search_method>& method)
 {
-  return method == Search_method::PARTS ? "parts" : method == Search_method::BEAM ? "beam" : "exact";
+  std::vector<std::pair<const char*, std::optional<Search_method>>> words{{"auto", std::nullopt}};
+  words.insert(words.end(), search_methods.begin(), search_methods.end());
+  return choice(method, words);
 }
 
 Search_method search_method(const Match_options& match, const Option_table& given)
 {
   if (match.paper && match.method.value_or(Search_method::BEAM) != Search_method::BEAM)
-    throw Usage_error(std::string("--paper is --search beam; it does not go with --search ") + name_of(*match.method));
+    throw Usage_error("--paper is --search beam; it does not go with --search " + name_of(*match.method));
   if (match.paper) return Search_method::BEAM;
   if (match.method.value_or(Search_method::PARTS) != Search_method::PARTS) return *match.method;
   for (const Option& option : given.options()) {
@@ -104,7 +113,7 @@ bool has_roles(const Match_options& match, Search_method method)
 /// \throw Usage_error if an option is given that changes nothing
 void refuse_options_without_effect(const Match_options& match, const Option_table& given, Search_method method)
 {
-  const std::string on_search = std::string("on --search ") + name_of(method),
+  const std::string on_search = "on --search " + name_of(method),
                     selected = match.paper ? ", which --paper selects" : "";
   given.refuse_other_modes(name_of(method), on_search + selected);
   const auto refuse = [&](const char* name, bool has_no_effect, const std::string& why) {
@@ -136,16 +145,11 @@ void add_match_options(Option_table& table, Match_options& match)
   Search_options& search = match.search;
   const std::vector<std::string> by_energy{"beam", "exact"};
   Option_table::Group add = table.group(match_group);
-  add("search", "METHOD",
-      choice<std::optional<Search_method>>(match.method, {{"auto", std::nullopt},
-                                                          {"parts", Search_method::PARTS},
-                                                          {"beam", Search_method::BEAM},
-                                                          {"exact", Search_method::EXACT}}),
+  add("search", "METHOD", method_or_auto(match.method),
       "parts (least cost of substituting parts for each other; scores highest against human labels), beam (least "
       "deformation energy by the beam search of the paper) or exact (least deformation energy with a proof for each "
       "direction; the direction with less energy per pair of connected parts is taken). auto: parts, unless another "
-      "option asks for beam or exact")
-      .in_python("search_method");
+      "option asks for beam or exact");
   add("paper", &match.paper, "the method of the paper: --search beam --front auto, and --max-parts of the source only");
   add("roles", "MODEL", &match.roles,
       "role model for --search parts and --role-weight: auto (the one that comes with the program), none, or a file "
@@ -210,8 +214,7 @@ void add_match_options(Option_table& table, Match_options& match)
       "norm over the rods of all pairs)")
       .in_python("energy_norm");
   add("no-cut", Switched_off{&search.matching.cut_curves}, "do not cut curves into segments; for beam and exact search")
-      .only_for(by_energy)
-      .in_python("cut_curves");
+      .only_for(by_energy);
   add("allow-unmatched", "COST", &search.matching.unmatched_cost,
       "allow symmetry groups without counterpart, at this cost for each of their contacts (0.5 if no number is given); "
       "for shapes of which one is a part of the other; for beam and exact search")

@@ -10,11 +10,15 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
 
 constexpr const char* match_group = "Options of match";
+
+/// The words for methods.
+extern const std::vector<std::pair<const char*, Search_method>> search_methods;
 
 /// The options of the search as they are written on the command line.
 struct Match_options
@@ -31,7 +35,7 @@ struct Match_options
   std::vector<std::string> pinned, forbidden; ///< A=B
 };
 
-/// Adds those to the table of a command, and "Options of match" to the options that Python has.
+/// Adds those to the table of a command.
 void add_match_options(Option_table& table, Match_options& match);
 
 /// The search that the options ask for, but for `choose_parts()`. \throw Usage_error

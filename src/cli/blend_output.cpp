@@ -105,7 +105,8 @@ void add_output_options(Option_table::Group& add, Blend_output& output)
                                        {"source", Blend_size::SOURCE},
                                        {"target", Blend_size::TARGET},
                                        {"same", Blend_size::SAME}}),
-      "size of the frames: blend (from the source's to the target's), source, target, or same (height 1)");
+      "size of the frames: blend (from the source's to the target's), source, target, or same (height 1)")
+      .in_python();
   add("colours", "COLOURS", &output.colours,
       "colours of a .glb animation: materials (those of the models, with textures), match (one for corresponding "
       "parts) or auto (materials if a model has them)")

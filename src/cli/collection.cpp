@@ -213,8 +213,7 @@ void add_collection_options(Option_table& table, Common_options& common, Collect
   add("html", "FILE", &common.html,
       "write a web page with the shapes, the medoid, the spanning tree, and the match of any two shapes that are "
       "clicked (of more than 100 shapes: of near ones; of more than 1000 shapes it shows 1000); it needs no network")
-      .output()
-      .in_python();
+      .output();
   add("matches", &options.matches,
       "write the corresponding parts of all pairs of shapes to --json, too (of more than 100 shapes: of near ones)")
       .in_python();
