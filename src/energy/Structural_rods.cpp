@@ -49,11 +49,6 @@ std::pmr::memory_resource& internal::rod_pool()
   return *pool;
 }
 
-void Structural_rods::Deleter::operator()(Rod_block* rods) const
-{
-  rod_pool().deallocate(rods, blocks * sizeof(Rod_block), alignof(Rod_block));
-}
-
 Structural_rods::Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats)
 {
   const int n = int(first.cols()) * first_repeats, m = int(second.cols()) * second_repeats;

@@ -14,6 +14,24 @@
 
 namespace CGAL::Shape_correspondence {
 
+namespace internal {
+
+/// Memory for rods. What is given back is kept for the next ones, since clearing memory that comes from the system
+/// takes long.
+std::pmr::memory_resource& rod_pool();
+constexpr std::size_t rod_chunk_bytes = 1u << 17;
+
+struct Rod_deleter
+{
+  std::size_t blocks = 0;
+  void operator()(Rod_block* rods) const
+  {
+    rod_pool().deallocate(rods, blocks * sizeof(Rod_block), alignof(Rod_block));
+  }
+};
+
+} // namespace internal
+
 /// E_d and E_c of one pair of connected parts.
 struct Rod_energy
 {
@@ -56,13 +74,7 @@ private:
                           const internal::Sample_lanes& second, std::vector<double>& result);
   double distortion(float squared_cosines) const;
 
-  struct Deleter
-  {
-    std::size_t blocks = 0;
-    void operator()(internal::Rod_block* rods) const;
-  };
-
-  std::unique_ptr<internal::Rod_block[], Deleter> memory_; // unless they are in memory of others
+  std::unique_ptr<internal::Rod_block[], internal::Rod_deleter> memory_; // null where others own the rods
   const internal::Rod_block* rods_ = nullptr;
   int first_count_ = 0, second_count_ = 0;
   double zero_ = 0;     // number of rods of length zero
@@ -79,12 +91,4 @@ void distortions(const std::vector<const Structural_rods*>& pairs, const interna
 double least_distance(const Points& first, const Points& second);
 double least_distance(const internal::Sample_lanes& first, int n, const internal::Sample_lanes& second, int m);
 
-namespace internal {
-
-/// Memory for rods. What is given back is kept for the next ones, since clearing memory that comes from the system
-/// takes long.
-std::pmr::memory_resource& rod_pool();
-constexpr std::size_t rod_chunk_bytes = 1u << 17;
-
-} // namespace internal
 } // namespace CGAL::Shape_correspondence
