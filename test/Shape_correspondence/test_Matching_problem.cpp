@@ -8,6 +8,7 @@
 #include "deformed_parts.h"
 #include "energy/Matching_problem.h"
 #include "energy/Structural_rods.h"
+#include "energy/cut_curves.h"
 #include "energy/divide_sheets.h"
 #include "search/beam_search.h"
 
@@ -292,4 +293,38 @@ TEST_CASE("Many target groups: the nearest ones are the labels, and nothing is p
       CHECK(problem.label(post, label).target_group == (post == 0 ? label : label + 16));
   }
   CHECK(!Matching_problem(few, few).has_shortlists());
+}
+
+TEST_CASE("A curve that is cut into three has rods between neighbouring segments only")
+{
+  // The target's curves lie end to end, but the middle one is 0.3 to the side
+  const auto shape_with = [](const std::vector<Part_abstraction>& curves) {
+    Shape_structure shape;
+    shape.parts = curves;
+    std::vector<std::size_t> members;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      members.push_back(i);
+    return align_shape(make_structural_graph(std::move(shape), {group(members)}));
+  };
+  const Part_abstraction first = curve("0", {0, 0, 0}, {1, 0, 0}), second = curve("1", {1, .3, 0}, {2, .3, 0}),
+                         third = curve("2", {2, 0, 0}, {3, 0, 0}), whole = curve("whole", {0, 0, 0}, {3, 0, 0});
+  const Matching_problem problem(shape_with({whole}), shape_with({first, second, third}));
+  const std::size_t cut = problem.number_of_labels(0) - 1;
+  REQUIRE(problem.label(0, cut).operation == Operation::CUT);
+  const auto piece = [&](int i) { return segment(sampled(whole), i, 3).samples; };
+  const Points moved = sampled(second).samples;
+  const Rod_energy left = rod_energy(piece(0), piece(1), sampled(first).samples, moved),
+                   right = rod_energy(piece(1), piece(2), moved, sampled(third).samples);
+  CHECK(left.distortion > 0.1);
+  CHECK(problem.cut_energy(0, cut).distortion == Approx(left.distortion + right.distortion));
+  CHECK(problem.cut_energy(0, cut).connectedness == Approx(left.connectedness + right.connectedness));
+}
+
+TEST_CASE("Contacts inside a group are in the tables")
+{
+  const auto pair = [](double height) {
+    return align_shape(point_graph({{0, 0, 0}, {1, height, 0}}, {{0, 1}}, {group({0, 1}, Symmetry_type::TRANSLATION)}));
+  };
+  const Matching_problem problem(pair(0), pair(1)); // the rod turns by 45 degrees and grows
+  CHECK(problem.energy()({0}) == Approx(1 - std::sqrt(.5) + 0.6));
 }
