@@ -47,8 +47,9 @@ Eigen::Matrix3d generated_directions(const Part_group& group, const Point& repre
 
 } // namespace
 
-Structure_preservation::Structure_preservation(const Aligned_shape& shape)
+Structure_preservation::Structure_preservation(const Aligned_shape& shape, bool has_hard_contacts)
     : shape_(shape),
+      stiffness_(has_hard_contacts ? least_stiffness : stiffness),
       touches_(shape.number_of_groups()),
       displacement_(Points::Zero(3, Eigen::Index(shape.parts.size()))),
       placed_(shape.number_of_groups()),
@@ -100,7 +101,7 @@ Structure_preservation::Handles Structure_preservation::handles(std::size_t grou
   constexpr double least_scatter = 1e-12; // for a part that is a point, so that the matrix has an inverse
   const double scatter = (part.samples.colwise() - part.centroid).squaredNorm() / double(part.samples.cols());
   const Eigen::Matrix3d weight =
-      points * points.transpose() + stiffness * std::max(scatter, least_scatter) * Eigen::Matrix3d::Identity();
+      points * points.transpose() + stiffness_ * std::max(scatter, least_scatter) * Eigen::Matrix3d::Identity();
   const Points slopes = weight.inverse() * points;
   for (const auto& slope : slopes.colwise())
     result.slopes.emplace_back(slope);

@@ -41,9 +41,12 @@ Structural_graph fence(int posts)
 
 TEST_CASE("The tables add up to the terms of an assignment, in both norms")
 {
-  for (const Energy_norm norm : {Energy_norm::SUM, Energy_norm::POOLED}) {
+  for (const auto& [norm, fit] : {std::pair(Energy_norm::SUM, Deform_to_fit::SAMPLES),
+                                  {Energy_norm::POOLED, Deform_to_fit::SAMPLES},
+                                  {Energy_norm::SUM, Deform_to_fit::EXTREMITIES}}) {
     Matching_options options;
     options.norm = norm;
+    options.fit = fit;
     options.weights.distortion = 0.7;
     options.unmatched_cost = 0.3;
     const Matching_problem problem(align_shape(slatted_chair()), align_shape(chair()), options);
@@ -54,6 +57,24 @@ TEST_CASE("The tables add up to the terms of an assignment, in both norms")
       const Energy_terms terms = problem.terms(assignment);
       CHECK(problem.energy()(assignment) == Approx(deformation_energy(terms, options.weights)));
     }
+  }
+}
+
+TEST_CASE("Straight parts have the same energies by samples and by extremities")
+{
+  Matching_options options;
+  const Matching_problem by_samples(align_shape(slatted_chair()), align_shape(chair()), options);
+  options.fit = Deform_to_fit::EXTREMITIES;
+  const Matching_problem by_extremities(align_shape(slatted_chair()), align_shape(chair()), options);
+  for (std::size_t contact = 0; contact < by_samples.source().contacts.size(); ++contact) {
+    const auto groups = by_samples.groups_of_contact(contact);
+    for (std::size_t a = 0; a < by_samples.number_of_labels(groups[0]); ++a)
+      for (std::size_t b = 0; b < by_samples.number_of_labels(groups[1]); ++b) {
+        const Rod_energy one = by_samples.contact_energy(contact, a, b),
+                         other = by_extremities.contact_energy(contact, a, b);
+        CHECK(one.distortion == Approx(other.distortion).margin(1e-5));
+        CHECK(one.connectedness == Approx(other.connectedness).margin(1e-5));
+      }
   }
 }
 

@@ -199,3 +199,28 @@ TEST_CASE("Structure preservation: an orbit of two mirror planes is mirrored in 
     CHECK(motions[leg].shift.isApprox(Point(at.x() < 0 ? -.2 : .2, 0, at.z() < 0 ? -.3 : .3)));
   }
 }
+
+TEST_CASE("Structure preservation: hard contacts are followed to the point")
+{
+  Shape_structure shape;
+  shape.parts = {curve("bar", {0, 1, 0}, {1, 1, 0}), curve("start", {0, 0, 0}, {0, 1, 0}),
+                 curve("end", {1, 0, 0}, {1, 1, 0})};
+  shape.contacts = {contact(shape, 0, 1, {0, 1, 0}), contact(shape, 0, 2, {1, 1, 0})};
+  const Aligned_shape posts =
+      align_shape(make_structural_graph(std::move(shape), {group({0}), group({1}), group({2})}));
+  const std::size_t bar = index_of(posts, 0);
+  std::vector<char> matched(3, 1);
+  matched[posts.group_of[bar]] = 0;
+  std::vector<std::array<Point, 2>> contact_displacement(2, {Point::Zero(), Point::Zero()});
+  for (std::size_t c : {0, 1})
+    if (posts.original[posts.contacts[c].parts[0]] == 2 || posts.original[posts.contacts[c].parts[1]] == 2)
+      contact_displacement[c] = {Point(.4, .2, 0), Point(.4, .2, 0)};
+  const auto end_of_bar = [&](bool is_hard) {
+    std::vector<Part_motion> motions(3);
+    Structure_preservation preserve_structure(posts, is_hard);
+    preserve_structure(matched, contact_displacement, motions);
+    return Point(motions[bar].shift + motions[bar].stretch * Point(.5, 0, 0));
+  };
+  CHECK(end_of_bar(true).isApprox(Point(.4, .2, 0), 1e-6));
+  CHECK((end_of_bar(false) - Point(.4, .2, 0)).norm() > 1e-3);
+}

@@ -272,3 +272,30 @@ TEST_CASE("Contacts without meshes")
   CHECK(pairs.count({"front_leg_l", "front_leg_r"}) == 0);
   CHECK(pairs.count({"stretcher_l", "rail"}) == 0);
 }
+
+TEST_CASE("A contact may be at a closest pair of points")
+{
+  // A board that leans away from a box, 0.01 from it at its lower edge, at height 0.2
+  Part_mesh board = box({0, 0, 0}, {.2, 2, 1});
+  board.points = Eigen::AngleAxisd(-EIGEN_PI / 9, Point::UnitZ()).toRotationMatrix() * board.points;
+  const Eigen::Index corner = [&] {
+    Eigen::Index nearest;
+    board.points.row(0).minCoeff(&nearest);
+    return nearest;
+  }();
+  const Point shift = Point(.51, .2, 0) - Point(board.points(0, corner), board.points(1, corner), 0);
+  board.points.colwise() += shift;
+  Segmented_shape shape("box and board");
+  shape.add_part("a", box({0, 0.5, 0}, {1, 1, 1}));
+  shape.add_part("b", board);
+  const std::vector<Part_abstraction> parts = quick_parts(shape);
+  const auto height_on_board = [&](bool closest_points) {
+    Contact_options options;
+    options.closest_points = closest_points;
+    std::vector<std::string> warnings;
+    const std::vector<Contact> contacts = detect_contacts(shape, parts, frame_of(parts), options, warnings);
+    REQUIRE(contacts.size() == 1);
+    return evaluate(parts[1], contacts[0].parameters[1]).y();
+  };
+  CHECK(height_on_board(true) < height_on_board(false) - 0.01);
+}

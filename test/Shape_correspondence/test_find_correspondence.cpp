@@ -150,6 +150,9 @@ TEST_CASE("The shape that deforms at less energy per connected pair is deformed"
     CHECK(c.direction == Direction::TARGET_TO_SOURCE);
     CHECK(c.energy == Approx(1.2));
     CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {1, 1}, {1, 2}, {1, 3}});
+    options.direction_by_energy = true; // as in the paper
+    CHECK(find_correspondence(one, three, options).direction == Direction::SOURCE_TO_TARGET);
+    CHECK(find_correspondence(one, three, options).energy == Approx(1));
     options.both_directions = false;
     CHECK(find_correspondence(one, three, options).energy == Approx(1));
     CHECK(find_correspondence(three, one, options).energy == Approx(1.2));
