@@ -336,7 +336,7 @@ TEST_CASE("A curve that is cut into three has rods between neighbouring segments
   const Points moved = sampled(second).samples;
   const Rod_energy left = rod_energy(piece(0), piece(1), sampled(first).samples, moved),
                    right = rod_energy(piece(1), piece(2), moved, sampled(third).samples);
-  CHECK(left.distortion > 0.1);
+  CHECK(left.distortion > 0.05);
   CHECK(problem.cut_energy(0, cut).distortion == Approx(left.distortion + right.distortion));
   CHECK(problem.cut_energy(0, cut).connectedness == Approx(left.connectedness + right.connectedness));
 }
