@@ -33,8 +33,8 @@ int segment_of_sample(std::size_t sample, int count)
 } // namespace
 
 Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape& target,
-                             const std::vector<std::vector<Group_label>>& labels, Deform_to_fit fit)
-    : fit_(fit), source_pieces_(source), target_pieces_(target), part_distances_(target.part_distances())
+                             const std::vector<std::vector<Group_label>>& labels, Deform_to_fit how)
+    : fit_(how), source_pieces_(source), target_pieces_(target), part_distances_(target.part_distances())
 {
   for (std::size_t part = 0; part < source.parts.size(); ++part) {
     const std::size_t group = source.group_of[part];

@@ -64,7 +64,7 @@ class Fitted_pieces
 public:
   // \param labels by source group
   Fitted_pieces(const Aligned_shape& source, const Deformable_shape& target,
-                const std::vector<std::vector<Group_label>>& labels, Deform_to_fit fit);
+                const std::vector<std::vector<Group_label>>& labels, Deform_to_fit how);
 
   // Whether a fitted piece has the very samples of its target, so that others that are fitted to it have them, too.
   bool takes_samples() const { return fit_ == Deform_to_fit::SAMPLES; }
