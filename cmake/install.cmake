@@ -1,4 +1,4 @@
-# What `cmake --install` installs, in components: Program, Development, and python (python/CMakeLists.txt)
+# What `cmake --install` installs, in components: Program, Development, mpi, and python (python/CMakeLists.txt)
 include(CMakePackageConfigHelpers)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Shape_correspondence)
 set(own_data_dir ${CMAKE_INSTALL_DATADIR}/shape_correspondence)
@@ -19,6 +19,9 @@ install(FILES LICENSE CHANGES.md CITATION.cff src/viewer/page/three.LICENSE DEST
 if(SHAPE_CORRESPONDENCE_PROGRAM)
   install_library(Shape_correspondence_IO)
   install(TARGETS shape_correspondence COMPONENT Program)
+  if(SHAPE_CORRESPONDENCE_MPI)
+    install(TARGETS shape_correspondence_mpi COMPONENT mpi)
+  endif()
   install(DIRECTORY data/ DESTINATION ${data_dir} COMPONENT Program)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/shape_correspondence.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
           COMPONENT Program)

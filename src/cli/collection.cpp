@@ -45,9 +45,9 @@ With --labels-from, the labels of one shape are transferred to all shapes of the
 
 With --store, finished work is kept in a folder. A run that was stopped or killed continues where it was when the same
 command is run again; what depends on a changed shape or option is computed again. Several processes and machines share
-the work if the program was built with MPI; all of them need the folder:
+the work if the package was built with MPI; all of them need the folder:
 
-  mpirun -n 8 shape_correspondence collection FOLDER --store S --json C.json
+  mpirun -n 8 shape_correspondence_mpi collection FOLDER --store S --json C.json
 
 Examples: shape_correspondence collection chairs --json chairs.json --npy distances.npy
           shape_correspondence collection chairs --store work --html chairs.html --search exact
@@ -133,7 +133,8 @@ private:
 
   void work() override
   {
-    Team team;
+    const std::unique_ptr<Team> made = make_team();
+    Team& team = *made;
     if (team.size() > 1 && options_.store.empty())
       throw Usage_error("several processes need --store, a folder that all of them can use");
     const Thread_limit limit(threads_of_process(common, team));

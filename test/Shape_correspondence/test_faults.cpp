@@ -292,7 +292,7 @@ TEST_CASE("A collection that is killed again and again, and run once more, gives
     const pid_t child = fork();
     if (child == 0) {
       execl(SHAPE_CORRESPONDENCE_PROGRAM, "shape_correspondence", "collection", shapes.c_str(), "-q", "--json",
-            json.c_str(), "--store", store.c_str(), "--tile-size", "1", static_cast<char*>(nullptr));
+            json.c_str(), "--store", store.c_str(), static_cast<char*>(nullptr));
       _exit(127);
     }
     usleep(lifetime);
@@ -300,7 +300,7 @@ TEST_CASE("A collection that is killed again and again, and run once more, gives
     waitpid(child, nullptr, 0);
     CHECK(text_of(json) == expected);
   }
-  const Run last = run(command + " --store " + quoted(store) + " --tile-size 1");
+  const Run last = run(command + " --store " + quoted(store));
   CHECK(last.status == 0);
   CHECK(last.error.empty());
   CHECK(text_of(json) == expected);
