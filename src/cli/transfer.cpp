@@ -149,8 +149,7 @@ void run_transfer(const std::vector<std::string>& arguments)
   });
   if (!common.prints_table()) return;
   write_transfer_table(std::cout, source, target, transferred);
-  for (const std::string& warning : transferred.warnings)
-    std::cout << "warning: " << IO::quote_terminal(warning) << '\n';
+  write_notes(std::cout, transferred.warnings, common.verbose);
 }
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/write/drawn_shape.h"
-#include "base/Disjoint_sets.h"
 #include "base/quarter_turn.h"
 #include "io/system/colours.h"
 #include "io/write/picture_geometry.h"
+
+#include <CGAL/Shape_correspondence/correspondence_blocks.h>
 
 #include <algorithm>
 
@@ -15,15 +16,6 @@ namespace {
 constexpr double gap = 0.25;          // between the shapes, over the wider one's width
 constexpr double tube_radius = 0.009; // over the shape's diagonal
 const Eigen::Vector2d middle_parameter(0.5, 0.5);
-
-/// Parts of both shapes that pairs connect; target parts are numbered after the source's.
-internal::Disjoint_sets connected_parts(const Correspondence& correspondence, std::size_t sources, std::size_t targets)
-{
-  internal::Disjoint_sets components(sources + targets);
-  for (const Part_correspondence& pair : correspondence.pairs)
-    components.unite(pair.source, sources + pair.target);
-  return components;
-}
 
 Drawn_mesh on_layer(const char* layer, Drawn_mesh mesh)
 {
@@ -95,17 +87,14 @@ std::array<Point, 2> side_by_side(const Drawn_shape& left, const Drawn_shape& ri
 
 std::vector<int> match_numbers(const Correspondence& correspondence, std::size_t sources, std::size_t targets)
 {
-  const internal::Disjoint_sets components = connected_parts(correspondence, sources, targets);
-  std::vector<bool> matched(sources + targets, false);
-  for (const Part_correspondence& pair : correspondence.pairs)
-    matched[pair.source] = matched[sources + pair.target] = true;
-  std::vector<std::size_t> roots;
-  std::vector<int> result(matched.size(), -1);
-  for (std::size_t i = 0; i < matched.size(); ++i) {
-    if (!matched[i]) continue;
-    const auto found = std::find(roots.begin(), roots.end(), components[i]);
-    result[i] = static_cast<int>(found - roots.begin());
-    if (found == roots.end()) roots.push_back(components[i]);
+  std::vector<int> result(sources + targets, -1);
+  int number = 0;
+  for (const Correspondence_block& block : correspondence_blocks(correspondence)) {
+    for (std::size_t part : block.source)
+      result[part] = number;
+    for (std::size_t part : block.target)
+      result[sources + part] = number;
+    ++number;
   }
   return result;
 }

@@ -58,11 +58,11 @@ private:
 /// Where two shapes go so that they stand side by side.
 std::array<Point, 2> side_by_side(const Drawn_shape& left, const Drawn_shape& right);
 
-/// Parts of both shapes that pairs connect have one number, from 0 on; parts in no pair have -1. The target's parts
-/// come after the source's.
+/// The number of every part's block (`correspondence_blocks()`), -1 of parts in no pair. The target's parts come after
+/// the source's.
 std::vector<int> match_numbers(const Correspondence& correspondence, std::size_t sources, std::size_t targets);
 
-/// Adds a material for every match, and a grey one for parts in no pair. \return the material of every part, the
+/// Adds a material for every block, and a grey one for parts in no pair. \return the material of every part, the
 /// target's parts after the source's
 std::vector<int> add_match_materials(Glb_builder& glb, const Correspondence& correspondence, std::size_t sources,
                                      std::size_t targets);
