@@ -8,6 +8,7 @@
 #include "cli/match_options.h"
 #include "cli/outputs.h"
 #include "cli/run_report.h"
+#include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "cli/transfer_looks.h"
 #include "io/system/input_file.h"
