@@ -56,6 +56,17 @@ std::string common_prefix(const std::vector<std::string>& names)
   return result;
 }
 
+/// A label without the prefix, also where it begins the material.
+std::string without_prefix(std::string label, const std::string& prefix)
+{
+  for (std::size_t at = 0; !prefix.empty() && (at = label.find(prefix, at)) != std::string::npos;)
+    if ((at == 0 || is_separator(label[at - 1])) && label.size() > prefix.size())
+      label.erase(at, prefix.size());
+    else
+      ++at;
+  return label;
+}
+
 /// A label up to its number, and the digits; without a number, no digits.
 std::pair<std::string, std::string> numbered(const std::string& label)
 {
@@ -90,8 +101,7 @@ std::vector<std::string> part_labels(const std::vector<std::string>& names)
     result.push_back(name.object + (materials[name.object].size() > 1 ? name.material : "") + name.number);
   const std::string prefix = common_prefix(result);
   for (std::string& label : result)
-    if (!prefix.empty() && label.size() > prefix.size() && label.compare(0, prefix.size(), prefix) == 0)
-      label.erase(0, prefix.size());
+    label = without_prefix(label, prefix);
   return std::set<std::string>(result.begin(), result.end()).size() == result.size() ? result : names;
 }
 

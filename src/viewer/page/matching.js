@@ -4,7 +4,7 @@
 // What a result of `match` says of the parts of two shapes, in the words of the page.
 
 const shortestRange = 3; // parts with consecutive numbers
-const listedParts = 3;   // at most, in a cell of the table
+const longestCell = 40;  // characters of names in a cell of the table
 
 /** The value of a fraction in per cent, or an empty text. */
 export function percent(fraction) {
@@ -35,8 +35,8 @@ export function withRanges(names) {
 
 /** Parts in a cell of the table: their names, or how many they are. */
 export function cellOf(names) {
-  const ranges = withRanges(names);
-  return ranges.length > listedParts ? `${names.length} parts` : ranges.join(', ');
+  const text = withRanges(names).join(', ');
+  return names.length > 1 && text.length > longestCell ? `${names.length} parts` : text;
 }
 
 /** An operation with the numbers of parts, if they are not one and one. */

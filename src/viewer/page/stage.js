@@ -15,6 +15,7 @@ const largestRatio = 2; // of the sizes of shapes that are drawn to one scale
 const fittedPoints = 3000; // at most, of a view that is to be in the picture
 const isDark = matchMedia('(prefers-color-scheme: dark)');
 const lightOfLines = 0.6; // in the dark
+const noPoints = {points: [], middle: {x: 0, y: 0}};
 
 function geometryOf(mesh) {
   const geometry = new THREE.BufferGeometry();
@@ -78,7 +79,7 @@ function turnTo(pose) {
   return new THREE.Matrix4().makeRotationX(pose.pitch).multiply(new THREE.Matrix4().makeRotationY(-pose.yaw));
 }
 
-/** Points of what a group shows, in the directions of the camera at first. */
+/** What a group shows, in the directions of the camera at first: points, and the middle between their extremes. */
 export function pointsToFit(group) {
   const meshes = [], result = [];
   group.updateMatrixWorld(true);
@@ -89,7 +90,8 @@ export function pointsToFit(group) {
     for (let i = 0; i < count(mesh); i += step)
       result.push(new THREE.Vector3().fromBufferAttribute(mesh.geometry.attributes.position, i)
                       .applyMatrix4(mesh.matrixWorld).applyMatrix4(turn));
-  return result;
+  const middle = new THREE.Box3().setFromPoints(result).getCenter(new THREE.Vector3()).setZ(0);
+  return {points: result.map(p => p.sub(middle)), middle};
 }
 
 /** From how far all points are in view. */
@@ -99,8 +101,8 @@ function distanceTo(points, aspect) {
   return 1.06 * fit; // a margin
 }
 
-/** Puts a camera so that it sees all points (`pointsToFit`) when they are turned as at first. */
-export function placeCamera(camera, points, aspect, pose = home) {
+/** Puts a camera so that it sees all points around `middle` (`pointsToFit`) when they are turned as at first. */
+export function placeCamera(camera, {points, middle}, aspect, pose = home) {
   const distance = distanceTo(points, aspect) * pose.zoom;
   const size = Math.max(1e-6, ...points.map(p => p.length()));
   camera.fov = fieldOfView;
@@ -109,7 +111,7 @@ export function placeCamera(camera, points, aspect, pose = home) {
   camera.far = distance + 2 * size;
   const back = new THREE.Matrix4().getInverse(turnTo(pose));
   camera.quaternion.setFromRotationMatrix(back);
-  camera.position.set(-pose.x, -pose.y, distance).applyMatrix4(back);
+  camera.position.set(middle.x - pose.x, middle.y - pose.y, distance).applyMatrix4(back);
   camera.updateProjectionMatrix();
   camera.updateMatrixWorld();
   return 2 * distance / focalLength; // the height that the camera sees
@@ -146,7 +148,7 @@ export class Stage {
     this.root.append(box);
     const shape = new THREE.Group(), scene = litScene();
     scene.add(shape);
-    const view = {index: this.views.length, figure: box, caption: text, scene, shape, bounds: new THREE.Box3(), points: [],
+    const view = {index: this.views.length, figure: box, caption: text, scene, shape, bounds: new THREE.Box3(), toFit: noPoints,
                   camera: new THREE.PerspectiveCamera()};
     this.views.push(view);
     return view;
@@ -173,7 +175,7 @@ export class Stage {
       view.shape.remove(object);
     }
     this.items = this.items.filter(item => item.view !== view);
-    view.points = [];
+    view.toFit = noPoints;
     view.shape.position.set(0, 0, 0);
     view.shape.scale.set(1, 1, 1);
   }
@@ -187,7 +189,7 @@ export class Stage {
     view.shape.position.copy(view.bounds.getCenter(new THREE.Vector3())).negate();
     view.shape.updateMatrixWorld(true);
     view.bounds.setFromObject(view.shape);
-    view.points = pointsToFit(view.shape);
+    view.toFit = pointsToFit(view.shape);
     this.resize();
   }
 
@@ -224,7 +226,7 @@ export class Stage {
 
   resize() {
     if (!this.renderer) return;
-    const {clientWidth: width, clientHeight: height} = this.root, points = this.views.flatMap(view => view.points);
+    const {clientWidth: width, clientHeight: height} = this.root, points = this.views.flatMap(view => view.toFit.points);
     if (this.views.length === 2) // beside each other, unless they are much larger one below the other
       this.root.classList.toggle('stacked', 2 * stackedGain * distanceTo(points, 2 * width / height) <
                                             distanceTo(points, width / height / 2));
@@ -255,12 +257,12 @@ export class Stage {
     this.renderer.setClearColor(0xffffff, 0);
     this.renderer.clear();
     this.renderer.setScissorTest(true);
-    const shown = this.views.filter(view => !view.figure.hidden), points = shown.flatMap(view => view.points);
+    const shown = this.views.filter(view => !view.figure.hidden), points = shown.flatMap(view => view.toFit.points);
     for (const view of shown) {
       const box = this.boxOf(view);
       if (box.width <= 0 || box.height <= 0) continue;
       const corner = [box.left - whole.left, whole.bottom - box.top - box.height, box.width, box.height];
-      this.seenHeight = placeCamera(view.camera, points, box.width / box.height, this.pose);
+      this.seenHeight = placeCamera(view.camera, {points, middle: view.toFit.middle}, box.width / box.height, this.pose);
       this.renderer.setViewport(...corner);
       this.renderer.setScissor(...corner);
       this.renderer.render(view.scene, view.camera);
