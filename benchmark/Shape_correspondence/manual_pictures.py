@@ -16,7 +16,7 @@ import tempfile
 
 import blend_figure
 from contact_sheet import screenshot
-from picture import GREY, Picture, colours_of_match, numbered_colour, read_model
+from picture import GREY, Picture, colours_of_match, connected_blocks, numbered_colour, read_model
 
 DEMO = "chair_four_legged", "chair_swivel"
 CHAIRS = ["chair_four_legged", "chair_slatted", "chair_spindle", "chair_swivel", "stool"]
@@ -53,7 +53,7 @@ class Pictures:
             return json.load(result)
 
     def draw_pair(self, picture, source, target, options=(), column=0, row=0):
-        colours = colours_of_match(self.result("match", source, target, *options)["pairs"])
+        colours = colours_of_match(self.result("match", source, target, *options)["blocks"])
         for side, model in enumerate((source, target)):
             picture.draw(read_model(model), colours[side], column + side, row)
 
@@ -112,7 +112,7 @@ class Pictures:
         chain = [path[name] for name in best["chain"]]
         picture = Picture(2 + len(chain))
         self.draw_pair(picture, chain[0], chain[-1], options=["--paper"])
-        colours = colours_of_match(best["pairs"])
+        colours = colours_of_match(connected_blocks(best["pairs"]))
         for i, shape in enumerate(chain):
             ends = {0: colours[0], len(chain) - 1: colours[1]}
             picture.draw(read_model(shape), ends.get(i, lambda name: GREY), 2 + i)
