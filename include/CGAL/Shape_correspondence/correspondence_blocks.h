@@ -43,7 +43,7 @@ struct Correspondence_block
 /// are the connected components of the pairs.
 ///
 /// Does not depend on the order of parts, or on which shape is the source.
-/// Complexity: for \f$p\f$ pairs and \f$n\f$ parts, \f$O(p\,n)\f$.
+/// Complexity: for <i>p</i> pairs and <i>n</i> parts, O(<i>p n</i>).
 std::vector<Correspondence_block> correspondence_blocks(const Correspondence& correspondence);
 
 } // namespace Shape_correspondence
