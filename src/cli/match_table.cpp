@@ -21,7 +21,7 @@ using Parts = std::vector<std::size_t>;
 using Lines = std::vector<std::string>;
 
 constexpr std::size_t narrowest_names = 16; // characters of a column of part names
-constexpr std::size_t folded_lines = 3;     // of a cell, where the parts are not listed in full
+constexpr std::size_t folded_lines = 4;     // of a cell, where the parts are not listed in full
 
 /// A shape's parts as people read them.
 Lines labels_of(const Structural_graph& graph)
