@@ -190,8 +190,8 @@ TEST_CASE("A sheet that splits: the contact's energy is the mean over its pieces
       low[along_u ? 0 : 1] = k / 3.;
       high[along_u ? 0 : 1] = (k + 1) / 3.;
       const Sampled_part piece = rectangle(sheet, low, high);
-      const Points seat_now = deformed(source.parts[seat], target.parts[index_of(target, 0)]);
-      const Points piece_now = deformed(piece, target.parts[index_of(target, from_left ? 1 + k : 3 - k)]);
+      const Points seat_now = deform_to_fit(source.parts[seat], target.parts[index_of(target, 0)]);
+      const Points piece_now = deform_to_fit(piece, target.parts[index_of(target, from_left ? 1 + k : 3 - k)]);
       const Structural_rods rods = seat_first ? Structural_rods(source.parts[seat].samples, piece.samples)
                                               : Structural_rods(piece.samples, source.parts[seat].samples);
       sum += (seat_first ? rods.energy(seat_now, piece_now) : rods.energy(piece_now, seat_now)).distortion;

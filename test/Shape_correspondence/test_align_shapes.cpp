@@ -84,3 +84,36 @@ TEST_CASE("Alignments: nearest to the given orientation first")
     CHECK(alignment_turns(turned_by(a), turned_by(a)).front() == 0);
   CHECK(alignment_turns(turned_by(0), turned_by(180)).front() == 2);
 }
+
+TEST_CASE("What is left of a group has a solidity of its own, and alone no symmetry")
+{
+  const Aligned_shape table = align_shape(hand_made::table());
+  const auto rest_without = [&](const std::vector<std::size_t>& legs, std::size_t leg) {
+    const Aligned_shape shape = regrouped(table, {legs});
+    return shape.group(shape.group_of[hand_made::index_of(shape, leg)]);
+  };
+  // Legs at the corners of a square: three of them have 3/4 of the volume and half of the hull
+  const Part_group three = rest_without({1}, 2);
+  CHECK(three.parts.size() == 3);
+  CHECK(three.volume / three.hull_volume == Approx(.1 * 1.5));
+  CHECK(three.symmetry.type == Symmetry_type::REFLECTION);
+  CHECK(rest_without({1, 2, 3}, 4).symmetry.type == Symmetry_type::NONE);
+  std::vector<char> is_kept(5, 1);
+  is_kept[hand_made::index_of(table, 1)] = 0;
+  const Aligned_shape fewer = restricted(table, is_kept);
+  const Part_group& kept = fewer.group(fewer.group_of[hand_made::index_of(fewer, 2)]);
+  CHECK(kept.volume / kept.hull_volume == Approx(.1 * 1.5));
+}
+
+TEST_CASE("Parts that cross each other are in the order of their samples, not in that of the file")
+{
+  const auto first_of = [](bool swapped) {
+    Shape_structure shape;
+    shape.parts = {hand_made::curve("up", {-1, 0, 0}, {1, 1, 0}), hand_made::curve("down", {-1, 1, 0}, {1, 0, 0})};
+    if (swapped) std::swap(shape.parts[0], shape.parts[1]);
+    const Structural_graph graph =
+        make_structural_graph(std::move(shape), {hand_made::group({0}), hand_made::group({1})});
+    return structure(graph).parts[align_shape(graph).original[0]].name;
+  };
+  CHECK(first_of(false) == first_of(true));
+}
