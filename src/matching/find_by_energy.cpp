@@ -49,9 +49,9 @@ Search_options Correspondence_finder::Impl::with_role_costs(const Prepared_shape
   Search_options options = options_;
   if (!(options.matching.weights.roles > 0) || !options.roles || options.matching.role_costs.size() > 0) return options;
   Pair_category category;
-  const Way way = ways(target, category).front();
-  if (const std::optional<Pair_votes> votes = votes_of(target, category, way, result))
-    options.matching.role_costs = 1 - agreement_of_votes(votes->source, votes->target).array();
+  const Alignment_candidate alignment = candidates(target, category).front();
+  if (const std::optional<Role_votes_of_pair> votes = votes_of(target, category, alignment, result))
+    options.matching.role_costs = 1 - agreement_of_votes(*votes->source, *votes->target).array();
   return options;
 }
 

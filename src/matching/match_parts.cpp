@@ -230,7 +230,7 @@ void constrain(const Match_constraints& constraints, Part_matching& matching)
   std::sort(pairs.begin(), pairs.end(), is_before);
 }
 
-bool comes_first(const Aligned_shape& a, const Aligned_shape& b) { return rank_of(a) < rank_of(b); }
+bool canonical_less(const Aligned_shape& a, const Aligned_shape& b) { return rank_of(a) < rank_of(b); }
 
 Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
                           const Part_matching_options& options, const Match_constraints& constraints)

@@ -24,7 +24,7 @@ struct Part_matching
 };
 
 /// An order of two shapes that does not depend on which of them is the source; settles what else that would decide.
-bool comes_first(const Aligned_shape& a, const Aligned_shape& b);
+bool canonical_less(const Aligned_shape& a, const Aligned_shape& b);
 
 /// Matches parts by their costs alone, without deforming a shape.
 ///

@@ -316,14 +316,14 @@ Part_roles part_roles(const Structural_graph& graph, const Role_model& model, co
 {
   const Shape_roles shape(graph, model);
   Part_roles result;
-  const std::size_t index = category.empty()
-                                ? category_of_pair(shape, shape, model.data()).index
-                                : std::size_t(&category_of(model.data(), category) - model.data().categories.data());
-  if (index == model.data().categories.size()) return result;
-  const Category_roles& known = model.data().categories[index];
+  const std::size_t index = category.empty() ? category_of_pair(shape, shape, Role_model_access::data(model)).index
+                                             : std::size_t(&category_of(Role_model_access::data(model), category) -
+                                                           Role_model_access::data(model).categories.data());
+  if (index == Role_model_access::data(model).categories.size()) return result;
+  const Category_roles& known = Role_model_access::data(model).categories[index];
   result.category = known.name;
   result.roles = known.roles;
-  result.probabilities = shape.votes(index).roles.cast<double>() / double(model.data().trees);
+  result.probabilities = shape.votes(index).roles.cast<double>() / double(Role_model_access::data(model).trees);
   result.labels = shape.votes(index).labels;
   result.distance = shape.distance(index);
   return result;

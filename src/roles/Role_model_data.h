@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -29,17 +30,22 @@ struct Role_class
   }
 };
 
+// How the roles of a category and the geometric match are weighed.
+struct Match_weights
+{
+  Pair_weights weights = usual_pair_weights();
+  Confidence_weights confidence = usual_confidence_weights();
+  // Of pairs that geometry alone matches, since this is the nearest category, but not clearly.
+  Confidence_weights geometric_confidence = usual_confidence_weights();
+};
+
 // What is known of the roles in a category.
-struct Category_roles
+struct Category_roles : Match_weights
 {
   std::string name;
   std::vector<std::string> roles;  // sorted
   std::vector<Role_class> classes; // sorted, at most `maximum_classes`
   Role_forest forest;
-  Pair_weights weights = usual_pair_weights();
-  Confidence_weights confidence = usual_confidence_weights();
-  // Of pairs that geometry alone matches, since this is the nearest category, but not clearly.
-  Confidence_weights geometric_confidence = usual_confidence_weights();
   std::vector<Role_example> examples; // the labelled parts, by class; sorted
 };
 
@@ -80,6 +86,14 @@ private:
 
   std::array<std::array<std::uint8_t, 256>, ROLE_FEATURE_COUNT> standard_; // by feature and value
   std::vector<Rows> examples_;                                             // by category, standardised
+};
+
+// The inside of a model.
+struct Role_model_access
+{
+  static Role_model model(Role_model_data data) { return Role_model(std::move(data)); }
+  static const Role_model_data& data(const Role_model& model) { return *model.data_; }
+  static const Role_distances& distances(const Role_model& model) { return *model.distances_; }
 };
 
 // What the labels of parts are told from, by index in the structural graph.

@@ -84,7 +84,7 @@ Shape_roles::Shape_roles(Role_evidence evidence, const Role_model& model)
 Shape_roles::Shape_roles(std::function<Role_evidence()> find_evidence, const Role_model& model)
     : model_(model),
       find_evidence_(std::move(find_evidence)),
-      findings_(std::make_unique<Findings[]>(model.data().categories.size()))
+      findings_(std::make_unique<Findings[]>(Role_model_access::data(model).categories.size()))
 {}
 
 const Role_evidence& Shape_roles::evidence() const
@@ -96,13 +96,14 @@ const Role_evidence& Shape_roles::evidence() const
 double Shape_roles::distance(std::size_t category) const
 {
   Findings& found = findings_[category];
-  found.distance_is_found([&] { found.distance = model_.distances().mean_distance(evidence().features, category); });
+  found.distance_is_found(
+      [&] { found.distance = Role_model_access::distances(model_).mean_distance(evidence().features, category); });
   return found.distance;
 }
 
 bool Shape_roles::is_nearest(std::size_t category) const
 {
-  for (std::size_t other = 0; other < model_.data().categories.size(); ++other)
+  for (std::size_t other = 0; other < Role_model_access::data(model_).categories.size(); ++other)
     if (distance(other) < distance(category)) return false;
   return true;
 }
@@ -110,7 +111,8 @@ bool Shape_roles::is_nearest(std::size_t category) const
 const Role_votes& Shape_roles::votes(std::size_t category) const
 {
   Findings& found = findings_[category];
-  found.votes_are_counted([&] { found.votes = counted(evidence(), model_.data().categories[category]); });
+  found.votes_are_counted(
+      [&] { found.votes = counted(evidence(), Role_model_access::data(model_).categories[category]); });
   return found.votes;
 }
 
