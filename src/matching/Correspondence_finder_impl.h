@@ -44,6 +44,20 @@ struct Role_votes_of_pair
   std::shared_ptr<const Role_votes> source, target;
 };
 
+// The shape restricted to chosen parts. \param chosen indices in the structural graph; empty: all
+// \throw Invalid_input if the shape lacks one of them
+Matching_problem::Shared_shape participating(Matching_problem::Shared_shape shape,
+                                             const std::vector<std::size_t>& chosen);
+
+// The parts to match: the most prominent of the chosen ones; of equals the same in every alignment.
+// \param shape in its own frame \param maximum_parts 0: all
+std::vector<std::size_t> participants(const Matching_problem::Shared_shape& shape,
+                                      const std::vector<std::size_t>& chosen, int maximum_parts);
+
+// The shape with sets of pinned parts as groups of their own.
+Matching_problem::Shared_shape regrouped(const Matching_problem::Shared_shape& shape,
+                                         const std::vector<std::vector<std::size_t>>& sets);
+
 } // namespace internal
 
 using namespace internal;

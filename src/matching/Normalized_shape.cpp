@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -129,6 +130,24 @@ Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assembl
   result.lanes = {result.surfaces.begin(), result.surfaces.end()};
   result.rank = rank_of(shape);
   return result;
+}
+
+Shape_features::Shape_features(const Aligned_shape& shape, const Part_matching_options& options)
+    : shape(shape), options(options), assemblies(part_assemblies(shape, options))
+{
+  if (!options.panels) assemblies.panels.clear();
+  if (!options.support) assemblies.support.clear();
+  normalized = normalized_shape(shape, assemblies, options);
+}
+
+bool have_same_features(const Part_matching_options& a, const Part_matching_options& b)
+{
+  const auto values = [](const Part_matching_options& o) {
+    const Part_cost_weights& w = o.weights;
+    return std::make_tuple(w.overlap, w.extent, w.ground, w.place, w.orientation, w.chamfer, o.tolerance, o.warp_width,
+                           o.main_surface, o.side_depth, o.wall_width, o.repetition, o.panels, o.support);
+  };
+  return values(a) == values(b);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -4,15 +4,119 @@
 #include "matching/Part_costs.h"
 #include "matching/Normalized_shape.h"
 #include "matching/box_costs.h"
-#include "matching/surface_distances.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
+
+// Distances of the points of the parts of one shape from the parts of another, in one piece of memory.
+class Point_distances
+{
+public:
+  Point_distances(const Normalized_shape& from, const Normalized_shape& to);
+
+  // Of the points of a part from a part of the other shape.
+  Eigen::Map<const Eigen::ArrayXd> of(std::size_t part, std::size_t other) const
+  {
+    return {values_.data() + place(part, other), count(part)};
+  }
+  double sum(std::size_t part, std::size_t other) const { return sums_(Eigen::Index(part), Eigen::Index(other)); }
+  double mean(std::size_t part, std::size_t other) const { return sum(part, other) / double(count(part)); }
+  // Points of a part.
+  Eigen::Index count(std::size_t part) const { return from_.surfaces[part].rows(); }
+
+  void set_squared(std::size_t part, std::size_t other, const Eigen::ArrayXd& squared);
+
+private:
+  Eigen::Index place(std::size_t part, std::size_t other) const
+  {
+    return begin_[part] + Eigen::Index(other) * count(part);
+  }
+
+  const Normalized_shape& from_;
+  std::vector<Eigen::Index> begin_; // of the values of a part
+  Eigen::ArrayXd values_;
+  Eigen::MatrixXd sums_; // part × other part
+};
+
+// The distances of the points of all parts of either shape from all parts of the other.
+struct Surface_distances
+{
+  Point_distances a_from_b, b_from_a;
+
+  Surface_distances(const Normalized_shape& a, const Normalized_shape& b);
+};
+
+// The chamfer distance of two parts: the mean distance of the points of either from the other.
+double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i, std::size_t j);
+
+// The chamfer distance of a part and the union of several.
+double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i,
+               const std::vector<std::size_t>& parts);
+
+void make_room(Eigen::ArrayXd& numbers, Eigen::Index count)
+{
+  if (numbers.size() < count) numbers.resize(count);
+}
+
+// The values of a part begin at an even place, as they would in memory of their own: how Eigen adds numbers up depends
+// on the address of the first.
+Point_distances::Point_distances(const Normalized_shape& from, const Normalized_shape& to)
+    : from_(from), sums_(Eigen::Index(from.surfaces.size()), Eigen::Index(to.surfaces.size()))
+{
+  Eigen::Index size = 0;
+  for (const Surface& surface : from.surfaces) {
+    begin_.push_back(size);
+    size += (surface.rows() * sums_.cols() + 1) / 2 * 2;
+  }
+  values_.resize(size);
+}
+
+void Point_distances::set_squared(std::size_t part, std::size_t other, const Eigen::ArrayXd& squared)
+{
+  Eigen::Map<Eigen::ArrayXd> distances(values_.data() + place(part, other), count(part));
+  distances = squared.head(count(part)).sqrt();
+  sums_(Eigen::Index(part), Eigen::Index(other)) = distances.sum();
+}
+
+Surface_distances::Surface_distances(const Normalized_shape& a, const Normalized_shape& b)
+    : a_from_b(a, b), b_from_a(b, a)
+{
+  Eigen::ArrayXd p_from_q, q_from_p;
+  const Nearest_squared_kernel& kernel = nearest_squared_kernel();
+  for (std::size_t i = 0; i < a.lanes.size(); ++i)
+    for (std::size_t j = 0; j < b.lanes.size(); ++j) {
+      const Point_lanes &p = a.lanes[i], &q = b.lanes[j];
+      make_room(p_from_q, p.padded());
+      make_room(q_from_p, q.padded());
+      kernel.run(p, q, p_from_q.data(), q_from_p.data());
+      a_from_b.set_squared(i, j, p_from_q);
+      b_from_a.set_squared(j, i, q_from_p);
+    }
+}
+
+double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i, std::size_t j)
+{
+  return (a_from_b.mean(i, j) + b_from_a.mean(j, i)) / 2;
+}
+
+double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i,
+               const std::vector<std::size_t>& parts)
+{
+  Eigen::ArrayXd nearest = a_from_b.of(i, parts[0]);
+  double sum = 0, n = 0;
+  for (std::size_t j : parts) {
+    nearest = nearest.min(a_from_b.of(i, j));
+    sum += b_from_a.sum(j, i);
+    n += double(b_from_a.count(j));
+  }
+  return (nearest.mean() + sum / n) / 2;
+}
 
 // Lowers the costs to those of parts of `a` and unions that the parts of `b` are in.
 template <typename Costs>
@@ -34,7 +138,7 @@ void lower_to_unions(const Normalized_shape& a, const Normalized_shape& b, const
     }
 }
 
-// The costs that no warp changes.
+// The costs that warps do not change.
 Eigen::MatrixXd costs_of_kind(const Normalized_shape& a, const Normalized_shape& b, const Surface_distances& surfaces,
                               const Part_matching_options& options)
 {
@@ -64,7 +168,7 @@ double mean_least_cost(const Eigen::MatrixXd& costs)
   return costs.rowwise().minCoeff().mean() + costs.colwise().minCoeff().mean();
 }
 
-// In one order, whichever is the source: sums of the warp run over pairs source by source.
+// In canonical order, since sums of the warp run over pairs source by source.
 Eigen::MatrixXd part_costs(const Normalized_shape& source, const Normalized_shape& target,
                            const Part_matching_options& options)
 {

@@ -28,7 +28,8 @@ std::shared_ptr<const Shape_features> Prepared_shape::Alignments::features(int q
   const Matching_problem::Shared_shape shape = aligned(quarter_turns);
   const std::lock_guard<std::mutex> lock(features_mutex_);
   std::shared_ptr<const Shape_features>& result = features_[index_of_turn(quarter_turns)];
-  if (!result || !are_same(result->options, options)) result = std::make_shared<Shape_features>(*shape, options);
+  if (!result || !have_same_features(result->options, options))
+    result = std::make_shared<Shape_features>(*shape, options);
   return result;
 }
 

@@ -15,14 +15,14 @@ namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 constexpr std::size_t least_pairs = 50; // of shapes, that weights are fitted to: with fewer, chance decides
-constexpr double slight_charge = 1e-4;  // for large weights, where every category weighs 1: keeps them finite
+constexpr double slight_penalty = 1e-4; // for large weights, where every category weighs 1: keeps them finite
 // For weights of a category that are not those of the others: as strong as one shape. Set by cross-validation, where it
 // is flat.
-constexpr double charge_of_category = 1;
+constexpr double category_penalty = 1;
 // The same of the offset of confidences: what share of a category's pairs is right differs more than how it grows.
-constexpr double charge_of_offset = 0.25;
+constexpr double offset_penalty = 0.25;
 
-Confidence_weights confidence_charges() { return {charge_of_category, charge_of_offset}; }
+Confidence_weights confidence_penalties() { return {category_penalty, offset_penalty}; }
 
 Pair_terms role_terms_of_all(const Role_votes& source, const Role_votes& target)
 {
@@ -115,13 +115,13 @@ auto Role_fit::fitted_without(const std::string& left_out, const Examples& examp
   for (const auto& [category, of_category] : by_category)
     for (const Example* example : of_category)
       chosen.push_back({example, 1 / double(of_category.size())});
-  return fitted_weights<term_count>(chosen, Weights::Zero(), Weights::Constant(slight_charge));
+  return fitted_weights<term_count>(chosen, Weights::Zero(), Weights::Constant(slight_penalty));
 }
 
 // Every shape weighs 1.
 template <typename Examples, typename Weights>
 Weights Role_fit::fitted_of(const std::string& category, std::string Unseen_pair::*group, const Examples& examples,
-                            const Weights& expected, const Weights& charges,
+                            const Weights& expected, const Weights& penalties,
                             const std::vector<std::size_t>& left_out) const
 {
   if (!by_category_) return expected;
@@ -141,7 +141,7 @@ Weights Role_fit::fitted_of(const std::string& category, std::string Unseen_pair
   std::vector<Weighted<term_count>> chosen;
   for (const auto* example : of_category)
     chosen.push_back({example, double(seen.size()) / double(of_category.size())});
-  return fitted_weights<term_count>(chosen, expected, charges);
+  return fitted_weights<term_count>(chosen, expected, penalties);
 }
 
 Role_fit::Role_fit(const std::vector<Unseen_pair>& pairs, const std::vector<Part_matching>& geometric,
@@ -188,20 +188,20 @@ Match_weights Role_fit::of_others(const std::string& category) const
 Pair_weights Role_fit::weights(const std::string& category, const std::vector<std::size_t>& left_out) const
 {
   return fitted_of(category, &Unseen_pair::category, terms_, of_others(category).weights,
-                   Pair_weights(Pair_weights::Constant(charge_of_category)), left_out);
+                   Pair_weights(Pair_weights::Constant(category_penalty)), left_out);
 }
 
 Confidence_weights Role_fit::confidence(const std::string& category, const std::vector<std::size_t>& left_out) const
 {
-  return fitted_of(category, &Unseen_pair::category, confidences_, of_others(category).confidence, confidence_charges(),
-                   left_out);
+  return fitted_of(category, &Unseen_pair::category, confidences_, of_others(category).confidence,
+                   confidence_penalties(), left_out);
 }
 
 Confidence_weights Role_fit::geometric_confidence(const std::string& nearest, const std::string& category,
                                                   const std::vector<std::size_t>& left_out) const
 {
   return fitted_of(nearest, &Unseen_pair::nearest, geometric_confidences_, of_others(category).geometric_confidence,
-                   confidence_charges(), left_out);
+                   confidence_penalties(), left_out);
 }
 
 void Role_fit::apply(Role_model_data& model) const

@@ -75,7 +75,7 @@ private:
   // \param group category that a pair counts for
   template <typename Examples, typename Weights>
   Weights fitted_of(const std::string& category, std::string Unseen_pair::*group, const Examples& examples,
-                    const Weights& expected, const Weights& charges, const std::vector<std::size_t>& left_out) const;
+                    const Weights& expected, const Weights& penalties, const std::vector<std::size_t>& left_out) const;
 
   const std::vector<Unseen_pair>& pairs_;
   bool by_category_;

@@ -54,7 +54,7 @@ namespace {
 
 constexpr Eigen::Index most_kept_parts = 128; // 96 bytes for each pair of parts
 
-// Of one end to others, an even number of them: the exponential of single ones has other bits than that of vectors.
+// \param others an even number of ends: the exponential of a scalar has other bits than that of a vector
 template <typename Ends>
 auto closeness_to(const Ends& others, double end, double width)
 {
@@ -96,8 +96,8 @@ const double* Closeness::of_end(int axis, Eigen::Index end, Eigen::ArrayXd& room
 
 namespace {
 
-// How likely parts are to correspond, going by either of them: geometric mean of the two softmaxes. Sums run along rows
-// both times: with the shapes swapped, the same bits.
+// Likelihood of correspondence: geometric mean of the softmaxes over rows and over columns. Sums run along rows both
+// times, for the same bits with the shapes swapped.
 Eigen::ArrayXXd mutual_softmax(const Eigen::MatrixXd& costs)
 {
   const Eigen::ArrayXXd likelihood = (-costs.array()).exp(), transposed = likelihood.transpose();
@@ -105,7 +105,7 @@ Eigen::ArrayXXd mutual_softmax(const Eigen::MatrixXd& costs)
   return likelihood / (of_rows * of_columns.transpose()).array().sqrt();
 }
 
-// Parts whose ends are pulled to each other, those of either shape.
+// Pairs of parts whose boxes pull each other in a warp.
 struct Anchors
 {
   std::array<std::vector<Eigen::Index>, 2> parts;

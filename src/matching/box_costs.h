@@ -11,7 +11,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// The costs that no place changes.
+// The costs that do not depend on places.
 double cost_of_kind(const Part_extent& a, const Part_extent& b, const Part_matching_options& options);
 
 // The costs of places and extents.

@@ -31,7 +31,7 @@ std::size_t number_of_counted_pairs(const Aligned_shape& shape)
   return std::max<std::size_t>(1, shape.contacts.size() + alone);
 }
 
-// Before the work: `method` would deform more groups than it can within seconds.
+// Refuses shapes with more groups than `method` can deform.
 void check_size(const Aligned_shape& deformed, const std::string& name, Search_method method)
 {
   const bool is_beam = method == Search_method::BEAM;

@@ -6,7 +6,6 @@
 #include "matching/Search_run.h"
 #include "matching/aligned_matching.h"
 #include "matching/match_by_roles.h"
-#include "matching/participants.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -21,8 +20,8 @@
 namespace CGAL::Shape_correspondence {
 using namespace internal;
 
-// To the side and to the front, places count differently, so that it matters by a quarter turn in whose frame shapes
-// are compared: in the frame of the one that comes first, whichever is the source.
+// Costs treat the side and the front differently, so with an odd quarter turn it matters in whose frame shapes are
+// compared: in that of the first in canonical order, whichever is the source.
 Part_matching Correspondence_finder::Impl::matched_in_common_frame(const Prepared_shape& target,
                                                                    const Shared_shape& shape, int turn) const
 {

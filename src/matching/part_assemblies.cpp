@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t no_part = std::size_t(-1);
 
-// The sets of the shape's parts, one after the other.
+// Finds the assemblies one kind after the other.
 class Assembly_finder
 {
 public:
@@ -49,7 +49,7 @@ private:
     return group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= options_.repetition;
   }
 
-  // Are the two parts rings, neither twice as large as the other nor around it (a wheel and its tyre)?
+  // Whether the two parts are rings, neither twice as large as the other nor around it (a wheel and its tyre).
   bool may_be_chained(std::size_t ring, std::size_t next) const
   {
     if (shape_.parts[next].kind != Sampled_part::Kind::CLOSED_CURVE) return false;
@@ -100,7 +100,7 @@ private:
     return result;
   }
 
-  // Does the part stand on the ground, or hold such a part to the main surface?
+  // Whether the part stands on the ground, or connects such a part to the main surface.
   bool supports(std::size_t part, const std::vector<char>& is_connected) const
   {
     if (layout_.is_on_ground[part]) return true;

@@ -18,7 +18,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// Of a shape that weighs 1, in whole steps, so that sums do not depend on the order of the parts.
+// Of a shape of weight 1: weights are whole numbers, so that sums do not depend on the order of the parts.
 constexpr double weight_steps = 1e6;
 
 void check(const std::vector<Labelled_graph>& shapes, const Role_training_options& options)
@@ -74,7 +74,7 @@ std::vector<Example_label> example_labels(const std::vector<Part_label>& labels)
 // The roles and classes of labelled parts. A class has a side where most of its parts have.
 void set_classes(const std::vector<Example_label>& labels, Category_roles& category)
 {
-  std::map<std::pair<std::string, std::string>, long> sides; // those with, less those without
+  std::map<std::pair<std::string, std::string>, long> sides; // number of parts with a side minus those without
   std::set<std::string> roles;
   for (const Example_label& label : labels) {
     sides[{label.role, label.fine}] += label.has_side ? 1 : -1;

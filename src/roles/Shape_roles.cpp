@@ -16,8 +16,8 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// Where at least half of the fine labels of a role are taken by an earlier part, as the front legs of a table with four
-// legs in front, they do not tell its parts apart.
+// Drops the fine labels of a role where at least half of them repeat, as of a table with four front legs: they do not
+// distinguish its parts.
 void drop_repeated_fine_labels(std::vector<Part_label>& labels)
 {
   std::map<std::string, std::vector<std::size_t>> parts_of_role;
@@ -164,7 +164,7 @@ int likely_front(const Turned_roles& shape, std::size_t category, int trees, con
   };
   long most = likeness(0, agreement(0)) + clear_difference(options);
   int best = 0;
-  // The likeness is at most half of the agreement, and that at most 0: what cannot be clearly better is not looked at
+  // The likeness is at most half of the agreement, which is at most 0: turns that cannot be clearly better are skipped
   for (int turn = 1; turn < 4 && most < 0; ++turn) {
     const double agreed = agreement(turn);
     if (quantized(agreed / 2) <= most) continue;
