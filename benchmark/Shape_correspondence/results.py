@@ -141,9 +141,10 @@ def roles_rows(first, title, evaluations):
 def roles_sections(args, generated, out):
     for left_out, title in ROLES:
         text, _ = roles_evaluation(args, generated, left_out, ["--leave-out", left_out], out)
+        note = ROLES_NOTE if left_out == ROLES[0][0] else "Columns, weights and intervals are as above."
         table = "\n".join("    " + line.rstrip() for line in text.splitlines())
         yield (f"## Matching with roles, {title}\n\n`validate_roles LABELLED... --generated benchmark "
-               f"--leave-out {left_out}`\n\n{ROLES_NOTE}\n\n{table}\n")
+               f"--leave-out {left_out}`\n\n{note}\n\n{table}\n")
     for title, first, head, note, rows in ROLES_TABLES:
         evaluations = [(name, roles_evaluation(args, generated, "_".join(options).replace("-", ""), options, out)[1])
                        for name, options in rows]

@@ -63,13 +63,12 @@ struct Options
   cli::Common_options common;
 };
 
-/// The value of the word among those that are known.
-template <typename Value>
-Value chosen(const std::string& option, const std::string& word, const std::map<std::string, Value>& known)
+/// The index of a word among those that are known.
+int index_of(const std::string& option, const std::string& word, const std::vector<std::string>& known)
 {
-  const auto found = known.find(word);
+  const auto found = std::find(known.begin(), known.end(), word);
   if (found == known.end()) throw std::invalid_argument(option + " cannot be '" + word + "'");
-  return found->second;
+  return int(found - known.begin());
 }
 
 Options parsed(int argc, char** argv)
@@ -81,26 +80,18 @@ Options parsed(int argc, char** argv)
       {"--generated", [&](const std::string& word) { options.generated.push_back(word); }},
       {"--leave-out",
        [&](const std::string& word) {
-         options.validation.left_out = chosen<Left_out>(
-             "--leave-out", word,
-             {{"shapes", Left_out::SHAPES}, {"sources", Left_out::SOURCES}, {"category", Left_out::CATEGORY}});
+         options.validation.left_out = Left_out(index_of("--leave-out", word, {"shapes", "sources", "category"}));
          options.left_out = word;
        }},
       {"--number-of-examples",
        [&](const std::string& word) { options.validation.examples = whole_number(word, "--number-of-examples"); }},
       {"--turned",
        [&](const std::string& word) {
-         options.validation.turns = chosen<Validation_turns>("--turned", word,
-                                                             {{"no", Validation_turns::NONE},
-                                                              {"quarters", Validation_turns::QUARTERS},
-                                                              {"any", Validation_turns::ANY}});
+         options.validation.turns = Validation_turns(index_of("--turned", word, {"no", "quarters", "any"}));
        }},
       {"--front",
        [&](const std::string& word) {
-         options.validation.fronts = chosen<Validation_fronts>("--front", word,
-                                                               {{"given", Validation_fronts::GIVEN},
-                                                                {"likely", Validation_fronts::LIKELY},
-                                                                {"auto", Validation_fronts::AUTO}});
+         options.validation.fronts = Validation_fronts(index_of("--front", word, {"given", "likely", "auto"}));
        }},
       {"--role-weight", [&](const std::string& word) { options.validation.role_weight = std::stod(word); }},
       {"--pairs", [&](const std::string& word) { options.pairs = whole_number(word, "--pairs"); }},

@@ -5,7 +5,6 @@
 #include "matching/Correspondence_finder_impl.h"
 #include "matching/Search_run.h"
 #include "matching/aligned_matching.h"
-#include "matching/match_by_roles.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

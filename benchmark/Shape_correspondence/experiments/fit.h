@@ -188,17 +188,13 @@ inline std::array<double, 3> mean_scores_of(const std::vector<Validated_pair>& p
                                             const std::vector<std::string>& categories,
                                             Correspondence_score Validated_pair::*score)
 {
-  std::map<std::string, std::pair<Eigen::Array3d, int>> sums;
-  for (const Validated_pair& pair : pairs) {
-    const Correspondence_score& of_pair = pair.*score;
-    const auto [sum, is_new] = sums.try_emplace(categories[pair.shapes[0]], Eigen::Array3d::Zero(), 0);
-    sum->second.first += Eigen::Array3d(of_pair.precision(), of_pair.recall(), of_pair.f1());
-    ++sum->second.second;
-  }
-  Eigen::Array3d result = Eigen::Array3d::Zero();
-  for (const auto& [category, sum] : sums)
-    result += sum.first / sum.second / double(sums.size());
-  return {result[0], result[1], result[2]};
+  std::vector<Scored_correspondence> scores;
+  for (const Validated_pair& pair : pairs)
+    scores.push_back({categories[pair.shapes[0]], "", "", pair.*score});
+  Evaluation_options no_intervals;
+  no_intervals.resamples = 1;
+  const Mean_score mean = mean_scores(scores, no_intervals).mean;
+  return {mean.precision.mean, mean.recall.mean, mean.f1.mean};
 }
 
 /// `constants DATA [FURTHER_DATA...] [--generated FOLDER]`

@@ -10,7 +10,6 @@
 #include "base/for_each_index.h"
 #include "matching/Role_fit.h"
 #include "matching/aligned_matching.h"
-#include "matching/match_by_roles.h"
 
 #include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
