@@ -3,9 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Correspondences of shapes that the training of roles does not have.
+// Training with pairs, and correspondences of shapes that it does not see.
+#include "experiments/role_validation.h"
 #include "labelled_furniture.h"
-#include "matching/cross_validate_roles.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <catch2/catch.hpp>
 
@@ -15,7 +17,7 @@
 
 using namespace CGAL::Shape_correspondence;
 using namespace labelled_furniture;
-using namespace CGAL::Shape_correspondence::internal;
+using namespace CGAL::Shape_correspondence::experiments;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -30,9 +32,9 @@ std::vector<Validation_shape> validation_shapes(const std::deque<Furniture>& sha
 }
 
 // All pairs of shapes of a category among the first ones.
-std::vector<Validation_pair> pairs_of_category(const std::deque<Furniture>& shapes, std::size_t count)
+std::vector<Shape_pair> pairs_of_category(const std::deque<Furniture>& shapes, std::size_t count)
 {
-  std::vector<Validation_pair> result;
+  std::vector<Shape_pair> result;
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = i + 1; j < count; ++j)
       if (shapes[i].category == shapes[j].category) result.push_back({i, j});
@@ -41,10 +43,26 @@ std::vector<Validation_pair> pairs_of_category(const std::deque<Furniture>& shap
 
 } // namespace
 
+TEST_CASE("Weights are fitted to pairs of shapes, each matched as by a model that has seen neither")
+{
+  const std::vector<Labelled_graph> shapes = labelled(examples());
+  std::vector<Shape_pair> pairs = pairs_of_category(examples(), shapes.size());
+  const Role_model_data usual = Role_model_access::data(train_role_model(shapes)),
+                        fitted = Role_model_access::data(train_role_model(shapes, {}, pairs));
+  for (std::size_t c = 0; c < usual.categories.size(); ++c) {
+    CHECK(fitted.categories[c].examples.size() == usual.categories[c].examples.size());
+    // Nothing speaks against the labels, so they count for no less than usual
+    CHECK(fitted.categories[c].weights[SAME_LABEL] >= usual_pair_weights()[SAME_LABEL]);
+    CHECK(fitted.categories[c].weights != usual.categories[c].weights);
+  }
+  for (const Shape_pair& wrong : {Shape_pair{0, 1}, Shape_pair{2, 2}, Shape_pair{0, shapes.size()}})
+    CHECK_THROWS_WITH(train_role_model(shapes, {}, {wrong}), Contains("is not of two shapes of a category"));
+}
+
 TEST_CASE("Pairs of shapes that the training did not see")
 {
   const std::vector<Validation_shape> shapes = validation_shapes(examples());
-  const std::vector<Validation_pair> all = pairs_of_category(examples(), shapes.size());
+  const std::vector<Shape_pair> all = pairs_of_category(examples(), shapes.size());
   const Role_validation validation(shapes, all, {}, {});
   REQUIRE(validation.pairs().size() == all.size());
   for (const Validated_pair& pair : validation.pairs()) {
@@ -60,17 +78,13 @@ TEST_CASE("Pairs of shapes that the training did not see")
     CHECK(count(&Judged_pair::is_right) == pair.joined.right);
     CHECK(count(&Judged_pair::has_one_role) == pair.joined.right_coarse);
   }
-  // Nothing speaks against the labels, so they count for no less than usual
-  const Role_model model = validation.model();
-  for (const Category_roles& category : model.data().categories)
-    CHECK(category.weights[SAME_LABEL] >= usual_pair_weights()[SAME_LABEL]);
 }
 
 TEST_CASE("Shapes that are turned by any angle are matched as those that face the front")
 {
   const std::vector<Validation_shape> shapes = validation_shapes(examples());
-  std::vector<Validation_pair> chairs;
-  for (const Validation_pair& pair : pairs_of_category(examples(), shapes.size()))
+  std::vector<Shape_pair> chairs;
+  for (const Shape_pair& pair : pairs_of_category(examples(), shapes.size()))
     if (shapes[pair[0]].labelled.category == "chair") chairs.push_back(pair);
   Validation_options options;
   options.turns = Validation_turns::ANY;
@@ -80,7 +94,7 @@ TEST_CASE("Shapes that are turned by any angle are matched as those that face th
   {
     options.turns = Validation_turns::QUARTERS;
     options.fronts = Validation_fronts::LIKELY;
-    options.category_is_told = true;
+    options.category_known = true;
   }
   const Role_validation validation(shapes, chairs, options, {});
   int known = 0;
@@ -96,7 +110,7 @@ TEST_CASE("Shapes that are turned by any angle are matched as those that face th
 TEST_CASE("What was left out of the training is not known")
 {
   const std::vector<Validation_shape> shapes = validation_shapes(examples());
-  const std::vector<Validation_pair> pairs{{0, 2}, {1, 3}};
+  const std::vector<Shape_pair> pairs{{0, 2}, {1, 3}};
   for (const Left_out left_out : {Left_out::SOURCES, Left_out::CATEGORY}) { // each category is of one source
     Validation_options options;
     options.left_out = left_out;
@@ -112,10 +126,10 @@ TEST_CASE("What was left out of the training is not known")
 TEST_CASE("Few examples: the training sees so many shapes of the category, and neither of the pair")
 {
   const std::vector<Validation_shape> shapes = validation_shapes(examples());
-  const std::vector<Validation_pair> pairs{{0, 2}, {1, 3}};
+  const std::vector<Shape_pair> pairs{{0, 2}, {1, 3}};
   Validation_options options;
   options.left_out = Left_out::CATEGORY;
-  options.category_is_told = true;
+  options.category_known = true;
   for (const std::size_t count : {1u, 3u, 100u}) {
     options.examples = count;
     const Role_validation validation(shapes, pairs, options, {});
