@@ -4,9 +4,9 @@
 #pragma once
 
 #include "abstraction/canonical_form.h"
-#include "abstraction/hull.h"
+#include "shape/convex_hull.h"
 #include "abstraction/surface_samples.h"
-#include "base/deadline.h"
+#include "abstraction/deadline.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/abstract_part.h>

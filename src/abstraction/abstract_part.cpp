@@ -76,9 +76,8 @@ private:
 std::vector<Part_mesh> meshes_in_frame(const Segmented_shape& shape, const Shape_frame& frame)
 {
   std::vector<Part_mesh> result;
-  for (const Shape_part& part : shape.parts()) {
+  for (const Shape_part& part : shape.parts())
     result.push_back(canonical_mesh({frame.to_frame(part.mesh.points), part.mesh.triangles}, coordinate_grid));
-  }
   return result;
 }
 
@@ -87,11 +86,8 @@ std::vector<std::size_t> originals_by_size(const std::vector<Part_mesh>& meshes,
                                            const std::vector<Congruence>& congruences)
 {
   std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    if (congruences[i].original == i) {
-      result.push_back(i);
-    }
-  }
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    if (congruences[i].original == i) result.push_back(i);
   std::stable_sort(result.begin(), result.end(), [&](std::size_t a, std::size_t b) {
     return meshes[a].triangles.cols() > meshes[b].triangles.cols();
   });
@@ -116,9 +112,7 @@ Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options
   Part_abstraction result = abstract_mesh({part.name, mesh}, options);
   move_points(result, [&](const Points& points) { return frame.to_world(points); });
   scale_measures(result, frame.height);
-  if (options.progress) {
-    options.progress(1, 1);
-  }
+  if (options.progress) options.progress(1, 1);
   return result;
 }
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "abstraction/spatial_graph.h"
-#include "base/deadline.h"
+#include "abstraction/deadline.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/version.h>

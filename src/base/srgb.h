@@ -8,10 +8,10 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A number cut to [0, 1]; 0 for what is no number.
+/// A number clamped to [0, 1]; 0 for NaN.
 inline double cut_to_unit(double x) { return x > 0 ? std::min(x, 1.) : 0; }
 
-/// Linear light of a channel as screens and files have it (sRGB, IEC 61966-2-1), cut to [0, 1], and back.
+/// Linear light of an sRGB channel (IEC 61966-2-1), clamped to [0, 1], and back.
 inline double linear_of_srgb(double srgb)
 {
   const double x = cut_to_unit(srgb);

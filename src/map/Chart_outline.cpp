@@ -63,7 +63,7 @@ Chart_outline::Section Chart_outline::section_around(const std::vector<Eigen::Ve
 
 Chart_outline::Chart_outline(bool is_sheet, const Points& coordinates) : is_sheet_(is_sheet)
 {
-  constexpr double half_width = 0.2; // of the slice of a curve that a section is taken from; points are as near
+  constexpr double half_width = 0.2; // of the slice of a curve that gives a section
   const auto points_near = [&](double station, double width) {
     std::vector<Eigen::Vector2d> result;
     for (Eigen::Index i = 0; i < coordinates.cols(); ++i)

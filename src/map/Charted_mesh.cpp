@@ -38,14 +38,6 @@ Point direction(std::size_t side) { return (side % 2 ? -1. : 1.) * Point::Unit(E
 
 } // namespace
 
-contacts::Triangle_tree tree_of(const Points& points, const Eigen::Matrix3Xi& triangles)
-{
-  std::vector<contacts::Triangle> list(std::size_t(triangles.cols()));
-  for (std::size_t t = 0; t < list.size(); ++t)
-    list[t] = triangle_of(points, triangles, t);
-  return contacts::Triangle_tree(std::move(list));
-}
-
 Charted_mesh charted_mesh(const Part_mesh& mesh, const Part_chart& chart, double longest_edge)
 {
   constexpr std::size_t most_triangles = 20000; // a fine mesh is left as it is

@@ -4,8 +4,7 @@
 #include "map/Part_chart.h"
 
 #include "base/eigen_system.h"
-#include "base/fixed_direction.h"
-#include "base/least_rotation.h"
+#include "base/directions.h"
 #include "base/planar_hull.h"
 
 #include <CGAL/assertions.h>

@@ -56,7 +56,7 @@ Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, Pa
   return *best_turn(source, target, kind, [](const Eigen::Matrix3d&) { return true; });
 }
 
-/// Where another part lies along the axes of a part that is divided.
+/// Place and extents of another part along the axes of a part that is divided.
 Share share_of(const Part_chart& divided, const Part_chart& other)
 {
   const Eigen::Matrix3d axes = divided.axes();

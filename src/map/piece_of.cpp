@@ -62,7 +62,7 @@ public:
     close(axis, at, is_on_side);
   }
 
-  /// What is left.
+  /// The piece, without vertices that no triangle uses.
   Part_mesh mesh() const
   {
     const Points points = mesh_.points();
@@ -87,7 +87,7 @@ private:
   static constexpr double straight = 1e-3; ///< how far an edge may stray from the chart, over the height
   static constexpr int most_rounds = 8;    ///< of splitting edges that do
 
-  /// Returns the number of those that there were.
+  /// Adds those of new points. \return the number of points before
   std::size_t add_coordinates()
   {
     const std::size_t before = coordinates_.size();

@@ -31,7 +31,7 @@ std::vector<std::size_t> sdf_segments(const Halfedge_mesh& mesh, const Segmentat
   const auto sdf_map = boost::make_iterator_property_map(sdf.begin(), id);
   CGAL::sdf_values(mesh, sdf_map);
   CGAL::segmentation_from_sdf_values(mesh, sdf_map, boost::make_iterator_property_map(segments.begin(), id),
-                                     static_cast<std::size_t>(options.clusters), options.smoothness);
+                                     std::size_t(options.clusters), options.smoothness);
   return segments;
 }
 
@@ -57,16 +57,14 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
     }
     const Part_mesh_builder empty(component, component.points());
     std::map<std::size_t, std::decay_t<decltype(empty)>> builders;
-    for (auto face : component.faces()) {
+    for (auto face : component.faces())
       builders.try_emplace(segments[face.idx()], empty).first->second.add_face(face);
-    }
     for (const auto& [segment, builder] : builders) {
       Part_mesh part{builder.data().points(), builder.data().triangles()};
-      if (has_area(part)) {
+      if (has_area(part))
         result.shape.add_part("segment_" + std::to_string(result.shape.parts().size()), std::move(part));
-      } else {
+      else
         ++result.pieces_left_out;
-      }
     }
   }
   return result;

@@ -18,7 +18,7 @@ using namespace internal;
 
 namespace {
 
-// More are noise, of a surface that has no inside
+// more are noise, on a surface without an inside
 constexpr std::size_t most_segments = 30;
 
 double size_of_model(const Segmented_shape& model)
@@ -30,7 +30,7 @@ double size_of_model(const Segmented_shape& model)
   return size_of(points, middle);
 }
 
-/// The name with `#` and a number, the first from `number` on that is not taken; takes it.
+/// The name with `#` and the first number from `number` on that makes it a new one, which is added to `taken`.
 std::string unused_name(const std::string& name, std::size_t number, std::set<std::string>& taken)
 {
   std::string result = name + '#' + std::to_string(number);
@@ -207,7 +207,7 @@ private:
                              [&](std::size_t a, std::size_t b) { return pieces_[a].area < pieces_[b].area; });
   }
 
-  /// Whether some pieces are all of an object and nothing else.
+  /// Whether some pieces are exactly those of an object.
   bool is_object(const Group& group) const
   {
     if (result_.by_segments) return false;
@@ -235,7 +235,7 @@ private:
     return std::move(result_);
   }
 
-  /// What became of an object.
+  /// What became of an object, in words.
   std::string decision(std::size_t object, const std::string& why_kept) const
   {
     std::size_t pieces = 0;
