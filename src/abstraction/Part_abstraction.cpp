@@ -17,7 +17,7 @@ using namespace internal;
 Point Curve::operator()(double t) const
 {
   const std::vector<double> lengths = arc_lengths(*this);
-  return point_at_length(*this, lengths, std::clamp(t, 0., 1.) * lengths.back());
+  return point_at_length(*this, lengths, clamped_to_unit(t) * lengths.back());
 }
 
 Point Sheet::operator()(double u, double v) const

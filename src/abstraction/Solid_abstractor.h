@@ -3,10 +3,10 @@
 
 #pragma once
 
+#include "abstraction/deadline.h"
 #include "abstraction/fit_curve.h"
 #include "abstraction/fit_sheet.h"
 #include "abstraction/repair.h"
-#include "abstraction/deadline.h"
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
 
@@ -14,8 +14,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Repairs and remeshes the surface of a part to a closed solid, of which derived classes find the curve or sheet. Parts
-/// for which that fails get their bounding box.
+/// Repairs and remeshes the surface of a part to a closed solid, of which derived classes find the curve or sheet.
+/// Parts for which that fails get their bounding box.
 class Solid_abstractor
 {
 public:

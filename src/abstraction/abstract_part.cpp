@@ -1,14 +1,19 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "abstraction/abstract_mesh.h"
+#include "abstraction/canonical_form.h"
 #include "abstraction/congruence.h"
-#include "abstraction/curve_and_sheet_geometry.h"
+#include "abstraction/deadline.h"
+#include "abstraction/surface_samples.h"
 #include "base/for_each_index.h"
+#include "shape/convex_hull.h"
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/abstract_part.h>
 
 #include <mutex>
+#include <string>
+#include <variant>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
@@ -18,6 +23,44 @@ namespace {
 /// Coordinates are rounded to this fraction of the height of the shape (or the size of a single part): the remeshing
 /// and the flow amplify rounding noise, so that it must not reach them.
 constexpr double coordinate_grid = 1e-7;
+
+constexpr std::size_t surface_points_of_a_part = 256;
+
+bool is_valid(const Curve& curve) { return curve.points.cols() >= 2; }
+
+bool is_valid(const Sheet& sheet)
+{
+  return sheet.rows >= 2 && sheet.cols >= 2 && sheet.points.cols() == Eigen::Index(sheet.rows) * sheet.cols;
+}
+
+/// The options' abstractor is anybody's.
+void check_abstraction(const std::string& name, const Part_abstraction& abstraction)
+{
+  const bool valid = std::visit([](const auto& g) { return is_valid(g); }, abstraction.geometry);
+  if (!valid || !abstraction.control_points().allFinite()) {
+    throw Invalid_input("part '" + name + "': the abstractor returned " +
+                        (valid ? "points that are not finite" : "too few points") + "; correct it or use another one");
+  }
+}
+
+/// Finds the abstraction of a part whose mesh is in canonical form.
+Part_abstraction abstract_mesh(const Shape_part& part, const Abstraction_options& options)
+{
+  Stop_watch watch;
+  Part_abstraction result = options.abstractor(part, options);
+  check_abstraction(part.name, result);
+  std::visit([](auto& g) { internal::make_canonical(g); }, result.geometry);
+  watch.lap();
+  result.name = part.name;
+  result.area = surface_area(part.mesh);
+  result.surface = even_surface_points(part.mesh, surface_points_of_a_part);
+  const Convex_hull hull = convex_hull(part.mesh.points);
+  result.hull = hull.vertices;
+  result.hull_volume = hull.volume;
+  result.report.phases.measure = watch.lap();
+  result.report.milliseconds = 1e3 * watch.seconds();
+  return result;
+}
 
 void move_points(Part_abstraction& part, const std::function<Points(const Points&)>& motion)
 {

@@ -20,8 +20,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A mesh that does not depend on the order of vertices and triangles, nor on rounding noise: coordinates are rounded to
-/// a grid, equal vertices merged, vertices and triangles sorted, duplicates removed.
+/// A mesh that does not depend on the order of vertices and triangles, nor on rounding noise: coordinates are rounded
+/// to a grid, equal vertices merged, vertices and triangles sorted, duplicates removed.
 inline Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
 {
   using Key = std::array<double, 3>;

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "abstraction/inside_test.h"
 #include "abstraction/deadline.h"
+#include "abstraction/inside_test.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 

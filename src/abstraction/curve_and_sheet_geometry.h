@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "base/clamped.h"
+
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 
 #include <Eigen/Geometry>
@@ -28,8 +30,8 @@ struct Cell_position
 
 inline Cell_position locate_cell(double parameter, int cells)
 {
-  const double x = std::clamp(parameter, 0., 1.) * cells;
-  const int cell = std::min(int(x), cells - 1);
+  const double x = clamped_to_unit(parameter) * cells;
+  const int cell = clamped_cell(x, cells - 1);
   return {cell, x - cell};
 }
 
@@ -58,7 +60,7 @@ inline Point point_at_length(const Curve& curve, const std::vector<double>& leng
   const auto after = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, length);
   const auto segment = std::size_t(after - lengths.begin()) - 1;
   const double extent = lengths[segment + 1] - lengths[segment];
-  const double f = extent > 0 ? std::clamp((length - lengths[segment]) / extent, 0., 1.) : 0.;
+  const double f = extent > 0 ? clamped_to_unit((length - lengths[segment]) / extent) : 0.;
   const auto s = Eigen::Index(segment);
   return (1 - f) * curve.points.col(s) + f * segment_end(curve, s);
 }
@@ -67,7 +69,7 @@ inline Point point_at_length(const Curve& curve, const std::vector<double>& leng
 inline double nearest_on_segment(const Point& a, const Point& b, const Point& p)
 {
   const double squared_length = (b - a).squaredNorm();
-  return squared_length > 0 ? std::clamp((p - a).dot(b - a) / squared_length, 0., 1.) : 0.;
+  return squared_length > 0 ? clamped_to_unit((p - a).dot(b - a) / squared_length) : 0.;
 }
 
 inline Eigen::Vector2d nearest_parameter_on_curve(const Curve& curve, const Point& p)

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "abstraction/curve_and_sheet_geometry.h"
-#include "base/eigen_system.h"
 #include "base/directions.h"
+#include "base/eigen_system.h"
 #include "base/planar_hull.h"
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>

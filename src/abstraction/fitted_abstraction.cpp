@@ -5,13 +5,13 @@
 #include "abstraction/bounding_box.h"
 #include "abstraction/fit_curve.h"
 #include "abstraction/fit_sheet.h"
-#include "shape/convex_hull.h"
 #include "abstraction/intrinsic_extent.h"
 #include "abstraction/medial_poles.h"
 #include "abstraction/recognize_prism.h"
 #include "abstraction/revolution_axis.h"
 #include "abstraction/skeletonize.h"
 #include "abstraction/straight_curve.h"
+#include "shape/convex_hull.h"
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
 

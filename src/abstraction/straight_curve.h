@@ -52,7 +52,7 @@ inline Rod_sections rod_sections(const Points& axis, const Points& surface, cons
   const Eigen::RowVectorXd heights = line.direction.transpose() * (axis.colwise() - line.centre);
   const double low = heights.minCoeff(), height = heights.maxCoeff() - low;
   const auto section = [&](Eigen::Index v) {
-    return std::min(int((heights[v] - low) / height * sections_of_a_rod), sections_of_a_rod - 1);
+    return clamped_cell((heights[v] - low) / height * sections_of_a_rod, sections_of_a_rod - 1);
   };
   Rod_sections result;
   for (Eigen::Index v = 0; v < axis.cols(); ++v) {

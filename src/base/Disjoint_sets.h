@@ -12,8 +12,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Disjoint sets of the numbers from 0 on, one in each at first. Unlike in Boost, a set is named by its smallest number,
-/// whatever the order in which sets were united.
+/// Disjoint sets of the numbers from 0 on, one in each at first. Unlike in Boost, a set is named by its smallest
+/// number, whatever the order in which sets were united.
 class Disjoint_sets
 {
 public:

@@ -27,6 +27,9 @@ inline std::string too_many_parts(std::size_t parts)
          ": join small parts, or leave them out";
 }
 
+/// Loose pieces that are grouped into parts, in time quadratic in them.
+constexpr std::size_t most_grouped_pieces = 10000;
+
 /// Congruent pairs of parts, times the parts, to which the search for rows of parts is proportional; any shape of 240
 /// parts is below it.
 constexpr std::size_t most_symmetry_work = 15'000'000;

@@ -12,8 +12,8 @@ namespace CGAL::Shape_correspondence::internal {
 /// stay ties and are settled by index.
 constexpr double comparison_grid = 1e-6;
 
-/// The nearest step of the grid; the first or last one for what is beyond it, infinite too; the first one for NaN. Of 64
-/// bits everywhere: `long` has 32 on some machines.
+/// The nearest step of the grid; the first or last one for what is beyond it, infinite too; the first one for NaN. Of
+/// 64 bits everywhere: `long` has 32 on some machines.
 inline std::int64_t quantized(double value)
 {
   constexpr double last = 9e18; // below 2^63

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
@@ -216,10 +217,10 @@ private:
   /// Whether as many sides end in every place as begin there.
   static bool is_closed(const std::vector<Section_side>& sides, const Planar_points& vertices)
   {
-    std::map<std::array<long, 2>, int> balance;
+    std::map<std::array<std::int64_t, 2>, int> balance;
     const auto place = [&](int vertex) {
       const Eigen::Vector2d& p = vertices[std::size_t(vertex)];
-      return std::array<long, 2>{quantized(p.x()), quantized(p.y())};
+      return std::array<std::int64_t, 2>{quantized(p.x()), quantized(p.y())};
     };
     for (const auto& [a, b] : sides)
       --balance[place(a)], ++balance[place(b)];

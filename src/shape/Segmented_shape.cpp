@@ -9,7 +9,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
@@ -75,10 +74,10 @@ void Segmented_shape::add_part(std::string name, Part_mesh mesh)
     throw Invalid_input("part number " + std::to_string(parts_.size()) + " of shape '" + name_ +
                         "': the name is empty; give every part a name");
   }
-  const auto same_name = [&name](const Shape_part& part) { return part.name == name; };
-  if (std::any_of(parts_.begin(), parts_.end(), same_name))
+  if (names_.count(name) > 0)
     throw Invalid_input(part_message(name, "shape '" + name_ + "' has another part of that name; rename one of them"));
   check_mesh(name, mesh);
+  names_.insert(name);
   parts_.push_back({std::move(name), std::move(mesh)});
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/Nearest_points.h"
-#include "base/eigen_system.h"
 #include "base/directions.h"
+#include "base/eigen_system.h"
 #include "base/planar_hull.h"
 #include "shape/oriented_box.h"
 

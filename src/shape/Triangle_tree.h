@@ -53,8 +53,8 @@ public:
     triangles_.swap(in_order);
   }
 
-  /// Moves the triangles, `place(t)` being the one that was given with number t, and refits the boxes: faster than a new
-  /// tree, and as good where neighbours stay neighbours.
+  /// Moves the triangles, `place(t)` being the one that was given with number t, and refits the boxes: faster than a
+  /// new tree, and as good where neighbours stay neighbours.
   template <typename Place>
   void move(const Place& place)
   {

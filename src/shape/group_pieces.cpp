@@ -3,9 +3,12 @@
 
 #include "shape/group_pieces.h"
 #include "base/Nearest_points.h"
-#include "shape/convex_hull.h"
+#include "base/limits.h"
 #include "shape/Triangle_tree.h"
+#include "shape/convex_hull.h"
 #include "shape/sample_triangles.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
 #include <cmath>
@@ -163,6 +166,7 @@ public:
 
   Piece_groups run()
   {
+    check_number();
     for (std::size_t begin = 0; begin < pieces_.size();) {
       std::size_t end = begin;
       while (end < pieces_.size() && pieces_[end].object == pieces_[begin].object)
@@ -175,6 +179,22 @@ public:
   }
 
 private:
+  /// \throw Invalid_input if there are too many pieces to be grouped
+  void check_number() const
+  {
+    std::vector<std::size_t> count(objects_, 0);
+    for (const Loose_piece& piece : pieces_)
+      ++count[piece.object];
+    std::size_t grouped = 0;
+    for (std::size_t n : count)
+      if (objects_ == 1 || n <= most_pieces) grouped += n;
+    if (grouped > most_grouped_pieces)
+      throw Invalid_input("it has " + std::to_string(grouped) + " loose pieces, of which at most " +
+                          std::to_string(most_grouped_pieces) +
+                          " can be grouped into parts: join pieces to objects in a program for modelling, and take the "
+                          "objects as parts (--parts file)");
+  }
+
   /// Groups the pieces of an object.
   void group_object(std::size_t begin, std::size_t end)
   {

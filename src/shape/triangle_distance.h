@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "base/clamped.h"
+
 #include <CGAL/Shape_correspondence/Points.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
@@ -30,7 +32,10 @@ inline contacts::Triangle triangle_of(const Points& points, const Eigen::Matrix3
   return {points.col(triangles(0, t)), points.col(triangles(1, t)), points.col(triangles(2, t))};
 }
 
-inline contacts::Triangle triangle_of(const Part_mesh& mesh, Eigen::Index t) { return triangle_of(mesh.points, mesh.triangles, t); }
+inline contacts::Triangle triangle_of(const Part_mesh& mesh, Eigen::Index t)
+{
+  return triangle_of(mesh.points, mesh.triangles, t);
+}
 
 inline std::vector<contacts::Triangle> triangles_of(const Points& points, const Eigen::Matrix3Xi& triangles)
 {
@@ -41,7 +46,10 @@ inline std::vector<contacts::Triangle> triangles_of(const Points& points, const 
   return result;
 }
 
-inline std::vector<contacts::Triangle> triangles_of(const Part_mesh& mesh) { return triangles_of(mesh.points, mesh.triangles); }
+inline std::vector<contacts::Triangle> triangles_of(const Part_mesh& mesh)
+{
+  return triangles_of(mesh.points, mesh.triangles);
+}
 
 namespace contacts {
 
@@ -58,13 +66,11 @@ struct Closest_pair
   }
 };
 
-inline double clamped(double x) { return std::min(1.0, std::max(0.0, x)); }
-
 /// The point of the segment from `a` to `b` nearest to `p`.
 inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b)
 {
   const double length = (b - a).squaredNorm();
-  return length > 0 ? Point(a + clamped((p - a).dot(b - a) / length) * (b - a)) : a;
+  return length > 0 ? Point(a + clamped_to_unit((p - a).dot(b - a) / length) * (b - a)) : a;
 }
 
 constexpr double parallel_squared_sine = 1e-24; // of an angle that rounding alone can make of none
@@ -112,7 +118,7 @@ inline void improve_by_segments(const Point& a, const Point& b, const Point& c, 
   const Point u = b - a, v = d - c, w = a - c;
   const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), uw = u.dot(w), vw = v.dot(w);
   const double determinant = uu * vv - uv * uv;
-  const double s = determinant > 0 ? clamped((uv * vw - vv * uw) / determinant) : 0;
+  const double s = determinant > 0 ? clamped_to_unit((uv * vw - vv * uw) / determinant) : 0;
   const Point q = nearest_on_segment(a + s * u, c, d);
   best.improve(nearest_on_segment(q, a, b), q);
 }
