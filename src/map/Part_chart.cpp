@@ -3,9 +3,9 @@
 
 #include "map/Part_chart.h"
 
+#include "base/clamped.h"
+#include "base/directions.h"
 #include "base/eigen_system.h"
-#include "base/fixed_direction.h"
-#include "base/least_rotation.h"
 #include "base/planar_hull.h"
 
 #include <CGAL/assertions.h>
@@ -33,7 +33,7 @@ double station_coordinate(Eigen::Index i, int stations) { return 2. * double(i) 
 std::pair<int, double> station_cell(double k, int stations)
 {
   const double x = (k + 1) / 2 * (stations - 1);
-  const int cell = std::clamp(int(std::floor(x)), 0, stations - 2);
+  const int cell = clamped_cell(x, stations - 2);
   return {cell, x - cell};
 }
 
@@ -178,10 +178,10 @@ std::pair<Point, Eigen::Matrix3d> Part_chart::locate(const Point& k) const
   Point place;
   Eigen::Matrix3d frame;
   const auto [i, f] = station_cell(k[0], stations(is_sheet_));
-  const double inside = std::clamp(f, 0., 1.);
+  const double inside = clamped_to_unit(f);
   if (is_sheet_) {
     const auto [j, g] = station_cell(k[1], sheet_stations);
-    const double inside_g = std::clamp(g, 0., 1.);
+    const double inside_g = clamped_to_unit(g);
     const auto at = [&, i = i, j = j](int a, int b) { return std::size_t((i + a) * sheet_stations + j + b); };
     place = (1 - f) * ((1 - g) * station(i, j) + g * station(i, j + 1)) +
             f * ((1 - g) * station(i + 1, j) + g * station(i + 1, j + 1));

@@ -2,7 +2,7 @@
 //
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/least_rotation.h"
+#include "base/directions.h"
 #include "blend/Blend_part.h"
 #include "blend/smooth_places.h"
 #include "blend_checks.h"

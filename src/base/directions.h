@@ -8,14 +8,33 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <initializer_list>
 
 namespace CGAL::Shape_correspondence::internal {
+
+/// A unit vector across a unit direction: towards y as far as it can, or towards x if the direction is near to y.
+/// Unlike Eigen's `unitOrthogonal()` it does not depend on the last digits of a direction along a coordinate axis.
+inline Point some_normal(const Point& direction)
+{
+  const double near = 0.8; // cosine
+  const Point towards = std::abs(direction.y()) < near ? Point::UnitY() : Point::UnitX();
+  return (towards - direction.dot(towards) * direction).normalized();
+}
+
+/// A unit vector or its opposite: the one whose y is positive, or x or z, the first of them that is not small.
+inline Point with_fixed_sign(const Point& direction)
+{
+  const double small = 0.1;
+  for (const int axis : {1, 0, 2})
+    if (std::abs(direction[axis]) > small) return direction[axis] > 0 ? direction : Point(-direction);
+  return direction;
+}
 
 /// The rotation by the least angle that turns one direction to another. For opposite ones it is the half turn about
 /// what the Householder reflection that maps `from` to the x axis maps the z axis to.
 ///
-/// Eigen::Quaterniond::FromTwoVectors() gives the same bits but for opposite directions, for whose sake it instantiates
-/// a singular value decomposition: 7 s of compile time in every file that calls it.
+/// To the bits of Eigen::Quaterniond::FromTwoVectors(), but for opposite directions, for which that instantiates a
+/// singular value decomposition in every file.
 inline Eigen::Quaterniond least_rotation(const Point& from, const Point& to)
 {
   constexpr double opposite = -1 + 1e-12; // cosine

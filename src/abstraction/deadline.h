@@ -11,14 +11,14 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Thrown inside the room only: the flow cannot treat a part, something else must stand in. The message says why.
+/// A part that the flow cannot treat; the message says why. Thrown inside this room only.
 class Flow_failure : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// A failure for want of time.
+/// The time limit of a part was reached.
 class Out_of_time : public Flow_failure
 {
 public:
@@ -58,9 +58,7 @@ public:
 
   void check() const
   {
-    if (clock_() >= seconds_) {
-      throw Out_of_time("it needs more time than allowed");
-    }
+    if (clock_() >= seconds_) throw Out_of_time("it needs more time than allowed");
   }
 
 private:

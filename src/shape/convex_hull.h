@@ -4,8 +4,17 @@
 #pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
+#include <CGAL/Shape_correspondence/version.h>
 
 namespace CGAL::Shape_correspondence::internal {
+
+struct Convex_hull
+{
+  Points vertices;
+  double volume = 0; ///< 0 of points that lie in a plane
+};
+
+Convex_hull convex_hull(const Points& points);
 
 /// The convex hull of points as half-spaces.
 class Hull_planes
