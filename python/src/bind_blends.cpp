@@ -10,6 +10,7 @@
 #include "cli/thread_limit.h"
 #include "io/system/atomic_file.h"
 
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

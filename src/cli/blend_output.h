@@ -5,6 +5,7 @@
 
 #include "cli/command_line.h"
 
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 

@@ -150,6 +150,25 @@ TEST_CASE("Standard output that is full is an error of every command")
   }
 }
 
+TEST_CASE("Files that may not grow any more are an error that names the output, and leave nothing behind")
+{
+  const Temporary_folder folder;
+  const std::string model = quoted(folder.write("table.obj", obj_table())), error = folder.path("error");
+  const std::string limited = "ulimit -f 2; " + quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " ";
+  fs::create_directories(folder.path("out"));
+  const auto status_of = [&](const std::string& arguments) {
+    const int status = std::system((limited + arguments + " >/dev/null 2>" + quoted(error)).c_str());
+    REQUIRE(WIFEXITED(status));
+    return WEXITSTATUS(status);
+  };
+  const std::string output = folder.path("out/o");
+  CHECK(status_of("graph " + model + " --glb " + quoted(output + ".glb")) == 1);
+  CHECK_THAT(text_of(error), Contains(output + ".glb: it cannot be written (File too large)"));
+  CHECK(status_of("blend " + model + " " + model + " --frames 2 --format obj -o " + quoted(output)) == 1);
+  CHECK_THAT(text_of(error), Contains(output + "/frame") && Contains("File too large") && !Contains(".tmp-"));
+  CHECK(files_of(folder.path("out")) == 0);
+}
+
 #if defined(SHAPE_CORRESPONDENCE_FAILING_CALLS) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 namespace {
 

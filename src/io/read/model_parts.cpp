@@ -108,12 +108,6 @@ std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
   return result;
 }
 
-void add_polygon(const std::vector<Point>& polygon, std::vector<Point>& corners)
-{
-  for (std::size_t corner : triangles_of_polygon(polygon))
-    corners.push_back(polygon[corner]);
-}
-
 Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept)
 {
   const std::vector<int> first = first_at_same_place(corners);
@@ -140,6 +134,42 @@ Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept
   for (std::size_t i = 0; i < triangles.size(); ++i)
     mesh.triangles.col(i) = triangles[i];
   return mesh;
+}
+
+void add_mesh(const Part_mesh& more, Part_mesh& all)
+{
+  const Eigen::Index points = all.points.cols(), triangles = all.triangles.cols();
+  all.points.conservativeResize(3, points + more.points.cols());
+  all.points.rightCols(more.points.cols()) = more.points;
+  all.triangles.conservativeResize(3, triangles + more.triangles.cols());
+  all.triangles.rightCols(more.triangles.cols()) = more.triangles.array() + int(points);
+}
+
+Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles)
+{
+  const std::size_t needed = triangles.empty() ? 1 : triangles.back() + 1; // a file may tell of some triangles only
+  Part_appearance result;
+  for (std::size_t t : triangles) {
+    if (all.materials.size() >= needed) result.materials.push_back(all.materials[t]);
+    for (std::size_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
+      if (all.coordinates.size() >= 3 * needed) result.coordinates.push_back(all.coordinates[corner]);
+      if (all.colours.size() >= 3 * needed) result.colours.push_back(all.colours[corner]);
+    }
+  }
+  return result;
+}
+
+void add_looks(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles, Part_appearance& all)
+{
+  const auto append = [](auto& to, std::size_t before, const auto& from, std::size_t count, const auto& none) {
+    if (to.empty() && from.empty()) return;
+    to.resize(before, none);
+    to.insert(to.end(), from.begin(), from.end());
+    to.resize(before + count, none);
+  };
+  append(all.materials, triangles, more.materials, more_triangles, -1);
+  append(all.coordinates, 3 * triangles, more.coordinates, 3 * more_triangles, Eigen::Vector2f(0, 0));
+  append(all.colours, 3 * triangles, more.colours, 3 * more_triangles, Eigen::Vector3f(1, 1, 1));
 }
 
 } // namespace CGAL::Shape_correspondence::IO

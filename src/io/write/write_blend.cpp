@@ -3,9 +3,9 @@
 
 #include "base/for_each_index.h"
 #include "base/limits.h"
-#include "io/write/Json.h"
 #include "io/system/little_endian.h"
 #include "io/system/quoting.h"
+#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 

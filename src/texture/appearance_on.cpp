@@ -1,9 +1,10 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/read/model_parts.h"
 #include "shape/Triangle_tree.h"
 
-#include <CGAL/Shape_correspondence/Shape_appearance.h>
+#include <CGAL/Shape_correspondence/transfer_appearance.h>
 
 #include <Eigen/Geometry>
 
@@ -94,50 +95,16 @@ std::pair<Part_mesh, Part_appearance> joined_objects(const Segmented_shape& shap
                                                      const std::set<std::size_t>& objects)
 {
   std::pair<Part_mesh, Part_appearance> result;
-  bool has_coordinates = false, has_colours = false;
-  Eigen::Index points = 0, triangles = 0;
-  for (std::size_t i : objects) {
-    points += shape.parts()[i].mesh.points.cols();
-    triangles += shape.parts()[i].mesh.triangles.cols();
-    has_coordinates = has_coordinates || !appearance.parts[i].coordinates.empty();
-    has_colours = has_colours || !appearance.parts[i].colours.empty();
-  }
-  Part_mesh& mesh = result.first;
-  mesh.points.resize(3, points);
-  mesh.triangles.resize(3, triangles);
-  points = triangles = 0;
   for (std::size_t i : objects) {
     const Part_mesh& object = shape.parts()[i].mesh;
-    const Part_appearance& looks = appearance.parts[i];
-    mesh.points.middleCols(points, object.points.cols()) = object.points;
-    mesh.triangles.middleCols(triangles, object.triangles.cols()) = object.triangles.array() + int(points);
-    points += object.points.cols();
-    triangles += object.triangles.cols();
-    const auto n = std::size_t(object.triangles.cols());
-    const auto append = [](auto& all, const auto& some, std::size_t count, const auto& none) {
-      all.insert(all.end(), some.begin(), some.end());
-      all.resize(all.size() + count - some.size(), none);
-    };
-    append(result.second.materials, looks.materials, n, -1);
-    if (has_coordinates) append(result.second.coordinates, looks.coordinates, 3 * n, Eigen::Vector2f(0, 0));
-    if (has_colours) append(result.second.colours, looks.colours, 3 * n, Eigen::Vector3f(1, 1, 1));
+    IO::add_looks(appearance.parts[i], std::size_t(object.triangles.cols()), std::size_t(result.first.triangles.cols()),
+                  result.second);
+    IO::add_mesh(object, result.first);
   }
   return result;
 }
 
 } // namespace
-
-bool Image::empty() const { return pixels.empty(); }
-
-bool Part_appearance::empty() const { return materials.empty() && coordinates.empty() && colours.empty(); }
-
-bool Shape_appearance::empty() const
-{
-  return std::all_of(parts.begin(), parts.end(), [](const Part_appearance& part) {
-    return part.colours.empty() &&
-           std::all_of(part.materials.begin(), part.materials.end(), [](int material) { return material < 0; });
-  });
-}
 
 Part_appearance appearance_on(const Part_mesh& mesh, const Part_appearance& appearance, const Part_mesh& on_it)
 {

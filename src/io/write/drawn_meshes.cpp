@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/write/picture_geometry.h"
+#include "io/write/pictures.h"
 
 #include <Eigen/Geometry>
 
@@ -121,6 +121,26 @@ Drawn_mesh sphere(const Point& centre, double radius)
   return mesh;
 }
 
+/// Meshes of points and normals as one.
+Drawn_mesh joined(const std::vector<Drawn_mesh>& meshes)
+{
+  Eigen::Index points = 0, triangles = 0;
+  for (const Drawn_mesh& mesh : meshes) {
+    points += mesh.points.cols();
+    triangles += mesh.triangles.cols();
+  }
+  Drawn_mesh result{Points(3, points), Points(3, points), Eigen::Matrix3Xi(3, triangles)};
+  points = triangles = 0;
+  for (const Drawn_mesh& mesh : meshes) {
+    result.points.middleCols(points, mesh.points.cols()) = mesh.points;
+    result.normals.middleCols(points, mesh.points.cols()) = mesh.normals;
+    result.triangles.middleCols(triangles, mesh.triangles.cols()) = mesh.triangles.array() + static_cast<int>(points);
+    points += mesh.points.cols();
+    triangles += mesh.triangles.cols();
+  }
+  return result;
+}
+
 } // namespace
 
 Drawn_mesh shaded(const Points& points, const Eigen::Matrix3Xi& triangles)
@@ -175,25 +195,6 @@ Drawn_mesh tube(const Points& polyline, bool closed, double radius)
 Drawn_mesh patch(const Points& grid, int rows, int cols)
 {
   return shaded(grid, grid_triangles(rows, cols, false, false));
-}
-
-Drawn_mesh joined(const std::vector<Drawn_mesh>& meshes)
-{
-  Eigen::Index points = 0, triangles = 0;
-  for (const Drawn_mesh& mesh : meshes) {
-    points += mesh.points.cols();
-    triangles += mesh.triangles.cols();
-  }
-  Drawn_mesh result{Points(3, points), Points(3, points), Eigen::Matrix3Xi(3, triangles)};
-  points = triangles = 0;
-  for (const Drawn_mesh& mesh : meshes) {
-    result.points.middleCols(points, mesh.points.cols()) = mesh.points;
-    result.normals.middleCols(points, mesh.points.cols()) = mesh.normals;
-    result.triangles.middleCols(triangles, mesh.triangles.cols()) = mesh.triangles.array() + static_cast<int>(points);
-    points += mesh.points.cols();
-    triangles += mesh.triangles.cols();
-  }
-  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::IO

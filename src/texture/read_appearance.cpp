@@ -1,10 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/read/model_appearance.h"
-#include "io/system/colours.h"
-#include "io/system/image_file.h"
+#include "io/read/read_objects.h"
 #include "io/read/text_words.h"
+#include "io/system/colours.h"
+#include "io/system/input_file.h"
+#include "texture/image_file.h"
+
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20; // bytes, of a library or a texture
+constexpr std::size_t most_bytes = std::size_t(256) << 20;        // of all of a model
 constexpr float largest_coordinate_of_texture = 1e4f;             // repetitions; beyond, single precision is too coarse
 
 /// The bytes of a file that a model names, or why there are none.
@@ -48,20 +52,44 @@ std::string without_percents(const std::string& name)
   return result;
 }
 
-Named_file read_named_file(const fs::path& folder, const std::string& given)
+/// Reads the files that a model names: from its folder or, where they are not there by the path that it gives, beside
+/// it.
+class Named_files
 {
-  const std::string name = with_slashes(given);
-  std::error_code error;
-  for (const std::string& candidate : {name, without_percents(name)})
-    for (const fs::path& path :
-         {folder / fs::path(candidate).relative_path(), folder / fs::path(candidate).filename()}) {
-      if (!fs::is_regular_file(path, error)) continue;
-      if (fs::file_size(path, error) > largest_file) return {"", "is larger than 64 MB"};
-      std::ifstream in(path, std::ios::binary);
-      return {{std::istreambuf_iterator<char>(in), {}}, in ? "" : "cannot be read"};
-    }
-  return {"", "is not there"};
-}
+public:
+  Named_files(const std::string& model, const Reading_options& options, std::size_t& rest)
+      : model_(model), options_(options), rest_(rest)
+  {}
+
+  Named_file read(const std::string& given) const
+  {
+    const fs::path folder = fs::path(model_).parent_path();
+    const std::string name = with_slashes(given);
+    std::error_code error;
+    std::string fault = "is not there";
+    for (const fs::path candidate : {name, without_percents(name)})
+      for (const fs::path& path : {folder / candidate.relative_path(), folder / candidate.filename()}) {
+        if (!fs::is_regular_file(path, error)) continue;
+        if (!options_.allow_outside_files && !is_in_folder_of(model_, path.string())) {
+          fault = "is outside the model's folder, and not read without --allow-outside-files";
+          continue;
+        }
+        const std::uintmax_t size = fs::file_size(path, error);
+        if (size > largest_file) return {"", "is larger than 64 MB"};
+        if (size > rest_) return {"", "is more than the 256 MB that the textures of a model may have"};
+        std::ifstream in(path, std::ios::binary);
+        Named_file result{{std::istreambuf_iterator<char>(in), {}}, in ? "" : "cannot be read"};
+        rest_ -= std::min(rest_, result.bytes.size());
+        return result;
+      }
+    return {"", fault};
+  }
+
+private:
+  const std::string& model_;
+  const Reading_options& options_;
+  std::size_t& rest_; ///< bytes of files that may be read for the model
+};
 
 /// A material of a library, with the name of its texture.
 struct Library_material
@@ -150,19 +178,19 @@ int index_of_texture(const Texture& texture, std::vector<Texture>& textures)
 
 /// Materials by name, of all libraries of an OBJ file; the first of a name counts.
 std::map<std::string, Library_material>
-read_libraries(const fs::path& folder, const std::vector<std::string>& statements, std::vector<std::string>& warnings)
+read_libraries(const Named_files& files, const std::vector<std::string>& statements, std::vector<std::string>& warnings)
 {
   std::map<std::string, Library_material> result;
   for (const std::string& statement : statements) {
-    std::vector<std::string> names{statement}; // one name with blanks, or several
-    if (!read_named_file(folder, statement).fault.empty()) {
-      names.clear();
+    // One name with blanks, or several
+    std::vector<std::pair<std::string, Named_file>> libraries{{statement, files.read(statement)}};
+    if (!libraries[0].second.fault.empty()) {
+      libraries.clear();
       std::string_view rest = statement;
       for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest))
-        names.emplace_back(word);
+        libraries.emplace_back(word, files.read(std::string(word)));
     }
-    for (const std::string& name : names) {
-      const Named_file file = read_named_file(folder, name);
+    for (const auto& [name, file] : libraries) {
       if (!file.fault.empty())
         warnings.push_back("The materials of '" + name + "' were left out: it " + file.fault + ".");
       Mtl_reader reader(file.bytes);
@@ -176,11 +204,12 @@ read_libraries(const fs::path& folder, const std::vector<std::string>& statement
 }
 
 /// Looks up the materials of a file that has their names only. \return whether each is known
-std::vector<bool> look_up_materials(const fs::path& folder, Model_content& content, std::vector<std::string>& warnings)
+std::vector<bool> look_up_materials(const Named_files& files, Model_content& content,
+                                    std::vector<std::string>& warnings)
 {
   std::vector<bool> known(content.materials.size(), !content.materials_are_names);
   if (!content.materials_are_names) return known;
-  const std::map<std::string, Library_material> library = read_libraries(folder, content.libraries, warnings);
+  const std::map<std::string, Library_material> library = read_libraries(files, content.libraries, warnings);
   for (std::size_t i = 0; i < known.size(); ++i) {
     Surface_material& material = content.materials[i];
     const auto found = library.find(material.name);
@@ -194,12 +223,12 @@ std::vector<bool> look_up_materials(const fs::path& folder, Model_content& conte
   return known;
 }
 
-void load_textures(const fs::path& folder, Model_content& content, std::vector<std::string>& warnings)
+void load_textures(const Named_files& files, Model_content& content, std::vector<std::string>& warnings)
 {
   for (Texture& texture : content.textures) {
     std::string fault;
     if (texture.bytes.empty()) {
-      Named_file file = read_named_file(folder, texture.name);
+      Named_file file = files.read(texture.name);
       texture.bytes = std::move(file.bytes);
       fault = file.fault;
     }
@@ -230,13 +259,10 @@ void bound(Model_part& part, std::size_t materials)
       value = value > 0 ? std::min(value, 1.f) : 0.f;
 }
 
-} // namespace
-
-void complete_appearance(const std::string& model_file, Model_content& content, std::vector<std::string>& warnings)
+void complete_appearance(const Named_files& files, Model_content& content, std::vector<std::string>& warnings)
 {
-  const fs::path folder = fs::path(model_file).parent_path();
-  const std::vector<bool> known = look_up_materials(folder, content, warnings);
-  load_textures(folder, content, warnings);
+  const std::vector<bool> known = look_up_materials(files, content, warnings);
+  load_textures(files, content, warnings);
   for (Surface_material& material : content.materials) {
     for (double& value : material.colour)
       value = value > 0 ? std::min(value, 1.) : 0;
@@ -247,6 +273,21 @@ void complete_appearance(const std::string& model_file, Model_content& content, 
     for (int& material : part.appearance.materials)
       if (material >= 0 && !known[std::size_t(material)]) material = -1;
   }
+}
+
+} // namespace
+
+Segmented_shape read_shape_and_appearance(const std::string& path, Shape_appearance& appearance, const Point& up,
+                                          std::vector<std::string>* warnings, const Reading_options& options)
+{
+  std::size_t rest = most_bytes;
+  Model_objects objects =
+      read_objects(path, up, options, [&](const std::string& file, Model_content& content, auto& found) {
+        complete_appearance({file, options, rest}, content, found);
+      });
+  if (warnings) warnings->insert(warnings->end(), objects.warnings.begin(), objects.warnings.end());
+  appearance = std::move(objects.appearance);
+  return std::move(objects.shape);
 }
 
 } // namespace CGAL::Shape_correspondence::IO

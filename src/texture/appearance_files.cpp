@@ -3,14 +3,14 @@
 
 #include "io/system/atomic_file.h"
 #include "io/system/colours.h"
-#include "io/system/image_file.h"
 #include "io/system/input_file.h"
 #include "io/system/little_endian.h"
 #include "io/system/quoting.h"
+#include "texture/dressed_meshes.h"
+#include "texture/image_file.h"
 #include "texture/vertex_colours.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
-#include <CGAL/Shape_correspondence/IO/write_glb.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <Eigen/Geometry>
@@ -105,11 +105,12 @@ void write_coloured_ply(std::ostream& out, const Segmented_shape& shape, const T
 
 void decode_textures(Shape_appearance& appearance, std::vector<std::string>& warnings)
 {
+  Image_budget budget;
   for (std::size_t i = 0; i < appearance.textures.size(); ++i) {
     Texture& texture = appearance.textures[i];
     if (texture.bytes.empty() || !texture.image.empty()) continue;
     try {
-      texture.image = decoded_image(texture.bytes);
+      texture.image = decoded_image(texture.bytes, budget);
     } catch (const Invalid_input& error) {
       warnings.push_back("The texture '" + texture.name + "' was left out: it " + error.what() + ".");
       for (Surface_material& material : appearance.materials)
@@ -142,6 +143,37 @@ void write_transferred_shape(const std::string& path, const Segmented_shape& sha
     });
   } else
     throw Invalid_input(path + ": a shape with textures is written as .glb, .obj or .ply");
+}
+
+void write_segmented_shape_glb(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance)
+{
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); // glTF has y up
+  if (shape.up() != Point::UnitY())
+    turn = Eigen::Quaterniond::FromTwoVectors(shape.up(), Point::UnitY()).toRotationMatrix();
+  Glb_file glb;
+  Glb_materials materials(glb, appearance);
+  std::vector<int> nodes;
+  for (std::size_t part = 0; part < shape.parts().size(); ++part) {
+    const auto& [name, mesh] = shape.parts()[part];
+    nodes.push_back(
+        glb.add_node(name, dressed(shaded(turn * mesh.points, mesh.triangles), materials.of_part(part), materials)));
+  }
+  glb.write(out, {{shape.name(), {glb.add_node(shape.name(), nodes, Point::Zero())}}});
+}
+
+void write_correspondence_glb(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
+                              const Structural_graph& target, const Segmented_shape* source_shape,
+                              const Segmented_shape* target_shape, const Shape_appearance& source_appearance,
+                              const Shape_appearance& target_appearance)
+{
+  write_correspondence_glb(out, correspondence, source, target, source_shape, target_shape,
+                           dressed_scenes({{source_shape, &source_appearance}, {target_shape, &target_appearance}}));
+}
+
+void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph, const Segmented_shape* shape,
+                                const Shape_appearance& appearance)
+{
+  write_structural_graph_glb(out, graph, shape, dressed_scenes({{shape, &appearance}}));
 }
 
 } // namespace CGAL::Shape_correspondence::IO

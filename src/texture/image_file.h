@@ -5,6 +5,7 @@
 
 #include <CGAL/Shape_correspondence/Shape_appearance.h>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -15,8 +16,19 @@ std::string fault_of_image(std::string_view bytes);
 
 bool is_png(std::string_view bytes);
 
+/// What the images of a model may take in all, once they are decoded: a few bytes may be an image of any size.
+struct Image_budget
+{
+  std::size_t pixels = std::size_t(1) << 26; ///< four bytes each
+  std::size_t scanned =
+      std::size_t(1) << 30; ///< pixels, times the scans of a progressive JPEG, each of which takes its time
+
+  /// Takes an image off. \throw Invalid_input if it is too large; the message ends a sentence
+  void take(std::size_t width, std::size_t height, std::size_t scans);
+};
+
 /// Decodes a PNG or JPEG of at most 8192 pixels in each direction. \throw Invalid_input; the message ends a sentence
-Image decoded_image(const std::string& bytes);
+Image decoded_image(const std::string& bytes, Image_budget& budget);
 
 /// A picture as a PNG file.
 std::string png_of(const Image& image);
