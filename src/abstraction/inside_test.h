@@ -31,7 +31,7 @@ public:
       counts_[d] = int(std::clamp(extent[d] / side, 1., most_cells_a_side));
       cell_[d] = extent[d] / counts_[d];
     }
-    std::vector<std::size_t> ends(std::size_t(counts_[0]) * std::size_t(counts_[1]), 0);
+    std::vector<std::size_t> ends(bin(counts_[0], 0), 0);
     for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
       for_each_bin(t, [&](std::size_t b) { ++ends[b]; });
     std::partial_sum(ends.begin(), ends.end(), ends.begin());

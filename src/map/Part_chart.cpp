@@ -282,6 +282,9 @@ Part_chart Part_chart::plate(const Points& surface, const Eigen::Matrix3d& axes)
 
 Part_chart Part_chart::around(const Part_abstraction& part, const Points& control_points, const Points& surface)
 {
+  const bool is_point = (control_points.rowwise().maxCoeff() - control_points.rowwise().minCoeff()).maxCoeff() <
+                        2 * least_half_extent; // where it is, rounding would be all of its shape
+  if (is_point) return (part.is_sheet() ? plate : box)(surface, Eigen::Matrix3d::Identity());
   if (const Sheet* given = std::get_if<Sheet>(&part.geometry))
     return over(spine_of(Sheet{control_points, given->rows, given->cols}), Point::Ones()).fitted(surface);
   const Curve curve{control_points, std::get<Curve>(part.geometry).closed};
@@ -324,7 +327,9 @@ Part_chart Part_chart::fitted(const Points& surface) const
     Eigen::AlignedBox3d box;
     for (Eigen::Index i = 0; i < surface.cols(); ++i)
       box.extend(result.coordinates(surface.col(i)));
-    const Point least = Point::Constant(least_half_extent), middle = box.center();
+    const Point middle = box.center();
+    const Point least =
+        (least_half_extent * result.half_extents().cwiseInverse()).cwiseMax(least_half_extent).cwiseMin(1);
     result = result.restricted(box.min().cwiseMin(middle - least), box.max().cwiseMax(middle + least));
   }
   return result;

@@ -380,7 +380,7 @@ std::map<std::string, std::string> graphs_of(const std::string& store)
 
 TEST_CASE("A shape of a collection that fails does not harm the graphs of others, on however many threads")
 {
-  constexpr int runs = 22; // of each failure on each number of threads: 200 in all
+  constexpr int runs = 8; // of each failure on each number of threads
   const Temporary_folder folder;
   const std::string shapes = write_tables(folder), store = folder.path("store"), whole = folder.path("whole"),
                     error = folder.path("error"), program = quoted(SHAPE_CORRESPONDENCE_PROGRAM);
