@@ -45,7 +45,7 @@ void Spatial_graph_view::add_edge(int a, int b)
 
 void Spatial_graph_view::connect_near(double radius)
 {
-  std::vector<int> order(std::size_t(size()));
+  std::vector<int> order(static_cast<std::size_t>(size()));
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
             [this](int a, int b) { return point(a).x() != point(b).x() ? point(a).x() < point(b).x() : a < b; });
