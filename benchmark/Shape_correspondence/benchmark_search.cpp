@@ -11,7 +11,7 @@
 // --pairs prints a line a pair instead: numbers of parts, and milliseconds of matching by parts, exact search and beam.
 // --repeats: each pair is matched N times, and the least time counts, as other programs on the machine add to the rest.
 #include "energy/Structural_rods.h"
-#include "energy/rod_cosines.h"
+#include "energy/rod_kernel.h"
 #include "matching/match_parts.h"
 #include "search/beam_search.h"
 

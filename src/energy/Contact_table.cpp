@@ -12,7 +12,7 @@ using namespace internal;
 Matching_problem::Contact_table::Contact_table(const Matching_problem& problem)
     : problem_(problem),
       fitted_(problem.fitted_),
-      pair_of_(fitted_.number_of_lanes() * fitted_.number_of_lanes(), none),
+      pair_of_(fitted_.takes_samples() ? fitted_.number_of_lanes() * fitted_.number_of_lanes() : 0, none),
       distances_(fitted_.number_of_target_pieces())
 {}
 
@@ -83,21 +83,22 @@ void Matching_problem::Contact_table::list(const Range& first, const Range& seco
 const std::uint32_t* Matching_problem::Contact_table::nearest(std::uint32_t fitted, const Range& others)
 {
   const std::uint32_t* best = others.begin();
-  double least = target_distance(fitted_[fitted], fitted_[*best]);
+  double least = distance(fitted_[fitted], fitted_[*best]);
   for (const std::uint32_t* other = best + 1; other != others.end(); ++other) {
-    const double distance = target_distance(fitted_[fitted], fitted_[*other]);
-    if (distance < least) least = distance, best = other;
+    const double other_distance = distance(fitted_[fitted], fitted_[*other]);
+    if (other_distance < least) least = other_distance, best = other;
   }
   return best;
 }
 
-double Matching_problem::Contact_table::target_distance(const Fitted& first, const Fitted& second)
+double Matching_problem::Contact_table::distance(const Fitted& first, const Fitted& second)
 {
-  if (first.target.is_whole() && second.target.is_whole()) return fitted_.target_distance(first, second);
+  const bool is_cached = fitted_.takes_samples() && !(first.target.is_whole() && second.target.is_whole());
+  if (!is_cached) return fitted_.distance(first, second);
   const auto [low, high] = std::minmax(first.target_index, second.target_index);
   std::vector<double>& known = distances_[high];
   if (known.empty()) known.assign(high + 1, -1);
-  if (known[low] < 0) known[low] = fitted_.target_distance(first, second);
+  if (known[low] < 0) known[low] = fitted_.distance(first, second);
   return known[low];
 }
 
@@ -107,7 +108,8 @@ std::uint32_t Matching_problem::Contact_table::comparison(std::uint32_t a, std::
   if (known != none) return known;
   known = std::uint32_t(comparisons_.size());
   const Fitted &first = fitted_[a], &second = fitted_[b];
-  std::uint32_t& pair = pair_of_[pair_index(first, second)];
+  std::uint32_t own_pair = none;
+  std::uint32_t& pair = pair_of_.empty() ? own_pair : pair_of_[pair_index(first, second)];
   if (pair == none) {
     pair = std::uint32_t(pairs_.size());
     pairs_.push_back({a, b, none});
@@ -132,12 +134,12 @@ void Matching_problem::Contact_table::compare()
       rods_.push_back(comparisons_[i].rods);
     distortions(rods_, fitted_.samples(first), fitted_.samples(second), distortions_);
     const bool collapsed = overlap(first.target, second.target);
-    const double distance = collapsed ? 0 : target_distance(first, second);
+    const double least = collapsed ? 0 : distance(first, second);
     auto distortion = distortions_.begin();
     for (std::uint32_t i = pair.comparison; i != none; i = comparisons_[i].next)
       comparisons_[i].energy = {*distortion++,
-                                collapsed ? collapsed_connectedness : comparisons_[i].rods->connectedness(distance)};
-    pair_of_[pair_index(first, second)] = none;
+                                collapsed ? collapsed_connectedness : comparisons_[i].rods->connectedness(least)};
+    if (!pair_of_.empty()) pair_of_[pair_index(first, second)] = none;
   }
   pairs_.clear();
 }

@@ -58,7 +58,7 @@ private:
   // Lists a pair of clones for each clone: it and the nearest one of the other part.
   void list(const Range& first, const Range& second);
   const std::uint32_t* nearest(std::uint32_t fitted, const Range& others);
-  double target_distance(const Fitted& first, const Fitted& second);
+  double distance(const Fitted& first, const Fitted& second);
   std::uint32_t comparison(std::uint32_t a, std::uint32_t b);
   std::size_t pair_index(const Fitted& first, const Fitted& second) const;
   void compare();
@@ -67,7 +67,7 @@ private:
 
   const Matching_problem& problem_;
   const internal::Fitted_pieces& fitted_;
-  std::vector<std::uint32_t> pair_of_;     // by `pair_index()`, in `pairs_`
+  std::vector<std::uint32_t> pair_of_;     // by `pair_index()`, in `pairs_`; empty if fitted pieces share no samples
   std::vector<Target_pair> pairs_;         // with comparisons
   std::vector<Comparison> comparisons_;    // contact by contact
   std::vector<std::uint32_t> counts_;      // number of comparisons by contact and labels

@@ -33,8 +33,8 @@ int segment_of_sample(std::size_t sample, int count)
 } // namespace
 
 Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape& target,
-                             const std::vector<std::vector<Group_label>>& labels)
-    : source_pieces_(source), target_pieces_(target), part_distances_(target.part_distances())
+                             const std::vector<std::vector<Group_label>>& labels, Deform_to_fit how)
+    : fit_(how), source_pieces_(source), target_pieces_(target), part_distances_(target.part_distances())
 {
   for (std::size_t part = 0; part < source.parts.size(); ++part) {
     const std::size_t group = source.group_of[part];
@@ -79,6 +79,11 @@ std::size_t Fitted_pieces::source_lanes_of(std::size_t source_piece, int repeats
 std::size_t Fitted_pieces::lanes_of(std::size_t source_piece, std::size_t target_piece)
 {
   const Sampled_part &source = source_pieces_[source_piece], &target = target_pieces_[target_piece];
+  if (!takes_samples()) {
+    points_.push_back(deform_to_fit(source, target, fit_));
+    lanes_.emplace_back(points_.back());
+    return lanes_.size() - 1;
+  }
   const std::vector<int>& order = match_extremities(source, target);
   if (lanes_of_.size() <= target_piece) lanes_of_.resize(target_pieces_.size());
   for (const Lanes_of_order& known : lanes_of_[target_piece])

@@ -64,7 +64,10 @@ class Fitted_pieces
 public:
   // \param labels by source group
   Fitted_pieces(const Aligned_shape& source, const Deformable_shape& target,
-                const std::vector<std::vector<Group_label>>& labels);
+                const std::vector<std::vector<Group_label>>& labels, Deform_to_fit how);
+
+  // Whether a fitted piece has the very samples of its target, so that others that are fitted to it have them, too.
+  bool takes_samples() const { return fit_ == Deform_to_fit::SAMPLES; }
 
   const Fitted_piece& operator[](std::size_t index) const { return fitted_[index]; }
   // First fitted piece of a source part; that of the part after the last is the end.
@@ -85,10 +88,10 @@ public:
   const Points& points(const Fitted_piece& fitted) const { return points_[fitted.lanes]; }
   std::size_t number_of_lanes() const { return lanes_.size(); }
   std::size_t number_of_target_pieces() const { return target_pieces_.size(); }
-  // The least distance of two target pieces. That of whole parts is known.
-  double target_distance(const Fitted_piece& first, const Fitted_piece& second) const
+  // The least distance of two fitted pieces. That of whole target parts is known.
+  double distance(const Fitted_piece& first, const Fitted_piece& second) const
   {
-    if (first.target.is_whole() && second.target.is_whole())
+    if (takes_samples() && first.target.is_whole() && second.target.is_whole())
       return part_distances_(Eigen::Index(first.target.part), Eigen::Index(second.target.part));
     return least_distance(samples(first), first.samples, samples(second), second.samples);
   }
@@ -104,6 +107,7 @@ private:
   std::size_t source_lanes_of(std::size_t source_piece, int repeats);
   std::size_t lanes_of(std::size_t source_piece, std::size_t target_piece);
 
+  Deform_to_fit fit_;
   Piece_list source_pieces_, target_pieces_;
   const Eigen::MatrixXd& part_distances_; // of the target
   std::vector<Fitted_piece> fitted_;

@@ -111,7 +111,7 @@ Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
       target_(std::move(target)),
       options_(options),
       labels_(std::move(labels)),
-      fitted_(*source_, *target_, labels_)
+      fitted_(*source_, *target_, labels_, options.fit)
 {
   fill_contact_energies();
   fill_cut_energies();

@@ -17,32 +17,39 @@ namespace CGAL::Shape_correspondence {
 namespace {
 
 // The linear map by which the generator of a group carries its representative to another member.
-Eigen::Matrix3d generated_directions(const Symmetry& symmetry, const Point& representative, const Point& member)
+Eigen::Matrix3d generated_directions(const Part_group& group, const Point& representative, const Point& member)
 {
+  const Symmetry& symmetry = group.symmetry;
+  Eigen::Matrix3d result = Eigen::Matrix3d::Identity();
   switch (symmetry.type) {
   case Symmetry_type::REFLECTION: {
-    // Members on the same side move alike
-    const double side = symmetry.direction.dot(representative - symmetry.point);
-    if (side * symmetry.direction.dot(member - symmetry.point) >= 0) break;
-    return Eigen::Matrix3d::Identity() - 2 * symmetry.direction * symmetry.direction.transpose();
+    // Orbits of more than two parts have a second, vertical plane; members on one side of a plane move alike
+    std::vector<Point> normals{symmetry.direction};
+    if (group.parts.size() > 2) normals.push_back(symmetry.direction.cross(Point::UnitY()));
+    for (const Point& normal : normals)
+      if (normal.dot(representative - symmetry.point) * normal.dot(member - symmetry.point) < 0)
+        result -= 2 * normal * normal.transpose();
+    break;
   }
   case Symmetry_type::ROTATION: {
     const Point axis = symmetry.direction;
     const Point from = representative - symmetry.point - axis * axis.dot(representative - symmetry.point);
     const Point to = member - symmetry.point - axis * axis.dot(member - symmetry.point);
     const double angle = std::atan2(axis.dot(from.cross(to)), from.dot(to));
-    return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    result = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    break;
   }
   default:
     break;
   }
-  return Eigen::Matrix3d::Identity();
+  return result;
 }
 
 } // namespace
 
-Structure_preservation::Structure_preservation(const Aligned_shape& shape)
+Structure_preservation::Structure_preservation(const Aligned_shape& shape, bool has_hard_contacts)
     : shape_(shape),
+      stiffness_(has_hard_contacts ? least_stiffness : stiffness),
       touches_(shape.number_of_groups()),
       displacement_(Points::Zero(3, Eigen::Index(shape.parts.size()))),
       placed_(shape.number_of_groups()),
@@ -88,13 +95,13 @@ Structure_preservation::Handles Structure_preservation::handles(std::size_t grou
   }
   for (std::size_t member : shape_.group(group).parts)
     result.directions.push_back(
-        generated_directions(shape_.group(group).symmetry, part.centroid, shape_.parts[member].centroid));
+        generated_directions(shape_.group(group), part.centroid, shape_.parts[member].centroid));
   result.middle = points.rowwise().mean();
   points.colwise() -= result.middle;
   constexpr double least_scatter = 1e-12; // for a part that is a point, so that the matrix has an inverse
   const double scatter = (part.samples.colwise() - part.centroid).squaredNorm() / double(part.samples.cols());
   const Eigen::Matrix3d weight =
-      points * points.transpose() + stiffness * std::max(scatter, least_scatter) * Eigen::Matrix3d::Identity();
+      points * points.transpose() + stiffness_ * std::max(scatter, least_scatter) * Eigen::Matrix3d::Identity();
   const Points slopes = weight.inverse() * points;
   for (const auto& slope : slopes.colwise())
     result.slopes.emplace_back(slope);
@@ -125,7 +132,7 @@ void Structure_preservation::place(std::size_t group, const std::vector<char>& m
   if (representative == handles_[group].representative) return displace(group, moved);
   for (std::size_t member : shape_.group(group).parts)
     displacement_.col(Eigen::Index(member)) =
-        generated_directions(shape_.group(group).symmetry, shape_.parts[representative].centroid,
+        generated_directions(shape_.group(group), shape_.parts[representative].centroid,
                              shape_.parts[member].centroid) *
         moved;
 }

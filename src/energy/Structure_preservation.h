@@ -43,8 +43,10 @@ public:
   /// Weight of the scatter of a part's samples against that of its contact points (weight 1): how much it resists being
   /// stretched. A bar with two contacts at its ends follows them to within 2 % of what they move apart.
   static constexpr double stiffness = 0.1;
+  /// The same where contacts are hard constraints: just enough for a unique map.
+  static constexpr double least_stiffness = 1e-9;
 
-  explicit Structure_preservation(const Aligned_shape& shape);
+  explicit Structure_preservation(const Aligned_shape& shape, bool has_hard_contacts = false);
 
   /// Moves the parts of unmatched groups.
   /// \param matched by group
@@ -82,6 +84,7 @@ private:
                const std::vector<std::array<Point, 2>>& contact_displacement, std::vector<Part_motion>& motions) const;
 
   const Aligned_shape& shape_;
+  double stiffness_;
   std::vector<std::vector<Touch>> touches_; // by group, ordered by part
   std::vector<Handles> handles_;            // by group
   Points displacement_;                     // by part

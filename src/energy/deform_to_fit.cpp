@@ -93,13 +93,26 @@ const std::vector<int>& match_extremities(const Sampled_part& source, const Samp
   return *best;
 }
 
-Points deform_to_fit(const Sampled_part& source, const Sampled_part& target)
+Points deform_to_fit(const Sampled_part& source, const Sampled_part& target, Deform_to_fit fit)
 {
   const Permutation& order = match_extremities(source, target);
   const int repeats = int(order.size()) / int(target.samples.cols());
   Points result(3, Eigen::Index(order.size()));
   for (Eigen::Index i = 0; i < result.cols(); ++i)
     result.col(i) = target.samples.col(order[std::size_t(i)] / repeats);
+  const std::vector<int>& extremities = fits_of(source, target).extremities;
+  if (fit == Deform_to_fit::SAMPLES || extremities.size() == order.size()) return result;
+
+  const Points from = repeated(source.samples, int(result.cols() / source.samples.cols()));
+  const Points displacement = result - from;
+  result = from;
+  constexpr int e = samples_per_side;
+  for (Eigen::Index i = 0; i < result.cols(); ++i) {
+    const double u = double(i % e) / (e - 1), v = double(i / e) / (e - 1); // v is 0 on a curve
+    const double weights[] = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
+    for (std::size_t k = 0; k < extremities.size(); ++k)
+      result.col(i) += weights[k] * displacement.col(extremities[k]);
+  }
   return result;
 }
 

@@ -30,8 +30,8 @@ struct Search_run
   Search_run(const Shared_shape& source, const Shared_shape& target, int turns,
              std::vector<std::vector<Group_label>> labels, const Search_options& options);
 
-  // Energy per pair of connected parts, which compares between directions
-  double score() const;
+  // What runs are compared by: the energy, or the energy per pair of connected parts
+  double score(bool by_energy) const;
 };
 
 // The distinct target parts of a label, ascending.

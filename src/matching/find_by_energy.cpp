@@ -78,7 +78,8 @@ std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prep
       ++done;
       states += run->result.summary.states;
       evaluations += run->result.summary.evaluations;
-      if (!best || quantized(run->score()) < quantized(best->score())) best = std::move(run);
+      const auto score = [&](const Search_run& of) { return quantized(of.score(options.direction_by_energy)); };
+      if (!best || score(*run) < score(*best)) best = std::move(run);
     }
   }
 

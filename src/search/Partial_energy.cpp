@@ -35,7 +35,7 @@ std::optional<std::size_t> sample_on_piece(const Piece& piece, std::size_t sampl
 Partial_energy::Partial_energy(const Matching_problem& problem)
     : problem_(problem),
       shape_(problem.source()),
-      preserve_structure_(shape_),
+      preserve_structure_(shape_, problem.options().hard_proximity),
       contacts_of_(shape_.number_of_groups()),
       piece_rods_(shape_.contacts.size()),
       order_(shape_.contacts.size()),

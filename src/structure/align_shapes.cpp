@@ -207,14 +207,21 @@ std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t c
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return prominence(a) > prominence(b); });
   std::vector<char> is_kept(shape.parts.size(), 0);
-  std::size_t kept = 0;
+  std::size_t left = count;
+  std::vector<std::size_t> too_large; // parts of groups that did not fit
   for (std::size_t group : order) {
     const auto& parts = shape.group(group).parts;
-    if (kept > 0 && kept + parts.size() > count) break;
+    if (parts.size() > left) {
+      too_large.insert(too_large.end(), parts.begin(), parts.end());
+      continue;
+    }
     for (std::size_t part : parts)
       is_kept[part] = 1;
-    kept += parts.size();
+    left -= parts.size();
   }
+  too_large.resize(std::min(left, too_large.size()));
+  for (std::size_t part : too_large)
+    is_kept[part] = 1;
   return is_kept;
 }
 

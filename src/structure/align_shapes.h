@@ -89,8 +89,9 @@ Aligned_shape regrouped(Aligned_shape shape, const std::vector<std::vector<std::
 /// The shape with the parts that are kept, with what is left of their groups, and with their contacts.
 Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is_kept);
 
-/// By part, whether it belongs to the most prominent groups that have at most `count` parts in all (the paper's coarse
-/// correspondence, Figure 11); the most prominent group always does.
+/// Which parts are the `count` most prominent ones (the paper's coarse correspondence, Figure 11), by part; all if the
+/// shape has no more. Whole groups are taken, by their most prominent part, as long as they fit; what is then missing
+/// are the first parts of the groups that do not fit.
 std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t count);
 
 /// The quarter turns from a shape's own frame to the one nearest to the orientation of its file.

@@ -126,7 +126,7 @@ class Mesh_contacts
 public:
   Mesh_contacts(const Segmented_shape& shape, const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
                 const Contact_options& options)
-      : parts_(parts), frame_(frame)
+      : parts_(parts), frame_(frame), closest_points_(options.closest_points)
   {
     Box box;
     surfaces_.reserve(parts.size());
@@ -160,6 +160,13 @@ private:
   Contact contact(const Near_pair& pair) const
   {
     const auto [a, b] = pair.parts;
+    if (closest_points_) {
+      const Closest_pair& closest = closest_[pair.region];
+      return {pair.parts,
+              {nearest_parameter(parts_[a], frame_.to_world(closest.first)),
+               nearest_parameter(parts_[b], frame_.to_world(closest.second))},
+              {}};
+    }
     const Near_samples samples =
         near_samples(surfaces_[a], surfaces_[b], closest_[pair.region], pair.distance + near_band * tolerance_);
     Contact result{pair.parts, {}, {}};
@@ -215,6 +222,7 @@ private:
   const Shape_frame& frame_;
   std::vector<Part_surface> surfaces_;
   std::vector<Closest_pair> closest_; ///< of the near pairs
+  bool closest_points_;
   double diagonal_;
   double tolerance_;
 };

@@ -36,6 +36,12 @@ TEST_CASE("Eq. 2: a rod turned by more than a right angle counts as much as by a
   CHECK(rods.energy(points({{0, 0, 0}}), points({{0, 7, 0}})).distortion == 1);
 }
 
+TEST_CASE("Eq. 2: a short rod has a direction, too")
+{
+  const Structural_rods rods(points({{0, 0, 0}}), points({{.01, 0, 0}}));
+  CHECK(rods.energy(points({{0, 0, 0}}), points({{0, .01, 0}})).distortion == 1);
+}
+
 TEST_CASE("Eq. 4 with its sign turned: the penalty grows with the distance")
 {
   // d = 1, f = 4

@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 using namespace CGAL::Shape_correspondence;
 
 TEST_CASE("Aligned shapes do not depend on position, scale, turning and part order")
@@ -116,4 +118,33 @@ TEST_CASE("Parts that cross each other are in the order of their samples, not in
     return structure(graph).parts[align_shape(graph).original[0]].name;
   };
   CHECK(first_of(false) == first_of(true));
+}
+
+TEST_CASE("The most prominent parts are as many as asked for, in whole groups as far as they fit")
+{
+  for (const Structural_graph& graph : {hand_made::chair(), hand_made::slatted_chair(), hand_made::table()}) {
+    const Aligned_shape shape = align_shape(graph);
+    for (std::size_t count = 1; count <= shape.parts.size() + 1; ++count) {
+      const std::vector<char> is_kept = most_prominent_parts(shape, count);
+      CHECK(std::size_t(std::count(is_kept.begin(), is_kept.end(), 1)) == std::min(count, shape.parts.size()));
+    }
+  }
+  // The top, then one leg of the four; the group of legs does not fit before it has all of them
+  const Aligned_shape table = align_shape(hand_made::table());
+  CHECK(most_prominent_parts(table, 2)[hand_made::index_of(table, 0)] == 1);
+  // Of the chair without the pair in front: seat, back and one pair
+  const Aligned_shape chair = align_shape(hand_made::chair());
+  const std::vector<char> four = most_prominent_parts(chair, 4);
+  for (const Part_group& group : groups(chair))
+    for (std::size_t part : group.parts)
+      CHECK(four[part] == four[group.parts[0]]);
+}
+
+TEST_CASE("The most prominent part has the greatest volume, not the greatest hull")
+{
+  Structural_graph chair = hand_made::chair();
+  structure(chair).parts[0].volume = 2, structure(chair).parts[0].hull_volume = 2;
+  structure(chair).parts[1].volume = 1, structure(chair).parts[1].hull_volume = 4;
+  const Aligned_shape shape = align_shape(chair);
+  CHECK(most_prominent_parts(shape, 1)[hand_made::index_of(shape, 0)] == 1);
 }

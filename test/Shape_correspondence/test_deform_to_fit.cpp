@@ -69,3 +69,27 @@ TEST_CASE("Closed curves start where they fit best")
     for (int direction : {1, -1})
       CHECK((deform_to_fit(a, sampled(ring(step * EIGEN_PI / 3, direction))) - a.samples).norm() < 1e-9);
 }
+
+TEST_CASE("By extremities: ends and corners take their places, and the part keeps its bow")
+{
+  Part_abstraction bow = curve("a", {0, 0, 0}, {1, 0, 0});
+  std::get<Curve>(bow.geometry).points = points({{0, 0, 0}, {.5, .4, 0}, {1, 0, 0}});
+  const Sampled_part source = sampled(bow), target = sampled(curve("b", {5, 1, 0}, {5, 3, 0}));
+  const Points moved = deform_to_fit(source, target, Deform_to_fit::EXTREMITIES);
+  for (int end : {0, 5})
+    CHECK(moved.col(end).isApprox(target.samples.col(end)));
+  for (int i = 0; i < 6; ++i) {
+    const Point straight = (moved.col(0) * (5 - i) + moved.col(5) * i) / 5,
+                chord = (source.samples.col(0) * (5 - i) + source.samples.col(5) * i) / 5;
+    CHECK((moved.col(i) - straight - (source.samples.col(i) - chord)).norm() < 1e-12);
+  }
+  // A curve becomes a sheet with its bow across, a flat sheet becomes the other one
+  const Sampled_part flat = sampled(sheet("b", {0, 1, 0}, {2, 0, 0}, {0, 0, 2})),
+                     other = sampled(sheet("c", {5, 1, 0}, {3, 0, 0}, {0, 0, 1}));
+  CHECK(deform_to_fit(flat, other, Deform_to_fit::EXTREMITIES).isApprox(deform_to_fit(flat, other)));
+  const Points widened = deform_to_fit(source, flat, Deform_to_fit::EXTREMITIES);
+  REQUIRE(widened.cols() == 36);
+  for (int corner : {0, 5, 30, 35})
+    CHECK(widened(1, corner) == Approx(1));
+  CHECK(widened(1, 2 * 6) == Approx(1 + source.samples(1, 2)));
+}
