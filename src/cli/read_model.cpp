@@ -5,7 +5,7 @@
 #include "io/system/input_file.h"
 #include "io/read/model_parts.h"
 #include "io/read/split_by_roles.h"
-#include "matching/up_by_roles.h"
+#include "roles/up_by_roles.h"
 #include "structure/frame_of_shape.h"
 
 #include <CGAL/Shape_correspondence/IO/parts_json.h>

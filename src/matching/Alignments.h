@@ -6,7 +6,7 @@
 #include "base/Once.h"
 #include "energy/Matching_problem.h"
 #include "matching/Shape_features.h"
-#include "matching/Shape_roles.h"
+#include "roles/Shape_roles.h"
 
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "matching/Alignments.h"
-#include "matching/Shape_roles.h"
+#include "roles/Shape_roles.h"
 #include "matching/match_parts.h"
 
 #include <CGAL/Shape_correspondence/find_correspondence.h>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "matching/Role_trainer.h"
-#include "matching/Shape_roles.h"
+#include "roles/Role_trainer.h"
+#include "roles/Shape_roles.h"
 #include "matching/cross_validate_roles.h"
 
 #include <array>

@@ -5,6 +5,7 @@
 #include "base/for_each_index.h"
 #include "matching/Pair_validator.h"
 #include "matching/aligned_matching.h"
+#include "matching/match_by_roles.h"
 
 #include <algorithm>
 #include <map>
@@ -134,7 +135,8 @@ void Role_validation::match(const Part_matching_options& parts)
     const auto& [source, target] = pairs_[i].shapes;
     geometric[i] = geometric_match(*shapes_[source].labelled.graph, *shapes_[target].labelled.graph, parts);
     if (seen[i].told.rows() > 0)
-      examples_[i] = judged_terms(with_geometric_terms(seen[i].told, geometric[i]), seen[i].truth, seen[i].target_size);
+      examples_[i] = judged_terms(with_geometric_terms(seen[i].told, geometric[i].costs, geometric[i].pairs),
+                                  seen[i].truth, seen[i].target_size);
   });
 
   std::map<std::string, Pair_weights> of_others;
@@ -148,7 +150,7 @@ void Role_validation::match(const Part_matching_options& parts)
     if (!options_.examples) own_weights[i] = weights_of(categories_[i], own_weights[i], shapes_of(i));
     if (seen[i].category.empty()) geometric_confidences_[i] = judged_confidences(geometric[i], seen[i].truth);
     if (seen[i].category != categories_[i]) return;
-    const Pair_terms terms = with_geometric_terms(seen[i].found, geometric[i]);
+    const Pair_terms terms = with_geometric_terms(seen[i].found, geometric[i].costs, geometric[i].pairs);
     confidences_[i] = judged_confidences(match_by_terms(terms, own_weights[i], geometric[i], {}, parts), seen[i].truth);
   });
   std::map<std::string, Confidence_weights> confidence_of_others, geometric_confidence;
@@ -176,7 +178,8 @@ void Role_validation::match(const Part_matching_options& parts)
       matched.pairs = std::move(found.with_roles);
       result.category = std::move(found.category);
     } else if (!pair.category.empty()) {
-      matched = match_by_terms(with_geometric_terms(pair.found, geometric[i]), weights, geometric[i], {}, parts);
+      matched = match_by_terms(with_geometric_terms(pair.found, geometric[i].costs, geometric[i].pairs), weights,
+                               geometric[i], {}, parts);
       state_confidences(stated, matched);
     } else {
       Confidence_weights geometric_stated = geometric_confidence.at(category);

@@ -5,6 +5,7 @@
 #include "matching/Correspondence_finder_impl.h"
 #include "matching/Search_run.h"
 #include "matching/aligned_matching.h"
+#include "matching/match_by_roles.h"
 #include "matching/participants.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -227,8 +228,8 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
     return;
   }
   const auto& [source, of_target] = *votes;
-  const Pair_terms terms =
-      with_geometric_terms(role_terms(source, source_->original, of_target, aligned_target.original), matching);
+  const Pair_terms terms = with_geometric_terms(
+      role_terms(source, source_->original, of_target, aligned_target.original), matching.costs, matching.pairs);
   const Match_constraints constrained = constraints(*source_, aligned_target);
   const Category_roles& known = model.categories[category.index];
   matching = match_by_terms(terms, known.weights, std::move(matching), constrained, options_.parts);

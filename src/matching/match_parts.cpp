@@ -4,7 +4,8 @@
 #include "matching/match_parts.h"
 #include "base/quantized.h"
 #include "matching/Shape_features.h"
-#include "matching/pair_model.h"
+#include "matching/part_blocks.h"
+#include "roles/pair_model.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/part_assemblies.h"
-#include "matching/Shape_layout.h"
+#include "structure/Shape_layout.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 
 // Roles of parts: learning, predicting, writing and reading.
 #include "labelled_furniture.h"
-#include "matching/Role_model_data.h"
-#include "matching/pair_model.h"
+#include "roles/Role_model_data.h"
+#include "roles/pair_model.h"
 #include "model_files.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>

@@ -5,7 +5,7 @@
 
 #include "box_shapes.h"
 #include "generated_shapes.h"
-#include "matching/up_by_roles.h"
+#include "roles/up_by_roles.h"
 #include "structure/frame_of_shape.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>

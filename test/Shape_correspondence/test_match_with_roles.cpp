@@ -5,7 +5,7 @@
 
 // Roles in the matching of parts, in the energy, and in the search for fronts.
 #include "labelled_furniture.h"
-#include "matching/Shape_roles.h"
+#include "roles/Shape_roles.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>

@@ -5,7 +5,7 @@
 
 // The probability that a pair of parts is right, from what is known of it.
 #include "labelled_furniture.h"
-#include "matching/pair_model.h"
+#include "roles/pair_model.h"
 
 #include <catch2/catch.hpp>
 

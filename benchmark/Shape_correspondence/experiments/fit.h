@@ -172,7 +172,6 @@ inline std::vector<Variant> variants_of_constants()
     if (constant.is_weight() || name == "excess" || name == "confident_excess") add("no " + name, constant, 0);
     if (name == "whole") add("no wholes", constant, 1e3);
     if (name == "anchor") add("no warp", constant, 1e3);
-    if (name.find("category") == 0 || name == "clearly_better") continue; // they choose what is learned
     add(name + " × 0.7", constant, name == "repetition" ? value - 1 : 0.7 * value);
     add(name + " × 1.4", constant, name == "repetition" ? value + 1 : 1.4 * value);
   }

@@ -25,8 +25,7 @@ struct Matching_constant
   const char* name;
   std::variant<double Part_cost_weights::*, double Part_matching_options::*, std::size_t Part_matching_options::*>
       member;
-  /// Of the match by geometry: fitted to labelled shapes. The others are for roles, or a count.
-  bool is_fitted;
+  bool is_fitted;      ///< to labelled shapes; not a count
   const char* meaning; ///< with the unit
 
   bool is_weight() const { return member.index() == 0; }
@@ -81,15 +80,7 @@ inline const std::vector<Matching_constant>& matching_constants()
        "Length. What lies in one side of the shape is no thicker, and no farther from it."},
       {"wall_width", &O::wall_width, true, "Length. A wider part on the ground is a wall, not a leg."},
       {"repetition", &O::repetition, false,
-       "Count, at least 2. A regular arrangement has this number of parts or more."},
-      {"category_ratio", &O::category_ratio, false,
-       "Ratio. Shapes are of a category if their distance from its labelled parts is at most this much of that from "
-       "any other one."},
-      {"category_distance", &O::category_distance, false,
-       "Standard deviations of a feature. They also are if it is at most this on average."},
-      {"clearly_better", &O::clearly_better, false,
-       "Share, less than 1. Another front or alignment is preferred to the given one if it is better by more than "
-       "this."}};
+       "Count, at least 2. A regular arrangement has this number of parts or more."}};
   return constants;
 }
 
@@ -140,6 +131,8 @@ inline std::string matching_header(const Part_matching_options& options)
 #ifndef CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H
 
+#include <CGAL/Shape_correspondence/Role_model.h>
+
 #include <cstddef>
 
 namespace CGAL {
@@ -158,7 +151,7 @@ struct Part_cost_weights
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `Search_method::PARTS`. Costs are in the unit of `Part_cost_weights`, lengths as there. They are not
 /// negative; `tolerance`, `anchor` and `warp_width` are above 0.
-struct Part_matching_options
+struct Part_matching_options : Role_options
 {
   Part_cost_weights weights; ///< weights of the terms of a cost
 )";

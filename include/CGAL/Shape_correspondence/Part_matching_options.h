@@ -15,6 +15,8 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H
 
+#include <CGAL/Shape_correspondence/Role_model.h>
+
 #include <cstddef>
 
 namespace CGAL {
@@ -43,7 +45,7 @@ struct Part_cost_weights
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `Search_method::PARTS`. Costs are in the unit of `Part_cost_weights`, lengths as there. They are not
 /// negative; `tolerance`, `anchor` and `warp_width` are above 0.
-struct Part_matching_options
+struct Part_matching_options : Role_options
 {
   Part_cost_weights weights; ///< weights of the terms of a cost
   /// Cost. Added where a part corresponds to a panel or a regular arrangement as a whole.
@@ -69,13 +71,6 @@ struct Part_matching_options
   double wall_width = 0.7;
   /// Count, at least 2. A regular arrangement has this number of parts or more.
   std::size_t repetition = 3;
-  /// Ratio. Shapes are of a category if their distance from its labelled parts is at most this much of that from any
-  /// other one.
-  double category_ratio = 0.78;
-  /// Standard deviations of a feature. They also are if it is at most this on average.
-  double category_distance = 0.25;
-  /// Share, less than 1. Another front or alignment is preferred to the given one if it is better by more than this.
-  double clearly_better = 0.05;
   bool panels = true;  ///< match panels as sets: rows of parts, and boards in one side of the shape
   bool support = true; ///< match the parts that support a seat or table top as a set
 };

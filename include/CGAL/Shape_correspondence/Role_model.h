@@ -12,7 +12,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_ROLE_MODEL_H
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
-#include <CGAL/Shape_correspondence/evaluate_correspondence.h>
+#include <CGAL/Shape_correspondence/ground_truth.h>
 
 #include <Eigen/Core>
 
@@ -65,6 +65,19 @@ public:
 private:
   std::shared_ptr<const internal::Role_model_data> data_;
   std::shared_ptr<const internal::Role_distances> distances_;
+};
+
+/// \ingroup PkgShapeCorrespondenceOptions
+/// How clearly roles have to tell the category of shapes and where they face.
+struct Role_options
+{
+  /// Ratio. Shapes are of a category if their distance from its labelled parts is at most this much of that from any
+  /// other one.
+  double category_ratio = 0.78;
+  /// Standard deviations of a feature. They also are if it is at most this on average.
+  double category_distance = 0.25;
+  /// Share, less than 1. Another front or alignment is preferred to the given one if it is better by more than this.
+  double clearly_better = 0.05;
 };
 
 /// \ingroup PkgShapeCorrespondenceRoles

@@ -11,7 +11,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H
 #define CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H
 
-#include <CGAL/Shape_correspondence/Part_correspondence.h>
+#include <CGAL/Shape_correspondence/ground_truth.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -21,29 +21,6 @@
 
 namespace CGAL {
 namespace Shape_correspondence {
-
-/// \ingroup PkgShapeCorrespondenceEvaluation
-/// The label of a part: coarse (`leg`) and fine (`leg_front_left`).
-struct Part_label
-{
-  std::string coarse; ///< the role of the part
-  std::string fine;   ///< empty: none
-};
-
-/// \ingroup PkgShapeCorrespondenceEvaluation
-/// Which parts of two labelled shapes correspond.
-struct Ground_truth
-{
-  Part_pairs pairs;        ///< sorted, each once
-  Part_pairs coarse_pairs; ///< the pairs of equal coarse label, sorted, each once; they include `pairs`
-};
-
-/// \ingroup PkgShapeCorrespondenceEvaluation
-/// The pairs of parts that correspond according to their labels, given by part. Parts correspond if their coarse labels
-/// are equal and, where every part of both shapes with that coarse label has a fine label and the two sets of fine
-/// labels share at least half of the smaller one, their fine labels are equal, too. O(n m).
-/// \throw Invalid_input if a coarse label is empty
-Ground_truth ground_truth(const std::vector<Part_label>& source, const std::vector<Part_label>& target);
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
 /// How well a correspondence agrees with the ground truth; all shares are between 0 and 1.

@@ -4,7 +4,7 @@
 #include "io/system/checked_file.h"
 #include "io/system/input_file.h"
 #include "io/read/shipped_roles.h"
-#include "matching/Role_model_data.h"
+#include "roles/Role_model_data.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>

@@ -4,7 +4,7 @@
 #include "io/read/split_by_roles.h"
 #include "base/limits.h"
 #include "base/quantized.h"
-#include "matching/up_by_roles.h"
+#include "roles/up_by_roles.h"
 #include "structure/outline_graph.h"
 
 #include <algorithm>

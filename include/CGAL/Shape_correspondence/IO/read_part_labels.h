@@ -11,7 +11,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_IO_READ_PART_LABELS_H
 #define CGAL_SHAPE_CORRESPONDENCE_IO_READ_PART_LABELS_H
 
-#include <CGAL/Shape_correspondence/evaluate_correspondence.h>
+#include <CGAL/Shape_correspondence/ground_truth.h>
 
 #include <string>
 #include <vector>

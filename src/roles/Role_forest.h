@@ -4,8 +4,8 @@
 #pragma once
 
 #include "base/Once.h"
-#include "matching/Stored_bytes.h"
-#include "matching/role_features.h"
+#include "roles/Stored_bytes.h"
+#include "roles/role_features.h"
 
 #include <Eigen/Core>
 

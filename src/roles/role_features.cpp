@@ -1,10 +1,10 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "matching/role_features.h"
+#include "roles/role_features.h"
 #include "base/eigen_system.h"
 #include "base/quantized.h"
-#include "matching/Shape_layout.h"
+#include "structure/Shape_layout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,9 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr double side_margin = 0.025;  // of the width: how far off the middle plane a part is on a side
-constexpr double middle_margin = 0.05; // of the width: how far over the middle plane a part must reach to span it
+constexpr double ground_tolerance = 0.03; // of the height: a part that begins lower stands on the ground
+constexpr double side_margin = 0.025;     // of the width: how far off the middle plane a part is on a side
+constexpr double middle_margin = 0.05;    // of the width: how far over the middle plane a part must reach to span it
 
 double ratio(double a, double b) { return b > comparison_grid ? a / b : 0; }
 
@@ -135,7 +136,7 @@ void set_shape(const Placed_part& part, const Axis_box& bounds, Feature_row& row
 
 Role_features role_features(const Structural_graph& graph, const Aligned_shape& shape)
 {
-  const Shape_layout layout(shape);
+  const Shape_layout layout(shape, ground_tolerance);
   const std::vector<Placed_part> parts = placed_parts(graph, shape, layout);
   std::vector<std::size_t> all(parts.size());
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -165,7 +166,7 @@ Role_features role_features(const Structural_graph& graph, const Aligned_shape& 
 
 std::vector<Side> part_sides(const Aligned_shape& shape)
 {
-  const Shape_layout layout(shape);
+  const Shape_layout layout(shape, ground_tolerance);
   const double middle = layout.bounds.centre().x(), margin = side_margin * layout.bounds.sides().x();
   std::vector<Side> result(shape.parts.size(), Side::NEITHER);
   for (std::size_t i = 0; i < result.size(); ++i) {

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <CGAL/Shape_correspondence/Part_matching_options.h>
 #include <CGAL/Shape_correspondence/Role_model.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
@@ -20,12 +19,12 @@ double distance_of_nearest_category(const Structural_graph& graph, const Role_mo
 struct Up_by_roles
 {
   std::size_t axis = 1;
-  bool is_nearer = false; ///< than with any other axis, by `Part_matching_options::clearly_better`
-  bool is_clear = false;  ///< the same by `Part_matching_options::category_ratio`
+  bool is_nearer = false; ///< than with any other axis, by `Role_options::clearly_better`
+  bool is_clear = false;  ///< the same by `Role_options::category_ratio`
 };
 
 /// \param frames of the shape, if x, y or z is up
 Up_by_roles up_by_roles(const Structural_graph& graph, const std::array<Shape_frame, 3>& frames,
-                        const Role_model& model, const Part_matching_options& options = {});
+                        const Role_model& model, const Role_options& options = {});
 
 } // namespace CGAL::Shape_correspondence::internal

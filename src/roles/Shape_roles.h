@@ -4,8 +4,7 @@
 #pragma once
 
 #include "base/Once.h"
-#include "matching/Role_model_data.h"
-#include "matching/match_parts.h"
+#include "roles/Role_model_data.h"
 
 #include <Eigen/Core>
 
@@ -69,7 +68,7 @@ struct Pair_category
 
 // The nearest category, or none where the shapes are not much nearer to its labelled parts than to those of others.
 Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,
-                               const Part_matching_options& options = {});
+                               const Role_options& options = {});
 
 // A shape by how often it was turned by 90° from the orientation that it was given in.
 using Turned_roles = std::array<std::shared_ptr<const Shape_roles>, 4>;
@@ -77,15 +76,15 @@ using Turned_roles = std::array<std::shared_ptr<const Shape_roles>, 4>;
 // The turns with which a shape of a category may look to +z: where the trees agree on the roles of its parts nearly as
 // much as anywhere. Ascending, so the given one is first.
 std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees,
-                             const Part_matching_options& options = {});
+                             const Role_options& options = {});
 
 // The turn with which a shape of a category looks to +z: 0 unless with another one the trees agree so much more, and
 // the parts are so much nearer to labelled ones, that it is clear; and if the shape is nearer to another category.
-int likely_front(const Turned_roles& shape, std::size_t category, int trees, const Part_matching_options& options = {});
+int likely_front(const Turned_roles& shape, std::size_t category, int trees, const Role_options& options = {});
 
 // The nearest category of two shapes whose fronts are not known.
 Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model,
-                               const Part_matching_options& options = {});
+                               const Role_options& options = {});
 
 // Cosine of the votes for the roles of every source part and every target part.
 Eigen::MatrixXd agreement_of_votes(const Role_votes& source, const Role_votes& target);
@@ -95,17 +94,8 @@ Eigen::MatrixXd agreement_of_votes(const Role_votes& source, const Role_votes& t
 Pair_terms role_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,
                       const std::vector<std::size_t>& target_parts);
 
-// The same with what the geometric match of the parts tells.
-Pair_terms with_geometric_terms(Pair_terms role_terms, const Part_matching& geometric);
-
-// The geometric match with the pairs of greatest expected F1 in place of its own, by source, then target, and with the
-// probabilities of all pairs, which are the confidences. Parts that the geometric match takes for the same part, at
-// no more than `Part_matching_options::tolerance`, correspond to each other only: however many parts have the same
-// label, a shape corresponds to itself part by part. Pinned pairs are certain, others of their parts impossible.
-Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weights, Part_matching geometric,
-                             const Match_constraints& constraints = {}, const Part_matching_options& options = {});
-
-// Puts how likely the pairs are right in the place of their probabilities.
-void state_confidences(const Confidence_weights& weights, Part_matching& matching);
+// The same with what the geometric match of the parts tells: its costs and its pairs.
+Pair_terms with_geometric_terms(Pair_terms role_terms, const Eigen::MatrixXd& costs,
+                                const std::vector<Part_correspondence>& pairs);
 
 } // namespace CGAL::Shape_correspondence::internal

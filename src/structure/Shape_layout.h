@@ -6,8 +6,6 @@
 #include "base/quantized.h"
 #include "structure/align_shapes.h"
 
-#include <CGAL/Shape_correspondence/Part_matching_options.h>
-
 #include <algorithm>
 #include <vector>
 
@@ -48,8 +46,7 @@ struct Shape_layout
   std::vector<std::vector<std::size_t>> neighbours;
 
   // A part that starts lower than `tolerance` of the height stands on the ground.
-  explicit Shape_layout(const Aligned_shape& shape, double tolerance = Part_matching_options().tolerance)
-      : neighbours(touching_parts(shape))
+  Shape_layout(const Aligned_shape& shape, double tolerance) : neighbours(touching_parts(shape))
   {
     for (const Sampled_part& part : shape.parts)
       boxes.push_back(axis_box(part.surface));

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "matching/Role_forest.h"
+#include "roles/Role_forest.h"
 
 #include <algorithm>
 #include <array>

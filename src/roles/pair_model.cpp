@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "matching/pair_model.h"
+#include "roles/pair_model.h"
 #include "base/quantized.h"
 
 #include <Eigen/Cholesky>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "matching/Role_forest.h"
-#include "matching/pair_model.h"
+#include "roles/Role_forest.h"
+#include "roles/pair_model.h"
 
 #include <CGAL/Shape_correspondence/Role_model.h>
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "matching/Role_model_data.h"
-#include "matching/Shape_roles.h"
+#include "roles/Role_model_data.h"
+#include "roles/Shape_roles.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "matching/Role_model_data.h"
+#include "roles/Role_model_data.h"
 
 #include <string>
 #include <vector>

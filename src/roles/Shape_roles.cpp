@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "matching/Shape_roles.h"
+#include "roles/Shape_roles.h"
 #include "base/quantized.h"
 
 #include <algorithm>
@@ -58,22 +58,6 @@ Role_votes counted(const Role_evidence& evidence, const Category_roles& category
     result.labels.push_back({category.roles[std::size_t(role)], best->fine + suffix});
   }
   drop_repeated_fine_labels(result.labels);
-  return result;
-}
-
-// Pairs of the geometric match that either part has alone, at a cost of no more than `largest_cost`.
-Part_pairs same_parts(const Part_matching& geometric, double largest_cost)
-{
-  std::vector<int> of_source(std::size_t(geometric.costs.rows())), of_target(std::size_t(geometric.costs.cols()));
-  for (const Part_correspondence& pair : geometric.pairs) {
-    ++of_source[pair.source];
-    ++of_target[pair.target];
-  }
-  Part_pairs result;
-  for (const Part_correspondence& pair : geometric.pairs)
-    if (of_source[pair.source] == 1 && of_target[pair.target] == 1 &&
-        quantized(geometric.costs(Eigen::Index(pair.source), Eigen::Index(pair.target))) <= quantized(largest_cost))
-      result.emplace_back(pair.source, pair.target);
   return result;
 }
 
@@ -134,8 +118,7 @@ namespace {
 
 // \param distance of two shapes, by category: their sum
 template <typename Distance>
-Pair_category nearest_category(const Role_model_data& model, const Part_matching_options& options,
-                               const Distance& distance)
+Pair_category nearest_category(const Role_model_data& model, const Role_options& options, const Distance& distance)
 {
   const std::size_t none = model.categories.size();
   if (none == 0) return {none, "The role model knows no category; the parts were matched by geometry alone.", none};
@@ -167,11 +150,11 @@ double agreement_of_trees(const Shape_roles& shape, std::size_t category, int tr
   return (votes.rowwise().maxCoeff().cast<double>().array() / trees).log().mean();
 }
 
-long clear_difference(const Part_matching_options& options) { return -quantized(std::log(1 - options.clearly_better)); }
+long clear_difference(const Role_options& options) { return -quantized(std::log(1 - options.clearly_better)); }
 
 } // namespace
 
-int likely_front(const Turned_roles& shape, std::size_t category, int trees, const Part_matching_options& options)
+int likely_front(const Turned_roles& shape, std::size_t category, int trees, const Role_options& options)
 {
   const auto agreement = [&](int turn) { return agreement_of_trees(*shape[std::size_t(turn)], category, trees); };
   const auto likeness = [&](int turn, double agreement) {
@@ -190,22 +173,21 @@ int likely_front(const Turned_roles& shape, std::size_t category, int trees, con
 }
 
 Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,
-                               const Part_matching_options& options)
+                               const Role_options& options)
 {
   return nearest_category(model, options,
                           [&](std::size_t category) { return source.distance(category) + target.distance(category); });
 }
 
 Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model,
-                               const Part_matching_options& options)
+                               const Role_options& options)
 {
   return nearest_category(model, options, [&](std::size_t category) {
     return distance_of_best_turn(source, category) + distance_of_best_turn(target, category);
   });
 }
 
-std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees,
-                             const Part_matching_options& options)
+std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees, const Role_options& options)
 {
   std::array<long, 4> agreement{};
   for (std::size_t turn = 0; turn < 4; ++turn)
@@ -247,48 +229,17 @@ Pair_terms role_terms(const Role_votes& source, const std::vector<std::size_t>& 
   return result;
 }
 
-Pair_terms with_geometric_terms(Pair_terms terms, const Part_matching& geometric)
+Pair_terms with_geometric_terms(Pair_terms terms, const Eigen::MatrixXd& costs,
+                                const std::vector<Part_correspondence>& pairs)
 {
-  const Eigen::MatrixXd excess = excess_of_pairs(geometric.costs);
+  const Eigen::MatrixXd excess = excess_of_pairs(costs);
   const auto row = [m = excess.cols()](Eigen::Index i, Eigen::Index j) { return i * m + j; };
   for (Eigen::Index i = 0; i < excess.rows(); ++i)
     for (Eigen::Index j = 0; j < excess.cols(); ++j)
       terms(row(i, j), EXCESS) = excess(i, j);
-  for (const Part_correspondence& pair : geometric.pairs)
+  for (const Part_correspondence& pair : pairs)
     terms(row(Eigen::Index(pair.source), Eigen::Index(pair.target)), GEOMETRIC_PAIR) = 1;
   return terms;
-}
-
-Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weights, Part_matching geometric,
-                             const Match_constraints& constraints, const Part_matching_options& options)
-{
-  const auto m = std::size_t(geometric.costs.cols());
-  Eigen::ArrayXd probable = probabilities(terms, weights);
-  for (const auto& [i, j] : same_parts(geometric, options.tolerance))
-    for (std::size_t k = 0; k < std::size_t(probable.size()); ++k)
-      if ((k / m == i) != (k % m == j)) probable[Eigen::Index(k)] = 0;
-  for (std::size_t k = 0; !constraints.empty() && k < std::size_t(probable.size()); ++k) {
-    const std::vector<std::size_t>& pinned = constraints.pinned(k / m);
-    if (std::binary_search(pinned.begin(), pinned.end(), k % m)) probable[Eigen::Index(k)] = 1;
-    if (!constraints.allows(k / m, k % m)) probable[Eigen::Index(k)] = 0;
-  }
-  const std::vector<char> taken = pairs_of_greatest_expected_f1(probable);
-  geometric.pairs.clear();
-  geometric.probabilities.resize(geometric.costs.rows(), geometric.costs.cols());
-  for (std::size_t k = 0; k < taken.size(); ++k) {
-    const double probability = probable[Eigen::Index(k)];
-    geometric.probabilities(Eigen::Index(k / m), Eigen::Index(k % m)) = probability;
-    if (taken[k]) geometric.pairs.push_back({k / m, k % m, probability});
-  }
-  return geometric;
-}
-
-void state_confidences(const Confidence_weights& weights, Part_matching& matching)
-{
-  if (weights == usual_confidence_weights()) return; // to the last bit
-  for (Part_correspondence& pair : matching.pairs)
-    pair.confidence = confidence(pair.confidence, weights);
-  matching.probabilities = matching.probabilities.unaryExpr([&](double p) { return confidence(p, weights); }).eval();
 }
 
 } // namespace CGAL::Shape_correspondence::internal

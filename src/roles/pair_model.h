@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include "matching/part_blocks.h"
-
 #include <Eigen/Core>
 
 #include <cstddef>

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "matching/up_by_roles.h"
+#include "roles/up_by_roles.h"
 #include "base/quantized.h"
-#include "matching/Shape_roles.h"
+#include "roles/Shape_roles.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,7 +20,7 @@ double distance_of_nearest_category(const Structural_graph& graph, const Role_mo
 }
 
 Up_by_roles up_by_roles(const Structural_graph& graph, const std::array<Shape_frame, 3>& frames,
-                        const Role_model& model, const Part_matching_options& options)
+                        const Role_model& model, const Role_options& options)
 {
   Up_by_roles result;
   if (model.data().categories.empty()) return result;

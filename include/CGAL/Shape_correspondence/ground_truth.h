@@ -1,0 +1,48 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Shape_correspondence developers
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_GROUND_TRUTH_H
+#define CGAL_SHAPE_CORRESPONDENCE_GROUND_TRUTH_H
+
+#include <CGAL/Shape_correspondence/Part_correspondence.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// \ingroup PkgShapeCorrespondenceEvaluation
+/// The label of a part: coarse (`leg`) and fine (`leg_front_left`).
+struct Part_label
+{
+  std::string coarse; ///< the role of the part
+  std::string fine;   ///< empty: none
+};
+
+/// \ingroup PkgShapeCorrespondenceEvaluation
+/// Which parts of two labelled shapes correspond.
+struct Ground_truth
+{
+  Part_pairs pairs;        ///< sorted, each once
+  Part_pairs coarse_pairs; ///< the pairs of equal coarse label, sorted, each once; they include `pairs`
+};
+
+/// \ingroup PkgShapeCorrespondenceEvaluation
+/// The pairs of parts that correspond according to their labels, given by part. Parts correspond if their coarse labels
+/// are equal and, where every part of both shapes with that coarse label has a fine label and the two sets of fine
+/// labels share at least half of the smaller one, their fine labels are equal, too. O(n m).
+/// \throw Invalid_input if a coarse label is empty
+Ground_truth ground_truth(const std::vector<Part_label>& source, const std::vector<Part_label>& target);
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_GROUND_TRUTH_H
