@@ -79,7 +79,7 @@ double hull_volume(const std::vector<const Points*>& surfaces)
   constexpr double flat = 1e-3; // of the height
   Eigen::Matrix<double, directions, 3> towards;
   for (int i = 0; i < directions; ++i) { // along a spiral from pole to pole
-    const double z = (2. * i + 1) / directions - 1, r = std::sqrt(1 - z * z), angle = i * EIGEN_PI * (3 - std::sqrt(5.));
+    const double z = (2. * i + 1) / directions - 1, r = std::sqrt(1 - z * z), angle = i * double(EIGEN_PI) * (3 - std::sqrt(5.));
     towards.row(i) << r * std::cos(angle), z, r * std::sin(angle);
   }
   Points farthest(3, directions);

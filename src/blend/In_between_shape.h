@@ -46,6 +46,8 @@ public:
   bool is_there(std::size_t part) const { return surface_[part] >= 0; }
   /// Of the surface that there is.
   const Points& points(std::size_t part) const { return points_[part]; }
+  /// The same, to be changed.
+  Points& moving_points(std::size_t part) { return points_[part]; }
   /// Of either; for one that there is not, its motion is continued.
   Points points(std::size_t part, int surface) const;
   /// In an exchange, whether there is something of the other surface, and its points.

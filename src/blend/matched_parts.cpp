@@ -187,6 +187,7 @@ private:
                      piece(1, pair.target, charted.target, charted.target_piece, part.is_reflected)};
     if (image) result.forward = image->morph->is_forward();
     if (std::binary_search(leftovers_.begin(), leftovers_.end(), std::pair(pair.source, pair.target))) {
+      part.task.type = Blend_task_type::EXCHANGE;
       result.charts = {boxes(result, charted_as)};
       exchange(result, Blend_exchange::UNMATCHED);
     } else {

@@ -21,17 +21,18 @@ namespace Shape_correspondence {
 /// \ingroup PkgShapeCorrespondenceMaps
 /// What may happen to a part during a blend.
 enum class Blend_task_type {
-  MORPH,  ///< a part becomes another
-  SPLIT,  ///< a piece of a part becomes another part
-  MERGE,  ///< a part, or a piece of it, becomes a piece of another
-  SHRINK, ///< a part without counterpart thins where it is until nothing is left
-  GROW    ///< the inverse of `SHRINK`
+  MORPH,   ///< a part becomes another
+  SPLIT,   ///< a piece of a part becomes another part
+  MERGE,   ///< a part, or a piece of it, becomes a piece of another
+  SHRINK,  ///< a part without counterpart thins where it is until nothing is left
+  GROW,    ///< the inverse of `SHRINK`
+  EXCHANGE ///< of two parts without counterpart, alike in place and size, the one gives way to the other
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
 /// Why the surface of a part does not become that of its counterpart, but is *exchanged* for it on the way.
 enum class Blend_exchange {
-  NONE, ///< it is not
+  NONE,     ///< it is not
   TORN,     ///< it would be torn or folded
   THIN,     ///< it would be far thinner than at both ends
   UNMATCHED ///< the two do not correspond; neither has a counterpart, and they are alike in place and size

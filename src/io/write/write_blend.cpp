@@ -20,7 +20,7 @@ namespace {
 
 const char* task_name(Blend_task_type type)
 {
-  static constexpr const char* names[] = {"morph", "split", "merge", "shrink", "grow"};
+  static constexpr const char* names[] = {"morph", "split", "merge", "shrink", "grow", "exchange"};
   return names[int(type)];
 }
 
