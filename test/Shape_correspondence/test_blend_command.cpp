@@ -119,17 +119,24 @@ TEST_CASE("blend makes one shape, by one schedule or by all that differ, of a si
   for (const auto& file : std::filesystem::directory_iterator(folder.path("all")))
     shapes += file.path().extension() == ".obj";
   CHECK(shapes > 1);
+  CHECK(run(out("solid.obj") + " --at 0.5 --solid").status == 0);
+  const std::string solid = text_of(folder.path("solid.obj"));
+  CHECK(solid.find("o solid") != std::string::npos);
+  CHECK(solid.find('~') == std::string::npos);
+  CHECK(run(out("solid.glb") + " --at 0.5 --solid").status == 2);
+  CHECK(run(out("solid") + " --solid").status == 2);
   CHECK(run(out("b.obj") + " --at 1.5").status == 2);
   CHECK(run(out("b") + " --at 0.5").status == 2); // one shape, no file
   CHECK(run(out("b.glb") + " --schedule all").status == 2);
   CHECK(run(out("b.glb") + " --schedule never").status == 2);
   CHECK(run(out("b.glb") + " --size huge").status == 2);
-  // Nothing is believed: all shrinks and grows, and is told
+  // Nothing is believed: nothing morphs, and that is told
   const Run unsure = run(out("c.obj") + " --at 0.5 --min-confidence 1 --json -");
   CHECK(unsure.status == 0);
   const json report = json::parse(unsure.out);
   for (const json& task : report["tasks"])
-    CHECK((task["task"] == "shrink" || task["task"] == "grow"));
+    CHECK((task["task"] == "shrink" || task["task"] == "grow" ||
+           (task["task"] == "exchange" && task["exchanged"] == "unmatched")));
   CHECK_THAT(report["warnings"].dump(), Contains("--min-confidence"));
   for (const auto& [measure, tolerance] : report["tolerances"].items())
     CHECK(report["frames"][0]["quality"][measure] <= tolerance);
