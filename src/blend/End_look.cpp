@@ -4,7 +4,7 @@
 #include "blend/End_look.h"
 
 #include "base/eigen_system.h"
-#include "shape/convex_hull_mesh.h"
+#include "shape/convex_hull.h"
 
 #include <Eigen/Geometry>
 
@@ -96,17 +96,7 @@ double hull_volume(const std::vector<const Points*>& surfaces)
   const Point middle = farthest.rowwise().mean();
   const Points centred = farthest.colwise() - middle;
   if (eigen_system(scatter_matrix(centred)).values[0] < directions * flat * flat) return 0;
-  const Halfedge_mesh hull = convex_hull_mesh(farthest);
-  double result = 0;
-  for (const auto face : faces(hull)) {
-    std::vector<Point> corners;
-    for (const auto vertex : vertices_around_face(halfedge(face, hull), hull)) {
-      const auto& p = hull.point(vertex);
-      corners.push_back(Point(p.x(), p.y(), p.z()) - middle);
-    }
-    result += corners[0].dot(corners[1].cross(corners[2])) / 6;
-  }
-  return std::abs(result);
+  return convex_hull(farthest).volume;
 }
 
 End_look::End_look(const std::vector<Blend_part>& parts, int end)
