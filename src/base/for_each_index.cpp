@@ -12,52 +12,81 @@
 #endif
 #endif
 
-#ifdef SHAPE_CORRESPONDENCE_PLAIN_THREADS
-#include <array>
+#include <atomic>
 #include <exception>
+#include <limits>
+#include <mutex>
+#ifdef SHAPE_CORRESPONDENCE_PLAIN_THREADS
 #include <thread>
 #include <vector>
 #elif defined(CGAL_LINKED_WITH_TBB)
+#include <stdexcept>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
+#include <tbb/task_group.h>
 #endif
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
+/// Of all failures, the one that a sequential loop meets first.
+class First_failure
+{
+public:
+  bool is_before(std::size_t i) const { return index_ < i; }
+
+  void keep(std::size_t i, std::exception_ptr failure)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (i >= index_) return;
+    index_ = i;
+    failure_ = std::move(failure);
+  }
+
+  void rethrow() const
+  {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+private:
+  std::atomic<std::size_t> index_{std::numeric_limits<std::size_t>::max()};
+  std::exception_ptr failure_;
+  std::mutex mutex_;
+};
+
 #ifdef SHAPE_CORRESPONDENCE_PLAIN_THREADS
-void run_in_parallel(std::size_t n, const std::function<void(std::size_t)>& work)
+template <typename Work>
+void run_in_parallel(std::size_t n, const Work& work)
 {
   constexpr std::size_t number_of_threads = 4;
-  std::array<std::exception_ptr, number_of_threads> failures;
   std::vector<std::thread> threads;
   for (std::size_t first = 0; first < number_of_threads; ++first)
     threads.emplace_back([&, first] { // every thread has its share, however soon another ends
-      try {
-        for (std::size_t i = first; i < n; i += number_of_threads)
-          work(i);
-      } catch (...) {
-        failures[first] = std::current_exception();
-      }
+      for (std::size_t i = first; i < n; i += number_of_threads)
+        work(i);
     });
   for (std::thread& thread : threads)
     thread.join();
-  for (const std::exception_ptr& failure : failures)
-    if (failure) std::rethrow_exception(failure);
 }
 #elif defined(CGAL_LINKED_WITH_TBB)
-void run_in_parallel(std::size_t n, const std::function<void(std::size_t)>& work)
+template <typename Work>
+void run_in_parallel(std::size_t n, const Work& work)
 {
+  // Isolated: in the group of an enclosing loop, the calls of this one would be left out without a word when that is
+  // cancelled
+  tbb::task_group_context group(tbb::task_group_context::isolated);
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, n, 1),
       [&](const auto& range) {
         for (std::size_t i = range.begin(); i != range.end(); ++i)
           work(i);
       },
-      tbb::simple_partitioner());
+      tbb::simple_partitioner(), group);
+  if (group.is_group_execution_cancelled()) throw std::runtime_error("a parallel loop was cancelled");
 }
 #else
-void run_in_parallel(std::size_t n, const std::function<void(std::size_t)>& work)
+template <typename Work>
+void run_in_parallel(std::size_t n, const Work& work)
 {
   for (std::size_t i = 0; i < n; ++i)
     work(i);
@@ -68,9 +97,21 @@ void run_in_parallel(std::size_t n, const std::function<void(std::size_t)>& work
 
 void for_each_index(std::size_t n, bool parallel, const std::function<void(std::size_t)>& work)
 {
-  if (parallel && n > 1) return run_in_parallel(n, work);
-  for (std::size_t i = 0; i < n; ++i)
-    work(i);
+  if (!parallel || n < 2) {
+    for (std::size_t i = 0; i < n; ++i)
+      work(i);
+    return;
+  }
+  First_failure failure; // kept here, since an exception that leaves a task cancels the loops that the others are in
+  run_in_parallel(n, [&](std::size_t i) {
+    if (failure.is_before(i)) return;
+    try {
+      work(i);
+    } catch (...) {
+      failure.keep(i, std::current_exception());
+    }
+  });
+  failure.rethrow();
 }
 
 } // namespace CGAL::Shape_correspondence::internal

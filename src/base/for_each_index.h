@@ -11,7 +11,9 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Calls `work` for 0, 1, …, n - 1; `parallel`: several at a time, where TBB is there.
+/// Calls `work` for 0, 1, …, n - 1; `parallel`: several at a time, where TBB is there. After a call that throws, those
+/// of greater numbers may be left out; the exception of the least number that failed is thrown when all calls have
+/// ended. Loops in `work` run to their end whatever happens in other calls.
 void for_each_index(std::size_t n, bool parallel, const std::function<void(std::size_t)>& work);
 
 /// The same, in parallel if the tag says so.

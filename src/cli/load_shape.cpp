@@ -12,14 +12,13 @@
 #include "cli/suggestion.h"
 #include "io/system/input_file.h"
 
-#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <new>
@@ -227,23 +226,6 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
 
 namespace {
 
-/// Calls `work` with the number of every input, on as many threads as there are. Of several errors the first is thrown.
-template <typename Work>
-void for_each_input(std::size_t inputs, const Work& work)
-{
-  std::vector<std::exception_ptr> failures(inputs);
-  internal::for_each_index<CGAL::Parallel_if_available_tag>(inputs, [&](std::size_t i) {
-    try {
-      work(i);
-    } catch (...) {
-      failures[i] = std::current_exception();
-    }
-  });
-  for (const std::exception_ptr& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
-  }
-}
-
 /// Throws `Usage_error` if an option names a part that none of the shapes has.
 void check_part_kinds(const Common_options& options, const std::vector<Loaded_shape>& shapes)
 {
@@ -268,7 +250,7 @@ std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, con
     else
       models.push_back(i);
   }
-  for_each_input(models.size(), [&](std::size_t k) {
+  internal::for_each_index<CGAL::Parallel_if_available_tag>(models.size(), [&](std::size_t k) {
     const std::size_t i = models[k];
     shapes[i] = build_shape(paths[i], options.of_input(i), *folders[i]);
   });
@@ -282,7 +264,7 @@ std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Commo
   if (!finds_up_of_pair(paths, options)) return load_shapes(paths, options);
   std::vector<Loaded_shape> shapes(2);
   std::vector<Model_objects> objects(2);
-  for_each_input(2, [&](std::size_t i) {
+  internal::for_each_index<CGAL::Parallel_if_available_tag>(2, [&](std::size_t i) {
     const double begin = now();
     objects[i] = with_path(paths[i], [&] { return read_objects(paths[i], options.of_input(i)); });
     shapes[i].read_seconds = now() - begin;
@@ -290,7 +272,7 @@ std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Commo
   Pair_axes axes = unknown_axes(paths, options);
   std::vector<std::string> of_axes = find_up_of_pair(paths, axes, {&objects[0].shape, &objects[1].shape}, options);
   std::array<Read_model, 2> models;
-  for_each_input(2, [&](std::size_t i) {
+  internal::for_each_index<CGAL::Parallel_if_available_tag>(2, [&](std::size_t i) {
     const double seconds = shapes[i].read_seconds;
     const Common_options of_input = options.of_input(i);
     shapes[i] = loaded(paths[i], of_input, [&](const Structure_options& structure, Loaded_shape& shape) {
@@ -302,7 +284,7 @@ std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Commo
   });
   if (axes.by_roles[0] || axes.by_roles[1]) {
     of_axes = find_up_of_pair(paths, axes, {&models[0].objects, &models[1].objects}, options);
-    for_each_input(2, [&](std::size_t i) {
+    internal::for_each_index<CGAL::Parallel_if_available_tag>(2, [&](std::size_t i) {
       if (models[i].objects.up() == shapes[i].model->up()) return;
       const Common_options of_input = options.of_input(i);
       shapes[i] = loaded(paths[i], of_input, [&](const Structure_options& structure, Loaded_shape& shape) {
@@ -337,7 +319,7 @@ void read_appearance(const std::string& path, Loaded_shape& shape)
   shape.appearance = {};
   if (!shape.model || is_graph_file(path) || shape.split.pieces.empty() || !fs::exists(path)) return;
   Shape_appearance of_objects;
-  const Segmented_shape objects = IO::read_segmented_shape(path, Point::UnitY(), nullptr, &of_objects);
+  const Segmented_shape objects = IO::read_shape_and_appearance(path, of_objects);
   for (const Model_piece& piece : shape.split.pieces)
     if (piece.object >= objects.parts().size())
       throw Invalid_input(path + ": the file has changed since it was read; try again");

@@ -18,8 +18,9 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-/// To be raised with every change that makes another graph of the same shape and options.
-constexpr int algorithms_version = 11;
+/// To be raised with every change that makes another graph of the same shape and options. Before 12, a failure of one
+/// shape could leave contacts out of the graphs of others.
+constexpr int algorithms_version = 12;
 
 /// Values in their bytes, one after the other.
 class Bytes

@@ -1,0 +1,99 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/for_each_index.h"
+
+#include <catch2/catch.hpp>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task.h>
+#endif
+
+using CGAL::Shape_correspondence::internal::for_each_index;
+
+namespace {
+
+constexpr std::size_t outer = 16, inner = 64, first_bad = 5, second_bad = 6;
+constexpr int runs = 200;
+
+/// Number of calls of a loop in a loop, by the number of the outer call; some of these throw after their loop.
+std::vector<std::size_t> calls_of_nested_loops(std::string& failure)
+{
+  std::vector<std::size_t> calls(outer, 0);
+  try {
+    for_each_index(outer, true, [&](std::size_t i) {
+      std::vector<int> is_called(inner, 0);
+      if (i != first_bad) for_each_index(inner, true, [&](std::size_t k) { is_called[k] = 1; });
+      for (int called : is_called)
+        calls[i] += std::size_t(called);
+      if (i == first_bad || i == second_bad) throw std::runtime_error(std::to_string(i));
+    });
+  } catch (const std::runtime_error& error) {
+    failure = error.what();
+  }
+  return calls;
+}
+
+} // namespace
+
+TEST_CASE("A call that throws leaves the loops in other calls whole, and the first failure is thrown")
+{
+  for (std::size_t threads : {1, 2, 8}) {
+#ifdef CGAL_LINKED_WITH_TBB
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+#endif
+    INFO(threads << " threads");
+    for (int run = 0; run < runs; ++run) {
+      std::string failure;
+      const std::vector<std::size_t> calls = calls_of_nested_loops(failure);
+      REQUIRE(failure == std::to_string(first_bad));
+      for (std::size_t i = 0; i < outer; ++i) {
+        if (i < first_bad) REQUIRE(calls[i] == inner);
+        REQUIRE((calls[i] == inner || calls[i] == 0));
+      }
+    }
+  }
+}
+
+TEST_CASE("A loop in sequence ends with the call that throws")
+{
+  std::size_t calls = 0;
+  CHECK_THROWS_AS(for_each_index(10, false,
+                                 [&](std::size_t i) {
+                                   ++calls;
+                                   if (i == 3) throw std::runtime_error("");
+                                 }),
+                  std::runtime_error);
+  CHECK(calls == 4);
+}
+
+#if defined(CGAL_LINKED_WITH_TBB) && !defined(__SANITIZE_THREAD__)
+TEST_CASE("A caller that cancels its own loop does not cut short loops in it")
+{
+  for (int run = 0; run < runs; ++run) {
+    std::vector<std::size_t> calls(outer, 0);
+    tbb::parallel_for(std::size_t(0), outer, [&](std::size_t i) {
+      std::vector<int> is_called(inner, 0);
+      if (i == first_bad) tbb::task::current_context()->cancel_group_execution();
+      for_each_index(inner, true, [&](std::size_t k) { is_called[k] = 1; });
+      for (int called : is_called)
+        calls[i] += std::size_t(called);
+    });
+    for (std::size_t n : calls)
+      REQUIRE((n == inner || n == 0));
+  }
+}
+
+TEST_CASE("A loop that is cancelled from inside is an error")
+{
+  const auto cancel = [](std::size_t) { tbb::task::current_context()->cancel_group_execution(); };
+  CHECK_THROWS_WITH(for_each_index(inner, true, cancel), Catch::Matchers::Contains("cancelled"));
+}
+#endif
