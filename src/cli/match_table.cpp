@@ -126,12 +126,12 @@ void write_match_table(std::ostream& out, const Correspondence& c, const Structu
   if (!c.category.empty()) out << "category: " << c.category << '\n';
   write_wrapped(out, "unmatched in the source: " + unmatched_text(c.unmatched_source, source_labels));
   write_wrapped(out, "unmatched in the target: " + unmatched_text(c.unmatched_target, target_labels));
-  write_wrapped(out, "deformation energy: " + short_number(c.energy) + " (distortion " +
-                         short_number(c.terms.distortion) + ", connectedness " + short_number(c.terms.connectedness) +
-                         ", split " + short_number(c.terms.split) + "), the " +
-                         (c.direction == Direction::SOURCE_TO_TARGET ? "source deformed into the target"
-                                                                     : "target deformed into the source") +
-                         (c.complete ? "" : ", incomplete") + (c.optimal ? ", proven minimal for this direction" : ""));
+  out << "deformation energy: " << short_number(c.energy) << " (distortion " << short_number(c.terms.distortion)
+      << ", connectedness " << short_number(c.terms.connectedness) << ", split " << short_number(c.terms.split)
+      << ")\n  the "
+      << (c.direction == Direction::SOURCE_TO_TARGET ? "source deformed into the target"
+                                                     : "target deformed into the source")
+      << (c.complete ? "" : ", incomplete") << (c.optimal ? ", proven minimal for this direction" : "") << '\n';
   out << "distance: " << short_number(distance_energy(c, Energy_matrix_options().unmatched_energy))
       << " (energy per pair of connected parts)\n";
 }
