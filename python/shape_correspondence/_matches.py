@@ -216,7 +216,7 @@ def match(
     :param pinned: pairs of parts (source, target), by name or index, that must correspond, and to no other parts
     :param forbidden: pairs of parts that must not correspond
     :param both_directions: deform either shape into the other, and keep the lower energy per pair of connected parts
-    :param maximum_parts: number of largest parts to match; 0: all parts
+    :param maximum_parts: number of largest parts to match, whole groups as far as they fit; 0: all parts
     :param coarse_target: whether `maximum_parts` applies to both shapes, or to the source only
     :param source_parts: only these parts of the source, by name or index; empty: all
     :param target_parts: the same for the target
