@@ -20,6 +20,13 @@ std::size_t width(const std::string& text)
   return std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; });
 }
 
+/// Where a long word ends on its line: after the last of the signs that names are made of; 0 if there is none.
+std::size_t end_of_piece(const std::string& word, std::size_t length)
+{
+  const std::size_t sign = word.find_last_of("_-./#", length - 1);
+  return sign == std::string::npos || sign + 1 == word.size() ? 0 : sign + 1;
+}
+
 } // namespace
 
 void write_table(std::ostream& out, std::vector<std::vector<std::string>> rows)
@@ -55,6 +62,11 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t length)
   for (std::string word; words >> word;) {
     if (!lines.back().empty() && width(lines.back()) + 1 + width(word) > length) lines.emplace_back();
     lines.back() += (lines.back().empty() ? "" : " ") + word;
+    for (std::size_t end; width(lines.back()) > length && (end = end_of_piece(lines.back(), length)) > 0;) {
+      const std::string rest = lines.back().substr(end);
+      lines.back().erase(end);
+      lines.push_back(rest);
+    }
   }
   return lines;
 }

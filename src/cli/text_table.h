@@ -14,7 +14,8 @@ void write_table(std::ostream& out, std::vector<std::vector<std::string>> rows);
 
 constexpr std::size_t line_width = 80; ///< characters
 
-/// Words in lines of at most `width` characters, unless a word is longer.
+/// Words in lines of at most `width` characters; a longer one is broken after a sign that names are made of, if it has
+/// any.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
 /// Writes a text in lines; further ones are indented.
