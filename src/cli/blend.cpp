@@ -235,12 +235,11 @@ void run_blend(const std::vector<std::string>& arguments)
   }
   if (common.prints_table()) {
     if (common.verbose) {
-      write_match_table(std::cout, correspondence, source.graph, target.graph);
+      write_match_table(std::cout, correspondence, source.graph, target.graph, true);
       std::cout << '\n';
+      print_schedules(blend);
     }
-    print_schedules(blend);
-    for (const std::string& warning : warnings)
-      std::cout << "warning: " << IO::quote_terminal(warning) << '\n';
+    write_notes(std::cout, warnings, common.verbose);
   }
 }
 

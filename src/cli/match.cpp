@@ -10,6 +10,7 @@
 #include "cli/match_table.h"
 #include "cli/outputs.h"
 #include "cli/run_report.h"
+#include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "texture/dressed_meshes.h"
 #include "viewer/match_page.h"
@@ -132,7 +133,8 @@ void run_match(const std::vector<std::string>& arguments)
                                                           IO::largest_page_textures)));
   });
   if (!common.prints_table()) return;
-  write_match_table(std::cout, ranked[0], source.graph, target.graph);
+  write_match_table(std::cout, ranked[0], source.graph, target.graph, common.verbose);
+  write_notes(std::cout, ranked[0].warnings, common.verbose);
   if (common.verbose) write_group_table(std::cout, ranked[0], source.graph, target.graph);
 }
 

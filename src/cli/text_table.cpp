@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <regex>
 #include <sstream>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -45,6 +46,37 @@ void write_table(std::ostream& out, std::vector<std::vector<std::string>> rows)
     rule.pop_back();
     out << rule << '\n';
   }
+}
+
+std::vector<std::string> wrapped(const std::string& text, std::size_t length)
+{
+  std::vector<std::string> lines{""};
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.back().empty() && width(lines.back()) + 1 + width(word) > length) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+  }
+  return lines;
+}
+
+void write_wrapped(std::ostream& out, const std::string& text)
+{
+  const char* indent = "";
+  for (const std::string& line : wrapped(text, line_width - 2)) {
+    out << indent << line << '\n';
+    indent = "  ";
+  }
+}
+
+void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all)
+{
+  static const std::regex library_option(R"( \(`[^`]*`\))");
+  if (notes.size() > 1 && !all) {
+    out << notes.size() << " notes; -v shows them\n";
+    return;
+  }
+  for (const std::string& note : notes)
+    out << "note: " << IO::quote_terminal(std::regex_replace(note, library_option, "")) << '\n';
 }
 
 std::string short_number(double number)

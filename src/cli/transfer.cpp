@@ -8,6 +8,7 @@
 #include "cli/match_options.h"
 #include "cli/outputs.h"
 #include "cli/run_report.h"
+#include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "cli/transfer_looks.h"
 #include "io/system/input_file.h"
@@ -149,8 +150,7 @@ void run_transfer(const std::vector<std::string>& arguments)
   });
   if (!common.prints_table()) return;
   write_transfer_table(std::cout, source, target, transferred);
-  for (const std::string& warning : transferred.warnings)
-    std::cout << "warning: " << IO::quote_terminal(warning) << '\n';
+  write_notes(std::cout, transferred.warnings, common.verbose);
 }
 
 } // namespace CGAL::Shape_correspondence::cli
