@@ -45,8 +45,8 @@ place; parts in contact stay in contact. The first frame is the source, the last
 
 With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
 plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb, with --solid as one closed surface.
-Otherwise FOLDER is made, with one file for each frame: frame_000 and so on. A part of a frame is named s~t where source part s becomes t, s~ where s vanishes, and
-~t where t grows.
+Otherwise FOLDER is made, with one file for each frame: frame_000 and so on. A part of a frame is named s~t where
+source part s becomes t, s~ where s vanishes, and ~t where t grows.
 
 SOURCE and TARGET are each one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D. Its objects or nodes are the
