@@ -110,6 +110,7 @@ public:
 
   /// The shape at `t` as one closed surface that looks outwards, for printing and Boolean operations: it is wrapped
   /// (`CGAL::alpha_wrap_3()`).
+  /// \param t the time, in [0, 1]
   /// \param detail size of the smallest hollows that the wrap goes into, as a fraction of the diagonal of the shape's
   /// box, in [0.001, 1]
   /// \throw Invalid_input if it is out of range
