@@ -171,7 +171,14 @@ class Graph:
 Input = Union[Graph, Shape, Path, Parts]
 
 
-def read(path: Path, *, up: Optional[str] = None, parts: str = "auto", parts_from: Optional[Path] = None) -> Shape:
+def read(
+    path: Path,
+    *,
+    up: Optional[str] = None,
+    parts: str = "auto",
+    parts_from: Optional[Path] = None,
+    allow_outside_files: bool = False,
+) -> Shape:
     """Reads a segmented shape.
 
     :param path: an OBJ (``o`` and ``g`` are parts), PLY, STL, OFF, glTF, COLLADA, FBX, 3DS, DXF or AC3D file with one
@@ -182,9 +189,10 @@ def read(path: Path, *, up: Optional[str] = None, parts: str = "auto", parts_fro
         ``"segments"``, loose pieces divided by thickness; ``"auto"``, its objects, but objects of unrelated loose pieces
         are split
     :param parts_from: a list of pieces and their parts, as ``shape_correspondence graph --parts-json`` writes it
+    :param allow_outside_files: whether files that the model names (buffers, materials, textures) may be outside its folder
     :raises InvalidInput: if the file cannot be read
     """
-    options = _reading_options(up=up, parts=parts, parts_from=parts_from)
+    options = {**_reading_options(up=up, parts=parts, parts_from=parts_from), "allow_outside_files": allow_outside_files}
     return Shape._of(_core.read(os.fspath(path), options))
 
 
@@ -206,6 +214,7 @@ def build_graph(
     detect_rotations: bool = True,
     detect_translations: bool = True,
     contact_tolerance: float = 0.02,
+    allow_outside_files: bool = False,
     cache: Optional[Path] = None,
     threads: int = 0,
     progress: Progress = None,
@@ -230,6 +239,8 @@ def build_graph(
     :param detect_rotations: whether to look for rotations
     :param detect_translations: whether to look for translations
     :param contact_tolerance: largest gap between parts in contact, as a fraction of the diagonal of the shape
+    :param allow_outside_files: whether files that a model or a saved graph names (buffers, materials, textures, meshes of
+        parts) may be outside its folder
     :param cache: a folder in which graphs are kept, so that each shape is abstracted once; None: none
     :param threads: number of threads; 0: all of the machine. The result does not depend on it
     :param progress: called with the fraction done, in [0, 1], and the name of the current step
@@ -251,6 +262,7 @@ def build_graph(
         "detect_rotations": detect_rotations,
         "detect_translations": detect_translations,
         "contact_tolerance": contact_tolerance,
+        "allow_outside_files": allow_outside_files,
         "threads": threads,
         **_reading_options(cache=cache),
     }

@@ -238,6 +238,7 @@ void visit(SC::cli::Common_options& options, Visitor& option)
   option("up", options.up);
   option("parts", options.parts);
   option("parts_from", options.parts_from);
+  option("allow_outside_files", options.reading.allow_outside_files);
   option("cache", options.cache);
   option("threads", options.threads);
 }

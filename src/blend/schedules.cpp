@@ -134,9 +134,9 @@ std::vector<Blend_schedule> plausible_schedules(const std::vector<Blend_part>& p
     for (const Blend_part& part : parts) {
       Blend_task task = part.task;
       const double delay = part.morph ? plan.from_the_ground * std::clamp(part.height, 0., 1.) : 0;
-      std::array<double, 2> times = part.morph                            ? plan.morph
+      std::array<double, 2> times = part.morph                             ? plan.morph
                                     : task.type == Blend_task_type::SHRINK ? plan.shrink
-                                                                          : plan.grow;
+                                                                           : plan.grow;
       if (!part.morph && part.stands) times = reversed(times);
       task.begin = times[0] + delay;
       task.end = times[1] + delay;

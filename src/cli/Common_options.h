@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/abstract_part.h>
 #include <CGAL/Shape_correspondence/detect_symmetry_groups.h>
 
@@ -42,6 +43,7 @@ struct Common_options
   double contact_tolerance = 0.02;
   std::string parts = "auto"; ///< auto, file, components or segments
   std::string parts_from;     ///< a file that says which piece is in which part; empty: none
+  IO::Reading_options reading;
   struct Of_input
   {
     std::string up, parts_from; ///< empty: those of all inputs

@@ -7,12 +7,12 @@
 #include "cli/outputs.h"
 #include "cli/progress_bar.h"
 #include "cli/read_model.h"
-#include "io/write/Json.h"
 #include "io/read/Json_field.h"
+#include "io/read/model_parts.h"
 #include "io/system/atomic_file.h"
 #include "io/system/digest.h"
 #include "io/system/input_file.h"
-#include "io/read/model_parts.h"
+#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>

@@ -166,6 +166,9 @@ po::options_description reading_options(Common_options& options)
     if (is_set) options.parts = "segments";
   }),
       "the same as --parts segments");
+  add("allow-outside-files", po::bool_switch(&options.reading.allow_outside_files),
+      "read also files that a model or a graph names outside its own folder: buffers, materials, textures, meshes of "
+      "parts");
   return result;
 }
 

@@ -9,8 +9,8 @@
 #include "cli/run_report.h"
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
-#include "io/system/quoting.h"
 #include "io/read/report_text.h"
+#include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/parts_json.h>

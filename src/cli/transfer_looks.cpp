@@ -3,8 +3,8 @@
 
 #include "cli/transfer_looks.h"
 #include "cli/text_table.h"
-#include "io/write/Json.h"
 #include "io/system/colours.h"
+#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>

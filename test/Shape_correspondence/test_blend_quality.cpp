@@ -25,7 +25,8 @@
 #include <string>
 #include <vector>
 
-// What is measured of shapes in between, what motions may do to parts, sizes, schedules, and pairs that are not believed.
+// What is measured of shapes in between, what motions may do to parts, sizes, schedules, and pairs that are not
+// believed.
 
 using namespace CGAL::Shape_correspondence;
 using Catch::Matchers::Contains;
