@@ -21,12 +21,13 @@ from ._shapes import Input, Path, Progress, Shape, _graphs
 class BlendTask(Record):
     """What happens to one part during a blend, and when."""
 
-    task: str  #: morph, split, merge, shrink or grow
+    task: str  #: morph, split, merge, shrink, grow or exchange
     begin: float  #: time at which it begins, in [0, 1]
     end: float  #: time at which it ends
     source: Optional[str] = None  #: the source part, if there is one
     target: Optional[str] = None  #: the target part, if there is one
-    #: why the surfaces of the two are exchanged: ``"torn"`` or ``"thin"``, if the one became the other
+    #: why the surfaces of the two are exchanged: ``"torn"`` or ``"thin"``, if the one became the other, or
+    #: ``"unmatched"``: they do not correspond, but are alike in place and size
     exchanged: Optional[str] = None
 
 
@@ -41,7 +42,14 @@ class Blend:
 
         :raises InvalidInput: if t is not in [0, 1]
         """
-        return Shape._of(self._handle.shape(t))
+        return Shape._of(self._handle.shape(t, False))
+
+    def solid(self, t: float) -> Shape:
+        """The shape at a time as one closed surface, for printing and Boolean operations: a shape with one part.
+
+        :raises InvalidInput: if t is not in [0, 1]
+        """
+        return Shape._of(self._handle.shape(t, True))
 
     @property
     def tasks(self) -> List[BlendTask]:

@@ -57,8 +57,19 @@ class ContactEnergy(Record):
 class PairRoles(Record):
     """The roles of the parts of both shapes."""
 
-    source: List[str]  #: the most probable role of every source part
-    target: List[str]  #: the same for the target parts
+    source: Dict[str, str]  #: the most probable role of every source part, by its name
+    target: Dict[str, str]  #: the same for the target parts
+
+
+@dataclass
+class Block(Record):
+    """A set of source parts and a set of target parts that correspond as wholes."""
+
+    source: List[str]  #: parts of the source
+    target: List[str]  #: parts of the target
+    role: Optional[str] = None  #: role of most of its parts; None if roles are not known
+    operation: str = "match"  #: match, split, duplicate, merge, cut or join
+    confidence: Optional[float] = None  #: mean probability of its pairs; None if the method does not compute it
 
 
 @dataclass
@@ -111,6 +122,7 @@ class Match(Record):
     confidences: Optional[List[float]] = None  #: probability of each pair; None if the method does not compute it
     category: Optional[str] = None  #: category whose roles were used; None: no roles were used
     roles: Optional[PairRoles] = None  #: roles of the parts, if there is a category
+    blocks: List[Block] = field(default_factory=list)  #: parts that correspond as wholes, each part in one block
     groups: List[GroupMatch] = field(default_factory=list)  #: by group of the deformed shape
     contacts: List[ContactEnergy] = field(default_factory=list)  #: by contact of the deformed shape
     unmatched_source: List[str] = field(default_factory=list)  #: source parts without counterpart

@@ -196,7 +196,7 @@ struct Blend_keywords : Keywords
         "largest gap between parts in contact, as a fraction of the shape's height");
     add("samples", options.samples, "number of in-between shapes by which a schedule is rated");
     add("min_confidence", options.min_confidence,
-        "pairs of lower confidence, in [0, 1], are left out: their parts shrink and grow");
+        "pairs of lower confidence, in [0, 1], are left out: their parts thin and thicken");
     SC::cli::Option_table::Group group = table.group("Output");
     add_output_options(group, output);
     add("schedule", options.schedule, "one of `schedule_names()`; None: the best");
@@ -310,7 +310,10 @@ py::list options_of(const std::string& function)
     return option.group == SC::cli::reading_group || option.keyword == "parts_from";
   };
   if (function == "read") return listed(Model_keywords().table, is_of_reading);
-  if (function == "build_graph") return listed(Model_keywords().table, std::not_fn(is_of_reading));
+  const auto is_of_graphs = [&](const Option& option) {
+    return !is_of_reading(option) || option.keyword == "allow_outside_files"; // for meshes that a saved graph names
+  };
+  if (function == "build_graph") return listed(Model_keywords().table, is_of_graphs);
   if (function == "blend") return listed(Blend_keywords().table);
   if (function == "collection") return listed(Collection_keywords().table);
   if (function == "evaluate") return listed(Evaluation_keywords().table);

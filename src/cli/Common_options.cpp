@@ -195,6 +195,10 @@ void add_reading_options(Option_table& table, Common_options& options)
       .words({"auto", "file", "components", "segments"})
       .in_python();
   add("segment", Switched_to{&options.parts, "segments"}, "the same as --parts segments");
+  add("allow-outside-files", &options.reading.allow_outside_files,
+      "read also files that a model or a graph names outside its own folder: buffers, materials, textures, meshes of "
+      "parts")
+      .in_python();
 }
 
 void add_model_options(Option_table& table, Common_options& options)

@@ -5,6 +5,7 @@
 
 #include "cli/Option_table.h"
 
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 
 #include <array>
@@ -29,6 +30,7 @@ struct Common_options
   std::string progress = "auto"; ///< auto, always or never
   std::string parts = "auto";    ///< auto, file, components or segments
   std::string parts_from;        ///< a file that says which piece is in which part; empty: none
+  IO::Reading_options reading;
   Structure_options structure;
   struct Of_input
   {

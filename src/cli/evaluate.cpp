@@ -164,16 +164,20 @@ std::string fixed(double number)
   return text;
 }
 
-std::string text_of(const Estimate& e) { return fixed(e.mean) + " [" + fixed(e.low) + ", " + fixed(e.high) + "]"; }
+/// A mean with its interval, which a single result does not have.
+std::string text_of(const Estimate& e, std::size_t results)
+{
+  return fixed(e.mean) + (results > 1 ? " [" + fixed(e.low) + ", " + fixed(e.high) + "]" : "");
+}
 
 std::vector<std::string> row(const std::string& name, const Mean_score& score)
 {
   return {name,
           std::to_string(score.correspondences),
-          text_of(score.precision),
-          text_of(score.recall),
-          text_of(score.f1),
-          text_of(score.coarse_precision),
+          text_of(score.precision, score.correspondences),
+          text_of(score.recall, score.correspondences),
+          text_of(score.f1, score.correspondences),
+          text_of(score.coarse_precision, score.correspondences),
           std::to_string(score.empty)};
 }
 

@@ -10,7 +10,7 @@
 #include "cli/text.h"
 #include "io/system/input_file.h"
 
-#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -156,6 +156,7 @@ Loaded_shape loaded(const std::string& path, const Common_options& common, const
   options.abstraction.progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
   return with_path(path, [&] {
     Loaded_shape shape;
+    shape.reading = common.reading;
     load(options, shape);
     return shape;
   });
@@ -168,6 +169,7 @@ std::optional<Loaded_shape> find_graph(const std::string& path, const Common_opt
   return with_path(path, [&]() -> std::optional<Loaded_shape> {
     const Structure_options& options = common.structure;
     std::optional<Loaded_shape> shape(std::in_place);
+    shape->reading = common.reading;
     if (is_graph_file(path)) {
       load_graph(path, common, options, *shape);
       return shape;
@@ -297,7 +299,7 @@ void check_part_kinds(const Common_options& options, const std::vector<std::stri
 
 void complete_surfaces(const std::string& path, Loaded_shape& shape)
 {
-  if (!shape.model && is_json_file(path)) shape.model = IO::read_part_meshes(path, shape.graph);
+  if (!shape.model && is_json_file(path)) shape.model = IO::read_part_meshes(path, shape.graph, shape.reading);
   if (!shape.model)
     throw Invalid_input(path + ": it is a structural graph without surfaces, which a blend is made of; give the model "
                                "that it was built from, or name the parts' meshes in it (key \"mesh\")");
@@ -308,7 +310,8 @@ void read_appearance(const std::string& path, Loaded_shape& shape)
   shape.appearance = {};
   if (!shape.model || is_graph_file(path) || shape.split.pieces.empty() || !fs::exists(path)) return;
   Shape_appearance of_objects;
-  const Segmented_shape objects = IO::read_segmented_shape(path, Point::UnitY(), nullptr, &of_objects);
+  const Segmented_shape objects =
+      IO::read_shape_and_appearance(path, of_objects, Point::UnitY(), nullptr, shape.reading);
   for (const Model_piece& piece : shape.split.pieces)
     if (piece.object >= objects.parts().size())
       throw Invalid_input(path + ": the file has changed since it was read; try again");

@@ -23,6 +23,7 @@ struct Loaded_shape
   std::optional<Segmented_shape> model;
   Part_split split;                 ///< how the model got its parts; of a graph file empty
   Shape_appearance appearance = {}; ///< of the model's parts, where it was read
+  IO::Reading_options reading;      ///< with which the model was read, and files that it names are
   double read_seconds = 0;
   double abstraction_seconds = 0;
   double structure_seconds = 0;

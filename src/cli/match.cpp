@@ -4,9 +4,11 @@
 #include "cli/Pair_command.h"
 #include "cli/match_shapes.h"
 #include "cli/run.h"
+#include "cli/text.h"
+#include "texture/dressed_meshes.h"
 #include "viewer/match_page.h"
 
-#include <CGAL/Shape_correspondence/IO/write_glb.h>
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 
 #include <iostream>
 
@@ -74,15 +76,18 @@ private:
     }
     write_output(common.glb, [&](std::ostream& out) {
       IO::write_correspondence_glb(out, ranked[0], source().graph, target().graph, source().model_pointer(),
-                                   target().model_pointer(), &source().appearance, &target().appearance);
+                                   target().model_pointer(), source().appearance, target().appearance);
     });
     write_output(common.html, [&](std::ostream& out) {
       IO::write_page(out, IO::match_page(ranked, source().graph, target().graph, source().model_pointer(),
                                          target().model_pointer(), inputs[0], inputs[1], matched.seconds,
-                                         &source().appearance, &target().appearance));
+                                         IO::dressed_scenes({{source().model_pointer(), &source().appearance},
+                                                             {target().model_pointer(), &target().appearance}},
+                                                            IO::largest_page_textures)));
     });
     if (!common.prints_table()) return;
-    write_match_table(std::cout, ranked[0], source().graph, target().graph);
+    write_match_table(std::cout, ranked[0], source().graph, target().graph, common.verbose);
+    write_notes(std::cout, ranked[0].warnings, common.verbose);
     if (common.verbose) write_group_table(std::cout, ranked[0], source().graph, target().graph);
   }
 };

@@ -5,139 +5,113 @@
 #include "cli/run.h"
 #include "cli/text.h"
 #include "io/system/quoting.h"
+#include "io/write/part_labels.h"
 
+#include <CGAL/Shape_correspondence/correspondence_blocks.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 #include <ostream>
-#include <set>
 
 namespace CGAL::Shape_correspondence::cli {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 using Parts = std::vector<std::size_t>;
+using Lines = std::vector<std::string>;
 
-constexpr std::size_t column_width = 36; // characters of a column of part names
+constexpr std::size_t narrowest_names = 16; // characters of a column of part names
+constexpr std::size_t folded_lines = 4;     // of a cell, where the parts are not listed in full
 
-std::vector<std::string> names(const Parts& parts, const Structural_graph& graph)
+/// A shape's parts as people read them.
+Lines labels_of(const Structural_graph& graph)
 {
-  std::vector<std::string> result;
+  Lines names;
+  for (const Part_abstraction& part : structure(graph).parts)
+    names.push_back(IO::quote_terminal(part.name));
+  return IO::part_labels(names);
+}
+
+Lines labels_of(const Parts& parts, const Lines& labels)
+{
+  Lines result;
   for (std::size_t part : parts)
-    result.push_back(structure(graph).parts[part].name);
-  return result;
+    result.push_back(labels[part]);
+  return IO::with_ranges(result);
 }
 
-/// Names with commas in between, in lines of limited length.
-std::vector<std::string> lines_of(const Parts& parts, const Structural_graph& graph)
+/// A cell with the names of parts, in lines of limited length where names allow. \param all whether it may have any
+/// number of lines; else there is a count in place of names that need too many
+Lines cell_of(const Parts& parts, const Lines& labels, std::size_t width, bool all)
 {
-  std::vector<std::string> lines{""};
-  for (const std::string& name : names(parts, graph)) {
-    if (!lines.back().empty() && lines.back().size() + 2 + name.size() > column_width) {
-      lines.back() += ',';
-      lines.emplace_back();
-    }
-    lines.back() += (lines.back().empty() ? "" : ", ") + name;
-  }
-  return lines;
+  const Lines lines = wrapped(listed(labels_of(parts, labels)), width);
+  if (all || lines.size() <= folded_lines) return lines;
+  return {std::to_string(parts.size()) + " parts"};
 }
 
-/// Source parts that correspond to the same target parts.
-struct Block
+std::string operation_text(const Correspondence_block& block)
 {
-  Parts source, target;
-  Parts merged; ///< all source parts that correspond to any of these target parts
-  bool is_cut = false, is_joined = false;
-  double lowest = 1, highest = 0; ///< confidence
-};
-
-/// Sorted by source.
-std::vector<Block> blocks_of(const Correspondence& correspondence)
-{
-  std::map<std::size_t, Parts> targets_of;
-  std::map<std::size_t, std::set<std::size_t>> sources_of;
-  for (const Part_correspondence& pair : correspondence.pairs) {
-    Parts& targets = targets_of[pair.source];
-    if (targets.empty() || targets.back() != pair.target) targets.push_back(pair.target);
-    sources_of[pair.target].insert(pair.source);
-  }
-  std::vector<Block> blocks;
-  std::map<Parts, std::size_t> block_of;
-  for (const auto& [source, targets] : targets_of) {
-    const auto [entry, is_new] = block_of.emplace(targets, blocks.size());
-    if (is_new) {
-      blocks.emplace_back();
-      blocks.back().target = targets;
-    }
-    blocks[entry->second].source.push_back(source);
-  }
-  for (Block& block : blocks) {
-    std::set<std::size_t> merged;
-    for (std::size_t target : block.target)
-      merged.insert(sources_of[target].begin(), sources_of[target].end());
-    block.merged.assign(merged.begin(), merged.end());
-  }
-  for (const Part_correspondence& pair : correspondence.pairs) {
-    Block& block = blocks[block_of[targets_of[pair.source]]];
-    block.is_cut |= !pair.source_segment.is_whole_part();
-    block.is_joined |= !pair.target_segment.is_whole_part();
-    block.lowest = std::min(block.lowest, pair.confidence);
-    block.highest = std::max(block.highest, pair.confidence);
-  }
-  return blocks;
+  const std::string name = name_of(block.operation);
+  if (block.source.size() == 1 && block.target.size() == 1) return name;
+  return name + " " + std::to_string(block.source.size()) + ":" + std::to_string(block.target.size());
 }
 
-/// The operation by which the source parts become the target parts.
-Operation operation_of(const Block& block)
+/// A row for people, several lines where the names are many. \param cells each in its lines
+void add_row(const std::vector<Lines>& cells, Rows& rows)
 {
-  const std::size_t sources = block.merged.size(), targets = block.target.size();
-  if (block.is_cut) return Operation::CUT;
-  if (block.is_joined) return Operation::JOIN;
-  if (sources == targets) return Operation::MATCH;
-  if (sources > targets) return Operation::MERGE;
-  return sources == 1 ? Operation::SPLIT : Operation::DUPLICATE;
-}
-
-std::string operation_text(const Block& block)
-{
-  const std::string name = name_of(operation_of(block));
-  if (block.merged.size() == 1 && block.target.size() == 1) return name;
-  return name + " " + std::to_string(block.merged.size()) + ":" + std::to_string(block.target.size());
-}
-
-std::string confidence_text(const Block& block)
-{
-  const std::string lowest = percentage(block.lowest), highest = percentage(block.highest);
-  return lowest == highest ? lowest : lowest.substr(0, lowest.find(' ')) + " to " + highest;
-}
-
-/// The roles of the source parts, each once.
-std::string roles_text(const Block& block, const std::vector<std::string>& roles)
-{
-  std::set<std::string> result;
-  for (std::size_t part : block.source)
-    result.insert(roles[part]);
-  return listed({result.begin(), result.end()});
-}
-
-/// A row for people, several lines where the names are many.
-void add_rows(const Parts& from, const Parts& to, std::vector<std::string> others, const Structural_graph& source,
-              const Structural_graph& target, Rows& rows)
-{
-  const std::vector<std::string> left = lines_of(from, source), right = lines_of(to, target);
-  for (std::size_t line = 0; line < std::max(left.size(), right.size()); ++line) {
-    std::vector<std::string> row{line < left.size() ? left[line] : "", line < right.size() ? right[line] : ""};
-    row.insert(row.end(), others.begin(), others.end());
-    rows.push_back(std::move(row));
-    others.assign(others.size(), "");
+  std::size_t lines = 1;
+  for (const Lines& cell : cells)
+    lines = std::max(lines, cell.size());
+  for (std::size_t line = 0; line < lines; ++line) {
+    rows.emplace_back();
+    for (const Lines& cell : cells)
+      rows.back().push_back(line < cell.size() ? cell[line] : "");
   }
 }
 
-std::string with_article(const std::string& noun)
+/// The width of each of two columns of names, so that a table with these other columns fits a line.
+std::size_t width_of_names(const std::vector<std::size_t>& others)
 {
-  const bool begins_with_vowel = std::string("aeiou").find(noun[0]) != std::string::npos;
-  return (begins_with_vowel ? "an " : "a ") + noun;
+  std::size_t taken = 2 * (others.size() + 2);
+  for (std::size_t width : others)
+    taken += width;
+  return std::max(narrowest_names, (line_width - std::min(line_width, taken)) / 2);
+}
+
+/// The rows of blocks: role, source, target, operation, confidence, the first and the last where they are known.
+Rows rows_of(const Correspondence& c, const Lines& source, const Lines& target, bool all)
+{
+  const std::vector<Correspondence_block> blocks = correspondence_blocks(c);
+  const bool has_roles = !c.category.empty(), has_confidence = !blocks.empty() && !std::isnan(blocks[0].confidence);
+  std::vector<std::size_t> others{has_roles ? std::string("role").size() : 0, std::string("operation").size(),
+                                  std::string("conf.").size()};
+  for (const Correspondence_block& block : blocks) {
+    others[0] = std::max(others[0], block.role.size());
+    others[1] = std::max(others[1], operation_text(block).size());
+  }
+  const std::size_t width = width_of_names(others);
+  Rows rows;
+  const auto add = [&](const std::string& role, const Lines& left, const Lines& right, const std::string& operation,
+                       const std::string& confidence) {
+    std::vector<Lines> cells{left, right, {operation}};
+    if (has_roles) cells.insert(cells.begin(), Lines{role});
+    if (has_confidence) cells.push_back({confidence});
+    add_row(cells, rows);
+  };
+  add("role", {"source"}, {"target"}, "operation", "conf.");
+  for (const Correspondence_block& block : blocks)
+    add(block.role, cell_of(block.source, source, width, all), cell_of(block.target, target, width, all),
+        operation_text(block), has_confidence ? percentage(block.confidence) : "");
+  return rows;
+}
+
+/// `3 of 12 parts: a, b, c`
+std::string unmatched_text(const Parts& parts, const Lines& labels)
+{
+  if (parts.empty()) return "-";
+  return std::to_string(parts.size()) + " of " + std::to_string(labels.size()) +
+         " parts: " + listed(labels_of(parts, labels));
 }
 
 } // namespace
@@ -156,33 +130,22 @@ Matched_shapes match_shapes(const Loaded_shape& source, const Loaded_shape& targ
 }
 
 void write_match_table(std::ostream& out, const Correspondence& c, const Structural_graph& source,
-                       const Structural_graph& target)
+                       const Structural_graph& target, bool verbose)
 {
-  const bool has_confidence = !c.pairs.empty() && c.pairs[0].has_confidence();
-  Rows rows{{"source", "target", "operation"}};
-  if (has_confidence) rows[0].push_back("confidence");
-  if (!c.category.empty()) rows[0].push_back("role in " + with_article(c.category));
-  for (const Block& block : blocks_of(c)) {
-    std::vector<std::string> others{operation_text(block)};
-    if (has_confidence) others.push_back(confidence_text(block));
-    if (!c.category.empty()) others.push_back(roles_text(block, c.source_roles));
-    add_rows(block.source, block.target, others, source, target, rows);
-  }
-  write_table(out, rows);
-  const auto unmatched = [](const Parts& parts, const Structural_graph& graph) {
-    return IO::quote_terminal(listed(names(parts, graph)));
-  };
-  out << "\nunmatched in the source: " << unmatched(c.unmatched_source, source)
-      << "\nunmatched in the target: " << unmatched(c.unmatched_target, target)
-      << "\ndeformation energy: " << short_number(c.energy) << " (distortion " << short_number(c.terms.distortion)
+  const Lines source_labels = labels_of(source), target_labels = labels_of(target);
+  write_table(out, rows_of(c, source_labels, target_labels, verbose));
+  out << '\n';
+  if (!c.category.empty()) out << "category: " << c.category << '\n';
+  write_wrapped(out, "unmatched in the source: " + unmatched_text(c.unmatched_source, source_labels));
+  write_wrapped(out, "unmatched in the target: " + unmatched_text(c.unmatched_target, target_labels));
+  out << "deformation energy: " << short_number(c.energy) << " (distortion " << short_number(c.terms.distortion)
       << ", connectedness " << short_number(c.terms.connectedness) << ", split " << short_number(c.terms.split)
-      << "), the "
+      << ")\n  the "
       << (c.direction == Direction::SOURCE_TO_TARGET ? "source deformed into the target"
                                                      : "target deformed into the source")
-      << (c.complete ? "" : ", incomplete") << (c.optimal ? ", proven minimal for this direction" : "")
-      << "\ndistance: " << short_number(distance_energy(c, Energy_matrix_options().unmatched_energy))
+      << (c.complete ? "" : ", incomplete") << (c.optimal ? ", proven minimal for this direction" : "") << '\n';
+  out << "distance: " << short_number(distance_energy(c, Energy_matrix_options().unmatched_energy))
       << " (energy per pair of connected parts)\n";
-  print_warnings(out, c.warnings);
 }
 
 void write_group_table(std::ostream& out, const Correspondence& c, const Structural_graph& source,
@@ -191,11 +154,16 @@ void write_group_table(std::ostream& out, const Correspondence& c, const Structu
   Rows rows{{"group in the source", "target", "operation", "energy", "distortion", "connectedness"}};
   if (c.direction == Direction::TARGET_TO_SOURCE)
     rows[0][0] = "source", rows[0][1] = "group in the target", rows[0][2] = "operation on the target";
+  const std::size_t width = width_of_names({9, 6, 10, 13}); // operation, energy, distortion, connectedness
+  const Lines source_labels = labels_of(source), target_labels = labels_of(target);
   for (const Group_match& group : c.groups)
-    add_rows(group.source, group.target,
-             {name_of(group.operation), short_number(group.energy), short_number(group.distortion),
-              short_number(group.connectedness)},
-             source, target, rows);
+    add_row({wrapped(listed(labels_of(group.source, source_labels)), width),
+             wrapped(listed(labels_of(group.target, target_labels)), width),
+             {name_of(group.operation)},
+             {short_number(group.energy)},
+             {short_number(group.distortion)},
+             {short_number(group.connectedness)}},
+            rows);
   out << '\n';
   write_table(out, rows);
 }

@@ -1,17 +1,23 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/for_each_index.h"
 #include "cli/Command.h"
+#include "cli/labelled_models.h"
 #include "cli/predicted_labels.h"
-#include "cli/role_reports.h"
 #include "cli/run.h"
+#include "cli/text.h"
+#include "io/write/Json.h"
+#include "matching/mean_differences.h"
+#include "roles/Role_model_data.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <iostream>
-#include <limits>
 
 namespace CGAL::Shape_correspondence::cli {
 
@@ -26,9 +32,10 @@ const char* const roles_help =
 
 Learns the roles of parts, such as the legs and the seat of a chair, from labelled shapes.
 
-  train     learns a model. The weights of predicted labels and of the geometric match are fitted to pairs of shapes
-            that were left out of the training; this needs 50 pairs of shapes or more
-  evaluate  measures by how much roles improve the matching of shapes that were left out of the training
+  train     learns a model. The weights of predicted labels and of the geometric match are fitted to pairs of shapes,
+            each matched as by a model that has seen neither of them; this needs 50 pairs of shapes or more
+  evaluate  measures by how much a model improves the matching of labelled shapes, which should be others than those that
+            it was learned from
   predict   prints the roles of the parts of a shape, as the command label does
 
 FOLDER has CATEGORY/SHAPE/labels.json and CATEGORY/SHAPE/parts, one mesh file for each part. labels.json gives the coarse
@@ -39,44 +46,203 @@ label of every part, which is its role:
 All shapes must be upright and face +z. A category should have at least five shapes; twenty or more are better.
 
 Examples: shape_correspondence roles train my_shapes --output my.roles --cache graphs
+          shape_correspondence roles evaluate other_shapes --roles my.roles --cache graphs
           shape_correspondence roles predict chair.obj --roles my.roles
 
 )";
 
 struct Roles_options
 {
-  std::vector<std::string> generated;
-  std::string output, manifest, date, model, category, examples;
-  Validation_options validation;
-  std::string left_out = "shapes";
-  std::size_t shown_examples = 0; // 0: all
-  int pairs = 45;
-  Role_training_options training;
+  Role_training training;
+  std::string output, manifest, date;
+  Label_options label; // predict, evaluate: the model
 };
+
+void add_weights(const Match_weights& weights, IO::Json& result)
+{
+  const char* const names[] = {"same_label", "same_role", "votes_agree", "geometric_pair", "excess", "constant"};
+  for (Eigen::Index term = 0; term < PAIR_TERM_COUNT; ++term)
+    result["weights"][names[term]] = weights.weights[term];
+  for (const auto& [name, confidence] :
+       {std::pair("confidence", weights.confidence), std::pair("geometric_confidence", weights.geometric_confidence)}) {
+    result[name]["slope"] = confidence[SLOPE];
+    result[name]["offset"] = confidence[OFFSET];
+  }
+}
+
+/// What a model was learned from.
+IO::Json manifest_json(const Trained_roles& trained, const Roles_options& roles)
+{
+  IO::Json result;
+  result["format"] = "shape_correspondence/role_manifest";
+  result["version"] = 1;
+  if (!roles.date.empty()) result["date"] = roles.date;
+  result["seed"] = roles.training.options.seed;
+  result["trees"] = roles.training.options.trees;
+  result["categories"] = IO::Json::array();
+  for (const Category_roles& learned : Role_model_access::data(trained.model).categories) {
+    IO::Json entry;
+    entry["category"] = learned.name;
+    entry["roles"] = learned.roles;
+    add_weights(learned, entry);
+    result["categories"].push_back(std::move(entry));
+  }
+  result["generated_shapes"] = trained.models.size() - trained.number_of_real;
+  result["shapes"] = IO::Json::array();
+  for (std::size_t i = 0; i < trained.number_of_real; ++i) {
+    const IO::Labelled_shape& shape = trained.models[i].labels;
+    IO::Json entry;
+    entry["category"] = shape.category;
+    entry["name"] = shape.name;
+    entry["source"] = shape.source;
+    entry["license"] = shape.license;
+    result["shapes"].push_back(std::move(entry));
+  }
+  return result;
+}
+
+void train(const Roles_options& roles, const Common_options& common)
+{
+  const Trained_roles trained = train_roles(roles.training, common);
+  IO::write_role_model(roles.output, trained.model);
+  write_output(roles.manifest, [&](std::ostream& out) { manifest_json(trained, roles).write(out); });
+  if (common.quiet || roles.manifest == "-") return;
+  std::vector<std::vector<std::string>> rows{{"category", "shapes", "roles"}};
+  for (const std::string& category : trained.model.categories()) {
+    const auto shapes = std::count_if(trained.models.begin(), trained.models.end(),
+                                      [&](const Labelled_model& model) { return model.labels.category == category; });
+    rows.push_back({category, std::to_string(shapes), listed(trained.model.roles(category))});
+  }
+  write_table(std::cout, rows);
+}
+
+/// Scores of pairs of labelled shapes, matched by geometry alone and with roles; the gain is paired.
+struct Evaluated_roles
+{
+  std::vector<Scored_correspondence> geometry, with_roles; // by pair
+  Evaluation mean_geometry, mean_with_roles, gain;
+};
+
+Evaluated_roles evaluated(const std::vector<Labelled_model>& models,
+                          const std::vector<std::array<std::size_t, 2>>& pairs,
+                          const std::shared_ptr<const Role_model>& model, std::uint64_t seed)
+{
+  Evaluated_roles result;
+  result.geometry.resize(pairs.size());
+  result.with_roles.resize(pairs.size());
+  std::vector<Prepared_shape> shapes;
+  for (const Labelled_model& labelled : models)
+    shapes.emplace_back(labelled.graph);
+  for_each_index(pairs.size(), true, [&](std::size_t i) {
+    const Labelled_model &source = models[pairs[i][0]], &target = models[pairs[i][1]];
+    const Ground_truth truth = ground_truth(source.part_labels, target.part_labels);
+    const auto scored = [&](const std::shared_ptr<const Role_model>& roles) {
+      Search_options options;
+      options.roles = roles;
+      const Part_pairs found =
+          part_pairs(Correspondence_finder(shapes[pairs[i][0]], options)(shapes[pairs[i][1]]).pairs);
+      return Scored_correspondence{source.labels.category, source.labels.file, target.labels.file,
+                                   evaluate_correspondence(found, truth)};
+    };
+    result.geometry[i] = scored(nullptr);
+    result.with_roles[i] = scored(model);
+  });
+  Evaluation_options options;
+  options.seed = seed;
+  result.mean_geometry = mean_scores(result.geometry, options);
+  result.mean_with_roles = mean_scores(result.with_roles, options);
+  result.gain = mean_differences(result.with_roles, result.geometry, options);
+  return result;
+}
+
+/// Calls `row(category, geometry, with roles, gain)` for every category, and for the mean.
+template <typename Row>
+void for_each_row(const Evaluated_roles& found, const Row& row)
+{
+  for (std::size_t c = 0; c < found.gain.categories.size(); ++c)
+    row(found.gain.categories[c].first, found.mean_geometry.categories[c].second,
+        found.mean_with_roles.categories[c].second, found.gain.categories[c].second);
+  row("mean", found.mean_geometry.mean, found.mean_with_roles.mean, found.gain.mean);
+}
+
+std::string decimals(double number)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", number);
+  return text;
+}
+
+std::string interval(const Estimate& estimate) { return decimals(estimate.low) + ".." + decimals(estimate.high); }
+
+void write_evaluation_table(std::ostream& out, const Evaluated_roles& found)
+{
+  std::vector<std::vector<std::string>> rows{
+      {"category", "pairs", "geometry P", "R", "F1", "with roles P", "R", "F1", "95 %", "gain", "95 %"}};
+  for_each_row(found, [&](const std::string& category, const Mean_score& geometry, const Mean_score& with_roles,
+                          const Mean_score& gain) {
+    rows.push_back({category, std::to_string(geometry.correspondences)});
+    for (const Mean_score* score : {&geometry, &with_roles})
+      for (const Estimate* estimate : {&score->precision, &score->recall, &score->f1})
+        rows.back().push_back(decimals(estimate->mean));
+    for (const std::string& text : {interval(with_roles.f1), decimals(gain.f1.mean), interval(gain.f1)})
+      rows.back().push_back(text);
+  });
+  write_table(out, rows);
+}
+
+IO::Json evaluation_json(const Evaluated_roles& found)
+{
+  IO::Json result;
+  result["format"] = "shape_correspondence/role_evaluation";
+  result["version"] = 2;
+  result["categories"] = IO::Json::array();
+  const auto json_of_score = [](const Mean_score& score) {
+    IO::Json entry;
+    for (const auto& [name, estimate] :
+         {std::pair("precision", score.precision), std::pair("recall", score.recall), std::pair("f1", score.f1)}) {
+      entry[name]["mean"] = estimate.mean;
+      entry[name]["low"] = estimate.low;
+      entry[name]["high"] = estimate.high;
+    }
+    return entry;
+  };
+  for_each_row(found, [&](const std::string& category, const Mean_score& geometry, const Mean_score& with_roles,
+                          const Mean_score& gain) {
+    IO::Json entry;
+    entry["category"] = category;
+    entry["pairs"] = geometry.correspondences;
+    entry["geometry"] = json_of_score(geometry);
+    entry["with_roles"] = json_of_score(with_roles);
+    entry["gain"] = json_of_score(gain);
+    result["categories"].push_back(std::move(entry));
+  });
+  result["pairs"] = IO::Json::array();
+  for (std::size_t i = 0; i < found.geometry.size(); ++i) {
+    IO::Json entry;
+    entry["category"] = found.geometry[i].category;
+    entry["source"] = found.geometry[i].source;
+    entry["target"] = found.geometry[i].target;
+    entry["geometry"] = found.geometry[i].score.f1();
+    entry["with_roles"] = found.with_roles[i].score.f1();
+    result["pairs"].push_back(std::move(entry));
+  }
+  return result;
+}
 
 void evaluate(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
 {
-  const Role_training_set set(folders, roles.generated, std::size_t(roles.pairs), common);
-  if (set.pairs.empty()) throw Invalid_input(folders[0] + ": it takes two shapes of a category to match any");
-  const Role_validation validation(set.shapes, set.pairs, roles.validation, roles.training);
-  write_output(common.json, [&](std::ostream& out) {
-    role_evaluation_json(set, validation, roles.left_out, roles.training.seed).write(out);
-  });
-  if (common.prints_table()) write_role_table(std::cout, set, validation, roles.training.seed);
-}
-
-void train(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
-{
-  if (roles.output.empty()) throw Usage_error("'roles train' needs --output MODEL");
-  const Role_training_set set(folders, roles.generated, std::size_t(roles.pairs), common);
-  const Role_validation validation(set.shapes, set.pairs, {}, roles.training);
-  const Role_model model = validation.model();
-  IO::write_role_model(roles.output, model);
-  write_output(roles.manifest, [&](std::ostream& out) {
-    role_manifest_json(set, validation, model, roles.date, roles.training).write(out);
-  });
-  if (common.prints_table() && roles.manifest != "-" && !set.pairs.empty())
-    write_role_table(std::cout, set, validation, roles.training.seed);
+  const auto model = roles.label.roles.empty()
+                         ? IO::shipped_role_model()
+                         : std::make_shared<const Role_model>(IO::read_role_model(roles.label.roles));
+  std::vector<Labelled_model> models;
+  for (const std::string& folder : folders)
+    for (Labelled_model& labelled : load_labelled_models(folder, common))
+      models.push_back(std::move(labelled));
+  const auto pairs = listed_pairs(models, roles.training.most_pairs);
+  if (pairs.empty()) throw Invalid_input(folders[0] + ": it takes two shapes of a category to match any");
+  const Evaluated_roles found = evaluated(models, pairs, model, roles.training.options.seed);
+  write_output(common.json, [&](std::ostream& out) { evaluation_json(found).write(out); });
+  if (common.prints_table()) write_evaluation_table(std::cout, found);
 }
 
 class Roles_command : public Command
@@ -85,66 +251,34 @@ public:
   Roles_command() : Command(roles_help, 2, any_number)
   {
     Option_table::Group add = table.group("Options of roles");
-    const std::vector<std::string> train{"train"}, evaluate{"evaluate"}, predict{"predict"};
-    const std::vector<std::string> both{"train", "evaluate"};
-    Validation_options& validation = roles_.validation;
+    const std::vector<std::string> train{"train"}, predict{"predict"};
     add("output,o", "MODEL", &roles_.output, "train: write the model to this file").output().only_for(train);
     add("manifest", "FILE", &roles_.manifest,
-        "train: write the training shapes and the accuracy of the model as JSON; - is standard output")
+        "train: write the training shapes and the weights of the model as JSON; - is standard output")
         .output()
         .only_for(train);
     add("date", "DATE", &roles_.date, "train: date to put into the manifest").only_for(train);
-    add("generated", "FOLDER", &roles_.generated,
-        "train, evaluate: further labelled shapes that are generated; they have a third of the weight of real ones and "
-        "are never left out. Can be repeated")
-        .only_for(both);
-    add("leave-out", "WHAT", &roles_.left_out,
-        "evaluate: what is left out of the training for a pair of shapes: shapes (the two), sources (all shapes with "
-        "their `source` in labels.json) or category (all shapes of their category)")
-        .words({"shapes", "sources", "category"})
-        .only_for(evaluate);
-    add("examples", "FOLDER", &roles_.examples,
-        "predict: labelled shapes that the model learns in addition, as of `match`")
-        .input()
-        .only_for(predict);
-    add("number-of-examples", "N", &roles_.shown_examples,
-        "evaluate: the training sees at most N shapes of the pair's category that are not generated, drawn for every "
-        "pair; with --leave-out category, no others of the category. Default: all that are not left out")
-        .at_least(1)
-        .without_default()
-        .only_for(evaluate);
-    add("told", &validation.category_is_told, "evaluate: give the category to the matcher, as by --category")
-        .only_for(evaluate);
-    add("turned", "HOW",
-        choice<Validation_turns>(
-            validation.turns,
-            {{"no", Validation_turns::NONE}, {"quarters", Validation_turns::QUARTERS}, {"any", Validation_turns::ANY}}),
-        "evaluate: turn every shape about the up axis by an angle drawn for the pair: no, quarters (a multiple of 90°) "
-        "or any")
-        .only_for(evaluate);
-    add("front", "HOW",
-        choice<Validation_fronts>(validation.fronts, {{"given", Validation_fronts::GIVEN},
-                                                      {"likely", Validation_fronts::LIKELY},
-                                                      {"auto", Validation_fronts::AUTO}}),
-        "evaluate: what the matcher does about fronts, as --front of `match`: given, likely or auto")
-        .only_for(evaluate);
-    add("role-weight", "W", &validation.role_weight,
-        "evaluate: compare the correspondences of least energy, by exact search, without roles and with roles of this "
-        "weight in the energy; 0: compare matching by parts")
-        .between(0, std::numeric_limits<double>::max())
-        .only_for(evaluate);
-    add("pairs", "N", &roles_.pairs,
+    add("generated", "FOLDER", &roles_.training.generated,
+        "train: further labelled shapes that are generated; they have a third of the weight of real ones and are in no "
+        "pair. Can be repeated")
+        .only_for(train);
+    add("pairs", "N", &roles_.training.most_pairs,
         "train, evaluate: match at most N pairs of a category and folder, unless the folder has a pairs.json: "
         "[[CATEGORY, SOURCE, TARGET], ...]")
         .at_least(1)
-        .only_for(both);
-    add("trees", "N", &roles_.training.trees, "train, evaluate: trees in the forest of a category")
+        .only_for({"train", "evaluate"});
+    add("trees", "N", &roles_.training.options.trees, "train: trees in the forest of a category")
         .at_least(1)
-        .only_for(both);
-    add("roles", "MODEL", &roles_.model, "predict: the role model; default: the one that comes with the program")
+        .only_for(train);
+    add("roles", "MODEL", &roles_.label.roles,
+        "evaluate, predict: the role model; default: the one that comes with the program")
+        .input()
+        .only_for({"evaluate", "predict"});
+    add("examples", "FOLDER", &roles_.label.examples,
+        "predict: labelled shapes that the model learns in addition, as of `match`")
         .input()
         .only_for(predict);
-    add("category", "NAME", &roles_.category,
+    add("category", "NAME", &roles_.label.category,
         "predict: the category of the shape; default: the one whose labelled parts are most similar to its parts")
         .only_for(predict);
     add("json", "FILE", &common.json, "evaluate, predict: write the result as JSON; - is standard output")
@@ -163,25 +297,20 @@ private:
     if (std::find(known.begin(), known.end(), action_) == known.end())
       throw Usage_error("there is no 'roles " + action_ + "'; known are: train, evaluate, predict");
     table.refuse_other_modes(action_, "on 'roles " + action_ + "'");
-    for (const char* option : {"turned", "front"})
-      if (table.is_given(option) && roles_.validation.role_weight > 0) refuse_option(option, "with --role-weight");
     if (action_ == "train" && roles_.output.empty()) throw Usage_error("'roles train' needs --output MODEL");
     if (action_ == "predict" && inputs.size() != 1) throw Usage_error("'roles predict' takes one shape");
-    if (roles_.shown_examples > 0) roles_.validation.examples = roles_.shown_examples;
-    roles_.validation.left_out = roles_.left_out == "shapes"    ? Left_out::SHAPES
-                                 : roles_.left_out == "sources" ? Left_out::SOURCES
-                                                                : Left_out::CATEGORY;
-    roles_.training.seed = std::uint64_t(common.seed);
+    roles_.training.folders = inputs;
+    roles_.training.options.seed = std::uint64_t(common.seed);
   }
 
   void work() override
   {
     if (action_ == "train")
-      train(inputs, roles_, common);
+      train(roles_, common);
     else if (action_ == "evaluate")
       evaluate(inputs, roles_, common);
     else
-      label_shape(inputs[0], {roles_.model, roles_.examples, roles_.category}, common.json, common);
+      label_shape(inputs[0], roles_.label, common.json, common);
   }
 
   Roles_options roles_;

@@ -66,12 +66,6 @@ void warn(const Common_options& options, const std::string& message)
   if (!options.quiet) std::cerr << "shape_correspondence: warning: " + IO::quote_terminal(message) + '\n';
 }
 
-void print_warnings(std::ostream& out, const std::vector<std::string>& warnings)
-{
-  for (const std::string& warning : warnings)
-    out << "warning: " << IO::quote_terminal(warning) << '\n';
-}
-
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 Thread_limit::Thread_limit([[maybe_unused]] int threads)

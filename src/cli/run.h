@@ -25,9 +25,6 @@ void write_output(const std::string& file, const std::function<void(std::ostream
 /// Warns on standard error, unless the options are to be quiet.
 void warn(const Common_options& options, const std::string& message);
 
-/// Prints warnings below a table.
-void print_warnings(std::ostream& out, const std::vector<std::string>& warnings);
-
 /// Seconds on the wall since some moment.
 double now();
 

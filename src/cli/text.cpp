@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <numeric>
 #include <ostream>
+#include <regex>
 #include <sstream>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -38,6 +39,13 @@ std::size_t edit_distance(const std::string& a, const std::string& b)
   return row.back();
 }
 
+/// Where a long word ends on its line: after the last of the signs that names are made of; 0 if there is none.
+std::size_t end_of_piece(const std::string& word, std::size_t length)
+{
+  const std::size_t sign = word.find_last_of("_-./#", length - 1);
+  return sign == std::string::npos || sign + 1 == word.size() ? 0 : sign + 1;
+}
+
 } // namespace
 
 void write_table(std::ostream& out, std::vector<std::vector<std::string>> rows)
@@ -64,6 +72,42 @@ void write_table(std::ostream& out, std::vector<std::vector<std::string>> rows)
     rule.pop_back();
     out << rule << '\n';
   }
+}
+
+std::vector<std::string> wrapped(const std::string& text, std::size_t length)
+{
+  std::vector<std::string> lines{""};
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.back().empty() && width(lines.back()) + 1 + width(word) > length) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+    for (std::size_t end; width(lines.back()) > length && (end = end_of_piece(lines.back(), length)) > 0;) {
+      const std::string rest = lines.back().substr(end);
+      lines.back().erase(end);
+      lines.push_back(rest);
+    }
+  }
+  return lines;
+}
+
+void write_wrapped(std::ostream& out, const std::string& text)
+{
+  const char* indent = "";
+  for (const std::string& line : wrapped(text, line_width - 2)) {
+    out << indent << line << '\n';
+    indent = "  ";
+  }
+}
+
+void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all)
+{
+  static const std::regex library_option(R"( \(`[^`]*`\))");
+  if (notes.size() > 1 && !all) {
+    out << notes.size() << " notes; -v shows them\n";
+    return;
+  }
+  for (const std::string& note : notes)
+    out << "note: " << IO::quote_terminal(std::regex_replace(note, library_option, "")) << '\n';
 }
 
 std::string short_number(double number)

@@ -12,6 +12,19 @@ namespace CGAL::Shape_correspondence::cli {
 /// Writes rows with their columns aligned; the first row is a heading.
 void write_table(std::ostream& out, std::vector<std::vector<std::string>> rows);
 
+constexpr std::size_t line_width = 80; ///< characters
+
+/// Words in lines of at most `width` characters; a longer one is broken after a sign that names are made of, if it has
+/// any.
+std::vector<std::string> wrapped(const std::string& text, std::size_t width);
+
+/// Writes a text in lines; further ones are indented.
+void write_wrapped(std::ostream& out, const std::string& text);
+
+/// Writes notes, one a line; of several only how many they are, unless all are wanted. Names of the library's options
+/// are left out.
+void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all);
+
 /// A number with four significant digits.
 std::string short_number(double number);
 

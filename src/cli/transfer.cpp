@@ -3,6 +3,7 @@
 
 #include "cli/Pair_command.h"
 #include "cli/run.h"
+#include "cli/text.h"
 #include "cli/transfer_looks.h"
 #include "io/system/input_file.h"
 #include "matching/unlikely_pairs.h"
@@ -86,7 +87,7 @@ private:
     });
     if (!common.prints_table()) return;
     write_transfer_table(std::cout, source(), target(), transferred);
-    print_warnings(std::cout, transferred.warnings);
+    write_notes(std::cout, transferred.warnings, common.verbose);
   }
 
   Transfer_request request_;
