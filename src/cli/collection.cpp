@@ -56,7 +56,7 @@ Examples: shape_correspondence collection chairs --json chairs.json --npy distan
 
 )";
 
-void print_collection(const Analysis& analysis)
+void print_collection(const Analysis& analysis, bool verbose)
 {
   const IO::Collection& collection = analysis.collection;
   std::vector<std::vector<std::string>> rows{{"shape", "parts", "mean distance", "nearest", "distance"}};
@@ -71,7 +71,7 @@ void print_collection(const Analysis& analysis)
             << "\nclusters of parts: " << collection.co_analysis.number_of_labels << " over "
             << collection.co_analysis.part_pairs << " pairs of parts, " << collection.co_analysis.rejected_pairs
             << " rejected\nordered pairs of shapes with a bridge: " << collection.bridge_count << '\n';
-  print_warnings(std::cout, collection.warnings);
+  write_notes(std::cout, collection.warnings, verbose);
 }
 
 /// Processes on one machine share its processors. \return 0: no limit
@@ -191,7 +191,7 @@ private:
     write_output(options_.npy, [&](std::ostream& out) { IO::write_npy(out, *analysis.energies); });
     write_output(options_.csv, [&](std::ostream& out) { IO::write_csv(out, *analysis.energies, names); });
     if (!common.prints_table()) return;
-    print_collection(analysis);
+    print_collection(analysis, common.verbose);
     if (!common.html.empty() && names.size() > IO::largest_pictured)
       std::cout << IO::quote_terminal(common.html) << ": shows " << IO::largest_pictured << " of the " << names.size()
                 << " shapes; the file of --json has all\n";

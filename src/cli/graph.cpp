@@ -47,7 +47,7 @@ std::string touched_parts(const Shape_structure& shape, std::size_t part)
   return listed(names);
 }
 
-void print_graph(const std::string& path, const Structural_graph& graph)
+void print_graph(const std::string& path, const Structural_graph& graph, bool verbose)
 {
   const Shape_structure& shape = structure(graph);
   std::vector<std::vector<std::string>> rows{{"group", "symmetry", "part", "type", "solidity", "touches"}};
@@ -62,8 +62,8 @@ void print_graph(const std::string& path, const Structural_graph& graph)
   std::cout << IO::quote_terminal(path) << ": " << shape.parts.size() << " parts, " << num_vertices(graph)
             << " groups, " << shape.contacts.size() << " contacts\n\n";
   write_table(std::cout, rows);
-  for (const std::string& warning : shape.warnings)
-    std::cout << "\nwarning: " << IO::quote_terminal(warning) << '\n';
+  if (!shape.warnings.empty()) std::cout << '\n';
+  write_notes(std::cout, shape.warnings, verbose);
 }
 
 class Graph_command : public Command
@@ -119,7 +119,7 @@ private:
     write_output(graphml_, [&](std::ostream& out) { IO::write_structural_graph_graphml(out, shape.graph); });
     write_output(pieces_, [&](std::ostream& out) { IO::write_parts_json(out, shape.split); });
     write_output(dot_, [&](std::ostream& out) { IO::write_structural_graph_dot(out, shape.graph); });
-    if (common.prints_table()) print_graph(inputs[0], shape.graph);
+    if (common.prints_table()) print_graph(inputs[0], shape.graph, common.verbose);
   }
 
   std::string graphml_, dot_, pieces_; // files; empty: none

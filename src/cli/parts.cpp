@@ -78,7 +78,7 @@ std::string summary(const Read_model& model)
   return result;
 }
 
-void print_model(const std::string& path, const Read_model& model)
+void print_model(const std::string& path, const Read_model& model, bool verbose)
 {
   std::cout << IO::quote_terminal(path) << ": " << summary(model) << "\n\n";
   std::vector<std::vector<std::string>> objects{{"object", "triangles", "open pieces", "largest piece", "result"}};
@@ -98,7 +98,7 @@ void print_model(const std::string& path, const Read_model& model)
   std::cout << '\n';
   write_table(std::cout, std::move(pieces));
   std::cout << "\nSizes are fractions of the size of the model.\n";
-  print_warnings(std::cout, model.warnings);
+  write_notes(std::cout, model.warnings, verbose);
   std::cout << '\n';
 }
 
@@ -132,7 +132,7 @@ private:
       const std::string title = fs::path(path).stem().string();
       try {
         const Read_model model = read_model(path, common);
-        if (common.prints_table()) print_model(path, model);
+        if (common.prints_table()) print_model(path, model, common.verbose);
         if (!common.html.empty()) sheet.add(title, model.objects, model.split, summary(model));
       } catch (const Invalid_input& error) {
         complaints += (complaints.empty() ? "" : "\n") + std::string(error.what());

@@ -172,7 +172,7 @@ std::string decimals(double number)
   return text;
 }
 
-std::string interval(const Estimate& estimate) { return decimals(estimate.low) + ".." + decimals(estimate.high); }
+std::string interval_text(const Estimate& estimate) { return decimals(estimate.low) + ".." + decimals(estimate.high); }
 
 void write_evaluation_table(std::ostream& out, const Evaluated_roles& found)
 {
@@ -184,7 +184,7 @@ void write_evaluation_table(std::ostream& out, const Evaluated_roles& found)
     for (const Mean_score* score : {&geometry, &with_roles})
       for (const Estimate* estimate : {&score->precision, &score->recall, &score->f1})
         rows.back().push_back(decimals(estimate->mean));
-    for (const std::string& text : {interval(with_roles.f1), decimals(gain.f1.mean), interval(gain.f1)})
+    for (const std::string& text : {interval_text(with_roles.f1), decimals(gain.f1.mean), interval_text(gain.f1)})
       rows.back().push_back(text);
   });
   write_table(out, rows);

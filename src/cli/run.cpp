@@ -63,7 +63,7 @@ void write_output(const std::string& file, const std::function<void(std::ostream
 
 void warn(const Common_options& options, const std::string& message)
 {
-  if (!options.quiet) std::cerr << "shape_correspondence: warning: " + IO::quote_terminal(message) + '\n';
+  if (!options.quiet) std::cerr << "shape_correspondence: note: " + IO::quote_terminal(message) + '\n';
 }
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
