@@ -144,7 +144,7 @@ struct Search_keywords : Keywords
   explicit Search_keywords(const SC::Search_options& search = {})
   {
     match.search = search;
-    table.group("Python")("search_method", "METHOD", choice(match.search.method, SC::cli::search_methods),
+    table.group("Python")("search_method", "METHOD", SC::cli::choice(match.search.method, SC::cli::search_methods),
                           "parts (least cost of substituting parts), beam (least deformation energy by the paper's "
                           "beam search) or exact (least deformation energy, with a proof)")
         .in_python();

@@ -56,7 +56,7 @@ void Command::write_help(std::ostream& out) const { out << text_ << table.help()
 void Command::run(const std::vector<std::string>& arguments)
 {
   inputs = table.parse(arguments);
-  if (common.help) return write_help(std::cout);
+  if (table.is_given("help")) return write_help(std::cout);
   if (common.quiet && common.verbose) throw Usage_error("--quiet and --verbose do not go together");
   if (std::count(inputs.begin(), inputs.end(), "") > 0) throw Usage_error("the name of an input is empty");
   check_number(inputs.size(), least_, most_);

@@ -285,7 +285,7 @@ TEST_CASE("Shapes that cannot be used: all are named, the work is kept, --skip-b
   folder.write("graphs", "a file");
   const Run no_folder = run(quoted(in) + " --store " + quoted(folder.path("graphs")));
   CHECK(no_folder.status == 1);
-  CHECK_THAT(no_folder.error, Contains("graphs/tiles: it cannot be used as a store"));
+  CHECK_THAT(no_folder.error, Contains("graphs/graphs: it cannot be used as a store"));
 }
 
 TEST_CASE("The nearest shapes of a query")
