@@ -6,13 +6,12 @@ from __future__ import annotations
 
 import json
 import os
-import tempfile
 from dataclasses import dataclass
 from typing import Any, ClassVar, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _core
 from ._records import Record
-from ._shapes import Graph, Input, Path, Progress, _graphs, _reading_options
+from ._shapes import Graph, Input, Path, Progress, _graphs
 
 RoleModel = _core.RoleModel
 Model = Union[str, "os.PathLike[str]", RoleModel]
@@ -67,7 +66,7 @@ def predict(shape: Input, model: Optional[Model] = None, *, category: str = "", 
     :param progress: see `build_graph()`
     :raises InvalidInput: if the shape is of no category that the model knows
     """
-    graph = _graphs([shape], False, {"threads": threads, **_reading_options(cache=cache)}, progress)[0]
+    graph = _graphs([shape], False, {"cache": cache, "threads": threads}, progress)[0]
     known = model if isinstance(model, RoleModel) else load(model)
     return PartRoles.from_dict(json.loads(_core.predict_roles(graph._handle, known, category)))
 
@@ -76,7 +75,7 @@ def train(shapes: Union[Path, Sequence[Union[Path, LabelledShape]]], *, trees: i
           cache: Optional[Path] = None, threads: int = 0, progress: Progress = None) -> RoleModel:
     """Learns a role model. A category should have at least five shapes; twenty or more are better.
 
-    :param shapes: folders of labelled shapes, as for ``shape_correspondence roles train``, which is then called; or
+    :param shapes: folders of labelled shapes, as for ``shape_correspondence roles train``, with the same model; or
         `LabelledShape` objects
     :param trees: number of trees in the forest of a category, from 1 to 1000
     :param seed: seed of the random numbers
@@ -87,7 +86,8 @@ def train(shapes: Union[Path, Sequence[Union[Path, LabelledShape]]], *, trees: i
     """
     every = [shapes] if isinstance(shapes, (str, os.PathLike)) else list(shapes)
     if all(isinstance(shape, (str, os.PathLike)) for shape in every):
-        return _train_of_files([os.fspath(shape) for shape in every], trees, seed, cache, threads, progress)
+        options = {"cache": cache, "threads": threads}
+        return _core.train_roles_of_folders([os.fspath(shape) for shape in every], trees, seed, options, progress)
     return _core.train_roles(_examples(every, cache, threads, progress), trees, seed, progress)
 
 
@@ -109,25 +109,12 @@ def extend(model: Optional[Model], shapes: Sequence[LabelledShape], *, seed: int
 
 def _examples(shapes: Sequence[LabelledShape], cache: Optional[Path], threads: int, progress: Progress) -> List[Any]:
     examples = []
-    options = {"threads": threads, **_reading_options(cache=cache)}
+    options = {"cache": cache, "threads": threads}
     for labelled in shapes:
         graph = _graphs([labelled.shape], False, options, progress)[0]
         labels = [_label(labelled.labels, part, graph) for part in graph.part_names]
         examples.append((graph._handle, labelled.category, labels, labelled.weight))
     return examples
-
-
-def _train_of_files(folders: List[str], trees: int, seed: int, cache: Optional[Path], threads: int,
-                    progress: Progress) -> RoleModel:
-    with tempfile.TemporaryDirectory() as folder:
-        output = os.path.join(folder, "model.roles")
-        arguments = ["train", *folders, "--output", output, "--trees", str(trees), "--seed", str(seed), "--quiet"]
-        if cache is not None:
-            arguments += ["--cache", os.fspath(cache)]
-        if threads > 0:
-            arguments += ["--threads", str(threads)]
-        _core.train_roles_of_files(arguments, progress)
-        return load(output)
 
 
 def _label(labels: Mapping[str, Union[str, Tuple[str, str]]], part: str, graph: Graph) -> Tuple[str, str]:
@@ -137,9 +124,9 @@ def _label(labels: Mapping[str, Union[str, Tuple[str, str]]], part: str, graph: 
     return (label, "") if isinstance(label, str) else (label[0], label[1] or "")
 
 
-def _model_of(roles: Optional[Model], search_method: str, role_weight: float = 0) -> Optional[RoleModel]:
+def _model_of(roles: Optional[Model], search: Mapping[str, Any]) -> Optional[RoleModel]:
     """The model that a search takes: roles are for matching by parts, or have a weight in the energy."""
-    has_roles = search_method == "parts" or role_weight > 0
+    has_roles = search.get("search_method", "parts") == "parts" or search.get("role_weight", 0) > 0
     if not has_roles and not (roles is None or roles == "auto"):
         raise _core.InvalidInput('roles need search_method="parts", or a role_weight')
     if roles is None or not has_roles:

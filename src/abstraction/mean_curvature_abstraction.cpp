@@ -27,12 +27,8 @@ Meso_kind meso_kind(const Eigen::Vector3d& extents, double area_kept)
   const double least_width = 0.2; // of a sheet, over its length
   const double least_depth = 0.5; // of a blob, over its width
   const double least_area = 0.1;  // of a sheet, over that of the part's surface
-  if (extents[1] <= least_width * extents[0]) {
-    return Meso_kind::CURVE;
-  }
-  if (extents[2] >= least_depth * extents[1]) {
-    return Meso_kind::BLOB;
-  }
+  if (extents[1] <= least_width * extents[0]) return Meso_kind::CURVE;
+  if (extents[2] >= least_depth * extents[1]) return Meso_kind::BLOB;
   return area_kept > least_area ? Meso_kind::SHEET : Meso_kind::CURVE;
 }
 

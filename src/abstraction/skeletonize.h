@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include "abstraction/deadline.h"
 #include "abstraction/spatial_graph.h"
-#include "base/deadline.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/version.h>

@@ -1,51 +1,38 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/Pair_command.h"
 #include "cli/blend_output.h"
 #include "cli/blend_warnings.h"
-#include "cli/choose_parts.h"
-#include "cli/command_line.h"
-#include "cli/commands.h"
-#include "cli/load_shape.h"
-#include "cli/match_options.h"
-#include "cli/match_table.h"
-#include "cli/outputs.h"
+#include "cli/match_shapes.h"
 #include "cli/progress_bar.h"
-#include "cli/run_report.h"
-#include "cli/text_table.h"
-#include "cli/thread_limit.h"
-#include "io/system/quoting.h"
+#include "cli/run.h"
+#include "cli/text.h"
 #include "matching/unlikely_pairs.h"
 #include "viewer/match_page.h"
 
-#include <CGAL/Shape_correspondence/IO/correspondence_json.h>
-#include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
-#include <CGAL/Shape_correspondence/Invalid_input.h>
-#include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <algorithm>
+#include <iomanip>
 #include <iostream>
 #include <sstream>
 
 namespace CGAL::Shape_correspondence::cli {
-
-namespace po = boost::program_options;
-
 namespace {
 
-const char* const help_text =
+const char* const blend_help =
     R"(Usage: shape_correspondence blend SOURCE TARGET -o FOLDER|FILE.glb|FILE.html [options]
 
-Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. Corresponding parts
-morph into each other, split or merge; where a surface would be torn on its way to the other, the one grows in the
-middle of the other, which then shrinks. Parts without counterpart shrink or grow; parts in contact stay in contact.
-The first frame is the source, the last one the target.
+Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. All stand on one
+ground, in the axes of the source. Every part goes straight to the place of its counterpart and morphs on the way; where
+its surface would be torn, the other one thickens inside it, and it thins. Parts without counterpart thin or thicken in
+place; parts in contact stay in contact. The first frame is the source, the last one the target.
 
 With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
-plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb. Otherwise FOLDER is made, with one file for
-each frame: frame_000 and so on. A part of a frame is named s~t where source part s becomes t, s~ where s vanishes, and
-~t where t grows.
+plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb, with --solid as one closed surface.
+Otherwise FOLDER is made, with one file for each frame: frame_000 and so on. A part of a frame is named s~t where
+source part s becomes t, s~ where s vanishes, and ~t where t grows.
 
 SOURCE and TARGET are each one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D. Its objects or nodes are the
@@ -56,12 +43,13 @@ SOURCE and TARGET are each one of
 With --match R.json, the correspondence is read from a result of `match` for the same two shapes, and options of the
 search are refused.
 
-Pairs of parts with a confidence below --min-confidence are left out: their parts shrink and grow. A schedule defines
+Pairs of parts with a confidence below --min-confidence are left out: their parts thin and thicken. A schedule defines
 when each part changes: --schedule takes one by its name, the best one, or all that make different shapes in between,
 each into a folder of its own (with --at, a file), the best one first.
 
 Examples: shape_correspondence blend chair.obj swivel_chair.obj -o blend.glb
           shape_correspondence blend chair.obj swivel_chair.obj -o frames --match chair_swivel.json --frames 9
+          shape_correspondence blend chair.obj swivel_chair.obj -o print.obj --at 0.5 --solid
           shape_correspondence blend chair.obj swivel_chair.obj -o between --schedule all --at 0.5 --size same
 
 )";
@@ -90,50 +78,111 @@ Blend_options with_progress(Blend_options result, Progress_bar& bar)
 
 void print_schedules(const Shape_blend& blend)
 {
-  std::vector<std::vector<std::string>> rows{
-      {"schedule", "gap", "apart", "asymmetry", "ground", "thinning", "area", "volume", "torn", "overlap", "wobble"}};
+  std::vector<std::vector<std::string>> rows{{"schedule"}};
+  for (const Blend_measure& measure : blend_measures())
+    rows[0].push_back(measure.name);
   for (const Blend_schedule& schedule : blend.schedules()) {
-    const Blend_quality& quality = schedule.quality;
-    rows.emplace_back();
-    rows.back().push_back(schedule.name);
-    for (double value : {quality.gap, quality.apart, quality.asymmetry, quality.ground, quality.thinning, quality.area,
-                         quality.volume, quality.torn, quality.overlap, quality.wobble})
-      rows.back().push_back(short_number(value));
+    rows.push_back({schedule.name});
+    for (const Blend_measure& measure : blend_measures())
+      rows.back().push_back(short_number(schedule.quality.*measure.value));
   }
   write_table(std::cout, rows);
   std::cout << "\nThe first schedule is used. Each value is the maximum over the in-between shapes that were rated "
                "(for a schedule that is already worse in the middle, only that one); lengths are fractions of the "
-               "height:\n"
-               "  gap        how much wider a contact is than in the source and the target\n"
-               "  apart      how far connected parts were apart before they were moved together again\n"
-               "  asymmetry  distance of the shape from its mirror image\n"
-               "  ground     distance of the feet from the ground\n"
-               "  thinning   share by which a part is thinner than in the source and the target\n"
-               "  area       share by which the surface is larger\n"
-               "  volume     share by which the volume is larger\n"
-               "  torn       share of the surface that is torn or folded\n"
-               "  overlap    share of the surface that lies inside other parts\n"
-               "  wobble     how much farther a part that is the same in both shapes moves than its neighbours\n";
+               "height:\n";
+  constexpr int width = 11;
+  for (const Blend_measure& measure : blend_measures())
+    std::cout << "  " << std::left << std::setw(width) << measure.name << measure.meaning << '\n';
 }
 
-struct Variables
+class Blend_command : public Pair_command
 {
-  Common_options common;
-  Match_options match;
-  Blend_output output;
+public:
+  Blend_command() : Pair_command(blend_help)
+  {
+    match.search.min_confidence = Blend_options().min_confidence;
+    Option_table::Group add = table.group("Output");
+    add_output_options(add, output_);
+    add_result_option(add);
+    add("json", "FILE", &common.json,
+        "write the schedule of the parts and the quality of every frame as JSON; - is standard output");
+    add_shared_options();
+  }
+
+private:
+  void check() override
+  {
+    Pair_command::check();
+    search.min_confidence = 0; // what is less probable is left out here, and told
+    check_output(output_);
+  }
+
+  std::vector<std::string> output_files() const override
+  {
+    return {common.json, output_.is_file() ? output_.path : ""};
+  }
+
+  void read_looks()
+  {
+    if (!output_.may_show_materials() || output_.colours == "match") return;
+    for (std::size_t i : {0u, 1u}) {
+      read_appearance(inputs[i], shapes[i]);
+      for (const std::string& warning : shapes[i].appearance.warnings)
+        warnings.push_back(inputs[i] + ": " + warning);
+    }
+  }
+
+  void write_page(const Shape_blend& blend, const Correspondence& pairs,
+                  const std::function<void(std::ostream&)>& write_json) const
+  {
+    IO::Page page = IO::match_page({pairs}, source().graph, target().graph, source().model_pointer(),
+                                   target().model_pointer(), inputs[0], inputs[1], {});
+    std::ostringstream json, glb;
+    write_json(json);
+    IO::write_blend_glb(glb, blend, pairs, output_.frames);
+    page.json.push_back({"blend", json.str()});
+    page.glb.push_back({"blend.glb", glb.str()});
+    write_output(output_.path, [&](std::ostream& out) { IO::write_page(out, page); });
+  }
+
+  void work() override
+  {
+    load();
+    for (std::size_t i : {0u, 1u})
+      complete_surfaces(inputs[i], shapes[i]);
+    Correspondence pairs = correspondence();
+    const std::vector<std::string> unlikely = remove_unlikely(pairs, match.search.min_confidence, source(), target());
+
+    Progress_bar bar(common, "blend");
+    Blend_options options = blend_options(output_);
+    options.min_confidence = 0; // unlikely pairs are out already
+    const Shape_blend blend(source().graph, *source().model, target().graph, *target().model, pairs,
+                            with_progress(options, bar));
+    read_looks();
+    const IO::Blend_appearance appearance{source().appearance, target().appearance};
+    const bool has_materials = !appearance.source.empty() || !appearance.target.empty();
+    write_blend(output_, blend, pairs, output_.colours == "materials" || has_materials ? &appearance : nullptr);
+    for (const std::vector<std::string>& more : {pairs.warnings, unlikely})
+      warnings.insert(warnings.end(), more.begin(), more.end());
+    warn_of_sizes(options.size, source(), target(), warnings);
+    warn_of_exchanges(blend, source(), target(), warnings);
+    const auto write_json = [&](std::ostream& out) {
+      IO::write_blend_json(out, blend, source().graph, target().graph, inputs[0], inputs[1], output_.path,
+                           output_.frames, warnings);
+    };
+    write_output(common.json, write_json);
+    if (output_.is_page()) write_page(blend, pairs, write_json);
+    if (!common.prints_table()) return;
+    if (common.verbose) {
+      write_match_table(std::cout, pairs, source().graph, target().graph, true);
+      std::cout << '\n';
+      print_schedules(blend);
+    }
+    write_notes(std::cout, warnings, common.verbose);
+  }
+
+  Blend_output output_;
 };
-
-po::options_description all_options(Variables& v)
-{
-  po::options_description result;
-  v.match.search.min_confidence = Blend_options().min_confidence;
-  result.add(output_options(v.output, v.common))
-      .add(match_options(v.match))
-      .add(pair_options(v.common))
-      .add(model_options(v.common))
-      .add(common_options(v.common));
-  return result;
-}
 
 } // namespace
 
@@ -150,104 +199,19 @@ void warn_of_sizes(Blend_size size, const Loaded_shape& source, const Loaded_sha
 void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
                        std::vector<std::string>& warnings)
 {
-  for (const auto& [reason, word] :
-       {std::pair(Blend_exchange::TORN, "torn"), std::pair(Blend_exchange::THIN, "crushed")}) {
+  for (const auto& [reason, why] :
+       {std::pair(Blend_exchange::TORN, "as one would be torn on its way to the other"),
+        std::pair(Blend_exchange::THIN, "as one would be crushed on its way to the other"),
+        std::pair(Blend_exchange::UNMATCHED, "as neither has a counterpart and they are alike in place and size")}) {
     std::string pairs;
     for (const Blend_task& task : blend.schedules()[0].tasks)
       if (task.exchange == reason)
         pairs += (pairs.empty() ? "'" : ", '") + structure(source.graph).parts[task.source].name + "' and '" +
                  structure(target.graph).parts[task.target].name + "'";
-    if (!pairs.empty())
-      warnings.push_back(pairs + " exchange surfaces half-way, as one would be " + word + " on its way to the other");
+    if (!pairs.empty()) warnings.push_back(pairs + " exchange surfaces in place, " + why);
   }
 }
 
-Command_help help_of_blend()
-{
-  static Variables unused;
-  return {help_text, all_options(unused)};
-}
-
-void run_blend(const std::vector<std::string>& arguments)
-{
-  Variables variables;
-  Common_options& common = variables.common;
-  Match_options& match = variables.match;
-  Blend_output& output = variables.output;
-  const Arguments parsed = parse(arguments, all_options(variables), 2, 2);
-  if (parsed.help) return write_help(std::cout, command_of("blend"));
-  const Run_report report(common);
-  refuse_abstraction_of_graphs(parsed);
-  Search_options search = search_options(match, parsed.values);
-  search.min_confidence = 0; // what is less probable is left out here, and told
-  if (!output.match.empty()) refuse_search_options(parsed.values);
-  check(common);
-  check(output);
-  std::vector<std::string> inputs = parsed.inputs;
-  inputs.push_back(output.match);
-  check_outputs({common.json, output.is_file() ? output.path : ""}, inputs);
-  const Thread_limit limit(common.threads);
-  const std::vector<std::string>& paths = parsed.inputs;
-  common.roles = search.roles;
-  std::vector<std::string> warnings_of_up;
-  std::vector<Loaded_shape> shapes = load_pair(paths, common, warnings_of_up);
-  for (std::size_t i : {0u, 1u})
-    complete_surfaces(paths[i], shapes[i]);
-  const Loaded_shape &source = shapes[0], &target = shapes[1];
-  add_examples(match, common, search);
-  choose_parts(match, {source.graph, paths[0]}, {target.graph, paths[1]}, search);
-  Correspondence correspondence =
-      output.match.empty()
-          ? find_correspondence(source.graph, target.graph, search)
-          : IO::correspondence_of(IO::read_correspondence_json(output.match), source.graph, target.graph, output.match);
-
-  const std::vector<std::string> unlikely =
-      remove_unlikely(correspondence, match.search.min_confidence, source, target);
-
-  Progress_bar bar(common, "blend");
-  Blend_options options = blend_options(output);
-  options.min_confidence = 0; // unlikely pairs are out already
-  const Shape_blend blend(source.graph, *source.model, target.graph, *target.model, correspondence,
-                          with_progress(options, bar));
-  std::vector<std::string> warnings = warnings_of(paths, shapes);
-  if (output.may_show_materials() && output.colours != "match")
-    for (std::size_t i : {0u, 1u}) {
-      read_appearance(paths[i], shapes[i]);
-      for (const std::string& warning : shapes[i].appearance.warnings)
-        warnings.push_back(paths[i] + ": " + warning);
-    }
-  const IO::Blend_appearance appearance{source.appearance, target.appearance};
-  const bool has_materials = !appearance.source.empty() || !appearance.target.empty();
-  write_blend(output, blend, correspondence, output.colours == "materials" || has_materials ? &appearance : nullptr);
-  warnings.insert(warnings.begin(), warnings_of_up.begin(), warnings_of_up.end());
-  warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
-  warnings.insert(warnings.end(), unlikely.begin(), unlikely.end());
-  warn_of_sizes(blend_options(output).size, source, target, warnings);
-  warn_of_exchanges(blend, source, target, warnings);
-  const auto write_json = [&](std::ostream& out) {
-    IO::write_blend_json(out, blend, source.graph, target.graph, paths[0], paths[1], output.path, output.frames,
-                         warnings);
-  };
-  write_output(common.json, write_json);
-  if (output.is_page()) {
-    IO::Page page = IO::match_page({correspondence}, source.graph, target.graph, source.model_pointer(),
-                                   target.model_pointer(), paths[0], paths[1], {});
-    std::ostringstream json, glb;
-    write_json(json);
-    IO::write_blend_glb(glb, blend, correspondence, output.frames);
-    page.json.push_back({"blend", json.str()});
-    page.glb.push_back({"blend.glb", glb.str()});
-    write_output(output.path, [&](std::ostream& out) { IO::write_page(out, page); });
-  }
-  if (common.prints_table()) {
-    if (common.verbose) {
-      write_match_table(std::cout, correspondence, source.graph, target.graph);
-      std::cout << '\n';
-    }
-    print_schedules(blend);
-    for (const std::string& warning : warnings)
-      std::cout << "warning: " << IO::quote_terminal(warning) << '\n';
-  }
-}
+std::unique_ptr<Command> blend_command() { return std::make_unique<Blend_command>(); }
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -33,7 +33,7 @@ void check(const Eigen::SparseMatrix<double>& weights, const Markov_clustering_o
         throw Invalid_input("markov_clustering: a weight is negative or not finite");
 }
 
-// The entries of a column in their order.
+// The entries of a column, by row.
 using Column = std::vector<std::pair<Eigen::Index, double>>;
 
 double sum_of(const Column& column)
@@ -93,14 +93,14 @@ void prune(const Markov_clustering_options& options, std::size_t column_limit, C
   std::sort(column.begin(), column.end());
 }
 
-/// Squares, prunes and inflates, some columns at a time: before they are pruned, columns may have very many entries.
-/// \return how far columns are from being all alike where they are not 0
+/// Squares, prunes and inflates a flow. By blocks of columns, since columns that are not yet pruned have many entries.
+/// \return 0 if in every column the entries that are not 0 are equal, else more, at most 1
 double step(const Markov_clustering_options& options, Flow_matrix& flow)
 {
   constexpr Eigen::Index columns_at_a_time = 256;
   const std::size_t limit = column_limit(options, flow.cols());
   Flow_matrix result(flow.rows(), flow.cols());
-  result.reserve(Eigen::Index(limit) * flow.cols()); // or else it is copied to twice its size whenever it is full
+  result.reserve(Eigen::Index(limit) * flow.cols()); // avoids repeated growth
   double chaos = 0;
   for (Eigen::Index first = 0; first < flow.cols(); first += columns_at_a_time) {
     const Flow_matrix squared = flow * flow.middleCols(first, std::min(columns_at_a_time, flow.cols() - first));
@@ -131,7 +131,7 @@ std::vector<std::size_t> systems_of(const Flow_matrix& flow)
 {
   const auto n = std::size_t(flow.cols());
   internal::Disjoint_sets systems(n);
-  constexpr double least_share = 1e-2; // of what is not about to vanish
+  constexpr double least_share = 1e-2; // of flow that is not about to vanish
   std::vector<std::size_t> attractor(n);
   for (std::size_t j = 0; j < n; ++j) {
     double most = 0;

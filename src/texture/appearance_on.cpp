@@ -39,9 +39,10 @@ Corners corners_of(const Part_mesh& mesh, Eigen::Index t, int& first)
 }
 
 /// Barycentric coordinates in the plane of a triangle, also outside of it.
-Eigen::Vector3d plane_coordinates(const Point& p, const Point& a, const Point& b, const Point& c)
+Eigen::Vector3d plane_coordinates(const Point& p, const internal::contacts::Triangle& triangle)
 {
-  const Point normal = (b - a).cross(c - a);
+  const auto& [a, b, c] = triangle;
+  const Point normal = internal::contacts::area_vector(triangle);
   const double squared = normal.squaredNorm();
   if (!(squared > 0)) return {1, 0, 0};
   const double of_a = (c - b).cross(p - b).dot(normal) / squared, of_b = (a - c).cross(p - c).dot(normal) / squared;
@@ -61,7 +62,7 @@ Vector mean_of(const std::vector<Vector>& values, std::size_t triangle, const Ei
 class Triangle_finder
 {
 public:
-  explicit Triangle_finder(const Part_mesh& mesh) : tree_(triangles_of(mesh))
+  explicit Triangle_finder(const Part_mesh& mesh) : tree_(internal::tree_of(mesh.points, mesh.triangles))
   {
     for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
       int first = 0;
@@ -75,9 +76,8 @@ public:
     int first = 0;
     const auto found = known_.find(corners_of(other, t, first));
     if (found != known_.end()) return found->second;
-    const Point middle = (other.points.col(other.triangles(0, t)) + other.points.col(other.triangles(1, t)) +
-                          other.points.col(other.triangles(2, t))) /
-                         3;
+    const internal::contacts::Triangle corners = internal::triangle_of(other, t);
+    const Point middle = (corners[0] + corners[1] + corners[2]) / 3;
     Point nearest = middle;
     double squared = std::numeric_limits<double>::infinity();
     std::size_t triangle = 0;
@@ -86,15 +86,6 @@ public:
   }
 
 private:
-  static std::vector<internal::contacts::Triangle> triangles_of(const Part_mesh& mesh)
-  {
-    std::vector<internal::contacts::Triangle> result;
-    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
-      result.push_back({mesh.points.col(mesh.triangles(0, t)), mesh.points.col(mesh.triangles(1, t)),
-                        mesh.points.col(mesh.triangles(2, t))});
-    return result;
-  }
-
   internal::contacts::Triangle_tree tree_;
   std::map<Corners, Eigen::Index> known_;
 };
@@ -123,11 +114,10 @@ Part_appearance appearance_on(const Part_mesh& mesh, const Part_appearance& appe
   for (Eigen::Index t = 0; t < on_it.triangles.cols(); ++t) {
     const Eigen::Index found = finder(on_it, t);
     const auto triangle = std::size_t(found);
+    const internal::contacts::Triangle corners = internal::triangle_of(mesh, found);
     if (!appearance.materials.empty()) result.materials.push_back(appearance.materials[triangle]);
     for (int k = 0; k < 3; ++k) {
-      const auto corner = [&](int i) -> Point { return mesh.points.col(mesh.triangles(i, found)); };
-      const Eigen::Vector3d weights =
-          plane_coordinates(on_it.points.col(on_it.triangles(k, t)), corner(0), corner(1), corner(2));
+      const Eigen::Vector3d weights = plane_coordinates(on_it.points.col(on_it.triangles(k, t)), corners);
       if (!appearance.coordinates.empty())
         result.coordinates.push_back(mean_of(appearance.coordinates, triangle, weights));
       if (appearance.colours.empty()) continue;

@@ -14,8 +14,7 @@ namespace {
 // Corners that bend back by less than this, over the polygon's area, count as straight.
 constexpr double straight = 1e-12;
 
-// Corners of a concave polygon up to which its triangles are found, in time cubic in them at worst; those of a greater
-// one are a fan.
+// Corners of a polygon up to which ears are cut off, in time cubic in them at worst.
 constexpr std::size_t most_corners = 1000;
 
 /// Twice the area vector of a polygon (Newell).
@@ -90,8 +89,12 @@ std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
   std::iota(rest.begin(), rest.end(), std::size_t(0));
   const Point area = area_vector(polygon);
   const Point normal = area.normalized();
-  const bool is_fan =
-      polygon.size() < 4 || polygon.size() > most_corners || is_convex(polygon, normal, straight * area.norm());
+  const bool is_fan = polygon.size() < 4 || is_convex(polygon, normal, straight * area.norm());
+  if (polygon.size() > most_corners) {
+    if (!is_fan) result = triangles_in_plane(polygon, normal);
+    if (result.empty()) add_halves(0, polygon.size() - 1, result); // also of one that crosses itself: any triangles do
+    return result;
+  }
   while (!is_fan && rest.size() > 3) {
     std::size_t ear = 0;
     while (ear < rest.size() && !is_ear(polygon, rest, ear, normal))

@@ -49,6 +49,14 @@ bool is_model_file(const std::string& path);
 /// fewer than 3 corners.
 std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon);
 
+/// Adds the triangles of the corners from `first` to `last` of a convex polygon by halving, so that no corner is in
+/// many of them as the first one of a fan is.
+void add_halves(std::size_t first, std::size_t last, std::vector<std::size_t>& triangles);
+
+/// The triangles of a polygon in the plane across `normal`, O(n log n) for n corners; none if it touches or crosses
+/// itself there.
+std::vector<std::size_t> triangles_in_plane(const std::vector<Point>& polygon, const Point& normal);
+
 /// The indexed mesh of triangles given by their corners: corners at the same place become one vertex, vertices are
 /// numbered as they first appear, triangles with two corners at the same place are left out.
 /// \param kept where not null, gets the numbers of the triangles that are left

@@ -27,7 +27,8 @@ std::optional<Segmented_shape> read_part_meshes(const std::string& graph_file, c
     if (!options.allow_outside_files && std::filesystem::exists(file) && !is_in_folder_of(graph_file, file))
       part["mesh"].fail("names a file outside the folder of the graph; read it with --allow-outside-files");
     Part_mesh mesh; // all of the file
-    for (const Shape_part& of_file : read_segmented_shape(file, Point::UnitY(), nullptr, options).parts())
+    const Segmented_shape shape_of_file = read_segmented_shape(file, Point::UnitY(), nullptr, options);
+    for (const Shape_part& of_file : shape_of_file.parts())
       add_mesh(of_file.mesh, mesh);
     result.add_part(part["name"].text(), mesh);
   }
