@@ -63,6 +63,9 @@ void warn_of_appearance(const std::string& path, const Loaded_shape& shape, cons
 /// What the graphs of inputs warn of; every line names its input.
 std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes);
 
+/// By index.
+std::vector<std::string> part_names(const Structural_graph& graph);
+
 /// Whether a path is that of a file that ends in `.json`, and whether it is that of a structural graph.
 bool is_json_file(const std::string& path);
 bool is_graph_file(const std::string& path);

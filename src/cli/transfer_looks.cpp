@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/transfer_looks.h"
-#include "cli/text_table.h"
+#include "cli/text.h"
 #include "io/system/colours.h"
 #include "io/write/Json.h"
 

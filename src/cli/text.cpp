@@ -1,12 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/text_table.h"
+#include "cli/text.h"
 #include "io/system/quoting.h"
 
 #include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
+#include <cstdio>
+#include <numeric>
 #include <ostream>
 #include <regex>
 #include <sstream>
@@ -18,6 +20,23 @@ namespace {
 std::size_t width(const std::string& text)
 {
   return std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; });
+}
+
+/// Levenshtein's: the fewest insertions, deletions and replacements of a letter.
+std::size_t edit_distance(const std::string& a, const std::string& b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] != b[j]);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
 }
 
 /// Where a long word ends on its line: after the last of the signs that names are made of; 0 if there is none.
@@ -99,9 +118,29 @@ std::string short_number(double number)
   return out.str();
 }
 
+std::string percentage(double share)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f %%", 100 * share);
+  return text;
+}
+
 std::string listed(const std::vector<std::string>& words)
 {
   return words.empty() ? "-" : boost::algorithm::join(words, ", ");
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& known)
+{
+  std::size_t nearest = 1 + (word.size() + 1) / 3; // a third of the letters may be wrong
+  std::string result;
+  for (const std::string& candidate : known) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    result = "; did you mean '" + candidate + "'?";
+  }
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::cli

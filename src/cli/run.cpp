@@ -1,12 +1,18 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/outputs.h"
+#include "cli/run.h"
+#include "cli/text.h"
 #include "io/system/atomic_file.h"
 #include "io/system/quoting.h"
 
+#include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <sys/resource.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
 
 namespace CGAL::Shape_correspondence::cli {
 namespace {
@@ -22,6 +28,15 @@ bool are_same_file(const std::string& a, const std::string& b)
     return fs::weakly_canonical(fs::absolute(IO::written_file(path), error), error);
   };
   return a == b || place(a) == place(b);
+}
+
+/// The most memory that the process has used. Linux counts it in kilobytes.
+double peak_megabytes()
+{
+  constexpr double kilobytes = 1024;
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return double(usage.ru_maxrss) / kilobytes;
 }
 
 } // namespace
@@ -41,14 +56,31 @@ void check_outputs(const std::vector<std::string>& files, const std::vector<std:
   }
 }
 
-void warn(const Common_options& options, const std::string& message)
-{
-  if (!options.quiet) std::cerr << "shape_correspondence: warning: " + IO::quote_terminal(message) + '\n';
-}
-
 void write_output(const std::string& file, const std::function<void(std::ostream&)>& write)
 {
   if (!file.empty()) IO::write_atomically(file, write);
+}
+
+void warn(const Common_options& options, const std::string& message)
+{
+  if (!options.quiet) std::cerr << "shape_correspondence: note: " + IO::quote_terminal(message) + '\n';
+}
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+Thread_limit::Thread_limit([[maybe_unused]] int threads)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if (threads > 0)
+    control_ = std::make_shared<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
+#endif
+}
+
+Run_report::~Run_report()
+{
+  if (enabled_)
+    std::cerr << "shape_correspondence: " << short_number(now() - begin_) << " s, at most "
+              << short_number(peak_megabytes()) << " MB\n";
 }
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -28,7 +28,13 @@ void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool 
 /// A number with four significant digits.
 std::string short_number(double number);
 
+/// A share in whole percent.
+std::string percentage(double share);
+
 /// The words with commas in between; "-" for none.
 std::string listed(const std::vector<std::string>& words);
+
+/// "; did you mean 'WORD'?" with the known word that is spelt most alike by edit distance; empty if none is near.
+std::string suggestion(const std::string& word, const std::vector<std::string>& known);
 
 } // namespace CGAL::Shape_correspondence::cli
