@@ -244,7 +244,8 @@ void add_match_options(Option_table& table, Match_options& match)
       .without_default()
       .only_for({"exact"})
       .asks_for("exact")
-      .for_pairs();
+      .for_pairs()
+      .in_python();
   add("source-parts", "NAMES", &match.source_parts,
       "match these parts of the source only; names are separated by commas")
       .for_pairs();
