@@ -49,12 +49,11 @@ def test_match(json_of_program, cache, arguments, options):
      {"search": "exact", "norm": "pooled", "no_cut": True, "allow_unmatched": 0.7, "direction": "forward"}),
     (("--search", "beam", "--without", "split", "--max-parts", 4, "--max-parts-of", "source", "--front", "auto"),
      {"search": "beam", "without": "split", "max_parts": 4, "max_parts_of": "source", "front": "auto"}),
-    (("--roles", "none", "--pin", "top_board=plank_top", "--source-parts", "top_board,leg_fl", "--front", "given"),
-     {"roles": "none", "pin": "top_board=plank_top", "source_parts": "top_board,leg_fl", "front": "given"}),
+    (("--roles", "none", "--pin", "top_board=plank_top", "--source-parts", "top_board,post_1", "--front", "given"),
+     {"roles": "none", "pin": "top_board=plank_top", "source_parts": "top_board,post_1", "front": "given"}),
     (("--no-symmetry", "--part-kind", "top_board=sheet", "--max-iterations", 9, "--up", "y"),
      {"no_symmetry": True, "part_kind": "top_board=sheet", "max_iterations": 9, "up": "y"}),
-    (("--abstraction", "boxes", "--symmetries", "reflection", "--search", "exact", "--search-time-limit", 60),
-     {"abstraction": "boxes", "symmetries": "reflection", "search": "exact", "search_time_limit": 60}),
+    (("--symmetries", "reflection", "--segment"), {"symmetries": "reflection", "segment": True}),
 ])
 def test_options_by_their_names_in_the_program(json_of_program, arguments, options):
     assert as_text(sc.match(TABLE, OTHER, **options).to_dict()) == as_text(json_of_program(

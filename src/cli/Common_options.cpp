@@ -97,8 +97,7 @@ void add_abstraction_options(Option_table& table, Abstraction_options& abstracti
   add("abstraction", "METHOD", abstraction_method(abstraction),
       "method of part abstraction: fitted (sheets on the medial axis, curves by mean curvature flow, axes of round "
       "parts and blocks), flow (mean curvature flow alone, as in the paper) or boxes (axes of bounding boxes: fast and "
-      "rough)")
-      .in_python();
+      "rough)");
   add("kind", "KIND", choice(abstraction.kind, abstraction_kinds),
       "abstract parts by curve, sheet, or auto (what fits each part)")
       .in_python();

@@ -244,8 +244,7 @@ void add_match_options(Option_table& table, Match_options& match)
       .without_default()
       .only_for({"exact"})
       .asks_for("exact")
-      .for_pairs()
-      .in_python();
+      .for_pairs();
   add("source-parts", "NAMES", &match.source_parts,
       "match these parts of the source only; names are separated by commas")
       .for_pairs();
