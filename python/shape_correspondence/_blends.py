@@ -107,7 +107,7 @@ def blend(
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
     :param progress: see `build_graph()`
-    :param further: options of `match()`, if the correspondence is searched for
+    :param further: options of `match()`, if the correspondence is searched for, and of the shapes
     :raises InvalidInput: if a shape cannot be used, or has no surface
     """
     own = {name: further.pop(name) for name in defaults("blend") if name in further}
