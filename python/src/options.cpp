@@ -144,9 +144,10 @@ struct Search_keywords : Keywords
   explicit Search_keywords(const SC::Search_options& search = {})
   {
     match.search = search;
-    table.group("Python")("search_method", "METHOD", SC::cli::choice(match.search.method, SC::cli::search_methods),
-                          "parts (least cost of substituting parts), beam (least deformation energy by the paper's "
-                          "beam search) or exact (least deformation energy, with a proof)")
+    table
+        .group("Python")("search_method", "METHOD", SC::cli::choice(match.search.method, SC::cli::search_methods),
+                         "parts (least cost of substituting parts), beam (least deformation energy by the paper's "
+                         "beam search) or exact (least deformation energy, with a proof)")
         .in_python();
     add_match_options(table, match);
     SC::Energy_weights& weights = match.search.matching.weights;
@@ -254,7 +255,8 @@ SC::Search_options search_options(const py::dict& values, bool is_for_pair)
     const std::string name = key.cast<std::string>();
     const py::object value = py::reinterpret_borrow<py::object>(borrowed);
     SC::Search_options& search = keywords.match.search;
-    const bool chooses_parts = name == "source_parts" || name == "target_parts" || name == "pinned" || name == "forbidden";
+    const bool chooses_parts =
+        name == "source_parts" || name == "target_parts" || name == "pinned" || name == "forbidden";
     if (chooses_parts && !is_for_pair) refuse(name);
     if (name == "part_matching" && !value.is_none())
       Part_matching_keywords(search.parts).read(value);
@@ -282,11 +284,12 @@ SC::cli::Common_options model_options(const py::dict& values)
   return keywords.common;
 }
 
-SC::Blend_options blend_options(const py::dict& values)
+SC::Blend_options blend_options(const py::dict& values, bool& has_size)
 {
   Blend_keywords keywords;
   keywords.read(values);
-  keywords.options.size = keywords.output.size;
+  has_size = keywords.output.size.has_value();
+  keywords.options.size = keywords.output.size.value_or(SC::Blend_size::BLEND);
   return keywords.options;
 }
 
