@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tests the add-on without a window.
 
-  blender -b --factory-startup --python-exit-code 3 --python test_addon.py -- FOLDER_OF_MODULE DATA [PICTURES]
+  blender -b --factory-startup --python-exit-code 3 --python test_addon.py -- MODULE DATA [PICTURES]
 
+MODULE is the folder or the wheel of the Python module, if Blender's Python does not have it.
 With a folder of pictures, it also renders those of the manual.
 """
 
@@ -59,8 +60,9 @@ def listed():
 # Messages say what to do
 refused(bpy.ops.parts.match, "Choose the source")
 clear()
-if "shape_correspondence" not in sys.modules:
-    sys.path.append(str(MODULE))
+entry = bpy.context.preferences.addons.new()
+entry.module = addon.__name__
+entry.preferences.module = str(MODULE)
 sc = addon.core()
 
 # The pairs are those of files

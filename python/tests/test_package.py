@@ -58,6 +58,17 @@ def test_pip_installs_the_module(tmp_path, sources):
     assert str(tmp_path / "env") in where.stdout
 
 
+def test_make_wheel(tmp_path):
+    pytest.importorskip("ensurepip", reason="there is no venv")
+    build = os.environ.get("SHAPE_CORRESPONDENCE_BUILD_DIR")
+    if build is None:
+        pytest.skip("SHAPE_CORRESPONDENCE_BUILD_DIR does not name the build folder")
+    made = subprocess.run([ROOT / "scripts" / "make_wheel", "--build", build], capture_output=True, text=True,
+                          env={**os.environ, "WHEELS": str(tmp_path), "PYTHON": sys.executable})
+    assert made.returncode == 0, made.stdout + made.stderr
+    assert f"shape_correspondence {sc.__version__} knows roles of" in made.stdout and list(tmp_path.glob("*.whl"))
+
+
 def test_version(backend):
     assert backend.version() == sc.__version__
     assert f"Version: {sc.__version__}\n" in backend.metadata()
