@@ -188,7 +188,10 @@ Named_correspondence read_correspondence_json(const std::string& file)
   if (root["format"].text() != match_format)
     root["format"].fail("is '" + root["format"].text() + "', not '" + match_format + "'");
   if (root["version"].integer() != 1) root["version"].fail("is not 1, the one that this program knows");
-  Named_correspondence result{root["source"].text(), root["target"].text(), {}, root["complete"].boolean()};
+  Named_correspondence result;
+  result.source = root["source"].text();
+  result.target = root["target"].text();
+  result.complete = root["complete"].boolean();
   for (const Json_field& pair : root["pairs"].elements()) {
     const std::vector<Json_field> names = pair.elements(2, "a pair of part names");
     result.pairs.push_back({names[0].text(), names[1].text()});
