@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "base/quantized.h"
 #include "matching/nearest_points_kernel.h"
 #include "matching/part_assemblies.h"
 #include "structure/align_shapes.h"
@@ -64,7 +65,7 @@ struct Part_extent
 };
 
 // An order of shapes that does not depend on turns about the up axis.
-using Shape_rank = std::tuple<std::size_t, internal::Steps, internal::Steps>;
+using Shape_rank = std::tuple<std::size_t, Steps, Steps>;
 
 Shape_rank rank_of(const Aligned_shape& shape);
 

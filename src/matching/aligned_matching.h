@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "base/quantized.h"
 #include "energy/match_groups.h"
 #include "matching/match_parts.h"
 #include "roles/pair_model.h"
