@@ -85,7 +85,7 @@ def test_suggestions(table, call, suggestion):
 
 
 def test_every_option_of_the_program_is_taken(program, tmp_path):
-    without_meaning_here = {"abstraction", "examples", "glb", "help", "html", "json", "output", "parts_json", "progress", "quiet",
+    without_meaning_here = {"abstraction", "examples", "glb", "help", "help_all", "html", "json", "output", "parts_json", "progress", "quiet",
                             "search_time_limit", "seed", "verbose"}
     for name in set(re.findall(r"--([a-z][a-z-]+)", program("match", "--help").stdout)):
         name = name.replace("-", "_")

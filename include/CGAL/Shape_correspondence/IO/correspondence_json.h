@@ -70,8 +70,8 @@ struct Named_correspondence
   bool complete = false;                        ///< see `Correspondence::complete`
   int target_quarter_turns = 0;                 ///< see `Correspondence::target_quarter_turns`
   std::string category;                         ///< of both shapes; empty if the method does not use roles
-  /// The roles of the source's and the target's parts by their names; empty if there is no category.
-  std::map<std::string, std::string> source_roles, target_roles;
+  std::map<std::string, std::string> source_roles; ///< by name of a part; empty if there is no category
+  std::map<std::string, std::string> target_roles; ///< the same
 };
 
 /// \ingroup PkgShapeCorrespondenceIO
