@@ -43,9 +43,14 @@ std::shared_ptr<Blend> blend(const std::shared_ptr<Match>& match, int threads, c
     const SC::cli::Thread_limit limit(threads);
     const Graph source = with_surfaces(*match->source), target = with_surfaces(*match->target);
     std::vector<std::string> warnings = match->best().warnings;
+    SC::Correspondence pairs = match->best();
+    for (const std::string& unlikely :
+         SC::cli::remove_unlikely(pairs, options.min_confidence, source.shape, target.shape))
+      warnings.push_back(unlikely);
+    options.min_confidence = 0; // unlikely pairs are out already
     if (!has_size) options.size = SC::cli::likely_size(source.shape, target.shape, warnings);
     const SC::Shape_blend blend(source.shape.graph, *source.shape.model, target.shape.graph, *target.shape.model,
-                                match->best(), options);
+                                pairs, options);
     SC::cli::warn_of_exchanges(blend, source.shape, target.shape, warnings);
     return std::make_shared<Blend>(Blend{match, blend, warnings});
   });

@@ -54,18 +54,6 @@ Examples: shape_correspondence blend chair.obj swivel_chair.obj -o blend.glb
 
 )";
 
-/// Leaves out pairs that are less probable than `least`, and says which.
-std::vector<std::string> remove_unlikely(Correspondence& correspondence, double least, const Loaded_shape& source,
-                                         const Loaded_shape& target)
-{
-  std::vector<std::string> result;
-  for (const Part_correspondence& pair : internal::remove_unlikely_pairs(correspondence, least))
-    result.push_back("'" + structure(source.graph).parts[pair.source].name + "' and '" +
-                     structure(target.graph).parts[pair.target].name + "' correspond with probability " +
-                     short_number(pair.confidence) + " only: they shrink and grow (--min-confidence)");
-  return result;
-}
-
 Blend_options with_progress(Blend_options result, Progress_bar& bar)
 {
   result.progress = [&bar](double done) {
@@ -195,6 +183,17 @@ Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, s
   warnings.push_back("one shape is " + short_number(std::max(from, to) / std::min(from, to)) +
                      " times as high as the other; both get height 1, but for --size blend, source or target");
   return Blend_size::SAME;
+}
+
+std::vector<std::string> remove_unlikely(Correspondence& correspondence, double least, const Loaded_shape& source,
+                                         const Loaded_shape& target)
+{
+  std::vector<std::string> result;
+  for (const Part_correspondence& pair : internal::remove_unlikely_pairs(correspondence, least))
+    result.push_back("'" + structure(source.graph).parts[pair.source].name + "' and '" +
+                     structure(target.graph).parts[pair.target].name + "' correspond with probability " +
+                     short_number(pair.confidence) + " only: they thin and thicken (--min-confidence)");
+  return result;
 }
 
 void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,

@@ -12,6 +12,10 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
+/// Leaves out pairs that are less probable than `least`. \return what is left out, in sentences
+std::vector<std::string> remove_unlikely(Correspondence& correspondence, double least, const Loaded_shape& source,
+                                         const Loaded_shape& target);
+
 /// The size of the frames where none is asked for: `SAME`, with a warning, for shapes that seem to be in other units.
 Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, std::vector<std::string>& warnings);
 
