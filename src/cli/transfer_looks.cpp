@@ -94,8 +94,9 @@ Transferred_looks transfer_looks(const std::string& source_file, Loaded_shape& s
   }
   if (request.labels.empty()) {
     if (source.appearance.empty())
-      throw Invalid_input(source_file + ": it has no materials, textures or colours to transfer; --labels parts "
-                                        "transfers which part is which");
+      throw Invalid_input(source_file + ": it has no materials, textures or colours to transfer" +
+                          (source.appearance.warnings.empty() ? "" : " (" + source.appearance.warnings[0] + ')') +
+                          "; --labels parts transfers which part is which");
     result.result = transfer_appearance(source.graph, *source.model, source.appearance, target.graph, *target.model,
                                         target.appearance, correspondence, request.options);
   } else {
