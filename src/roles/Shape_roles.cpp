@@ -174,17 +174,20 @@ int likely_front(const Turned_roles& shape, std::size_t category, int trees, con
   return best != 0 && shape[std::size_t(best)]->is_nearest(category) ? best : 0;
 }
 
-Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,
-                               const Role_options& options)
+namespace {
+
+// The nearest category of both shapes; none if each clearly is of a category of its own.
+// \param source, target distance of a shape, by category
+template <typename Distance>
+Pair_category category_of_both(const Role_model_data& model, const Role_options& options, const Distance& source,
+                               const Distance& target)
 {
-  const Pair_category of_both = nearest_category(
-      model, options, [&](std::size_t category) { return source.distance(category) + target.distance(category); });
+  const Pair_category of_both =
+      nearest_category(model, options, [&](std::size_t category) { return source(category) + target(category); });
   Role_options by_ratio = options;
   by_ratio.category_distance = 0;
-  const auto category_of = [&](const Shape_roles& shape) {
-    return nearest_category(model, by_ratio, [&](std::size_t category) { return shape.distance(category); }).index;
-  };
-  const std::size_t a = category_of(source), b = category_of(target), none = model.categories.size();
+  const std::size_t a = nearest_category(model, by_ratio, source).index,
+                    b = nearest_category(model, by_ratio, target).index, none = model.categories.size();
   if (a == b || a == none || b == none) return of_both;
   return {none,
           "The parts of one shape are like those of the category " + model.categories[std::min(a, b)].name +
@@ -193,12 +196,24 @@ Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& tar
           of_both.nearest};
 }
 
+} // namespace
+
+Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,
+                               const Role_options& options)
+{
+  const auto distance_of = [](const Shape_roles& shape) {
+    return [&shape](std::size_t category) { return shape.distance(category); };
+  };
+  return category_of_both(model, options, distance_of(source), distance_of(target));
+}
+
 Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model,
                                const Role_options& options)
 {
-  return nearest_category(model, options, [&](std::size_t category) {
-    return distance_of_best_turn(source, category) + distance_of_best_turn(target, category);
-  });
+  const auto distance_of = [](const Turned_roles& shape) {
+    return [&shape](std::size_t category) { return distance_of_best_turn(shape, category); };
+  };
+  return category_of_both(model, options, distance_of(source), distance_of(target));
 }
 
 std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees, const Role_options& options)

@@ -217,6 +217,22 @@ TEST_CASE("A shape that faces another side is recognised once it is turned, unle
   }
 }
 
+TEST_CASE("Shapes that each clearly are of another category are matched by geometry alone, however they are turned")
+{
+  Search_options options;
+  options.roles = std::make_shared<const Role_model>(train_role_model(labelled(examples())));
+  const Furniture source = chair(0.17, 1.9);
+  Furniture target = shelf(0.1, 4);
+  for (int alignments : {1, 0}) {
+    INFO(alignments);
+    options.alignments = alignments;
+    const Correspondence found = find_correspondence(source.graph, target.graph, options);
+    CHECK(found.category.empty());
+    REQUIRE(found.warnings.size() == 1);
+    CHECK_THAT(found.warnings[0], Contains("category chair") && Contains("like shelf"));
+  }
+}
+
 TEST_CASE("Identical shapes are not turned against each other, whichever side they face")
 {
   Search_options options;
