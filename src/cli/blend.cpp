@@ -10,12 +10,14 @@
 #include "cli/text.h"
 #include "matching/unlikely_pairs.h"
 #include "viewer/match_page.h"
+#include "viewer/page_models.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <limits>
 #include <sstream>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -146,8 +148,12 @@ private:
     Blend_options options = blend_options(output_);
     if (!output_.size) options.size = likely_size(source(), target(), warnings);
     options.min_confidence = 0; // unlikely pairs are out already
-    const Shape_blend blend(source().graph, *source().model, target().graph, *target().model, pairs,
-                            with_progress(options, bar));
+    const IO::Page_models models({source().model_pointer(), target().model_pointer()},
+                                 output_.is_page() ? IO::largest_blend_page_triangles
+                                                   : std::numeric_limits<std::size_t>::max());
+    if (models.are_simplified())
+      warnings.push_back("the page shows the shapes with fewer triangles, so that browsers can play it; files do not");
+    const Shape_blend blend(source().graph, *models[0], target().graph, *models[1], pairs, with_progress(options, bar));
     read_looks();
     const IO::Blend_appearance appearance{source().appearance, target().appearance};
     const bool has_materials = !appearance.source.empty() || !appearance.target.empty();
