@@ -128,11 +128,9 @@ private:
   {
     IO::Page page = IO::match_page({pairs}, source().graph, target().graph, source().model_pointer(),
                                    target().model_pointer(), inputs[0], inputs[1], {});
-    std::ostringstream json, glb;
+    std::ostringstream json;
     write_json(json);
-    IO::write_blend_glb(glb, blend, pairs, output_.frames);
-    page.json.push_back({"blend", json.str()});
-    page.glb.push_back({"blend.glb", glb.str()});
+    IO::add_blend(page, json.str(), blend, pairs, output_.frames);
     write_output(output_.path, [&](std::ostream& out) { IO::write_page(out, page); });
   }
 
