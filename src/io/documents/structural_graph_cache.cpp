@@ -18,7 +18,7 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-/// To be raised with every change that makes another graph of the same shape and options. Before 12, a failure of one
+/// Raise it with every change that makes another graph of the same shape and options. Before 12, a failure of one
 /// shape could leave contacts out of the graphs of others.
 constexpr int algorithms_version = 12;
 
