@@ -193,6 +193,14 @@ void add_match_options(Option_table& table, Match_options& match)
       choice<std::optional<bool>>(match.coarse_target, {{"auto", std::nullopt}, {"both", true}, {"source", false}}),
       "shapes to which --max-parts applies: both, or source (as in the paper); auto: source with --paper, otherwise "
       "both");
+  add("coarse-to-fine", "K", &search.coarse_to_fine,
+      "match the K largest parts of either shape first, then all others about them: for shapes of hundreds of symmetry "
+      "groups; for beam and exact search. Default: all at once")
+      .at_least(1)
+      .without_default()
+      .only_for(by_energy)
+      .asks_for("beam")
+      .in_python();
   add("front", "HOW", &match.front,
       "which alignments are tried: given (the one nearest to the orientation in the files), likely (the same, but a "
       "shape is turned by a multiple of 90° if the roles of its parts clearly say that its front is another side) or "

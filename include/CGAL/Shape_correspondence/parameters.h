@@ -49,6 +49,7 @@ struct Named_parameters;
   X(both_directions, Search_options, both_directions)                                                                  \
   X(maximum_parts, Search_options, maximum_parts)                                                                      \
   X(coarse_target, Search_options, coarse_target)                                                                      \
+  X(coarse_to_fine, Search_options, coarse_to_fine)                                                                    \
   X(source_parts, Search_options, source_parts)                                                                        \
   X(target_parts, Search_options, target_parts)                                                                        \
   X(alignments, Search_options, alignments)                                                                            \
@@ -153,7 +154,7 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 /// | parameter | field |
 /// |---|---|
 /// | `search_method` | `Search_options::method` |
-/// | `min_confidence`, `both_directions`, `maximum_parts`, `coarse_target`, `source_parts`, `target_parts`, `alignments`, `front_is_sure`, `solutions`, `min_marginals` | of this name in `Search_options` |
+/// | `min_confidence`, `both_directions`, `maximum_parts`, `coarse_target`, `coarse_to_fine`, `source_parts`, `target_parts`, `alignments`, `front_is_sure`, `solutions`, `min_marginals` | of this name in `Search_options` |
 /// | `beam_width`, `expansions` | of this name in `Beam_options` |
 /// | `distortion_weight`, `connectedness_weight`, `split_weight`, `role_weight` | `Energy_weights::distortion`, `connectedness`, `split`, `roles` |
 /// | `energy_norm` | `Matching_options::norm` |
