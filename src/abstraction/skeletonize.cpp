@@ -90,6 +90,13 @@ public:
     converged_ = std::abs(current_.area - last_area) < smallest_change * original_.area;
   }
 
+  void set_weights(const Flow_weights& weights)
+  {
+    weights_ = weights;
+    flow_.set_quality_speed_tradeoff(weights.velocity);
+    flow_.set_medially_centered_speed_tradeoff(weights.medial);
+  }
+
   bool converged() const { return converged_; }
   int iterations() const { return iterations_; }
   double area_kept() const { return current_.area / original_.area; }
@@ -159,7 +166,7 @@ private:
 
   void contract_to_poles()
   {
-    const Points moved = contracted(contracting_mesh(), Flow_weights());
+    const Points moved = contracted(contracting_mesh(), weights_);
     Eigen::Index i = 0;
     for (auto v : vertices(flow_mesh())) {
       v->point() = to_mesh_point(moved.col(i++));
@@ -170,6 +177,7 @@ private:
   int most_iterations_;
   const Deadline* deadline_;
   Flow flow_;
+  Flow_weights weights_;
   std::size_t original_vertices_;
   Area_and_volume original_;
   Area_and_volume current_;
@@ -187,6 +195,8 @@ Stepwise_flow::Stepwise_flow(const Part_mesh& mesh, const Points& poles, int ite
 {}
 
 Stepwise_flow::~Stepwise_flow() = default;
+
+void Stepwise_flow::set_weights(const Flow_weights& weights) { state_->set_weights(weights); }
 
 void Stepwise_flow::run_to_volume(double fraction)
 {
