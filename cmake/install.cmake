@@ -18,7 +18,9 @@ install(DIRECTORY examples DESTINATION ${own_data_dir} COMPONENT Development) # 
 install(FILES LICENSE CHANGES.md CITATION.cff src/viewer/page/three.LICENSE DESTINATION ${licence_dir} COMPONENT Program)
 if(SHAPE_CORRESPONDENCE_PROGRAM)
   install_library(Shape_correspondence_IO)
+  install_library(Shape_correspondence_Texture)
   install(TARGETS shape_correspondence COMPONENT Program)
+  install(TARGETS shape_correspondence_import DESTINATION ${CMAKE_INSTALL_LIBEXECDIR} COMPONENT Program)
   install(DIRECTORY data/ DESTINATION ${data_dir} COMPONENT Program)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/shape_correspondence.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
           COMPONENT Program)
@@ -28,7 +30,7 @@ if(SHAPE_CORRESPONDENCE_PROGRAM)
           DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT Program)
 endif()
 configure_package_config_file(cmake/Shape_correspondenceConfig.cmake.in Shape_correspondenceConfig.cmake
-                              INSTALL_DESTINATION ${config_dir})
+                              INSTALL_DESTINATION ${config_dir} PATH_VARS CMAKE_INSTALL_LIBEXECDIR)
 write_basic_package_version_file(Shape_correspondenceConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/Shape_correspondenceConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/Shape_correspondenceConfigVersion.cmake

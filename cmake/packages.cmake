@@ -16,27 +16,15 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_CURRENT_BINARY_DIR})
 
-# dpkg-shlibdeps does not see a library that is loaded: the package that has it
-set(assimp_package "")
-find_program(DPKG_QUERY dpkg-query)
-if(assimp_is_loaded AND DPKG_QUERY)
-  execute_process(COMMAND ${DPKG_QUERY} --search ${assimp_location} OUTPUT_VARIABLE assimp_owner ERROR_QUIET)
-  string(REGEX MATCH "^[^:]+" assimp_package "${assimp_owner}")
-endif()
-
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "The program shape_correspondence, its manual page and models to try it on.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME shape-correspondence)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS ${assimp_package})
 
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The CGAL package Shape_correspondence for C++: headers, libraries, examples.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libshape-correspondence-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "shape-correspondence (= ${PROJECT_VERSION}), libcgal-dev (>= 5.5), libeigen3-dev (>= 3.4), libboost-dev (>= 1.74), libtbb-dev, libpng-dev, libjpeg-dev")
-if(NOT assimp_is_loaded)
-  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libassimp-dev")
-endif()
 
 if(SHAPE_CORRESPONDENCE_PYTHON)
   math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
@@ -46,8 +34,5 @@ if(SHAPE_CORRESPONDENCE_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
       "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
-  if(assimp_package)
-    string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ", ${assimp_package}")
-  endif()
 endif()
 include(CPack)

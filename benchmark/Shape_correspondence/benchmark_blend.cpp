@@ -13,7 +13,7 @@
 //   ground     how far a foot is off the ground
 //   start, end the Hausdorff distance of what is seen from the source just after 0, and from the target just before 1
 // and a line for everything that does not hold within the tolerances of `Shape_blend`.
-// Ends with exit status 1 if a part is open that must not be, or an end is not the input.
+// Ends with exit status 1 if a part is open that must not be, or an end is not the input, moved.
 #include "blend_checks.h"
 #include "command_line.h"
 
@@ -106,9 +106,9 @@ bool check(const std::string& source_path, const std::string& target_path, const
   const double end_apart = std::max(widest_gap(source.shape, heights[0]), widest_gap(target.shape, heights[1]));
   const double end_asymmetry = std::max(blend.check(0).quality.asymmetry, blend.check(1).quality.asymmetry);
   constexpr double just = 1e-6;
-  const double start = seen_distance(blend(just), source.shape, heights[0]);
-  const double end = seen_distance(blend(1 - just), target.shape, heights[1]);
-  const bool exact = is_same(blend(0), source.shape) && is_same(blend(1), target.shape);
+  const double start = seen_distance(blend(just), blend(0), heights[0]);
+  const double end = seen_distance(blend(1 - just), blend(1), heights[1]);
+  const bool exact = is_moved(blend(0), source.shape) && is_moved(blend(1), target.shape);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const auto stem = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
   std::printf("%-30s %-30s %5d %4d %7.4f %7.4f (%6.4f) %7.4f (%6.4f) %7.4f %8.1e %8.1e %s %5.1f  %s\n",

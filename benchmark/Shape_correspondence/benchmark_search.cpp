@@ -11,7 +11,7 @@
 // --pairs prints a line a pair instead: numbers of parts, and milliseconds of matching by parts, exact search and beam.
 // --repeats: each pair is matched N times, and the least time counts, as other programs on the machine add to the rest.
 #include "energy/Structural_rods.h"
-#include "energy/rod_cosines.h"
+#include "energy/rod_kernel.h"
 #include "matching/match_parts.h"
 #include "search/beam_search.h"
 
@@ -58,7 +58,7 @@ void print(const char* what, const std::vector<double>& values)
 }
 
 // Comparisons of rods a nanosecond of one kernel on sheets, four sets at once, best of many runs.
-double kernel_speed(const SC::internal::Rod_kernels& kernel)
+double kernel_speed(const SC::internal::Rod_kernel& kernel)
 {
   std::srand(1);
   const SC::internal::Sample_lanes first(SC::Points::Random(3, 36)), second(SC::Points::Random(3, 36));
@@ -225,8 +225,8 @@ int main(int argc, char** argv)
   print("tables and beam (K = 20, k = 4)", beam);
   print("energy, beam over exact", gap);
   std::printf("proven optimal: %zu of %zu; beam at the optimum: %zu\n", proven, 2 * align.size(), at_optimum);
-  for (const SC::internal::Rod_kernels& kernel : SC::internal::available_rod_kernels())
-    std::printf("rod kernel %s: %.2f rods a nanosecond\n", kernel.name, kernel_speed(kernel));
+  for (const SC::internal::Rod_kernel& kernel : SC::internal::available_rod_kernels())
+    std::printf("rod kernel %s: %.2f rods a nanosecond\n", kernel.instructions, kernel_speed(kernel));
   print_synthetic_problems(22, 20, 5);
   print_synthetic_problems(100, int(SC::maximum_labels), 2);
 }

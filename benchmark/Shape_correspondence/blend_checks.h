@@ -12,6 +12,7 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -22,6 +23,7 @@ namespace blend_checks {
 
 using CGAL::Shape_correspondence::Part_mesh;
 using CGAL::Shape_correspondence::Point;
+using CGAL::Shape_correspondence::Points;
 using CGAL::Shape_correspondence::Segmented_shape;
 using CGAL::Shape_correspondence::Shape_part;
 using CGAL::Shape_correspondence::internal::contacts::Triangle_tree;
@@ -121,13 +123,23 @@ inline double seen_distance(const Segmented_shape& blended, const Segmented_shap
   return std::max(distance(blended, input, is_left_out), distance(input, blended)) / height;
 }
 
-/// To the bit.
-inline bool is_same(const Segmented_shape& a, const Segmented_shape& b)
+/// Whether a shape is another one moved by a rotation and a translation only: the same distances of points from some.
+inline bool is_moved(const Segmented_shape& a, const Segmented_shape& b)
 {
-  return std::equal(a.parts().begin(), a.parts().end(), b.parts().begin(), b.parts().end(),
-                    [](const Shape_part& p, const Shape_part& q) {
-                      return p.name == q.name && p.mesh.points == q.mesh.points && p.mesh.triangles == q.mesh.triangles;
-                    });
+  constexpr double rounding = 1e-9;
+  if (a.parts().size() != b.parts().size()) return false;
+  const Points &first = a.parts()[0].mesh.points, &second = b.parts()[0].mesh.points;
+  if (first.cols() != second.cols()) return false;
+  const std::array<Eigen::Index, 4> some = {0, first.cols() / 3, first.cols() / 2, first.cols() - 1};
+  return std::equal(a.parts().begin(), a.parts().end(), b.parts().begin(), [&](const auto& p, const auto& q) {
+    if (p.name != q.name || p.mesh.triangles != q.mesh.triangles) return false;
+    return std::all_of(some.begin(), some.end(), [&](Eigen::Index i) {
+      const auto distances = [i](const Points& points, const Points& from) {
+        return (points.colwise() - from.col(i)).colwise().norm().eval();
+      };
+      return distances(p.mesh.points, first).isApprox(distances(q.mesh.points, second), rounding);
+    });
+  });
 }
 
 } // namespace blend_checks

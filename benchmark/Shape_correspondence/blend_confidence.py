@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which pairs of parts a blend would morph at each value of --min-confidence, of shapes that the role model has not seen:
 
-  shape_correspondence roles evaluate LABELLED_FOLDER... --json EVALUATION
+  validate_roles LABELLED_FOLDER... --json EVALUATION
   blend_confidence.py EVALUATION
 
 Prints a table as Markdown. Kept: the share of the pairs that are right, and of those that are wrong, which still morph. F1: of

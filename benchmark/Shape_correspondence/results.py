@@ -109,10 +109,10 @@ def table(args, programs, data, further_data, name, pairs, out, generated):
 
 
 def roles_evaluation(args, generated, name, options, out):
-    """The table that `roles evaluate` prints, and its JSON."""
+    """The table that `validate_roles` prints, and its JSON."""
     base = os.path.join(out, f"roles_{name}")
     if not os.path.exists(base + ".json"):
-        command = [os.path.join(args.build, "shape_correspondence"), "roles", "evaluate", *args.labelled, "--generated", generated,
+        command = [os.path.join(args.build, "benchmark", "Shape_correspondence", "validate_roles"), *args.labelled, "--generated", generated,
                    "--json", base + ".json", *options, "--cache", os.path.join(args.work, "cache")]
         done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
         with open(base + ".txt", "w") as file:
@@ -141,13 +141,14 @@ def roles_rows(first, title, evaluations):
 def roles_sections(args, generated, out):
     for left_out, title in ROLES:
         text, _ = roles_evaluation(args, generated, left_out, ["--leave-out", left_out], out)
+        note = ROLES_NOTE if left_out == ROLES[0][0] else "Columns, weights and intervals are as above."
         table = "\n".join("    " + line.rstrip() for line in text.splitlines())
-        yield (f"## Matching with roles, {title}\n\n`shape_correspondence roles evaluate LABELLED... --generated benchmark "
-               f"--leave-out {left_out}`\n\n{ROLES_NOTE}\n\n{table}\n")
+        yield (f"## Matching with roles, {title}\n\n`validate_roles LABELLED... --generated benchmark "
+               f"--leave-out {left_out}`\n\n{note}\n\n{table}\n")
     for title, first, head, note, rows in ROLES_TABLES:
         evaluations = [(name, roles_evaluation(args, generated, "_".join(options).replace("-", ""), options, out)[1])
                        for name, options in rows]
-        commands = "\n".join(f"`roles evaluate LABELLED... --generated benchmark {' '.join(options)}`" for _, options in rows)
+        commands = "\n".join(f"`validate_roles LABELLED... --generated benchmark {' '.join(options)}`" for _, options in rows)
         yield f"## {title}\n\n{commands}\n\n{note}\n\n{roles_rows(first, head, evaluations)}\n"
 
 

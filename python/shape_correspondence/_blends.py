@@ -20,12 +20,13 @@ from ._shapes import Input, Path, Progress, Shape, _graphs, _reading_options
 class BlendTask(Record):
     """What happens to one part during a blend, and when."""
 
-    task: str  #: morph, split, merge, shrink or grow
+    task: str  #: morph, split, merge, shrink, grow or exchange
     begin: float  #: time at which it begins, in [0, 1]
     end: float  #: time at which it ends
     source: Optional[str] = None  #: the source part, if there is one
     target: Optional[str] = None  #: the target part, if there is one
-    #: why the surfaces of the two are exchanged: ``"torn"`` or ``"thin"``, if the one became the other
+    #: why the surfaces of the two are exchanged: ``"torn"`` or ``"thin"``, if the one became the other, or
+    #: ``"unmatched"``: they do not correspond, but are alike in place and size
     exchanged: Optional[str] = None
 
 
@@ -40,7 +41,14 @@ class Blend:
 
         :raises InvalidInput: if t is not in [0, 1]
         """
-        return Shape._of(self._handle.shape(t))
+        return Shape._of(self._handle.shape(t, False))
+
+    def solid(self, t: float) -> Shape:
+        """The shape at a time as one closed surface, for printing and Boolean operations: a shape with one part.
+
+        :raises InvalidInput: if t is not in [0, 1]
+        """
+        return Shape._of(self._handle.shape(t, True))
 
     @property
     def tasks(self) -> List[BlendTask]:
@@ -101,7 +109,7 @@ def blend(
     :param correspondence: a `Match`, a file of ``match --json``, or None: it is searched for
     :param contact_tolerance: largest gap between parts in contact, as a fraction of the shape's height
     :param samples: number of in-between shapes by which a schedule is rated
-    :param min_confidence: pairs of lower confidence, in [0, 1], are left out: their parts shrink and grow
+    :param min_confidence: pairs of lower confidence, in [0, 1], are left out: their parts thin and thicken
     :param size: of the in-between shapes: ``"blend"`` (from the source's to the target's), ``"source"``, ``"target"``, or
         ``"same"`` (height 1)
     :param schedule: one of `schedule_names()`; empty: the best

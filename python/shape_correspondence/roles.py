@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import json
 import os
-import tempfile
 from dataclasses import dataclass
 from typing import Any, ClassVar, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
@@ -76,7 +75,7 @@ def train(shapes: Union[Path, Sequence[Union[Path, LabelledShape]]], *, trees: i
           cache: Optional[Path] = None, threads: int = 0, progress: Progress = None) -> RoleModel:
     """Learns a role model. A category should have at least five shapes; twenty or more are better.
 
-    :param shapes: folders of labelled shapes, as for ``shape_correspondence roles train``, which is then called; or
+    :param shapes: folders of labelled shapes, as for ``shape_correspondence roles train``, with the same model; or
         `LabelledShape` objects
     :param trees: number of trees in the forest of a category, from 1 to 1000
     :param seed: seed of the random numbers
@@ -87,7 +86,8 @@ def train(shapes: Union[Path, Sequence[Union[Path, LabelledShape]]], *, trees: i
     """
     every = [shapes] if isinstance(shapes, (str, os.PathLike)) else list(shapes)
     if all(isinstance(shape, (str, os.PathLike)) for shape in every):
-        return _train_of_files([os.fspath(shape) for shape in every], trees, seed, cache, threads, progress)
+        options = {"threads": threads, **_reading_options(cache=cache)}
+        return _core.train_roles_of_folders([os.fspath(shape) for shape in every], trees, seed, options, progress)
     return _core.train_roles(_examples(every, cache, threads, progress), trees, seed, progress)
 
 
@@ -115,19 +115,6 @@ def _examples(shapes: Sequence[LabelledShape], cache: Optional[Path], threads: i
         labels = [_label(labelled.labels, part, graph) for part in graph.part_names]
         examples.append((graph._handle, labelled.category, labels, labelled.weight))
     return examples
-
-
-def _train_of_files(folders: List[str], trees: int, seed: int, cache: Optional[Path], threads: int,
-                    progress: Progress) -> RoleModel:
-    with tempfile.TemporaryDirectory() as folder:
-        output = os.path.join(folder, "model.roles")
-        arguments = ["train", *folders, "--output", output, "--trees", str(trees), "--seed", str(seed), "--quiet"]
-        if cache is not None:
-            arguments += ["--cache", os.fspath(cache)]
-        if threads > 0:
-            arguments += ["--threads", str(threads)]
-        _core.train_roles_of_files(arguments, progress)
-        return load(output)
 
 
 def _label(labels: Mapping[str, Union[str, Tuple[str, str]]], part: str, graph: Graph) -> Tuple[str, str]:

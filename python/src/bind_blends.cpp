@@ -10,6 +10,7 @@
 #include "cli/thread_limit.h"
 #include "io/system/atomic_file.h"
 
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -49,11 +50,16 @@ std::shared_ptr<Blend> blend(const std::shared_ptr<Match>& match, int threads, c
   });
 }
 
-Shape shape_at(const Blend& blend, double t)
+Shape shape_at(const Blend& blend, double t, bool solid)
 {
   if (!(t >= 0 && t <= 1)) throw SC::Invalid_input("t is between 0 and 1");
   Shape result;
   result.model.split.shape = blend.blend(t);
+  if (solid) {
+    SC::Segmented_shape wrapped(result.segmented().name(), result.segmented().up());
+    wrapped.add_part("solid", blend.blend.solid(t));
+    result.model.split.shape = wrapped;
+  }
   result.model.objects = result.segmented();
   result.file = result.segmented().name();
   return result;

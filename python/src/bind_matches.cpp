@@ -12,7 +12,7 @@
 #include "io/system/input_file.h"
 #include "viewer/match_page.h"
 
-#include <CGAL/Shape_correspondence/IO/write_glb.h>
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/Surface_map.h>
 
@@ -88,7 +88,7 @@ void save(const Match& match, const std::string& path)
       out << json_of(match);
     else if (extension == ".glb")
       SC::IO::write_correspondence_glb(out, match.best(), source.graph, target.graph, source.model_pointer(),
-                                       target.model_pointer(), &source.appearance, &target.appearance);
+                                       target.model_pointer(), source.appearance, target.appearance);
     else
       SC::IO::write_page(out, SC::IO::match_page(match.matched.ranked, source.graph, target.graph,
                                                  source.model_pointer(), target.model_pointer(), match.source->file,

@@ -3,13 +3,16 @@
 
 #include "bindings.h"
 #include "handles.h"
+#include "options.h"
 #include "work.h"
 
-#include "cli/commands.h"
+#include "cli/labelled_models.h"
 #include "cli/predicted_labels.h"
+#include "cli/thread_limit.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/train_role_model.h>
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -27,13 +30,6 @@ std::string predict(const Graph& graph, const Role_model& model, const std::stri
   return text([&](std::ostream& out) { SC::cli::write_labels_json(out, graph.shape.graph, found); });
 }
 
-/// What the program does with these arguments of its command `roles`.
-bool run_command(const std::vector<std::string>& arguments)
-{
-  SC::cli::run_roles(arguments);
-  return true;
-}
-
 /// A shape that roles are learned from: graph, category, labels (coarse, fine) by part, weight.
 using Example =
     std::tuple<std::shared_ptr<Graph>, std::string, std::vector<std::pair<std::string, std::string>>, double>;
@@ -49,16 +45,36 @@ std::vector<SC::Labelled_graph> labelled_graphs(const std::vector<Example>& exam
   return shapes;
 }
 
-Role_model train(const std::vector<Example>& examples, int trees, std::uint64_t seed, const py::object& progress)
+SC::Role_training_options training_options(int trees, std::uint64_t seed)
 {
   if (trees < 1) throw SC::Invalid_input("trees must be at least 1, not " + std::to_string(trees));
-  const std::vector<SC::Labelled_graph> shapes = labelled_graphs(examples);
   SC::Role_training_options options;
   options.trees = trees;
   options.seed = seed;
+  return options;
+}
+
+Role_model train(const std::vector<Example>& examples, int trees, std::uint64_t seed, const py::object& progress)
+{
+  const std::vector<SC::Labelled_graph> shapes = labelled_graphs(examples);
+  const SC::Role_training_options options = training_options(trees, seed);
   Work work;
   return work.run(progress, [&](Work&) {
     return Role_model{std::make_shared<const SC::Role_model>(SC::train_role_model(shapes, options))};
+  });
+}
+
+Role_model train_of_folders(const std::vector<std::string>& folders, int trees, std::uint64_t seed,
+                            const py::dict& options, const py::object& progress)
+{
+  SC::cli::Role_training training;
+  training.folders = folders;
+  training.options = training_options(trees, seed);
+  const SC::cli::Common_options common = model_options(options);
+  Work work;
+  return work.run(progress, [&](Work&) {
+    const SC::cli::Thread_limit limit(common.threads);
+    return Role_model{std::make_shared<const SC::Role_model>(SC::cli::train_roles(training, common).model)};
   });
 }
 
@@ -91,10 +107,7 @@ void bind_roles(py::module_& module)
   module.def("predict_roles", predict, py::call_guard<py::gil_scoped_release>());
   module.def("train_roles", train);
   module.def("extend_roles", extend);
-  module.def("train_roles_of_files", [](const std::vector<std::string>& arguments, const py::object& progress) {
-    Work work;
-    work.run(progress, [&](Work&) { return run_command(arguments); });
-  });
+  module.def("train_roles_of_folders", train_of_folders);
 }
 
 } // namespace shape_correspondence_python

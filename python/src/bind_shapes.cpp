@@ -10,11 +10,11 @@
 #include "io/system/atomic_file.h"
 #include "io/system/input_file.h"
 
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
-#include <CGAL/Shape_correspondence/IO/write_glb.h>
 #include <CGAL/Shape_correspondence/IO/write_html.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/estimate_up.h>
@@ -148,7 +148,7 @@ void save_graph(const Graph& graph, const std::string& path)
       {".dot", [&](std::ostream& out) { SC::IO::write_structural_graph_dot(out, g); }},
       {".glb",
        [&](std::ostream& out) {
-         SC::IO::write_structural_graph_glb(out, g, graph.shape.model_pointer(), &shape.appearance);
+         SC::IO::write_structural_graph_glb(out, g, graph.shape.model_pointer(), shape.appearance);
        }},
       {".html", [&](std::ostream& out) { SC::IO::write_structural_graph_html(out, g, graph.shape.model_pointer()); }}};
   const auto format = formats.find(SC::IO::lower_extension(path));

@@ -24,28 +24,26 @@ class Closed_triangulation
 public:
   /// \pre the mesh is a closed manifold
   explicit Closed_triangulation(const Part_mesh& mesh)
-      : out_(static_cast<std::size_t>(mesh.points.cols()), none), degrees_(out_.size(), 0)
+      : out_(std::size_t(mesh.points.cols()), none), degrees_(out_.size(), 0)
   {
-    for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
+    for (Eigen::Index v = 0; v < mesh.points.cols(); ++v)
       points_.push_back(mesh.points.col(v));
-    }
     std::unordered_map<std::uint64_t, int> halfedges;
     const auto key = [](int a, int b) { return std::uint64_t(std::uint32_t(a)) << 32 | std::uint32_t(b); };
     for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
       add_face();
-      set_face(static_cast<int>(t), mesh.triangles(0, t), mesh.triangles(1, t), mesh.triangles(2, t));
+      set_face(int(t), mesh.triangles(0, t), mesh.triangles(1, t), mesh.triangles(2, t));
     }
     for (int h = 0; h < number_of_halfedges(); ++h) {
       halfedges[key(source(h), target(h))] = h;
       ++degrees_[at(source(h))];
     }
-    for (int h = 0; h < number_of_halfedges(); ++h) {
+    for (int h = 0; h < number_of_halfedges(); ++h)
       opposite_[at(h)] = halfedges.at(key(target(h), source(h)));
-    }
   }
 
-  int number_of_halfedges() const { return static_cast<int>(source_.size()); }
-  int number_of_vertices() const { return static_cast<int>(points_.size()); }
+  int number_of_halfedges() const { return int(source_.size()); }
+  int number_of_vertices() const { return int(points_.size()); }
   bool is_removed(int h) const { return source_[at(h)] == none; }
   bool is_removed_vertex(int v) const { return out_[at(v)] == none; }
 
@@ -69,9 +67,7 @@ public:
   {
     int h = out_[at(v)];
     do {
-      if (!f(h)) {
-        return false;
-      }
+      if (!f(h)) return false;
       h = opposite(previous(h));
     } while (h != out_[at(v)]);
     return true;
@@ -113,9 +109,7 @@ public:
   bool can_collapse(int h) const
   {
     const int a = source(h), b = target(h), c = apex(h), d = apex(opposite(h));
-    if (c == d || degree(c) == 3 || degree(d) == 3) {
-      return false;
-    }
+    if (c == d || degree(c) == 3 || degree(d) == 3) return false;
     const int most_common = 2;
     int common = 0;
     return for_each_out(a, [&](int around) { return (common += are_adjacent(target(around), b)) <= most_common; });
@@ -131,9 +125,8 @@ public:
       moved.push_back(around);
       return true;
     });
-    for (int around : moved) {
+    for (int around : moved)
       source_[at(around)] = b;
-    }
     degrees_[at(b)] += degrees_[at(a)] - 4;
     --degrees_[at(c)];
     --degrees_[at(d)];
@@ -193,9 +186,8 @@ public:
     result.triangles.resize(3, number_of_halfedges() / 3);
     Eigen::Index triangles = 0;
     for (int h = 0; h < number_of_halfedges(); h += 3) {
-      if (!is_removed(h)) {
+      if (!is_removed(h))
         result.triangles.col(triangles++) << index[at(source(h))], index[at(source(h + 1))], index[at(source(h + 2))];
-      }
     }
     result.triangles.conservativeResize(3, triangles);
     return result;
@@ -204,7 +196,7 @@ public:
 private:
   static constexpr int none = -1;
 
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  static std::size_t at(int i) { return std::size_t(i); }
 
   int add_face()
   {

@@ -17,7 +17,7 @@ using namespace internal;
 Point Curve::operator()(double t) const
 {
   const std::vector<double> lengths = arc_lengths(*this);
-  return point_at_length(*this, lengths, std::clamp(t, 0., 1.) * lengths.back());
+  return point_at_length(*this, lengths, clamped_to_unit(t) * lengths.back());
 }
 
 Point Sheet::operator()(double u, double v) const
@@ -41,20 +41,18 @@ Points sample(const Curve& curve, int e)
   const std::vector<double> lengths = arc_lengths(curve);
   const double intervals = curve.closed ? e : e - 1;
   Points result(3, e);
-  for (int k = 0; k < e; ++k) {
+  for (int k = 0; k < e; ++k)
     result.col(k) = point_at_length(curve, lengths, lengths.back() * (k / intervals));
-  }
   return result;
 }
 
 Points sample(const Sheet& sheet, int e)
 {
   CGAL_precondition(e >= 2);
-  Points result(3, static_cast<Eigen::Index>(e) * e);
+  Points result(3, Eigen::Index(e) * e);
   for (int i = 0; i < e; ++i) {
-    for (int j = 0; j < e; ++j) {
-      result.col(static_cast<Eigen::Index>(i) * e + j) = sheet(i / (e - 1.), j / (e - 1.));
-    }
+    for (int j = 0; j < e; ++j)
+      result.col(Eigen::Index(i) * e + j) = sheet(i / (e - 1.), j / (e - 1.));
   }
   return result;
 }

@@ -61,24 +61,18 @@ void Solid_abstractor::try_to_run()
   report().several_components = repaired.several_components;
   result_.volume = repaired.volume;
   report().phases.repair = watch_.lap();
-  if (!repaired.several_components && find_geometry_from_faces(repaired)) {
-    return;
-  }
+  if (!repaired.several_components && find_geometry_from_faces(repaired)) return;
   edge_length_ = target_edge_length(repaired.mesh, options_);
   const Part_mesh solid = remeshed(repaired.mesh, edge_length_, deadline_);
   report().phases.remesh = watch_.lap();
   const Eigen::Index fewest_vertices = 50;
-  if (solid.points.cols() < fewest_vertices) {
-    throw Flow_failure("its surface encloses next to nothing");
-  }
+  if (solid.points.cols() < fewest_vertices) throw Flow_failure("its surface encloses next to nothing");
   find_geometry(solid);
   if (const Sheet* sheet = std::get_if<Sheet>(&result_.geometry)) {
     report().coverage = share_in_part(sheet->points, solid);
     report().branching = report().coverage < least_coverage;
   }
-  if (!result_.control_points().allFinite()) {
-    throw Flow_failure("its skeleton is not finite");
-  }
+  if (!result_.control_points().allFinite()) throw Flow_failure("its skeleton is not finite");
 }
 
 double Solid_abstractor::share_in_part(const Points& points, const Part_mesh& solid) const
@@ -87,10 +81,9 @@ double Solid_abstractor::share_in_part(const Points& points, const Part_mesh& so
   const Inside_test is_inside(solid);
   const Nearest_points surface(solid.points);
   Eigen::Index count = 0;
-  for (const auto& p : points.colwise()) {
+  for (const auto& p : points.colwise())
     count += is_inside(p) || surface.distance(p) < near;
-  }
-  return static_cast<double>(count) / static_cast<double>(points.cols());
+  return double(count) / double(points.cols());
 }
 
 Part_abstraction Solid_abstractor::bounding_box(const std::string& failure, bool time_limit) const
@@ -113,9 +106,7 @@ bool Solid_abstractor::is_point(const Fitted_curve& fitted) const
 
 void Solid_abstractor::use_curve(const Fitted_curve& fitted, Method method)
 {
-  if (is_point(fitted)) {
-    throw Flow_failure("its skeleton is a point");
-  }
+  if (is_point(fitted)) throw Flow_failure("its skeleton is a point");
   result_.geometry = fitted.curve;
   report().method = method;
   report().coverage = fitted.coverage;

@@ -3,10 +3,10 @@
 
 #pragma once
 
+#include "abstraction/deadline.h"
 #include "abstraction/fit_curve.h"
 #include "abstraction/fit_sheet.h"
 #include "abstraction/repair.h"
-#include "base/deadline.h"
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
 
@@ -14,22 +14,22 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Makes a closed and evenly remeshed solid of a part's surface, and of the solid, by a derived class, a curve or a
-/// sheet. What cannot be treated gets the bounding box.
+/// Repairs and remeshes the surface of a part to a closed solid, of which derived classes find the curve or sheet.
+/// Parts for which that fails get their bounding box.
 class Solid_abstractor
 {
 public:
   Solid_abstractor(const Shape_part& part, const Abstraction_options& options);
   virtual ~Solid_abstractor() = default;
 
-  /// The abstraction; a failure is in its report.
+  /// The abstraction, with any failure in its report.
   Part_abstraction run();
 
 protected:
   using Method = Abstraction_report::Method;
 
-  /// Calls `use_prism()` where a part needs no remeshing. \param repaired one closed piece
-  /// \return whether it has
+  /// Calls `use_prism()` if the part is a prism, which needs no remeshing. \param repaired closed and connected
+  /// \return whether it is one
   virtual bool find_geometry_from_faces(const Repaired_part& /*repaired*/) { return false; }
   /// Calls one of `use_curve()`, `use_axis()` and `use_sheet()`. \throw Flow_failure
   virtual void find_geometry(const Part_mesh& solid) = 0;
@@ -40,7 +40,7 @@ protected:
   void use_sheet(const Fitted_sheet& fitted, Method method);
   void use_prism(std::variant<Curve, Sheet> geometry);
 
-  /// Whether a curve is hardly more than a point
+  /// Whether the curve is too short for the part
   bool is_point(const Fitted_curve& fitted) const;
 
   const Part_mesh& mesh() const { return part_.mesh; }
@@ -48,9 +48,9 @@ protected:
   Abstraction_kind wanted_kind() const { return wanted_kind_; }
   const Deadline& deadline() const { return deadline_; }
   double diagonal_of_part() const { return diagonal_; }
-  /// Enclosed by the part
+  /// Volume that the part encloses
   double volume() const { return result_.volume; }
-  /// Of the solid
+  /// Edge length of the remeshed solid
   double edge_length() const { return edge_length_; }
   Abstraction_report& report() { return result_.report; }
   /// Milliseconds since the last call

@@ -29,8 +29,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A tetrahedron as the intersection of half-spaces. What touches it meets it, and what is apart by no more than
-/// rounding.
+/// A closed tetrahedron as the intersection of half-spaces, larger by the rounding error.
 class Solid_tetrahedron
 {
 public:
@@ -53,40 +52,31 @@ public:
   /// Whether a box may meet the tetrahedron.
   bool may_meet(const contacts::Box& box) const
   {
-    if (!box_.intersects(box)) {
-      return false;
-    }
+    if (!box_.intersects(box)) return false;
     const Point centre = box.center(), half = 0.5 * box.sizes();
-    for (int i = 0; i < 4; ++i) {
-      if (normals_[i].dot(centre) - normals_[i].cwiseAbs().dot(half) > ends_[i]) {
-        return false;
-      }
-    }
+    for (int i = 0; i < 4; ++i)
+      if (normals_[i].dot(centre) - normals_[i].cwiseAbs().dot(half) > ends_[i]) return false;
     return true;
   }
 
-  /// Whether something of a triangle is left when it is cut off outside every half-space.
+  /// Whether a triangle meets the tetrahedron, by clipping it at every half-space.
   bool meets(const contacts::Triangle& t) const
   {
-    for (int i = 0; i < 4; ++i) {
-      if (outside(i, t[0]) > 0 && outside(i, t[1]) > 0 && outside(i, t[2]) > 0) {
-        return false;
-      }
-    }
+    for (int i = 0; i < 4; ++i)
+      if (outside(i, t[0]) > 0 && outside(i, t[1]) > 0 && outside(i, t[2]) > 0) return false;
     std::array<Point, 7> polygons[2]; // before and after a cut, which adds one corner at most
     std::copy(t.begin(), t.end(), polygons[0].begin());
     std::size_t n = 3;
-    for (int i = 0; i < 4 && n > 0; ++i) {
+    for (int i = 0; i < 4 && n > 0; ++i)
       n = cut(i, polygons[i % 2], n, polygons[(i + 1) % 2]);
-    }
     return n > 0;
   }
 
 private:
-  /// How far a point is outside a half-space.
+  /// Signed distance of a point from a half-space, positive outside.
   double outside(int i, const Point& p) const { return normals_[i].dot(p) - ends_[i]; }
 
-  /// What a half-space leaves of a convex polygon. \return the number of its corners
+  /// Clips a convex polygon at a half-space. \return the number of corners that are left
   std::size_t cut(int i, const std::array<Point, 7>& polygon, std::size_t n, std::array<Point, 7>& result) const
   {
     std::size_t kept = 0;
@@ -94,12 +84,8 @@ private:
     for (std::size_t k = 0; k < n; ++k) {
       const Point &p = polygon[k > 0 ? k - 1 : n - 1], &q = polygon[k];
       const double now = outside(i, q);
-      if ((before <= 0) != (now <= 0)) {
-        result[kept++] = p + before / (before - now) * (q - p);
-      }
-      if (now <= 0) {
-        result[kept++] = q;
-      }
+      if ((before <= 0) != (now <= 0)) result[kept++] = p + before / (before - now) * (q - p);
+      if (now <= 0) result[kept++] = q;
       before = now;
     }
     return kept;
@@ -110,9 +96,9 @@ private:
   contacts::Box box_;
 };
 
-/// Answers what CGAL's alpha wrapping asks of the surface that it wraps, in floating point. CGAL's own oracle answers
-/// exactly, which takes most of the time of a wrap. The wrap still encloses the surface, since the offset is far larger
-/// than rounding errors; but an answer that rounding decides may carve other tetrahedra.
+/// An oracle for CGAL's alpha wrapping in floating point; with CGAL's own, which is exact, predicates take most of the
+/// time of a wrap. The wrap still encloses the surface, since the offset is far larger than rounding errors, but
+/// rounding may decide which tetrahedra are carved.
 class Wrap_oracle
 {
 public:
@@ -138,9 +124,8 @@ public:
   bool do_intersect(const CGAL::Alpha_wraps_3::internal::Tetrahedron_with_outside_info<Kernel>& cell) const
   {
     std::array<Point, 4> corners;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4; ++i)
       corners[i] = to_point(cell.m_tet.vertex(i));
-    }
     const Solid_tetrahedron tetrahedron(corners);
     return tree_.any_triangle_of([&](const contacts::Box& box) { return tetrahedron.may_meet(box); },
                                  [&](const contacts::Triangle& t) { return tetrahedron.meets(t); });
@@ -173,7 +158,7 @@ private:
 
   Geom_traits traits_;
   contacts::Triangle_tree tree_;
-  mutable std::size_t near_ = 0; ///< the triangle of the last answer: the next question is about a point near by
+  mutable std::size_t near_ = 0; ///< triangle of the last answer, a good guess for the next query
 };
 
 } // namespace CGAL::Shape_correspondence::internal

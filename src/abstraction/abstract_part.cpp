@@ -1,14 +1,19 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "abstraction/abstract_mesh.h"
+#include "abstraction/canonical_form.h"
 #include "abstraction/congruence.h"
-#include "abstraction/curve_and_sheet_geometry.h"
+#include "abstraction/deadline.h"
+#include "abstraction/surface_samples.h"
 #include "base/for_each_index.h"
+#include "shape/convex_hull.h"
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/abstract_part.h>
 
 #include <mutex>
+#include <string>
+#include <variant>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
@@ -18,6 +23,44 @@ namespace {
 /// Coordinates are rounded to this fraction of the height of the shape (or the size of a single part): the remeshing
 /// and the flow amplify rounding noise, so that it must not reach them.
 constexpr double coordinate_grid = 1e-7;
+
+constexpr std::size_t surface_points_of_a_part = 256;
+
+bool is_valid(const Curve& curve) { return curve.points.cols() >= 2; }
+
+bool is_valid(const Sheet& sheet)
+{
+  return sheet.rows >= 2 && sheet.cols >= 2 && sheet.points.cols() == Eigen::Index(sheet.rows) * sheet.cols;
+}
+
+/// The options' abstractor is anybody's.
+void check_abstraction(const std::string& name, const Part_abstraction& abstraction)
+{
+  const bool valid = std::visit([](const auto& g) { return is_valid(g); }, abstraction.geometry);
+  if (!valid || !abstraction.control_points().allFinite()) {
+    throw Invalid_input("part '" + name + "': the abstractor returned " +
+                        (valid ? "points that are not finite" : "too few points") + "; correct it or use another one");
+  }
+}
+
+/// Finds the abstraction of a part whose mesh is in canonical form.
+Part_abstraction abstract_mesh(const Shape_part& part, const Abstraction_options& options)
+{
+  Stop_watch watch;
+  Part_abstraction result = options.abstractor(part, options);
+  check_abstraction(part.name, result);
+  std::visit([](auto& g) { internal::make_canonical(g); }, result.geometry);
+  watch.lap();
+  result.name = part.name;
+  result.area = surface_area(part.mesh);
+  result.surface = even_surface_points(part.mesh, surface_points_of_a_part);
+  const Convex_hull hull = convex_hull(part.mesh.points);
+  result.hull = hull.vertices;
+  result.hull_volume = hull.volume;
+  result.report.phases.measure = watch.lap();
+  result.report.milliseconds = 1e3 * watch.seconds();
+  return result;
+}
 
 void move_points(Part_abstraction& part, const std::function<Points(const Points&)>& motion)
 {
@@ -76,9 +119,8 @@ private:
 std::vector<Part_mesh> meshes_in_frame(const Segmented_shape& shape, const Shape_frame& frame)
 {
   std::vector<Part_mesh> result;
-  for (const Shape_part& part : shape.parts()) {
+  for (const Shape_part& part : shape.parts())
     result.push_back(canonical_mesh({frame.to_frame(part.mesh.points), part.mesh.triangles}, coordinate_grid));
-  }
   return result;
 }
 
@@ -87,11 +129,8 @@ std::vector<std::size_t> originals_by_size(const std::vector<Part_mesh>& meshes,
                                            const std::vector<Congruence>& congruences)
 {
   std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    if (congruences[i].original == i) {
-      result.push_back(i);
-    }
-  }
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    if (congruences[i].original == i) result.push_back(i);
   std::stable_sort(result.begin(), result.end(), [&](std::size_t a, std::size_t b) {
     return meshes[a].triangles.cols() > meshes[b].triangles.cols();
   });
@@ -116,9 +155,7 @@ Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options
   Part_abstraction result = abstract_mesh({part.name, mesh}, options);
   move_points(result, [&](const Points& points) { return frame.to_world(points); });
   scale_measures(result, frame.height);
-  if (options.progress) {
-    options.progress(1, 1);
-  }
+  if (options.progress) options.progress(1, 1);
   return result;
 }
 

@@ -3,55 +3,11 @@
 
 #pragma once
 
-#include "base/eigen_system.h"
+#include "shape/oriented_box.h"
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 
-#include <algorithm>
-#include <array>
-
 namespace CGAL::Shape_correspondence::internal {
-
-/// The diagonal of the axis-parallel bounding box; 0 of no points.
-inline double diagonal(const Points& points)
-{
-  return points.cols() == 0 ? 0. : (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
-}
-
-/// A box with its axes in the order of their extents, longest first.
-struct Oriented_box
-{
-  Point centre;
-  Eigen::Matrix3d axes;
-  Eigen::Vector3d extents;
-};
-
-inline Oriented_box box_along(const Points& points, const Eigen::Matrix3d& axes)
-{
-  const Points turned = axes.transpose() * points;
-  const Eigen::Vector3d low = turned.rowwise().minCoeff(), high = turned.rowwise().maxCoeff();
-  std::array<int, 3> order{0, 1, 2};
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return high[a] - low[a] > high[b] - low[b]; });
-  Oriented_box result;
-  result.centre = axes * (0.5 * (low + high));
-  for (int k = 0; k < 3; ++k) {
-    result.axes.col(k) = axes.col(order[static_cast<std::size_t>(k)]);
-    result.extents[k] = (high - low)[order[static_cast<std::size_t>(k)]];
-  }
-  return result;
-}
-
-/// The box along the coordinate axes, or along the principal axes where that is clearly tighter.
-inline Oriented_box oriented_box(const Points& points)
-{
-  const Points centred = points.colwise() - points.rowwise().mean();
-  const Oriented_box straight = box_along(points, Eigen::Matrix3d::Identity());
-  const Oriented_box principal = box_along(points, eigen_system(scatter_matrix(centred)).vectors);
-  const auto half_surface = [](const Oriented_box& box) {
-    return box.extents[0] * box.extents[1] + box.extents[1] * box.extents[2] + box.extents[2] * box.extents[0];
-  };
-  return half_surface(principal) < 0.9 * half_surface(straight) ? principal : straight;
-}
 
 /// The line through the middle of a box along one of its axes.
 inline Curve medial_curve(const Oriented_box& box, int control_points, Eigen::Index axis = 0)
@@ -65,15 +21,13 @@ inline Curve medial_curve(const Oriented_box& box, int control_points, Eigen::In
   return result;
 }
 
-/// The axis along which a block is least like along the two others, as that of a square prism; of a cube the upright
+/// The axis of a block whose extent differs most from the two others, as that of a square prism; of a cube the upright
 /// one.
 inline Eigen::Index distinct_axis(const Oriented_box& box)
 {
   const double alike = 0.9;
   Eigen::Index result = box.extents[0] * box.extents[2] > box.extents[1] * box.extents[1] ? 0 : 2;
-  if (box.extents[2] > alike * box.extents[0]) {
-    box.axes.row(1).cwiseAbs().maxCoeff(&result);
-  }
+  if (box.extents[2] > alike * box.extents[0]) box.axes.row(1).cwiseAbs().maxCoeff(&result);
   return result;
 }
 
@@ -81,7 +35,7 @@ inline Sheet medial_sheet(const Oriented_box& box, int n)
 {
   Sheet result;
   result.rows = result.cols = n;
-  result.points.resize(3, static_cast<Eigen::Index>(n) * n);
+  result.points.resize(3, Eigen::Index(n) * n);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
       const double u = i / (n - 1.) - 0.5, v = j / (n - 1.) - 0.5;

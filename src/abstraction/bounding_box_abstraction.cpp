@@ -14,11 +14,10 @@ Part_abstraction Bounding_box_abstraction::operator()(const Shape_part& part, co
   const Abstraction_kind kind = options.kind_of(part.name);
   const bool is_sheet = kind == Abstraction_kind::AUTOMATIC ? is_flat(box.extents) : kind == Abstraction_kind::SHEET;
   Part_abstraction result;
-  if (is_sheet) {
+  if (is_sheet)
     result.geometry = medial_sheet(box, options.sheet_points);
-  } else {
+  else
     result.geometry = medial_curve(box, options.curve_points);
-  }
   result.report.method = Abstraction_report::Method::BOUNDING_BOX;
   result.report.blob = !is_sheet && is_compact(box.extents);
   return result;

@@ -20,8 +20,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The same mesh whatever the order of its vertices and triangles, and with rounding noise in its coordinates or not:
-/// coordinates on a grid, equal vertices merged, vertices and triangles sorted, no triangle twice.
+/// A mesh that does not depend on the order of vertices and triangles, nor on rounding noise: coordinates are rounded
+/// to a grid, equal vertices merged, vertices and triangles sorted, duplicates removed.
 inline Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
 {
   using Key = std::array<double, 3>;
@@ -30,11 +30,10 @@ inline Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
     const auto snap = [grid](double x) { return std::round(x / grid) * grid + 0.; };
     return Key{snap(mesh.points(0, v)), snap(mesh.points(1, v)), snap(mesh.points(2, v))};
   };
-  for (Eigen::Index t = 0; t < mesh.triangles.size(); ++t) {
+  for (Eigen::Index t = 0; t < mesh.triangles.size(); ++t)
     vertices.emplace(key(mesh.triangles.data()[t]), 0);
-  }
   Part_mesh result;
-  result.points.resize(3, static_cast<Eigen::Index>(vertices.size()));
+  result.points.resize(3, Eigen::Index(vertices.size()));
   int count = 0;
   for (auto& [position, index] : vertices) {
     result.points.col(count) << position[0], position[1], position[2];
@@ -43,17 +42,14 @@ inline Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
   std::map<std::array<int, 3>, std::array<int, 3>> triangles; // sorted corners, corners in their order
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     std::array<int, 3> corners{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = vertices.at(key(mesh.triangles(static_cast<Eigen::Index>(k), t)));
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = vertices.at(key(mesh.triangles(Eigen::Index(k), t)));
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     std::array<int, 3> sorted = corners;
     std::sort(sorted.begin(), sorted.end());
     if (sorted[0] != sorted[1] && sorted[1] != sorted[2]) {
       const auto [known, is_new] = triangles.emplace(sorted, corners);
-      if (!is_new) {
-        known->second = std::min(known->second, corners);
-      }
+      if (!is_new) known->second = std::min(known->second, corners);
     }
   }
   if (triangles.empty()) {
@@ -61,11 +57,10 @@ inline Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
     const double finer = 1e-4, finest = 1e-20;
     return grid > finest ? canonical_mesh(mesh, finer * grid) : mesh;
   }
-  result.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
+  result.triangles.resize(3, Eigen::Index(triangles.size()));
   Eigen::Index t = 0;
-  for (const auto& [sorted, corners] : triangles) {
+  for (const auto& [sorted, corners] : triangles)
     result.triangles.col(t++) << corners[0], corners[1], corners[2];
-  }
   return result;
 }
 
@@ -74,11 +69,8 @@ inline int dominant_axis(const Point& direction)
 {
   const double nearly = 0.98;
   const double longest = direction.cwiseAbs().maxCoeff();
-  for (int axis : {1, 0, 2}) {
-    if (std::abs(direction[axis]) >= nearly * longest) {
-      return axis;
-    }
-  }
+  for (int axis : {1, 0, 2})
+    if (std::abs(direction[axis]) >= nearly * longest) return axis;
   return 1;
 }
 
@@ -90,31 +82,26 @@ inline void make_canonical(Curve& curve)
 {
   const Eigen::Index n = curve.points.cols();
   if (!curve.closed) {
-    if (points_backwards(curve.points.col(n - 1) - curve.points.col(0))) {
+    if (points_backwards(curve.points.col(n - 1) - curve.points.col(0)))
       curve.points = curve.points.rowwise().reverse().eval();
-    }
     return;
   }
-  // Not along any axis, so that no two points of a usual ring are equally far.
+  // Along no axis, so that no two points of a regular ring tie
   const Point front(0.13, 0.29, 1.);
   const std::vector<double> lengths = arc_lengths(curve);
   Point turn = Point::Zero();
-  for (Eigen::Index i = 0; i < n; ++i) {
+  for (Eigen::Index i = 0; i < n; ++i)
     turn += curve.points.col(i).cross(curve.points.col((i + 1) % n));
-  }
-  if (points_backwards(turn)) {
-    curve.points = curve.points.rowwise().reverse().eval();
-  }
+  if (points_backwards(turn)) curve.points = curve.points.rowwise().reverse().eval();
   const int fine = 1024;
   const Points dense = sample(curve, fine);
   Eigen::Index start = 0;
   (front.transpose() * dense).maxCoeff(&start);
   Curve turned = curve;
   turned.points.resize(3, fine);
-  for (Eigen::Index i = 0; i < fine; ++i) {
+  for (Eigen::Index i = 0; i < fine; ++i)
     turned.points.col(i) = dense.col((start + i) % fine);
-  }
-  curve.points = sample(turned, static_cast<int>(n));
+  curve.points = sample(turned, int(n));
 }
 
 inline Sheet transposed(const Sheet& sheet)
@@ -122,9 +109,8 @@ inline Sheet transposed(const Sheet& sheet)
   Sheet result = sheet;
   std::swap(result.rows, result.cols);
   for (int i = 0; i < sheet.rows; ++i) {
-    for (int j = 0; j < sheet.cols; ++j) {
+    for (int j = 0; j < sheet.cols; ++j)
       result.points.col(j * sheet.rows + i) = sheet.points.col(i * sheet.cols + j);
-    }
   }
   return result;
 }
@@ -138,21 +124,17 @@ inline void make_canonical(Sheet& sheet)
   const Point along_u = row_direction(sheet).normalized(), along_v = col_direction(sheet).normalized();
   const double u_side = std::abs(along_u.x()), v_side = std::abs(along_v.x());
   const bool side_decides = std::max(u_side, v_side) > 0.2 && std::abs(u_side - v_side) > 0.02;
-  if (side_decides ? u_side > v_side : std::abs(along_u.z()) > std::abs(along_v.z()) + 0.02) {
-    sheet = transposed(sheet);
-  }
+  if (side_decides ? u_side > v_side : std::abs(along_u.z()) > std::abs(along_v.z()) + 0.02) sheet = transposed(sheet);
   const Eigen::Index rows = sheet.rows, cols = sheet.cols;
   if (points_backwards(row_direction(sheet))) {
     Sheet flipped = sheet;
-    for (Eigen::Index i = 0; i < rows; ++i) {
+    for (Eigen::Index i = 0; i < rows; ++i)
       flipped.points.middleCols(i * cols, cols) = sheet.points.middleCols((rows - 1 - i) * cols, cols);
-    }
     sheet = flipped;
   }
   if (points_backwards(col_direction(sheet))) {
-    for (Eigen::Index i = 0; i < rows; ++i) {
+    for (Eigen::Index i = 0; i < rows; ++i)
       sheet.points.middleCols(i * cols, cols) = sheet.points.middleCols(i * cols, cols).rowwise().reverse().eval();
-    }
   }
 }
 

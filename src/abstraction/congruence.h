@@ -6,6 +6,7 @@
 #include "abstraction/surface_samples.h"
 #include "base/Nearest_points.h"
 #include "base/eigen_system.h"
+#include "shape/oriented_box.h"
 
 #include <Eigen/Geometry>
 
@@ -31,19 +32,19 @@ struct Motion
   Points operator()(const Points& points) const { return (linear * points).colwise() + offset; }
 };
 
-/// What is the same for congruent meshes, and what tells how one lies. Aligned, since the order in which Eigen adds,
-/// and so the last bit of a sum, depends on the alignment of its operands.
+/// Invariants of a mesh under rigid motions and reflections, and its place and orientation. Aligned, since the order in
+/// which Eigen adds, and so the last bit of a sum, depends on the alignment of its operands.
 struct alignas(EIGEN_MAX_ALIGN_BYTES) Mesh_signature
 {
   explicit Mesh_signature(const Part_mesh& mesh)
       : mesh(&mesh), centre(mesh.points.rowwise().mean()), area(surface_area(mesh))
   {
     const Points centred = mesh.points.colwise() - centre;
-    moments = scatter_matrix(centred) / static_cast<double>(mesh.points.cols());
+    moments = scatter_matrix(centred) / double(mesh.points.cols());
     const Eigen_system system = eigen_system(moments);
     principal_axes = system.vectors;
     lengths = system.values.cwiseMax(0.).cwiseSqrt();
-    size = (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
+    size = diagonal(mesh.points);
   }
 
   const Part_mesh* mesh;
@@ -96,11 +97,8 @@ inline bool carries(const Motion& motion, const Mesh_signature& from, const Mesh
                     const Nearest_points& target)
 {
   const double tolerance = 1e-3 * to.size;
-  for (Eigen::Index v = 0; v < from.mesh->points.cols(); ++v) {
-    if (target.distance(motion.linear * from.mesh->points.col(v) + motion.offset) > tolerance) {
-      return false;
-    }
-  }
+  for (Eigen::Index v = 0; v < from.mesh->points.cols(); ++v)
+    if (target.distance(motion.linear * from.mesh->points.col(v) + motion.offset) > tolerance) return false;
   return true;
 }
 
@@ -108,28 +106,24 @@ inline bool carries(const Motion& motion, const Mesh_signature& from, const Mesh
 inline std::optional<Motion> find_congruence(const Mesh_signature& from, const Mesh_signature& to,
                                              const Nearest_points& from_points, const Nearest_points& to_points)
 {
-  if (!may_be_congruent(from, to)) {
-    return std::nullopt;
-  }
+  if (!may_be_congruent(from, to)) return std::nullopt;
   for (const Eigen::Matrix3d& linear : candidate_motions(from, to)) {
     const Motion motion{linear, to.centre - linear * from.centre};
     const Motion inverse{linear.transpose(), from.centre - linear.transpose() * to.centre};
-    if (carries(motion, from, to, to_points) && carries(inverse, to, from, from_points)) {
-      return motion;
-    }
+    if (carries(motion, from, to, to_points) && carries(inverse, to, from, from_points)) return motion;
   }
   return std::nullopt;
 }
 
-/// For every mesh the one that stands for it and the motion from that one.
+/// The mesh that a mesh is a copy of, or itself, and the motion from there.
 struct Congruence
 {
   std::size_t original;
   Motion motion;
 };
 
-/// An order of different meshes in canonical form.
-inline bool comes_first(const Part_mesh& a, const Part_mesh& b)
+/// Lexicographic order of meshes in canonical form.
+inline bool canonical_less(const Part_mesh& a, const Part_mesh& b)
 {
   const auto points = [](const Part_mesh& m) {
     return std::make_pair(m.points.data(), m.points.data() + m.points.size());
@@ -140,14 +134,12 @@ inline bool comes_first(const Part_mesh& a, const Part_mesh& b)
   const auto is_less = [](const auto& x, const auto& y) {
     return std::lexicographical_compare(x.first, x.second, y.first, y.second);
   };
-  if (is_less(points(a), points(b)) || is_less(points(b), points(a))) {
-    return is_less(points(a), points(b));
-  }
+  if (is_less(points(a), points(b)) || is_less(points(b), points(a))) return is_less(points(a), points(b));
   return is_less(corners(a), corners(b));
 }
 
-/// Sorts meshes in canonical form into classes of congruent ones. Which of a class is the original depends on their
-/// places, not on their order.
+/// Classes of congruent meshes in canonical form. Which one of a class is the original depends on places, not on the
+/// order.
 /// \param comparable whether the meshes of two indices may be in one class
 inline std::vector<Congruence> find_congruences(const std::vector<Part_mesh>& meshes,
                                                 const std::function<bool(std::size_t, std::size_t)>& comparable)
@@ -162,7 +154,7 @@ inline std::vector<Congruence> find_congruences(const std::vector<Part_mesh>& me
   };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     const auto place_a = place(a), place_b = place(b);
-    return place_a != place_b ? place_a < place_b : comes_first(meshes[a], meshes[b]);
+    return place_a != place_b ? place_a < place_b : canonical_less(meshes[a], meshes[b]);
   });
 
   std::vector<Congruence> result(meshes.size());
@@ -172,17 +164,13 @@ inline std::vector<Congruence> find_congruences(const std::vector<Part_mesh>& me
     vertices[i] = std::make_unique<Nearest_points>(meshes[i].points);
     result[i].original = i;
     for (std::size_t original : originals) {
-      if (!comparable(original, i)) {
-        continue;
-      }
+      if (!comparable(original, i)) continue;
       if (const auto motion = find_congruence(signatures[original], signatures[i], *vertices[original], *vertices[i])) {
         result[i] = {original, *motion};
         break;
       }
     }
-    if (result[i].original == i) {
-      originals.push_back(i);
-    }
+    if (result[i].original == i) originals.push_back(i);
   }
   return result;
 }

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "base/clamped.h"
+
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 
 #include <Eigen/Geometry>
@@ -28,8 +30,8 @@ struct Cell_position
 
 inline Cell_position locate_cell(double parameter, int cells)
 {
-  const double x = std::clamp(parameter, 0., 1.) * cells;
-  const int cell = std::min(static_cast<int>(x), cells - 1);
+  const double x = clamped_to_unit(parameter) * cells;
+  const int cell = clamped_cell(x, cells - 1);
   return {cell, x - cell};
 }
 
@@ -48,19 +50,18 @@ inline Point segment_end(const Curve& curve, Eigen::Index segment)
 inline std::vector<double> arc_lengths(const Curve& curve)
 {
   std::vector<double> result{0.};
-  for (Eigen::Index s = 0; s < number_of_segments(curve); ++s) {
+  for (Eigen::Index s = 0; s < number_of_segments(curve); ++s)
     result.push_back(result.back() + (segment_end(curve, s) - curve.points.col(s)).norm());
-  }
   return result;
 }
 
 inline Point point_at_length(const Curve& curve, const std::vector<double>& lengths, double length)
 {
   const auto after = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, length);
-  const auto segment = static_cast<std::size_t>(after - lengths.begin()) - 1;
+  const auto segment = std::size_t(after - lengths.begin()) - 1;
   const double extent = lengths[segment + 1] - lengths[segment];
-  const double f = extent > 0 ? std::clamp((length - lengths[segment]) / extent, 0., 1.) : 0.;
-  const auto s = static_cast<Eigen::Index>(segment);
+  const double f = extent > 0 ? clamped_to_unit((length - lengths[segment]) / extent) : 0.;
+  const auto s = Eigen::Index(segment);
   return (1 - f) * curve.points.col(s) + f * segment_end(curve, s);
 }
 
@@ -68,7 +69,7 @@ inline Point point_at_length(const Curve& curve, const std::vector<double>& leng
 inline double nearest_on_segment(const Point& a, const Point& b, const Point& p)
 {
   const double squared_length = (b - a).squaredNorm();
-  return squared_length > 0 ? std::clamp((p - a).dot(b - a) / squared_length, 0., 1.) : 0.;
+  return squared_length > 0 ? clamped_to_unit((p - a).dot(b - a) / squared_length) : 0.;
 }
 
 inline Eigen::Vector2d nearest_parameter_on_curve(const Curve& curve, const Point& p)
@@ -83,7 +84,7 @@ inline Eigen::Vector2d nearest_parameter_on_curve(const Curve& curve, const Poin
     const double distance = ((1 - f) * a + f * b - p).squaredNorm();
     if (distance < best) {
       best = distance;
-      const auto i = static_cast<std::size_t>(s);
+      const auto i = std::size_t(s);
       length = lengths[i] + f * (lengths[i + 1] - lengths[i]);
     }
   }
@@ -98,9 +99,7 @@ inline Eigen::Vector2d nearest_on_triangle(const Point& a, const Point& b, const
   const Eigen::Matrix2d gram = edges.transpose() * edges;
   if (gram.determinant() > 1e-14 * gram.trace() * gram.trace()) {
     const Eigen::Vector2d inside = gram.inverse() * (edges.transpose() * (p - a));
-    if (inside.minCoeff() >= 0 && inside.sum() <= 1) {
-      return inside;
-    }
+    if (inside.minCoeff() >= 0 && inside.sum() <= 1) return inside;
   }
   const double ab = nearest_on_segment(a, b, p);
   const double ac = nearest_on_segment(a, c, p);
@@ -125,21 +124,16 @@ inline Eigen::Vector2d refine_in_cell(const Sheet& sheet, Eigen::Vector2d parame
     derivative.col(0) = ((1 - f[1]) * (corner(1, 0) - corner(0, 0)) + f[1] * (corner(1, 1) - corner(0, 1))) * cells[0];
     derivative.col(1) = ((1 - f[0]) * (corner(0, 1) - corner(0, 0)) + f[0] * (corner(1, 1) - corner(1, 0))) * cells[1];
     const Eigen::Matrix2d gram = derivative.transpose() * derivative;
-    if (!(gram.determinant() > 1e-14 * gram.trace() * gram.trace())) {
-      return parameter;
-    }
+    if (!(gram.determinant() > 1e-14 * gram.trace() * gram.trace())) return parameter;
     const Point offset = p - sheet(parameter[0], parameter[1]);
     const Eigen::Vector2d step = gram.inverse() * (derivative.transpose() * offset);
     const auto stepped = [&](double fraction) -> Eigen::Vector2d {
       return (parameter + fraction * step).array().max(low).min(high);
     };
     double reach = 1;
-    while (reach > 0.1 && !((p - sheet(stepped(reach)[0], stepped(reach)[1])).squaredNorm() < offset.squaredNorm())) {
+    while (reach > 0.1 && !((p - sheet(stepped(reach)[0], stepped(reach)[1])).squaredNorm() < offset.squaredNorm()))
       reach *= 0.5;
-    }
-    if (reach < 0.1) {
-      return parameter;
-    }
+    if (reach < 0.1) return parameter;
     parameter = stepped(reach);
   }
   return parameter;
@@ -205,9 +199,7 @@ inline Eigen::Vector2d nearest_parameter_on_sheet(const Sheet& sheet, const Poin
   const double rounding = 1e-9 * (sheet.points.cwiseAbs().maxCoeff() + p.cwiseAbs().maxCoeff());
   std::vector<Cell_candidate> candidates;
   for (const Cell_distance& cell : cells_by_distance(sheet, p)) {
-    if (candidates.size() == most_refined && cell.distance > std::sqrt(candidates.back().distance) + rounding) {
-      break;
-    }
+    if (candidates.size() == most_refined && cell.distance > std::sqrt(candidates.back().distance) + rounding) break;
     add_cell_candidates(sheet, cell.row, cell.col, p, candidates);
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(candidates.begin() + std::ptrdiff_t(std::min(most_refined, candidates.size())), candidates.end());

@@ -19,7 +19,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Of a skeleton, what a curve covers that is not branching; of a sheet, the share that is in such a part.
+/// Least coverage of an abstraction that is not called branching, see `Abstraction_report::coverage`.
 constexpr double least_coverage = 0.8;
 
 /// A curve taken from a skeleton.
@@ -37,8 +37,8 @@ inline std::vector<int> leaf_chain(const Spatial_graph_view& graph, int leaf)
   int previous = -1, current = leaf;
   do {
     const auto next = graph.neighbours(current).begin();
-    const int first = static_cast<int>(next[0]);
-    const int step = first != previous || graph.degree(current) == 1 ? first : static_cast<int>(next[1]);
+    const int first = int(next[0]);
+    const int step = first != previous || graph.degree(current) == 1 ? first : int(next[1]);
     previous = current;
     current = step;
     chain.push_back(current);
@@ -49,9 +49,8 @@ inline std::vector<int> leaf_chain(const Spatial_graph_view& graph, int leaf)
 inline double chain_length(const Spatial_graph_view& graph, const std::vector<int>& chain)
 {
   double result = 0;
-  for (std::size_t i = 1; i < chain.size(); ++i) {
+  for (std::size_t i = 1; i < chain.size(); ++i)
     result += graph.length(chain[i - 1], chain[i]);
-  }
   return result;
 }
 
@@ -59,9 +58,8 @@ inline double chain_length(const Spatial_graph_view& graph, const std::vector<in
 inline std::vector<int> longest_path(const Spatial_graph_view& graph)
 {
   int start = 0;
-  while (start + 1 < graph.size() && graph.degree(start) == 0) {
+  while (start + 1 < graph.size() && graph.degree(start) == 0)
     ++start;
-  }
   const int from = graph.farthest(graph.distances_from(start));
   return graph.path(from, graph.farthest(graph.distances_from(from)));
 }
@@ -76,9 +74,7 @@ inline void prune(Spatial_graph_view& graph, const Nearest_points& surface)
     std::vector<int> shortest;
     double least = std::numeric_limits<double>::infinity();
     for (int v = 0; v < graph.size(); ++v) {
-      if (graph.degree(v) != 1) {
-        continue;
-      }
+      if (graph.degree(v) != 1) continue;
       const std::vector<int> chain = leaf_chain(graph, v);
       const double length = chain_length(graph, chain);
       const double radius = surface.distance(graph.point(chain.back()));
@@ -88,22 +84,16 @@ inline void prune(Spatial_graph_view& graph, const Nearest_points& surface)
         shortest = chain;
       }
     }
-    if (shortest.empty()) {
-      return;
-    }
-    for (std::size_t i = 1; i < shortest.size(); ++i) {
+    if (shortest.empty()) return;
+    for (std::size_t i = 1; i < shortest.size(); ++i)
       graph.remove_edge(shortest[i - 1], shortest[i]);
-    }
   }
 }
 
 inline bool has_free_end(const Spatial_graph_view& graph)
 {
-  for (int v = 0; v < graph.size(); ++v) {
-    if (graph.degree(v) == 1) {
-      return true;
-    }
-  }
+  for (int v = 0; v < graph.size(); ++v)
+    if (graph.degree(v) == 1) return true;
   return false;
 }
 
@@ -111,9 +101,7 @@ inline bool has_free_end(const Spatial_graph_view& graph)
 inline std::vector<int> outer_cycle(Spatial_graph_view graph)
 {
   const std::vector<int> across = longest_path(graph);
-  if (across.size() < 2) {
-    return {};
-  }
+  if (across.size() < 2) return {};
   Point centre = Point::Zero();
   int count = 0;
   for (int v = 0; v < graph.size(); ++v) {
@@ -128,13 +116,10 @@ inline std::vector<int> outer_cycle(Spatial_graph_view graph)
     return graph.length(a, b) / (radius * radius * radius);
   };
   std::vector<int> cycle = graph.path(across.front(), across.back(), outwards);
-  for (std::size_t i = 1; i < cycle.size(); ++i) {
+  for (std::size_t i = 1; i < cycle.size(); ++i)
     graph.remove_edge(cycle[i - 1], cycle[i]);
-  }
   const std::vector<int> back = graph.path(across.back(), across.front(), outwards);
-  if (back.size() < 2 || cycle.size() + back.size() < 6) {
-    return {};
-  }
+  if (back.size() < 2 || cycle.size() + back.size() < 6) return {};
   cycle.insert(cycle.end(), back.begin() + 1, back.end() - 1);
   return cycle;
 }
@@ -145,9 +130,8 @@ inline void smooth(Curve& curve, int rounds)
   const Eigen::Index n = curve.points.cols();
   for (int round = 0; round < rounds; ++round) {
     const Points before = curve.points;
-    for (Eigen::Index i = curve.closed ? 0 : 1; i < (curve.closed ? n : n - 1); ++i) {
+    for (Eigen::Index i = curve.closed ? 0 : 1; i < (curve.closed ? n : n - 1); ++i)
       curve.points.col(i) = 0.25 * before.col((i + n - 1) % n) + 0.5 * before.col(i) + 0.25 * before.col((i + 1) % n);
-    }
   }
 }
 
@@ -162,15 +146,12 @@ inline void extend_end(Curve& curve, bool last, const Nearest_points& surface, c
   const Eigen::Index inner = last ? std::max<Eigen::Index>(n - 3, 0) : std::min<Eigen::Index>(2, n - 1);
   const Point tip = curve.points.col(end);
   const Point direction = (tip - curve.points.col(inner)).normalized();
-  if (!direction.allFinite()) {
-    return;
-  }
+  if (!direction.allFinite()) return;
   const double most =
       std::max(most_lengths * arc_lengths(curve).back(), most_radii * surface.distance(curve.points.col(inner)));
   int step = 0;
-  while (step < steps && is_inside(tip + (step + 1) * (most / steps) * direction)) {
+  while (step < steps && is_inside(tip + (step + 1) * (most / steps) * direction))
     ++step;
-  }
   curve.points.col(end) = tip + step * (most / steps) * direction;
 }
 
@@ -178,10 +159,9 @@ inline Curve to_curve(const Spatial_graph_view& graph, const std::vector<int>& p
 {
   Curve result;
   result.closed = closed;
-  result.points.resize(3, static_cast<Eigen::Index>(path.size()));
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    result.points.col(static_cast<Eigen::Index>(i)) = graph.point(path[i]);
-  }
+  result.points.resize(3, Eigen::Index(path.size()));
+  for (std::size_t i = 0; i < path.size(); ++i)
+    result.points.col(Eigen::Index(i)) = graph.point(path[i]);
   return result;
 }
 
@@ -198,7 +178,7 @@ inline double turning(const Curve& curve)
   return result;
 }
 
-/// A raw path, resampled and without its ripples.
+/// A path, resampled and smoothed.
 inline Curve smoothed(const Curve& raw, int samples)
 {
   const int rounds = 3;
@@ -207,8 +187,8 @@ inline Curve smoothed(const Curve& raw, int samples)
   return result;
 }
 
-/// Draws a curve to the middle of the medial axis around it, across its direction. Of the axis counts what is about as
-/// near to the curve as to the surface.
+/// Moves a curve, across its direction, to the middle of the points of the medial axis around it: of those that are
+/// about as near to the curve as to the surface.
 /// \param axis the medial poles of the surface's points
 inline void centre(Curve& curve, const Points& axis, const Points& surface)
 {
@@ -274,17 +254,13 @@ inline Skeleton_path skeleton_path(const Spatial_graph& skeleton, const Nearest_
   prune(graph, surface);
   Skeleton_path result;
   const Curve path = main_path(graph);
-  if (path.points.cols() < 2) {
-    return result;
-  }
+  if (path.points.cols() < 2) return result;
   result.fitted.coverage = std::min(1., arc_lengths(path).back() / graph.total_length());
   Curve& curve = result.fitted.curve;
   curve = smoothed(path, samples * control_points);
   const double angle = turning({sample(curve, control_points), path.closed});
-  result.turns = static_cast<int>(angle / (2 * EIGEN_PI) + nearly);
-  if (result.turns > 0) {
-    curve = smoothed(path, samples * number_of_points(control_points, result.turns));
-  }
+  result.turns = int(angle / (2 * EIGEN_PI) + nearly);
+  if (result.turns > 0) curve = smoothed(path, samples * number_of_points(control_points, result.turns));
   result.fitted.residual = skeleton_residual(graph, curve);
   return result;
 }
@@ -293,9 +269,8 @@ inline Skeleton_path skeleton_path(const Spatial_graph& skeleton, const Nearest_
 inline Fitted_curve skeleton_curve(const Spatial_graph& skeleton, const Part_mesh& solid, int control_points)
 {
   auto [result, turns] = skeleton_path(skeleton, Nearest_points(solid.points), control_points);
-  if (result.curve.points.cols() > 0) {
+  if (result.curve.points.cols() > 0)
     result.curve.points = sample(result.curve, number_of_points(control_points, turns));
-  }
   return result;
 }
 
@@ -307,9 +282,7 @@ inline Fitted_curve fit_curve(const Spatial_graph& skeleton, const Points& axis,
   const Nearest_points surface(solid.points);
   auto [result, turns] = skeleton_path(skeleton, surface, control_points);
   Curve& curve = result.curve;
-  if (curve.points.cols() == 0) {
-    return result;
-  }
+  if (curve.points.cols() == 0) return result;
   if (turns > 0) { // the flow draws bends inwards
     centre(curve, axis, solid.points);
   }

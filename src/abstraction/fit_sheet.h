@@ -4,8 +4,8 @@
 #pragma once
 
 #include "abstraction/curve_and_sheet_geometry.h"
+#include "base/directions.h"
 #include "base/eigen_system.h"
-#include "base/fixed_direction.h"
 #include "base/planar_hull.h"
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
@@ -65,9 +65,8 @@ inline Sheet_plane principal_plane(const Points& points)
 inline Planar_points project(const Points& points)
 {
   Planar_points result;
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
     result.push_back(points.col(i).head<2>());
-  }
   return result;
 }
 
@@ -109,9 +108,7 @@ inline Outline_corners largest_quadrilateral(const Planar_points& outline)
           corners[3] = k;
         }
       }
-      if (quadrilateral_area(outline, corners) > (1 + 1e-6) * quadrilateral_area(outline, result)) {
-        result = corners;
-      }
+      if (quadrilateral_area(outline, corners) > (1 + 1e-6) * quadrilateral_area(outline, result)) result = corners;
     }
   }
   return result;
@@ -131,11 +128,8 @@ inline Outline_corners diagonal_corners(const Planar_points& outline)
   Outline_corners result{};
   for (std::size_t c = 0; c < 4; ++c) {
     const auto reach = [&](std::size_t i) { return (outline[i].array() / extent * diagonals[c]).sum(); };
-    for (std::size_t i = 1; i < outline.size(); ++i) {
-      if (reach(i) > reach(result[c]) + 1e-6) {
-        result[c] = i;
-      }
-    }
+    for (std::size_t i = 1; i < outline.size(); ++i)
+      if (reach(i) > reach(result[c]) + 1e-6) result[c] = i;
   }
   return result;
 }
@@ -147,9 +141,8 @@ inline Outline_corners outline_corners(const Planar_points& outline)
   const double clearly = 1.03; // ratio of areas
   const Outline_corners along_diagonals = diagonal_corners(outline);
   Outline_corners largest = largest_quadrilateral(outline);
-  if (quadrilateral_area(outline, largest) < clearly * quadrilateral_area(outline, along_diagonals)) {
+  if (quadrilateral_area(outline, largest) < clearly * quadrilateral_area(outline, along_diagonals))
     return along_diagonals;
-  }
   const Eigen::Vector2d start = outline[along_diagonals[0]];
   const auto nearer = [&](std::size_t a, std::size_t b) {
     return (outline[a] - start).norm() < (outline[b] - start).norm();
@@ -164,16 +157,13 @@ inline Planar_points outline_side(const Planar_points& outline, std::size_t from
   std::vector<Point> chain;
   for (std::size_t i = from;; i = (i + 1) % outline.size()) {
     chain.emplace_back(outline[i].x(), outline[i].y(), 0.);
-    if (i == to) {
-      break;
-    }
+    if (i == to) break;
   }
   chain.push_back(chain.back()); // a side may be a single point
   Curve curve;
-  curve.points.resize(3, static_cast<Eigen::Index>(chain.size()));
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    curve.points.col(static_cast<Eigen::Index>(i)) = chain[i];
-  }
+  curve.points.resize(3, Eigen::Index(chain.size()));
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    curve.points.col(Eigen::Index(i)) = chain[i];
   return project(sample(curve, n));
 }
 
@@ -187,12 +177,12 @@ inline Sheet flat_grid(const Planar_points& outline, int n)
   const Planar_points left = outline_side(outline, corners[3], corners[0], n);
   Sheet result;
   result.rows = result.cols = n;
-  result.points = Points::Zero(3, static_cast<Eigen::Index>(n) * n);
+  result.points = Points::Zero(3, Eigen::Index(n) * n);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
       const double u = i / (n - 1.), v = j / (n - 1.);
       const auto at = [n](const Planar_points& side, int k, bool backwards) -> Eigen::Vector2d {
-        return side[static_cast<std::size_t>(backwards ? n - 1 - k : k)];
+        return side[std::size_t(backwards ? n - 1 - k : k)];
       };
       const Eigen::Vector2d between_rows = (1 - u) * at(bottom, j, false) + u * at(top, j, true);
       const Eigen::Vector2d between_cols = (1 - v) * at(left, i, true) + v * at(right, i, false);
@@ -225,20 +215,15 @@ inline Eigen::MatrixXd bending_form(int rows, int cols)
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
   const auto add = [&](std::initializer_list<std::pair<int, double>> terms) {
     for (const auto& [a, x] : terms) {
-      for (const auto& [b, y] : terms) {
+      for (const auto& [b, y] : terms)
         result(a, b) += x * y;
-      }
     }
   };
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < cols; ++j) {
       const int k = i * cols + j;
-      if (i > 0 && i + 1 < rows) {
-        add({{k - cols, 1.}, {k, -2.}, {k + cols, 1.}});
-      }
-      if (j > 0 && j + 1 < cols) {
-        add({{k - 1, 1.}, {k, -2.}, {k + 1, 1.}});
-      }
+      if (i > 0 && i + 1 < rows) add({{k - cols, 1.}, {k, -2.}, {k + cols, 1.}});
+      if (j > 0 && j + 1 < cols) add({{k - 1, 1.}, {k, -2.}, {k + 1, 1.}});
       if (i + 1 < rows && j + 1 < cols) {
         const double twist = std::sqrt(2.);
         add({{k, twist}, {k + 1, -twist}, {k + cols, -twist}, {k + cols + 1, twist}});
@@ -261,13 +246,12 @@ inline Eigen::MatrixXd smooth_values(const Sheet& grid, const Points& points, co
     const Point foot(points(0, i), points(1, i), 0.);
     const auto weights = bilinear_weights(grid, nearest_parameter_on_sheet(grid, foot));
     for (const auto& [a, x] : weights) {
-      for (const auto& [b, y] : weights) {
+      for (const auto& [b, y] : weights)
         form(a, b) += x * y;
-      }
       right.row(a) += x * values.col(i).transpose();
     }
   }
-  const double points_per_cell = static_cast<double>(points.cols()) / static_cast<double>(n);
+  const double points_per_cell = double(points.cols()) / double(n);
   form += smoothness * points_per_cell * bending_form(grid.rows, grid.cols);
   form.diagonal().array() += ridge * points_per_cell;
   return form.ldlt().solve(right).transpose();
@@ -277,22 +261,18 @@ inline Eigen::MatrixXd smooth_values(const Sheet& grid, const Points& points, co
 inline Eigen::MatrixXd clamped(const Eigen::MatrixXd& values, const Eigen::MatrixXd& range)
 {
   Eigen::MatrixXd result = values;
-  for (Eigen::Index k = 0; k < values.rows(); ++k) {
+  for (Eigen::Index k = 0; k < values.rows(); ++k)
     result.row(k) = values.row(k).cwiseMax(range.row(k).minCoeff()).cwiseMin(range.row(k).maxCoeff());
-  }
   return result;
 }
 
 /// At most `limit` of some points, evenly picked.
 inline Points thin_out(const Points& points, Eigen::Index limit)
 {
-  if (points.cols() <= limit) {
-    return points;
-  }
+  if (points.cols() <= limit) return points;
   Points result(3, limit);
-  for (Eigen::Index i = 0; i < limit; ++i) {
+  for (Eigen::Index i = 0; i < limit; ++i)
     result.col(i) = points.col(i * points.cols() / limit);
-  }
   return result;
 }
 
@@ -306,7 +286,7 @@ inline double sheet_residual(const Sheet& sheet, const Points& points)
     const Eigen::Vector2d nearest = nearest_parameter_on_sheet(sheet, measured.col(i));
     sum += (sheet(nearest[0], nearest[1]) - measured.col(i)).squaredNorm();
   }
-  return std::sqrt(sum / static_cast<double>(measured.cols()));
+  return std::sqrt(sum / double(measured.cols()));
 }
 
 constexpr Eigen::Index most_fitted_points = 600;
@@ -348,9 +328,8 @@ inline Fitted_sheet fit_bent_sheet(const Points& axis, const Points& layout, dou
   turn_to_rectangle(plane, layout);
   const Points turned = plane.to_plane(layout);
   Planar_points outline = planar_hull(project(turned));
-  for (Eigen::Vector2d& corner : outline) {
+  for (Eigen::Vector2d& corner : outline)
     corner += margin * corner.normalized();
-  }
   Fitted_sheet result;
   result.sheet = flat_grid(outline, n);
   const Points medial = thin_out(axis, most_fitted_points);

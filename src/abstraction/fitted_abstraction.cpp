@@ -5,13 +5,13 @@
 #include "abstraction/bounding_box.h"
 #include "abstraction/fit_curve.h"
 #include "abstraction/fit_sheet.h"
-#include "abstraction/hull.h"
 #include "abstraction/intrinsic_extent.h"
 #include "abstraction/medial_poles.h"
 #include "abstraction/recognize_prism.h"
 #include "abstraction/revolution_axis.h"
 #include "abstraction/skeletonize.h"
 #include "abstraction/straight_curve.h"
+#include "shape/convex_hull.h"
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
 
@@ -95,13 +95,10 @@ class Fitter : public Solid_abstractor
 
   bool find_geometry_from_faces(const Repaired_part& repaired) override
   {
-    if (wanted_kind() != Abstraction_kind::AUTOMATIC || repaired.repair == Abstraction_report::Repair::WRAP) {
+    if (wanted_kind() != Abstraction_kind::AUTOMATIC || repaired.repair == Abstraction_report::Repair::WRAP)
       return false;
-    }
     const auto prism = recognize_prism(repaired.mesh, repaired.volume, options().curve_points, options().sheet_points);
-    if (prism) {
-      use_prism(*prism);
-    }
+    if (prism) use_prism(*prism);
     return prism.has_value();
   }
 
@@ -204,9 +201,7 @@ private:
   /// That of a part that is not long, where it says more than a skeleton, which may run in any direction.
   std::optional<Revolution_axis> axis_of_revolution(const Part_mesh& solid, Intrinsic_kind kind) const
   {
-    if (wanted_kind() == Abstraction_kind::SHEET || kind == Intrinsic_kind::ELONGATED) {
-      return std::nullopt;
-    }
+    if (wanted_kind() == Abstraction_kind::SHEET || kind == Intrinsic_kind::ELONGATED) return std::nullopt;
     return revolution_axis(solid.points, edge_length());
   }
 
@@ -216,9 +211,7 @@ private:
     const double bent = 0.4; // depth over width
     const Fitted_sheet seen = fit_sheet(axis, mesh().points, options().sheet_points);
     const Eigen::Vector3d extents = principal_variances(axis).cwiseSqrt();
-    if (extents[2] < bent * extents[1]) {
-      return seen;
-    }
+    if (extents[2] < bent * extents[1]) return seen;
     const Fitted_sheet along =
         fit_bent_sheet(axis, layout.coordinates, thickness, mesh().points, options().sheet_points);
     return along.residual < seen.residual ? along : seen;

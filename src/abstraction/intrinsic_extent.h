@@ -44,9 +44,8 @@ inline Intrinsic_layout intrinsic_layout(const Spatial_graph_view& graph)
   std::vector<int> chosen;
   const Eigen::MatrixXd squared = landmark_distances(graph, landmarks, chosen).array().square();
   Eigen::MatrixXd between(landmarks, landmarks);
-  for (int k = 0; k < landmarks; ++k) {
-    between.row(k) = squared.row(chosen[static_cast<std::size_t>(k)]);
-  }
+  for (int k = 0; k < landmarks; ++k)
+    between.row(k) = squared.row(chosen[std::size_t(k)]);
   between = (0.5 * (between + between.transpose())).eval();
   const Eigen::VectorXd mean = between.colwise().mean();
   Eigen::MatrixXd gram = between;

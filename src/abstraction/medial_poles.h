@@ -6,6 +6,8 @@
 #include "abstraction/inside_test.h"
 #include "abstraction/spatial_graph.h"
 #include "base/Nearest_points.h"
+#include "shape/oriented_box.h"
+#include "shape/triangle_distance.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
@@ -23,12 +25,9 @@ inline Points vertex_normals(const Part_mesh& mesh)
 {
   Points result = Points::Zero(3, mesh.points.cols());
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Eigen::Vector3i v = mesh.triangles.col(t);
-    const Point normal =
-        (mesh.points.col(v[1]) - mesh.points.col(v[0])).cross(mesh.points.col(v[2]) - mesh.points.col(v[0]));
-    for (int k = 0; k < 3; ++k) {
-      result.col(v[k]) += normal;
-    }
+    const Point normal = contacts::area_vector(triangle_of(mesh, t));
+    for (int corner : mesh.triangles.col(t))
+      result.col(corner) += normal;
   }
   result.colwise().normalize();
   return result;
@@ -62,9 +61,7 @@ inline Medial_pole medial_pole(const Nearest_points& vertices, const Points& poi
   }
   for (int round = 0; round < most_rounds; ++round) {
     const Eigen::Index nearest = vertices.nearest_within(p - radius * normal, radius * (1 - clearly), v);
-    if (nearest < 0) {
-      break;
-    }
+    if (nearest < 0) break;
     radius = touching_radius(nearest);
     touched = nearest;
   }
@@ -74,11 +71,11 @@ inline Medial_pole medial_pole(const Nearest_points& vertices, const Points& poi
 /// Of each vertex, one of lower index that an edge joins it to; -1: none.
 inline std::vector<Eigen::Index> earlier_neighbours(const Part_mesh& mesh)
 {
-  std::vector<Eigen::Index> result(static_cast<std::size_t>(mesh.points.cols()), -1);
+  std::vector<Eigen::Index> result(std::size_t(mesh.points.cols()), -1);
   for (const auto& t : mesh.triangles.colwise()) {
     for (int k = 0; k < 3; ++k) {
       const int low = std::min(t[k], t[(k + 1) % 3]), high = std::max(t[k], t[(k + 1) % 3]);
-      result[static_cast<std::size_t>(high)] = low;
+      result[std::size_t(high)] = low;
     }
   }
   return result;
@@ -89,14 +86,14 @@ inline Points medial_poles(const Part_mesh& mesh)
 {
   const Points normals = vertex_normals(mesh);
   const Nearest_points vertices(mesh.points);
-  const double diagonal = (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
+  const double largest = diagonal(mesh.points);
   const std::vector<Eigen::Index> earlier = earlier_neighbours(mesh);
   std::vector<Eigen::Index> touched(earlier.size());
   Points result(3, mesh.points.cols());
   for (std::size_t v = 0; v < earlier.size(); ++v) {
-    const auto i = static_cast<Eigen::Index>(v);
-    const Eigen::Index likely = earlier[v] < 0 ? -1 : touched[static_cast<std::size_t>(earlier[v])];
-    const Medial_pole pole = medial_pole(vertices, mesh.points, i, normals.col(i), diagonal, likely);
+    const auto i = Eigen::Index(v);
+    const Eigen::Index likely = earlier[v] < 0 ? -1 : touched[std::size_t(earlier[v])];
+    const Medial_pole pole = medial_pole(vertices, mesh.points, i, normals.col(i), largest, likely);
     result.col(i) = pole.centre;
     touched[v] = pole.touched;
   }
@@ -110,11 +107,8 @@ inline Spatial_graph medial_graph(const Part_mesh& mesh, const Points& poles)
   const Inside_test is_inside(mesh);
   Spatial_graph result = edge_graph(mesh);
   result.points = poles;
-  for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
-    if (!is_inside(result.points.col(v))) {
-      result.points.col(v) = mesh.points.col(v);
-    }
-  }
+  for (Eigen::Index v = 0; v < mesh.points.cols(); ++v)
+    if (!is_inside(result.points.col(v))) result.points.col(v) = mesh.points.col(v);
   return result;
 }
 

@@ -33,7 +33,7 @@ inline Meso_measures meso_measures(const Part_mesh& meso_skeleton, double area_k
 /// Set on the 1658 generated parts, of which they get 1636 right, while 2 % of the volume are left.
 struct Meso_thresholds
 {
-  double sheet_area = 0.36;      ///< share of the area that only a sheet keeps; that of a rod falls as √volume, to 0.14
+  double sheet_area = 0.36; ///< share of the area that only a sheet keeps; that of a rod falls as √volume, to 0.14
   double thin_sheet_area = 0.14; ///< the same of a thin sheet, the rims of which are drawn in far
   double thin_sheet_width = 5;   ///< over its thickness
 };
@@ -43,13 +43,13 @@ inline Meso_kind meso_kind(const Meso_measures& measures, const Meso_thresholds&
   const double blob_width = 0.2; // over its length
   const double blob_depth = 0.5; // over its width
   const Eigen::Vector3d& extents = measures.extents;
-  const bool is_thin_sheet = measures.area_kept > thresholds.thin_sheet_area &&
-                             extents[1] > thresholds.thin_sheet_width * measures.thickness;
+  const bool is_thin_sheet =
+      measures.area_kept > thresholds.thin_sheet_area && extents[1] > thresholds.thin_sheet_width * measures.thickness;
   if (is_thin_sheet || measures.area_kept > thresholds.sheet_area) {
     return Meso_kind::SHEET;
   }
   return extents[1] > blob_width * extents[0] && extents[2] >= blob_depth * extents[1] ? Meso_kind::BLOB
-                                                                                        : Meso_kind::CURVE;
+                                                                                       : Meso_kind::CURVE;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

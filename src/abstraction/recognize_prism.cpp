@@ -3,8 +3,9 @@
 
 #include "abstraction/recognize_prism.h"
 #include "abstraction/fit_sheet.h"
-#include "base/fixed_direction.h"
+#include "base/directions.h"
 #include "base/planar_hull.h"
+#include "shape/triangle_distance.h"
 
 #include <Eigen/Geometry>
 
@@ -25,11 +26,8 @@ constexpr double least_filled = 0.98, most_filled = 1.001;
 Points area_vectors(const Part_mesh& mesh)
 {
   Points result(3, mesh.triangles.cols());
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Point a = mesh.points.col(mesh.triangles(0, t)), b = mesh.points.col(mesh.triangles(1, t)),
-                c = mesh.points.col(mesh.triangles(2, t));
-    result.col(t) = (b - a).cross(c - a);
-  }
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    result.col(t) = contacts::area_vector(triangle_of(mesh, t));
   return result;
 }
 
@@ -60,7 +58,7 @@ std::optional<std::array<Point, 3>> face_axes(const Part_mesh& mesh)
 {
   const double right_angle = 0.01; // cosine, at most
   const Points normals = area_vectors(mesh);
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(normals.cols()));
+  std::vector<Eigen::Index> order(std::size_t(normals.cols()));
   std::iota(order.begin(), order.end(), Eigen::Index(0));
   const Eigen::RowVectorXd areas = normals.colwise().norm();
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index s, Eigen::Index t) { return areas[s] > areas[t]; });
@@ -69,9 +67,7 @@ std::optional<std::array<Point, 3>> face_axes(const Part_mesh& mesh)
   order.erase(std::remove_if(order.begin(), order.end(), is_askew), order.end());
   Point second = largest_face_normal(normals, order);
   second = (second - first.dot(second) * first).eval();
-  if (!(first.norm() > 0) || !(second.norm() > 0)) {
-    return std::nullopt;
-  }
+  if (!(first.norm() > 0) || !(second.norm() > 0)) return std::nullopt;
   second.normalize();
   return std::array<Point, 3>{first, second, first.cross(second)};
 }
@@ -160,21 +156,13 @@ std::optional<std::variant<Curve, Sheet>> recognize_prism(const Part_mesh& mesh,
                                                           int sheet_points)
 {
   const std::optional<std::array<Point, 3>> axes = face_axes(mesh);
-  if (!axes) {
-    return std::nullopt;
-  }
+  if (!axes) return std::nullopt;
   for (const Point& axis : *axes) {
     const Extrusion extrusion(mesh.points, axis);
     const double filled = volume / extrusion.volume();
-    if (!(filled > least_filled && filled < most_filled)) {
-      continue;
-    }
-    if (is_clearly_long(extrusion)) {
-      return extrusion.axis(curve_points);
-    }
-    if (is_clearly_flat(extrusion)) {
-      return extrusion.middle_layer(sheet_points);
-    }
+    if (!(filled > least_filled && filled < most_filled)) continue;
+    if (is_clearly_long(extrusion)) return extrusion.axis(curve_points);
+    if (is_clearly_flat(extrusion)) return extrusion.middle_layer(sheet_points);
   }
   return std::nullopt;
 }

@@ -16,35 +16,13 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-double enclosed_volume(const Part_mesh& mesh)
-{
-  double result = 0;
-  const Point origin = mesh.points.rowwise().mean();
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Point a = mesh.points.col(mesh.triangles(0, t)) - origin, b = mesh.points.col(mesh.triangles(1, t)) - origin,
-                c = mesh.points.col(mesh.triangles(2, t)) - origin;
-    result += a.dot(b.cross(c)) / 6;
-  }
-  return std::abs(result);
-}
-
-std::vector<contacts::Triangle> triangles_of_solid(const Part_mesh& mesh)
-{
-  std::vector<contacts::Triangle> result;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    result.push_back({mesh.points.col(mesh.triangles(0, t)), mesh.points.col(mesh.triangles(1, t)),
-                      mesh.points.col(mesh.triangles(2, t))});
-  }
-  return result;
-}
-
 class Remesher
 {
 public:
   Remesher(const Part_mesh& solid, double edge_length, const Deadline& deadline)
       : mesh_(solid),
-        surface_(triangles_of_solid(solid)),
-        hints_(static_cast<std::size_t>(solid.points.cols()), 0),
+        surface_(triangles_of(solid)),
+        hints_(std::size_t(solid.points.cols()), 0),
         edge_length_(edge_length),
         thickness_(2 * enclosed_volume(solid) / surface_area(solid)),
         deadline_(&deadline)
@@ -74,21 +52,16 @@ private:
     const double most = square(long_edge * edge_length_);
     std::priority_queue<Entry> queue;
     const auto push = [&](int h) {
-      if (mesh_.squared_length(h) > most) {
-        queue.emplace(mesh_.squared_length(h), h);
-      }
+      if (mesh_.squared_length(h) > most) queue.emplace(mesh_.squared_length(h), h);
     };
-    for (int h = 0; h < mesh_.number_of_halfedges(); ++h) {
-      if (is_edge(h)) {
-        push(h);
-      }
-    }
+    for (int h = 0; h < mesh_.number_of_halfedges(); ++h)
+      if (is_edge(h)) push(h);
     while (!queue.empty()) {
       deadline_->check();
       const auto [squared, h] = queue.top();
       queue.pop();
       if (mesh_.squared_length(h) == squared) {
-        const std::size_t hint = hints_[static_cast<std::size_t>(mesh_.source(h))];
+        const std::size_t hint = hints_[std::size_t(mesh_.source(h))];
         const int middle = mesh_.split(h);
         hints_.push_back(hint);
         mesh_.for_each_out(middle, [&](int around) {
@@ -120,31 +93,20 @@ private:
   {
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     const auto push = [&](int h) {
-      if (mesh_.squared_length(h) < length * length) {
-        queue.emplace(mesh_.squared_length(h), h);
-      }
+      if (mesh_.squared_length(h) < length * length) queue.emplace(mesh_.squared_length(h), h);
     };
-    for (int h = 0; h < mesh_.number_of_halfedges(); ++h) {
-      if (is_edge(h)) {
-        push(h);
-      }
-    }
+    for (int h = 0; h < mesh_.number_of_halfedges(); ++h)
+      if (is_edge(h)) push(h);
     while (!queue.empty()) {
       deadline_->check();
       auto [squared, h] = queue.top();
       queue.pop();
-      if (mesh_.is_removed(h) || mesh_.squared_length(h) != squared) {
-        continue;
-      }
+      if (mesh_.is_removed(h) || mesh_.squared_length(h) != squared) continue;
       if (!is_allowed(h)) {
         h = mesh_.opposite(h);
-        if (!is_allowed(h)) {
-          continue;
-        }
+        if (!is_allowed(h)) continue;
       }
-      if (!mesh_.can_collapse(h)) {
-        continue;
-      }
+      if (!mesh_.can_collapse(h)) continue;
       const int kept = mesh_.target(h);
       mesh_.collapse(h);
       mesh_.for_each_out(kept, [&](int around) {
@@ -190,9 +152,7 @@ private:
     const Point &from = mesh_.point(mesh_.source(h)), &to = mesh_.point(kept);
     return mesh_.for_each_out(mesh_.source(h), [&](int around) {
       const int u = mesh_.target(around), v = mesh_.apex(around);
-      if (u == kept || v == kept) {
-        return true;
-      }
+      if (u == kept || v == kept) return true;
       const Point &a = mesh_.point(u), &b = mesh_.point(v);
       return test((a - from).cross(b - from), (a - to).cross(b - to));
     });
@@ -202,11 +162,8 @@ private:
   void flip_edges()
   {
     deadline_->check();
-    for (int h = 0; h < mesh_.number_of_halfedges(); ++h) {
-      if (is_edge(h) && evens_degrees(h) && mesh_.can_flip(h) && stays_flat(h)) {
-        mesh_.flip(h);
-      }
-    }
+    for (int h = 0; h < mesh_.number_of_halfedges(); ++h)
+      if (is_edge(h) && evens_degrees(h) && mesh_.can_flip(h) && stays_flat(h)) mesh_.flip(h);
   }
 
   bool evens_degrees(int h) const
@@ -230,11 +187,8 @@ private:
     const Point before[] = {mesh_.normal(h), mesh_.normal(o)};
     const Point after[] = {(a - d).cross(c - d), (b - c).cross(d - c)};
     for (const Point& n : before) {
-      for (const Point& m : after) {
-        if (!(n.dot(m) > least_cosine * n.norm() * m.norm())) {
-          return false;
-        }
-      }
+      for (const Point& m : after)
+        if (!(n.dot(m) > least_cosine * n.norm() * m.norm())) return false;
     }
     return true;
   }
@@ -243,17 +197,11 @@ private:
   void spread_vertices()
   {
     deadline_->check();
-    std::vector<Point> moved(static_cast<std::size_t>(mesh_.number_of_vertices()));
-    for (int v = 0; v < mesh_.number_of_vertices(); ++v) {
-      if (!mesh_.is_removed_vertex(v)) {
-        moved[static_cast<std::size_t>(v)] = spread(v);
-      }
-    }
-    for (int v = 0; v < mesh_.number_of_vertices(); ++v) {
-      if (!mesh_.is_removed_vertex(v)) {
-        mesh_.point(v) = moved[static_cast<std::size_t>(v)];
-      }
-    }
+    std::vector<Point> moved(std::size_t(mesh_.number_of_vertices()));
+    for (int v = 0; v < mesh_.number_of_vertices(); ++v)
+      if (!mesh_.is_removed_vertex(v)) moved[std::size_t(v)] = spread(v);
+    for (int v = 0; v < mesh_.number_of_vertices(); ++v)
+      if (!mesh_.is_removed_vertex(v)) mesh_.point(v) = moved[std::size_t(v)];
   }
 
   Point spread(int v)
@@ -266,7 +214,7 @@ private:
     });
     normal.normalize();
     const Point step = sum / mesh_.degree(v) - mesh_.point(v);
-    return surface_.nearest(mesh_.point(v) + step - normal.dot(step) * normal, hints_[static_cast<std::size_t>(v)]);
+    return surface_.nearest(mesh_.point(v) + step - normal.dot(step) * normal, hints_[std::size_t(v)]);
   }
 
   /// One of the two halfedges of every edge.

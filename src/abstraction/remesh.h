@@ -3,15 +3,15 @@
 
 #pragma once
 
-#include "base/deadline.h"
+#include "abstraction/deadline.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 namespace CGAL::Shape_correspondence::internal {
 
 /// Triangles of one size, as the flow needs them: a leg of eight vertices would collapse to a point. Edges are split,
-/// collapsed and flipped, vertices spread over the surface (Botsch and Kobbelt 2004). By hand, since this was the
-/// largest share of an abstraction: on furniture, a third of the instructions of CGAL's `isotropic_remeshing()`.
+/// collapsed and flipped, vertices spread over the surface (Botsch and Kobbelt 2004). By hand: remeshing is the largest
+/// share of an abstraction, and CGAL's `isotropic_remeshing()` takes three times as many instructions.
 /// \pre `solid` is a closed manifold
 /// \throw Flow_failure
 Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& deadline);

@@ -52,9 +52,7 @@ Halfedge_mesh stitched_surface(const Part_mesh& part, bool& changed)
 
 void turn_outwards(Halfedge_mesh& mesh)
 {
-  if (PMP::volume(mesh) < 0) {
-    PMP::reverse_face_orientations(mesh);
-  }
+  if (PMP::volume(mesh) < 0) PMP::reverse_face_orientations(mesh);
 }
 
 /// The mesh of some of a mesh's faces. \param vertex_map null for every vertex, before and after
@@ -66,17 +64,14 @@ Halfedge_mesh submesh(const Halfedge_mesh& mesh, const std::vector<Halfedge_mesh
     std::vector<Halfedge_mesh::Vertex_index> corners;
     for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
       Halfedge_mesh::Vertex_index& image = vertex_map[v.idx()];
-      if (image == Halfedge_mesh::null_vertex()) {
-        image = result.add_vertex(mesh.point(v));
-      }
+      if (image == Halfedge_mesh::null_vertex()) image = result.add_vertex(mesh.point(v));
       corners.push_back(image);
     }
     result.add_face(corners);
   }
   for (auto f : faces) {
-    for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
+    for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
       vertex_map[v.idx()] = Halfedge_mesh::null_vertex();
-    }
   }
   return result;
 }
@@ -99,9 +94,8 @@ std::vector<Halfedge_mesh> components_by_area(const Halfedge_mesh& mesh)
   std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return areas[i] > areas[j]; });
   std::vector<Halfedge_mesh::Vertex_index> vertex_map(mesh.number_of_vertices(), Halfedge_mesh::null_vertex());
   std::vector<Halfedge_mesh> result;
-  for (std::size_t c : order) {
+  for (std::size_t c : order)
     result.push_back(submesh(mesh, faces[c], vertex_map));
-  }
   return result;
 }
 
@@ -123,15 +117,11 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
   for (auto h : borders) {
     const std::size_t length = halfedges_around_face(h, filled).size();
     work += std::pow(double(length), 3);
-    if (length > longest_border || work > most_work) {
-      return false;
-    }
+    if (length > longest_border || work > most_work) return false;
   }
   // A surface that meets itself is worth no work: it still does so when its holes are filled.
   const double much_work = 1e5;
-  if (work > much_work && PMP::does_self_intersect(mesh)) {
-    return false;
-  }
+  if (work > much_work && PMP::does_self_intersect(mesh)) return false;
   for (auto h : borders) {
     deadline.check();
     std::vector<Halfedge_mesh::Face_index> patch;
@@ -140,14 +130,10 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
         CGAL::parameters::use_2d_constrained_delaunay_triangulation(true).use_delaunay_triangulation(false);
     PMP::triangulate_hole(filled, h, std::back_inserter(patch), parameters);
   }
-  if (!CGAL::is_closed(filled) || PMP::does_self_intersect(filled)) {
-    return false;
-  }
+  if (!CGAL::is_closed(filled) || PMP::does_self_intersect(filled)) return false;
   turn_outwards(filled);
   // Of a tyre that is open inside, the "holes" are larger than the surface.
-  if (fullness(filled) < smallest_fullness || PMP::area(filled) > 2.1 * area) {
-    return false;
-  }
+  if (fullness(filled) < smallest_fullness || PMP::area(filled) > 2.1 * area) return false;
   mesh = std::move(filled);
   return true;
 }
@@ -155,9 +141,7 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
 bool is_solid(Halfedge_mesh& mesh)
 {
   const double smallest_fullness = 1e-4;
-  if (!CGAL::is_closed(mesh)) {
-    return false;
-  }
+  if (!CGAL::is_closed(mesh)) return false;
   turn_outwards(mesh);
   return fullness(mesh) > smallest_fullness;
 }
@@ -183,9 +167,7 @@ std::vector<contacts::Triangle> proper_triangles(const Part_mesh& part)
   std::vector<contacts::Triangle> result;
   for (const auto& t : part.triangles.colwise()) {
     const Point a = part.points.col(t[0]), b = part.points.col(t[1]), c = part.points.col(t[2]);
-    if (!CGAL::collinear(to_mesh_point(a), to_mesh_point(b), to_mesh_point(c))) {
-      result.push_back({a, b, c});
-    }
+    if (!CGAL::collinear(to_mesh_point(a), to_mesh_point(b), to_mesh_point(c))) result.push_back({a, b, c});
   }
   return result;
 }
@@ -200,9 +182,7 @@ Halfedge_mesh wrap(const Part_mesh& part, const Deadline& deadline)
   Wrap_watch watch(deadline);
 #ifdef CGAL_SHAPE_CORRESPONDENCE_HAS_WRAP_ORACLE
   std::vector<contacts::Triangle> triangles = proper_triangles(part);
-  if (triangles.empty()) {
-    throw Flow_failure("its surface is too degenerate for the flow");
-  }
+  if (triangles.empty()) throw Flow_failure("its surface is too degenerate for the flow");
   const Wrap_oracle oracle(std::move(triangles));
   CGAL::Alpha_wraps_3::internal::Alpha_wrap_3<Wrap_oracle> wrapper(oracle);
   wrapper(alpha, offset, result, CGAL::parameters::visitor(std::ref(watch)));
@@ -248,9 +228,7 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
     deadline.check();
     const bool closed = CGAL::is_closed(component);
     solid.push_back(closed ? is_solid(component) : fill_holes(component, deadline));
-    if (!closed && solid.back()) {
-      result.repair = Repair::HOLES;
-    }
+    if (!closed && solid.back()) result.repair = Repair::HOLES;
     result.volume += solid.back() ? PMP::volume(component) : 0.;
     all_solid = all_solid && solid.back();
     if (!solid[0]) {
@@ -265,9 +243,7 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
   deadline.check();
   // Spokes would close the ring that they are in.
   const Halfedge_mesh wrapped = wrap(stands_alone ? to_part_mesh(components[0]) : part, deadline);
-  if (!all_solid) {
-    result.volume = PMP::volume(wrapped);
-  }
+  if (!all_solid) result.volume = PMP::volume(wrapped);
   Halfedge_mesh outer = components_by_area(wrapped).at(0);
   turn_outwards(outer);
   result.mesh = to_part_mesh(outer);

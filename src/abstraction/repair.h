@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "base/deadline.h"
+#include "abstraction/deadline.h"
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>

@@ -43,7 +43,7 @@ struct Revolution_axis
 inline double quantile(Eigen::RowVectorXd values, double fraction)
 {
   std::sort(values.data(), values.data() + values.size());
-  return values[static_cast<Eigen::Index>(fraction * static_cast<double>(values.size() - 1))];
+  return values[Eigen::Index(fraction * double(values.size() - 1))];
 }
 
 /// The directions that an axis of revolution can have: a coordinate axis, a principal axis, or, where those of a
@@ -52,13 +52,10 @@ inline std::vector<Point> axis_candidates(const Points& centred)
 {
   std::vector<Point> result{Point::UnitY(), Point::UnitX(), Point::UnitZ()};
   const Eigen::Matrix3d principal_axes = eigen_system(scatter_matrix(centred)).vectors;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; ++k)
     result.push_back(principal_axes.col(k));
-  }
   const Point skewness = centred * centred.colwise().squaredNorm().transpose();
-  if (skewness.norm() > 0) {
-    result.push_back(skewness.normalized());
-  }
+  if (skewness.norm() > 0) result.push_back(skewness.normalized());
   return result;
 }
 
@@ -85,9 +82,8 @@ inline std::optional<Revolution_axis> revolution_axis(const Points& surface, dou
       // Far apart one after the other, so that what is not round shows soon
       const Eigen::Index strides = 16;
       for (Eigen::Index first = 0; first < strides; ++first) {
-        for (Eigen::Index i = first; i < centred.cols() && deviation <= most; i += strides) {
+        for (Eigen::Index i = first; i < centred.cols() && deviation <= most; i += strides)
           deviation = std::max(deviation, points.distance(rotation * centred.col(i)));
-        }
       }
     }
     if (deviation <= most) {

@@ -4,6 +4,7 @@
 #include "abstraction/skeletonize.h"
 #include "abstraction/contraction.h"
 #include "abstraction/reproducible_flow.h"
+#include "abstraction/surface_samples.h"
 #include "shape/meshes.h"
 
 #include <Eigen/Geometry>
@@ -14,30 +15,6 @@
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
-namespace {
-
-struct Area_and_volume
-{
-  double area = 0;
-  double volume = 0;
-};
-
-Area_and_volume measure(const Part_mesh& mesh)
-{
-  Area_and_volume result;
-  const Point origin = mesh.points.rowwise().mean();
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Point a = mesh.points.col(mesh.triangles(0, t)) - origin, b = mesh.points.col(mesh.triangles(1, t)) - origin,
-                c = mesh.points.col(mesh.triangles(2, t)) - origin;
-    result.area += 0.5 * (b - a).cross(c - a).norm();
-    result.volume += a.dot(b.cross(c)) / 6;
-  }
-  result.volume = std::abs(result.volume);
-  return result;
-}
-
-} // namespace
-
 class Stepwise_flow::State
 {
 public:
@@ -47,47 +24,42 @@ public:
         most_iterations_(iterations),
         deadline_(&deadline),
         flow_(to_halfedge_mesh(mesh)),
-        original_vertices_(static_cast<std::size_t>(mesh.points.cols())),
-        original_(measure(mesh)),
-        current_(original_),
-        mesh_(mesh_of_flow())
+        original_vertices_(std::size_t(mesh.points.cols())),
+        original_area_(surface_area(mesh)),
+        original_volume_(enclosed_volume(mesh)),
+        mesh_(mesh_of_flow()),
+        area_(original_area_),
+        volume_(original_volume_)
   {
     if (has_poles_) {
-      for (auto v : vertices(flow_mesh())) {
-        v->pole = to_mesh_point(poles->col(static_cast<Eigen::Index>(v->vertices.front().idx())));
-      }
+      for (auto v : vertices(flow_mesh()))
+        v->pole = to_mesh_point(poles->col(Eigen::Index(v->vertices.front().idx())));
     }
   }
 
   void step()
   {
-    if (iterations_ == most_iterations_) {
-      throw Flow_failure("the flow needs more iterations than allowed");
-    }
+    if (iterations_ == most_iterations_) throw Flow_failure("the flow needs more iterations than allowed");
     ++iterations_;
-    if (has_poles_) {
+    if (has_poles_)
       contract_to_poles();
-    } else {
+    else
       flow_.contract_geometry();
-    }
     deadline_->check();
     flow_.collapse_edges();
     deadline_->check();
     flow_.split_faces();
     deadline_->check();
     flow_.detect_degeneracies();
-    if (flow_mesh().size_of_vertices() < 4) {
-      throw Flow_failure("the flow collapses the part to a point");
-    }
+    if (flow_mesh().size_of_vertices() < 4) throw Flow_failure("the flow collapses the part to a point");
     // As in the library's own convergence test
     const double smallest_change = 1e-4;
-    const double last_area = current_.area;
+    const double last_area = area_;
     mesh_ = mesh_of_flow();
-    if (!mesh_.points.allFinite()) {
-      throw Flow_failure("the equations of the flow have no solution");
-    }
-    current_ = measure(mesh_);
-    converged_ = std::abs(current_.area - last_area) < smallest_change * original_.area;
+    if (!mesh_.points.allFinite()) throw Flow_failure("the equations of the flow have no solution");
+    area_ = surface_area(mesh_);
+    volume_ = enclosed_volume(mesh_);
+    converged_ = std::abs(area_ - last_area) < smallest_change * original_area_;
   }
 
   void set_weights(const Flow_weights& weights)
@@ -99,8 +71,8 @@ public:
 
   bool converged() const { return converged_; }
   int iterations() const { return iterations_; }
-  double area_kept() const { return current_.area / original_.area; }
-  double volume_kept() const { return original_.volume > 0 ? current_.volume / original_.volume : 0; }
+  double area_kept() const { return area_ / original_area_; }
+  double volume_kept() const { return original_volume_ > 0 ? volume_ / original_volume_ : 0; }
 
   const Part_mesh& mesh() const { return mesh_; }
 
@@ -109,13 +81,11 @@ public:
     Flow::Skeleton skeleton;
     flow_.convert_to_skeleton(skeleton);
     Spatial_graph result;
-    result.points.resize(3, static_cast<Eigen::Index>(num_vertices(skeleton)));
-    for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
-      result.points.col(static_cast<Eigen::Index>(v)) = to_point(skeleton[v].point);
-    }
-    for (auto e : CGAL::make_range(edges(skeleton))) {
-      result.edges.emplace_back(static_cast<int>(source(e, skeleton)), static_cast<int>(target(e, skeleton)));
-    }
+    result.points.resize(3, Eigen::Index(num_vertices(skeleton)));
+    for (std::size_t v = 0; v < num_vertices(skeleton); ++v)
+      result.points.col(Eigen::Index(v)) = to_point(skeleton[v].point);
+    for (auto e : CGAL::make_range(edges(skeleton)))
+      result.edges.emplace_back(int(source(e, skeleton)), int(target(e, skeleton)));
     return result;
   }
 
@@ -123,8 +93,8 @@ private:
   Part_mesh mesh_of_flow() const
   {
     Part_mesh result;
-    result.points.resize(3, static_cast<Eigen::Index>(flow_mesh().size_of_vertices()));
-    result.triangles.resize(3, static_cast<Eigen::Index>(flow_mesh().size_of_facets()));
+    result.points.resize(3, Eigen::Index(flow_mesh().size_of_vertices()));
+    result.triangles.resize(3, Eigen::Index(flow_mesh().size_of_facets()));
     std::vector<int> index;
     int count = 0;
     for (auto v : vertices(flow_mesh())) {
@@ -135,9 +105,8 @@ private:
     Eigen::Index t = 0;
     for (auto f : faces(flow_mesh())) {
       int k = 0;
-      for (auto v : CGAL::vertices_around_face(halfedge(f, flow_mesh()), flow_mesh())) {
+      for (auto v : CGAL::vertices_around_face(halfedge(f, flow_mesh()), flow_mesh()))
         result.triangles(k++, t) = index[v->id()];
-      }
       ++t;
     }
     return result;
@@ -156,9 +125,7 @@ private:
     for (auto v : vertices(flow_mesh())) {
       result.fixed.push_back(v->is_fixed);
       // Vertices that splits have made have no pole.
-      if (v->id() < original_vertices_) {
-        result.poles.col(i) = to_point(v->pole);
-      }
+      if (v->id() < original_vertices_) result.poles.col(i) = to_point(v->pole);
       ++i;
     }
     return result;
@@ -168,9 +135,8 @@ private:
   {
     const Points moved = contracted(contracting_mesh(), weights_);
     Eigen::Index i = 0;
-    for (auto v : vertices(flow_mesh())) {
+    for (auto v : vertices(flow_mesh()))
       v->point() = to_mesh_point(moved.col(i++));
-    }
   }
 
   bool has_poles_;
@@ -179,9 +145,9 @@ private:
   Flow flow_;
   Flow_weights weights_;
   std::size_t original_vertices_;
-  Area_and_volume original_;
-  Area_and_volume current_;
+  double original_area_, original_volume_;
   Part_mesh mesh_; // what the flow has made of the mesh
+  double area_, volume_;
   int iterations_ = 0;
   bool converged_ = false;
 };
@@ -200,16 +166,14 @@ void Stepwise_flow::set_weights(const Flow_weights& weights) { state_->set_weigh
 
 void Stepwise_flow::run_to_volume(double fraction)
 {
-  while (!state_->converged() && state_->volume_kept() > fraction) {
+  while (!state_->converged() && state_->volume_kept() > fraction)
     state_->step();
-  }
 }
 
 void Stepwise_flow::run_to_convergence()
 {
-  while (!state_->converged()) {
+  while (!state_->converged())
     state_->step();
-  }
 }
 
 int Stepwise_flow::iterations() const { return state_->iterations(); }

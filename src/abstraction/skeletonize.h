@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include "abstraction/deadline.h"
 #include "abstraction/spatial_graph.h"
-#include "base/deadline.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/version.h>
@@ -13,8 +13,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Weights of the flow: w_H keeps a vertex in place, w_P draws it to its pole. CGAL calls them `quality_speed_tradeoff()`
-/// and `medially_centered_speed_tradeoff()`; the larger, the slower the flow.
+/// Weights of the flow: w_H keeps a vertex in place, w_P draws it to its pole. CGAL calls them
+/// `quality_speed_tradeoff()` and `medially_centered_speed_tradeoff()`; the larger, the slower the flow.
 struct Flow_weights
 {
   double velocity = 0.1; ///< w_H

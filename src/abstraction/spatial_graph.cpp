@@ -31,21 +31,16 @@ Spatial_graph edge_graph(const Part_mesh& closed)
 }
 
 Spatial_graph_view::Spatial_graph_view(const Spatial_graph& graph)
-    : points_(&graph.points), graph_(static_cast<std::size_t>(graph.points.cols()))
+    : points_(&graph.points), graph_(std::size_t(graph.points.cols()))
 {
-  for (const auto& [a, b] : graph.edges) {
-    if (a != b) {
-      add_edge(a, b);
-    }
-  }
+  for (const auto& [a, b] : graph.edges)
+    if (a != b) add_edge(a, b);
 }
 
 void Spatial_graph_view::add_edge(int a, int b)
 {
   const auto next = neighbours(a);
-  if (std::find(next.begin(), next.end(), b) == next.end()) {
-    boost::add_edge(a, b, Edge{length(a, b)}, graph_);
-  }
+  if (std::find(next.begin(), next.end(), b) == next.end()) boost::add_edge(a, b, Edge{length(a, b)}, graph_);
 }
 
 void Spatial_graph_view::connect_near(double radius)
@@ -55,11 +50,8 @@ void Spatial_graph_view::connect_near(double radius)
   std::sort(order.begin(), order.end(),
             [this](int a, int b) { return point(a).x() != point(b).x() ? point(a).x() < point(b).x() : a < b; });
   for (std::size_t i = 0; i < order.size(); ++i) {
-    for (std::size_t j = i + 1; j < order.size() && point(order[j]).x() - point(order[i]).x() < radius; ++j) {
-      if (length(order[i], order[j]) < radius) {
-        add_edge(order[i], order[j]);
-      }
-    }
+    for (std::size_t j = i + 1; j < order.size() && point(order[j]).x() - point(order[i]).x() < radius; ++j)
+      if (length(order[i], order[j]) < radius) add_edge(order[i], order[j]);
   }
 }
 
@@ -68,10 +60,8 @@ std::vector<std::pair<int, int>> Spatial_graph_view::edges() const
   std::vector<std::pair<int, int>> result;
   for (int a = 0; a < size(); ++a) {
     for (const auto neighbour : neighbours(a)) {
-      const int b = static_cast<int>(neighbour);
-      if (a < b) {
-        result.emplace_back(a, b);
-      }
+      const int b = int(neighbour);
+      if (a < b) result.emplace_back(a, b);
     }
   }
   return result;
@@ -80,9 +70,8 @@ std::vector<std::pair<int, int>> Spatial_graph_view::edges() const
 double Spatial_graph_view::total_length() const
 {
   double result = 0;
-  for (const auto& [a, b] : edges()) {
+  for (const auto& [a, b] : edges())
     result += length(a, b);
-  }
   return result;
 }
 
@@ -91,13 +80,11 @@ Spatial_graph_view::Shortest_paths Spatial_graph_view::shortest_paths(int source
 {
   // Of vertices equally far away the one of the lower index goes first: a distance is a length and the vertex's index
   using Distance = std::pair<double, int>;
-  const auto n = static_cast<std::size_t>(size());
+  const auto n = std::size_t(size());
   std::vector<Distance> distances(n);
   Shortest_paths result{Eigen::VectorXd(size()), std::vector<int>(n)};
   const auto index = boost::get(boost::vertex_index, graph_);
-  const auto length_and_target = [&](auto edge) {
-    return Distance(length_of(edge), static_cast<int>(boost::target(edge, graph_)));
-  };
+  const auto length_and_target = [&](auto edge) { return Distance(length_of(edge), int(boost::target(edge, graph_))); };
   using Descriptor = boost::graph_traits<decltype(graph_)>::edge_descriptor;
   boost::dijkstra_shortest_paths(
       graph_, source,
@@ -109,9 +96,8 @@ Spatial_graph_view::Shortest_paths Spatial_graph_view::shortest_paths(int source
               [](const Distance& d, const Distance& step) { return Distance(d.first + step.first, step.second); })
           .distance_inf(Distance(std::numeric_limits<double>::infinity(), -1))
           .distance_zero(Distance(0, -1)));
-  for (int v = 0; v < size(); ++v) {
-    result.distances[v] = distances[static_cast<std::size_t>(v)].first;
-  }
+  for (int v = 0; v < size(); ++v)
+    result.distances[v] = distances[std::size_t(v)].first;
   return result;
 }
 
@@ -141,20 +127,17 @@ std::vector<int> Spatial_graph_view::path(int from, int to) const
 std::vector<int> Spatial_graph_view::path(int from, int to, const Edge_length& edge_length) const
 {
   const auto length_of = [&](auto edge) {
-    return edge_length(static_cast<int>(boost::source(edge, graph_)), static_cast<int>(boost::target(edge, graph_)));
+    return edge_length(int(boost::source(edge, graph_)), int(boost::target(edge, graph_)));
   };
   return path(shortest_paths(from, length_of), from, to);
 }
 
 std::vector<int> Spatial_graph_view::path(const Shortest_paths& paths, int from, int to)
 {
-  if (!(paths.distances[to] < std::numeric_limits<double>::infinity())) {
-    return {};
-  }
+  if (!(paths.distances[to] < std::numeric_limits<double>::infinity())) return {};
   std::vector<int> result{to};
-  while (result.back() != from) {
-    result.push_back(paths.predecessors[static_cast<std::size_t>(result.back())]);
-  }
+  while (result.back() != from)
+    result.push_back(paths.predecessors[std::size_t(result.back())]);
   std::reverse(result.begin(), result.end());
   return result;
 }

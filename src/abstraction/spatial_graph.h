@@ -37,11 +37,11 @@ public:
   /// it, are connected at its rim only; this makes them one layer.
   void connect_near(double radius);
 
-  int size() const { return static_cast<int>(boost::num_vertices(graph_)); }
+  int size() const { return int(boost::num_vertices(graph_)); }
   Points::ConstColXpr point(int v) const { return points_->col(v); }
   /// A range of `int`, in the order in which edges were added.
   auto neighbours(int v) const { return boost::make_iterator_range(boost::adjacent_vertices(v, graph_)); }
-  int degree(int v) const { return static_cast<int>(boost::out_degree(v, graph_)); }
+  int degree(int v) const { return int(boost::out_degree(v, graph_)); }
   double length(int a, int b) const { return (point(a) - point(b)).norm(); }
 
   void remove_edge(int a, int b) { boost::remove_edge(a, b, graph_); }

@@ -52,7 +52,7 @@ inline Rod_sections rod_sections(const Points& axis, const Points& surface, cons
   const Eigen::RowVectorXd heights = line.direction.transpose() * (axis.colwise() - line.centre);
   const double low = heights.minCoeff(), height = heights.maxCoeff() - low;
   const auto section = [&](Eigen::Index v) {
-    return std::min(static_cast<int>((heights[v] - low) / height * sections_of_a_rod), sections_of_a_rod - 1);
+    return clamped_cell((heights[v] - low) / height * sections_of_a_rod, sections_of_a_rod - 1);
   };
   Rod_sections result;
   for (Eigen::Index v = 0; v < axis.cols(); ++v) {
@@ -83,14 +83,11 @@ inline std::optional<Fitted_curve> straight_curve(const Points& axis, const Part
   const double most_spread = 1;   // of the medial axis about it
   const double fewest = 3;        // points of a section
   const Rod_sections sections = rod_sections(axis, solid.points, principal_line(axis));
-  if (sections.counts.minCoeff() < fewest || !(is_convex || (sections.spreads <= most_spread * sections.radii).all())) {
+  if (sections.counts.minCoeff() < fewest || !(is_convex || (sections.spreads <= most_spread * sections.radii).all()))
     return std::nullopt;
-  }
   const Line line = principal_line(sections.centres);
   const Eigen::ArrayXd offsets = line.offsets(sections.centres).colwise().norm().transpose();
-  if (!(offsets <= most_offset * sections.radii).all()) {
-    return std::nullopt;
-  }
+  if (!(offsets <= most_offset * sections.radii).all()) return std::nullopt;
   const Eigen::RowVectorXd heights = line.direction.transpose() * (sections.centres.colwise() - line.centre);
   Fitted_curve result;
   result.curve.points.resize(3, 2);

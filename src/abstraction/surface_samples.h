@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include "shape/triangle_distance.h"
 
-#include <Eigen/Geometry>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +19,8 @@ inline std::vector<double> cumulative_areas(const Part_mesh& mesh)
 {
   std::vector<double> result;
   double sum = 0;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Point a = mesh.points.col(mesh.triangles(0, t));
-    const Point b = mesh.points.col(mesh.triangles(1, t));
-    const Point c = mesh.points.col(mesh.triangles(2, t));
-    sum += 0.5 * (b - a).cross(c - a).norm();
-    result.push_back(sum);
-  }
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    result.push_back(sum += 0.5 * contacts::area_vector(triangle_of(mesh, t)).norm());
   return result;
 }
 
@@ -35,25 +30,36 @@ inline double surface_area(const Part_mesh& mesh)
   return areas.empty() ? 0. : areas.back();
 }
 
+/// \pre the mesh is closed
+inline double enclosed_volume(const Part_mesh& mesh)
+{
+  double result = 0;
+  const Point origin = mesh.points.rowwise().mean();
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const auto [a, b, c] = triangle_of(mesh, t);
+    result += (a - origin).dot((b - origin).cross(c - origin)) / 6;
+  }
+  return std::abs(result);
+}
+
 /// Points by area, at a low-discrepancy sequence of parameters: no random numbers, no clumps.
 inline Points points_by_area(const Part_mesh& mesh, std::size_t n)
 {
   // Powers of the plastic number's inverse in three dimensions (Roberts 2018).
   const double step[] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
   const std::vector<double> areas = cumulative_areas(mesh);
-  Points result(3, static_cast<Eigen::Index>(n));
+  Points result(3, Eigen::Index(n));
   for (std::size_t i = 0; i < n; ++i) {
-    const auto fraction = [&](int k) { return std::fmod(0.5 + step[k] * static_cast<double>(i + 1), 1.); };
+    const auto fraction = [&](int k) { return std::fmod(0.5 + step[k] * double(i + 1), 1.); };
     const auto found = std::upper_bound(areas.begin(), areas.end() - 1, fraction(0) * areas.back());
-    const auto t = static_cast<Eigen::Index>(found - areas.begin());
+    const auto t = Eigen::Index(found - areas.begin());
     double u = fraction(1), v = fraction(2);
     if (u + v > 1) {
       u = 1 - u;
       v = 1 - v;
     }
-    result.col(static_cast<Eigen::Index>(i)) = (1 - u - v) * mesh.points.col(mesh.triangles(0, t)) +
-                                               u * mesh.points.col(mesh.triangles(1, t)) +
-                                               v * mesh.points.col(mesh.triangles(2, t));
+    const auto [a, b, c] = triangle_of(mesh, t);
+    result.col(Eigen::Index(i)) = (1 - u - v) * a + u * b + v * c;
   }
   return result;
 }
@@ -61,21 +67,15 @@ inline Points points_by_area(const Part_mesh& mesh, std::size_t n)
 /// Vertices that a triangle uses, if they are no more than `limit`; none otherwise.
 inline std::vector<Eigen::Index> used_vertices(const Part_mesh& mesh, std::size_t limit)
 {
-  std::vector<char> used(static_cast<std::size_t>(mesh.points.cols()), 0);
+  std::vector<char> used(std::size_t(mesh.points.cols()), 0);
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      used[static_cast<std::size_t>(mesh.triangles(k, t))] = 1;
-    }
+    for (int k = 0; k < 3; ++k)
+      used[std::size_t(mesh.triangles(k, t))] = 1;
   }
   std::vector<Eigen::Index> result;
-  for (std::size_t v = 0; v < used.size(); ++v) {
-    if (used[v]) {
-      result.push_back(static_cast<Eigen::Index>(v));
-    }
-  }
-  if (result.size() > limit) {
-    result.clear();
-  }
+  for (std::size_t v = 0; v < used.size(); ++v)
+    if (used[v]) result.push_back(Eigen::Index(v));
+  if (result.size() > limit) result.clear();
   return result;
 }
 
@@ -90,20 +90,18 @@ inline Points farthest_points(const Points& candidates, std::size_t n)
     return (x - p.x()).square() + (y - p.y()).square() + (z - p.z()).square();
   };
   Row squared = squared_distances(candidates.rowwise().mean());
-  Points result(3, static_cast<Eigen::Index>(n));
+  Points result(3, Eigen::Index(n));
   for (std::size_t i = 0; i < n; ++i) {
     const double farthest = nearly * squared.maxCoeff();
     Eigen::Index chosen = 0;
-    while (squared[chosen] < farthest) {
+    while (squared[chosen] < farthest)
       ++chosen;
-    }
     const Point p = candidates.col(chosen);
-    result.col(static_cast<Eigen::Index>(i)) = p;
-    if (i == 0) {
+    result.col(Eigen::Index(i)) = p;
+    if (i == 0)
       squared = squared_distances(p);
-    } else {
+    else
       squared = squared.min(squared_distances(p));
-    }
   }
   return result;
 }
@@ -115,11 +113,10 @@ inline Points even_surface_points(const Part_mesh& mesh, std::size_t n)
   const std::size_t candidates_a_point = 8;
   const Points by_area = points_by_area(mesh, candidates_a_point * n);
   const std::vector<Eigen::Index> corners = used_vertices(mesh, candidates_a_point * n);
-  Points candidates(3, by_area.cols() + static_cast<Eigen::Index>(corners.size()));
+  Points candidates(3, by_area.cols() + Eigen::Index(corners.size()));
   candidates.leftCols(by_area.cols()) = by_area;
-  for (std::size_t c = 0; c < corners.size(); ++c) {
-    candidates.col(by_area.cols() + static_cast<Eigen::Index>(c)) = mesh.points.col(corners[c]);
-  }
+  for (std::size_t c = 0; c < corners.size(); ++c)
+    candidates.col(by_area.cols() + Eigen::Index(c)) = mesh.points.col(corners[c]);
   return farthest_points(candidates, n);
 }
 

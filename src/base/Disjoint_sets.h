@@ -12,8 +12,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The numbers from 0 on in disjoint sets, to begin with one in each. A set is named by its smallest number, so that
-/// names do not depend on the order in which sets were united; Boost names it by the one that is quickest to find.
+/// Disjoint sets of the numbers from 0 on, one in each at first. Unlike in Boost, a set is named by its smallest
+/// number, whatever the order in which sets were united.
 class Disjoint_sets
 {
 public:
@@ -25,10 +25,10 @@ public:
   std::size_t size() const { return smallest_.size(); }
   std::size_t number_of_sets() const { return number_of_sets_; }
 
-  /// The set of a number. Not for several threads at once: finding shortens the way for the next time.
+  /// The set of a number. Not thread-safe: paths are compressed.
   std::size_t operator[](std::size_t i) const { return smallest_[sets_.find_set(i)]; }
 
-  /// Makes one set of those of two numbers. Returns whether they were two.
+  /// Unites the sets of two numbers. \return whether they were different
   bool unite(std::size_t a, std::size_t b)
   {
     const std::size_t first = sets_.find_set(a), second = sets_.find_set(b);
@@ -41,7 +41,7 @@ public:
 
 private:
   mutable boost::disjoint_sets_with_storage<> sets_;
-  std::vector<std::size_t> smallest_; ///< number of a set, by the number that Boost names it by
+  std::vector<std::size_t> smallest_; ///< smallest number of a set, by its representative in Boost
   std::size_t number_of_sets_;
 };
 

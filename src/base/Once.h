@@ -8,9 +8,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// Does work once, whichever thread asks for it first; the others wait. As `std::call_once()`, but without the call of
-// the system with which that wakes others up even where nobody waits: half a microsecond, as much as the rods of a
-// contact take.
+/// Does work once, whichever thread asks first; the others wait. Kept beside `std::call_once()`, which makes a system
+/// call after every first time: as slow as the rods of a contact, one of which is made at a time.
 class Once
 {
 public:

@@ -11,14 +11,14 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// What takes a part of a box: where it is, middle and half extents along the axes of the box, in any unit.
+/// Centre and half extents of something that is to get a part of a box, along the axes of the box, in any unit.
 struct Share
 {
   Point middle, half;
 };
 
-/// Divides a box among shares as they are arranged: along the axis that they are spread over most, in proportion to
-/// their extents; those of one place along it are divided on. What lies about one middle shares the box.
+/// Divides a box as shares are arranged: along the axis of their largest spread, in proportion to their extents, and
+/// recursively among those at one place along it. Concentric shares get the same box.
 /// \return by share, its part of the box
 std::vector<Eigen::AlignedBox3d> divide_box(const Eigen::AlignedBox3d& box, const std::vector<Share>& shares);
 

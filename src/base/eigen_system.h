@@ -14,15 +14,15 @@ struct Eigen_system
   Eigen::Matrix3d vectors;
 };
 
-/// The eigenvalues and eigenvectors of a symmetric matrix, of which the lower triangle is read. Compiled once: Eigen's
-/// solver is 2 s of compile time in every file that has one.
+/// The eigenvalues and eigenvectors of a symmetric matrix, of which the lower triangle is read. Apart from its callers,
+/// since Eigen's solver is slow to compile.
 Eigen_system eigen_system(const Eigen::Matrix3d& symmetric);
 
 /// Orthogonal eigenvectors of a symmetric matrix, that of the lesser eigenvalue first.
 Eigen::Matrix2d eigenvectors(const Eigen::Matrix2d& symmetric);
 
-/// The sum of p pᵀ over points p. Of few points, such as the samples of a part, without the detours that Eigen's
-/// product makes for large matrices, to the same bits.
+/// The sum of p pᵀ over points p. To the bits of Eigen's product, which is slower for as few points as a part's
+/// samples.
 Eigen::Matrix3d scatter_matrix(const Points& points);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -10,7 +10,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// What inputs may be like. The manual, section "Limits", says the same.
+// Limits of inputs, as in the section "Limits" of the manual. `benchmark_limits` measures times and memory at them.
 
 /// No coordinate is farther from 0. Products of volumes stay far inside the range of double.
 constexpr double largest_coordinate = 1e15;
@@ -18,8 +18,7 @@ constexpr double largest_coordinate = 1e15;
 /// No other number in a document is greater: volumes, areas, ratios.
 constexpr double largest_number = 1e50;
 
-/// Parts of a shape. Detecting contacts and matching take time and memory quadratic in them: two shapes of so many are
-/// matched within ten seconds, with 2.4 GB.
+/// Parts of a shape: contacts and matching take time and memory quadratic in them.
 constexpr std::size_t most_parts = 2000;
 
 inline std::string too_many_parts(std::size_t parts)
@@ -28,15 +27,18 @@ inline std::string too_many_parts(std::size_t parts)
          ": join small parts, or leave them out";
 }
 
-/// Congruent pairs of parts, times the parts: what looking for rows of parts takes time in. About three seconds; any
-/// shape of 240 parts is below it.
+/// Loose pieces that are grouped into parts, in time quadratic in them.
+constexpr std::size_t most_grouped_pieces = 10000;
+
+/// Congruent pairs of parts, times the parts, to which the search for rows of parts is proportional; any shape of 240
+/// parts is below it.
 constexpr std::size_t most_symmetry_work = 15'000'000;
 
-/// Groups of parts that a search for the least energy deforms. So many in a ring take less than ten seconds: the
-/// time of the beam search is cubic in them, exact search needs memory for all pairs of labels of each contact.
+/// Groups of parts that a search for the least energy deforms: the time of the beam search is cubic in them, and exact
+/// search needs memory for all pairs of labels of each contact.
 constexpr std::size_t most_beam_groups = 150, most_exact_groups = 500;
 
-/// Frames of a blend: at 25 a second, more than six minutes.
+/// Frames of a blend.
 constexpr int most_frames = 10000;
 
 inline void check_number_of_frames(int frames)

@@ -11,8 +11,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// Minimum-cost assignment of every row to a column of its own, by shortest augmenting paths (Jonker and Volgenant
-// 1987), O(rows² cols). Among equal costs lower columns win. \pre rows <= cols
+/// Minimum-cost assignment of every row to a column of its own, by shortest augmenting paths (Jonker and Volgenant
+/// 1987), O(rows² cols). Among equal costs lower columns win. \return by row, its column \pre rows <= cols
 inline std::vector<std::size_t> optimal_assignment(const Eigen::MatrixXd& cost)
 {
   const int rows = int(cost.rows()), cols = int(cost.cols());

@@ -19,9 +19,8 @@ constexpr double equal_sines = 1e-6;    // difference of sines of angles that ar
 Eigen::Vector2d side_along_x(Eigen::Vector2d side)
 {
   const auto is_along_x = [&] { return side.y() > equal_sines - side.x() && side.y() < side.x() + equal_sines; };
-  for (int turns = 0; turns < 3 && !is_along_x(); ++turns) {
+  for (int turns = 0; turns < 3 && !is_along_x(); ++turns)
     side = quarter_turn(side);
-  }
   return side;
 }
 
@@ -38,13 +37,10 @@ Planar_points planar_hull(Planar_points points)
 {
   std::sort(points.begin(), points.end(),
             [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
-  if (points.size() < 3) {
-    return points;
-  }
+  if (points.size() < 3) return points;
   double extent = 0;
-  for (const auto& p : points) {
+  for (const auto& p : points)
     extent = std::max(extent, (p - points.front()).cwiseAbs().maxCoeff());
-  }
   const double tolerance = relative_noise * extent * extent;
   Planar_points hull;
   const auto add_chain = [&](auto begin, auto end) {
@@ -69,9 +65,7 @@ Eigen::Vector2d least_rectangle_direction(const Planar_points& hull)
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Eigen::Vector2d edge = hull[(i + 1) % hull.size()] - hull[i];
-    if (!(edge.norm() > 0)) {
-      continue;
-    }
+    if (!(edge.norm() > 0)) continue;
     const Eigen::Vector2d side = side_along_x(edge.normalized());
     Eigen::Matrix2d axes;
     axes << side, quarter_turn(side);
@@ -83,9 +77,7 @@ Eigen::Vector2d least_rectangle_direction(const Planar_points& hull)
     }
     const double area = (high - low).prod();
     const bool is_less = area < least * (1 - equal_areas), is_equal = !is_less && area < least * (1 + equal_areas);
-    if (is_less || (is_equal && is_turned_less(side, result))) {
-      result = side;
-    }
+    if (is_less || (is_equal && is_turned_less(side, result))) result = side;
     least = std::min(least, area);
   }
   return result;

@@ -16,10 +16,8 @@ inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return
 inline Eigen::Vector2d quarter_turn(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 
 /// The convex hull of points in the plane, counter-clockwise, by Andrew's monotone chain. Points within rounding noise
-/// of an edge are no vertices. CGAL::convex_hull_2() is exact and keeps them: on 14 735 projections of modelled parts
-/// (each part along three coordinate and three principal axes) it gave other vertices for 3 500, most of them seen
-/// along principal axes, where points of one face come to lie in a line but for the last digit.
-/// Time O(n log n) for n points.
+/// of an edge are no vertices. CGAL::convex_hull_2() is exact and keeps them, such as the points of a face that is seen
+/// edge-on, which are on a line but for the last digit. Time O(n log n) for n points.
 Planar_points planar_hull(Planar_points points);
 
 /// Direction of that side of the rectangle of least area around a convex polygon whose angle from the x axis is in

@@ -4,23 +4,25 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 namespace CGAL::Shape_correspondence::internal {
 
-// Numbers that a motion of the shape changes by rounding alone are compared after rounding to this grid, so that ties
-// stay ties and are settled by index.
+/// Numbers that a motion of the shape changes by rounding alone are compared after rounding to this grid, so that ties
+/// stay ties and are settled by index.
 constexpr double comparison_grid = 1e-6;
 
-// What is beyond the grid, infinite too, is the last step. \pre a number
-inline long quantized(double value)
+/// The nearest step of the grid; the first or last one for what is beyond it, infinite too; the first one for NaN. Of
+/// 64 bits everywhere: `long` has 32 on some machines.
+inline std::int64_t quantized(double value)
 {
-  constexpr double last = 9e18;
+  constexpr double last = 9e18; // below 2^63
   const double steps = std::min(last, std::max(-last, value / comparison_grid));
-  // std::lround() is a call
-  return long(steps < 0 ? steps - 0.5 : steps + 0.5);
+  // std::lround() is a function call
+  return std::int64_t(steps < 0 ? steps - 0.5 : steps + 0.5);
 }
 
-// Squared length, in units of the shape's height, under which a vector has no direction
+/// Squared length, in units of the shape's height, under which a vector has no direction
 constexpr double zero_squared_length = 1e-18;
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -3,24 +3,22 @@
 
 #pragma once
 
-#include <algorithm>
+#include "base/clamped.h"
+
 #include <cmath>
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A number cut to [0, 1]; 0 for what is no number.
-inline double cut_to_unit(double x) { return x > 0 ? std::min(x, 1.) : 0; }
-
-/// Linear light of a channel as screens and files have it (sRGB, IEC 61966-2-1), cut to [0, 1], and back.
+/// Linear light of an sRGB channel (IEC 61966-2-1), clamped to [0, 1], and back.
 inline double linear_of_srgb(double srgb)
 {
-  const double x = cut_to_unit(srgb);
+  const double x = clamped_to_unit(srgb);
   return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
 }
 
 inline double srgb_of_linear(double linear)
 {
-  const double x = cut_to_unit(linear);
+  const double x = clamped_to_unit(linear);
   return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
 }
 

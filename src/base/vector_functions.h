@@ -6,8 +6,8 @@
 #include <initializer_list>
 #include <vector>
 
-// Functions that are compiled for several sets of vector instructions, of which the running machine takes its best.
-// They give the same bits as long as no multiplication and addition are fused, which compilers do where they can.
+// Functions that are compiled for several instruction sets, the best of which is chosen when the program runs. They
+// give the same bits as long as no multiplication and addition are fused (FMA), which compilers do unless told not to.
 #ifdef __GNUC__
 #define CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE inline __attribute__((always_inline))
 #else
@@ -28,8 +28,8 @@
 #define CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions) CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION inline
 #endif
 
-// `define(name, instructions, bytes)` for every set of instructions that the compiler knows, with the size of a vector;
-// 0: single numbers. And the functions whose names start with `prefix` and end in these names.
+// `define(name, instructions, bytes)` for every instruction set of the compiler, with the size of a vector; 0: scalars.
+// And the list of the functions that are so defined, whose names are `prefix` and `name`.
 #ifdef CGAL_SHAPE_CORRESPONDENCE_X86
 #define CGAL_SHAPE_CORRESPONDENCE_FOR_INSTRUCTIONS(define)                                                             \
   define(plain, "sse2", 0) define(sse2, "sse2", 16) define(avx2, "avx2", 32) define(avx512, "avx512f", 64)
@@ -47,14 +47,14 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// Of how many numbers a vector is.
+/// Numbers in a vector.
 template <typename Number>
 constexpr int vector_width(int bytes)
 {
   return bytes == 0 ? 1 : bytes / int(sizeof(Number));
 }
 
-// Of the versions for all sets of instructions those that this machine can run, the fastest one last.
+/// The versions that this machine can run, the fastest one last. \param versions in the order of the macro
 template <typename Version>
 std::vector<Version> runnable(std::initializer_list<Version> versions)
 {

@@ -5,7 +5,7 @@
 
 #include "blend/Part_morph.h"
 #include "blend/Rest_surface.h"
-#include "blend/Unmatched_part.h"
+#include "blend/Thinning_part.h"
 #include "map/Charted_mesh.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
@@ -19,17 +19,13 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-struct Blend_ends;
-struct Blend_input;
+struct Blend_stage;
 
-/// Where an unmatched part is attached to another part of the blend.
-struct Attachment
+/// A point that goes with a part, as it is at either end.
+struct Carried_point
 {
-  std::size_t part;
-  int surface;
-  Mesh_place place;
-  Point at;       ///< at the end that has the unmatched part
-  Point vanished; ///< at the other end, but for how what it is attached to may be stretched
+  std::array<Point, 2> coordinates; ///< in the part's own coordinates, by end
+  std::array<Point, 2> offsets;     ///< from where the part has the coordinates to the point, by end
 };
 
 /// A part of the shapes in between: what becomes of one part, or a piece of one. If it is matched, it has two surfaces,
@@ -37,59 +33,57 @@ struct Attachment
 struct Blend_part
 {
   using Tree = contacts::Triangle_tree;
+  static constexpr double on_ground = 0.02; ///< of the height: what is no higher stands on the ground
 
   std::string name;
   Blend_task task;
   std::shared_ptr<const Part_morph> morph;          ///< of a matched part
-  std::shared_ptr<const Unmatched_part> unmatched;  ///< or else of one that shrinks or grows
-  std::vector<Attachment> attachments;              ///< of the latter
+  std::shared_ptr<const Thinning_part> thinning;    ///< or else of one that shrinks or grows
   double height = 0;                                ///< of its middle, at the ends' mean
   std::size_t image = Blend_task::no_part;          ///< its mirror image, where the blend is to be symmetric
   bool is_reflected = false;                        ///< computed as the image's image, in its charts
-  bool stands = false;                              ///< on the ground, at both ends
-  std::array<double, 2> foot = {0, 0};              ///< of one that stands, how high it is above the ground, by end
-  std::array<std::optional<Tree>, 2> trees;         ///< by surface, at an end; to be moved
+  bool stands = false;                              ///< on the ground, at all ends that have it
+  std::array<double, 2> foot = {0, 0};              ///< by end, how high its lowest point is
+  double needless_turn = 0;                         ///< of a matched part, beyond the least one, in radians
+  std::array<std::optional<Tree>, 2> trees;         ///< by surface, at an end
   std::array<std::optional<Rest_surface>, 2> rests; ///< by surface, at that end
-  std::array<bool, 2> holds = {false, false};       ///< by surface, whether unmatched parts are attached to it
-  double size = 1e-6;                               ///< of the larger one of its surfaces; never less
+  double size = 0;                                  ///< the longer diagonal of the boxes of its surfaces
 
-  bool is_exchange() const { return morph && morph->is_exchange(); }
   bool has_image() const { return image != Blend_task::no_part; }
-  /// Of an unmatched one, the end that has it.
-  int end() const { return task.source == Blend_task::no_part ? 1 : 0; }
+  bool is_exchange() const { return morph && morph->is_exchange(); }
+  /// Of an unmatched part: the end that has it.
+  int end() const { return task.type == Blend_task_type::SHRINK ? 0 : 1; }
+  /// Whether an end has it.
+  bool is_at(int at_end) const { return morph || end() == at_end; }
 
   const Eigen::Matrix3Xi& triangles(int surface) const;
-  /// Of a matched one, at a time of its task.
+  /// \param progress of a matched part, its own time
   /// \param remaining how much there is of the surface
-  Points points(int surface, double t, double remaining = 1) const;
-  /// Of an unmatched one, as much as there is of it.
-  Points remaining_points(double remaining) const;
-  /// Where a point of an unmatched one is then.
-  Point remaining_place(const Point& p, double remaining) const;
+  Points points(int surface, double progress, double remaining = 1) const;
+
+  /// A point of the part at an end, which has it.
+  Carried_point carried(int end, const Point& p) const;
+  /// The same at both ends. \pre the part is matched
+  Carried_point carried(const Point& source, const Point& target) const;
+  Point place(const Carried_point& p, double progress, double remaining) const;
 
   /// The surface at an end and its points there. \pre the end has the part
-  int end_surface(int end) const { return morph ? end : 0; }
-  Points end_points(int end) const;
+  int end_surface(int at_end) const { return morph ? at_end : 0; }
+  Points end_points(int at_end) const { return points(end_surface(at_end), at_end); }
 
-  /// Sets trees, rests and size. \pre it has all else
-  void add_trees();
+  /// Sets what follows from the surfaces: trees, rests, size, height and feet.
+  void set_ends();
 };
 
 /// What becomes of a part of an end, or of pieces of it.
 std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end, std::size_t given);
 
-/// The parts of a blend that become each other: one for every two parts, or pieces of parts, that correspond and, if
-/// the ends are symmetric, for their mirror images.
-std::vector<Blend_part> matched_parts(const Blend_ends& ends, const Correspondence& correspondence);
+/// The parts of a blend that become each other: one for every two parts, or pieces of parts, that correspond or are left
+/// over alike and, if the ends are symmetric, for their mirror images.
+std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence);
 
-/// Adds the parts of both ends that become no part: what touches matched parts first, then what touches that.
-void add_unmatched_parts(const std::array<Blend_input, 2>& inputs, const Blend_ends& ends,
-                         std::vector<Blend_part>& parts);
-
-/// Leaves out attachments that go far apart though they are near each other on the part, those first that do so most:
-/// what is there is connected by other ways at the other end. Mirror images go together; one is always left.
-/// \param size of the part
-std::vector<Attachment> without_diverging(std::vector<Attachment> attachments, double size);
+/// Adds the parts of both ends that become no part.
+void add_unmatched_parts(const Blend_stage& stage, std::vector<Blend_part>& parts);
 
 inline contacts::Box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
 

@@ -2,16 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/Blend_structure.h"
-#include "base/quarter_turn.h"
-#include "blend/Blend_ends.h"
+
 #include "blend/surface_components.h"
 
-#include <CGAL/Shape_correspondence/blend_shapes.h>
-
-#include <Eigen/Geometry>
-
 #include <cmath>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
@@ -29,64 +23,30 @@ double end_asymmetry_of(const std::vector<Part_mesh>& meshes)
 
 Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const Correspondence& correspondence,
                                  const Blend_options& options)
-    : Blend_structure(inputs, Blend_ends(inputs), correspondence, options)
+    : Blend_structure(inputs, Blend_stage(inputs), correspondence, options)
 {}
 
-Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const Blend_ends& ends,
+Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const Blend_stage& stage,
                                  const Correspondence& correspondence, const Blend_options& options)
-    : shapes{inputs[0].shape, inputs[1].shape},
-      parts(matched_parts(ends, correspondence)),
-      is_symmetric(ends.are_symmetric),
-      end_asymmetry{0, 0},
-      ground(ends.ground),
-      widest_gap(ends.widest_gap)
+    : shapes(stage.moved_shapes(inputs, options.size)),
+      parts(matched_parts(stage, correspondence)),
+      is_symmetric(stage.are_symmetric),
+      boxes(stage.boxes),
+      widest_gap(stage.widest_gap),
+      axes_(structure(inputs[0].graph).frame.axes),
+      heights_(stage.heights(options.size))
 {
-  add_unmatched_parts(inputs, ends, parts);
-  contacts = contact_constraints(inputs, ends, parts, options.contact_tolerance);
+  add_unmatched_parts(stage, parts);
+  contacts = contacts_to_keep(stage, parts, options.contact_tolerance);
   for (std::size_t end : {0u, 1u}) {
     looks.emplace_back(parts, int(end));
-    frames_[end] = structure(inputs[end].graph).frame;
-    frames_[end].axes = frames_[end].axes * quarter_turn(inputs[end].quarter_turns).transpose();
-    if (is_symmetric) end_asymmetry[end] = end_asymmetry_of(ends.meshes[end]);
-  }
-  set_size(options.size);
-}
-
-/// Scales shapes about the origin of space, as if they were given in other units.
-void Blend_structure::set_size(Blend_size size)
-{
-  if (size == Blend_size::BLEND) return;
-  const std::array<double, 2> given = {frames_[0].height, frames_[1].height};
-  for (std::size_t end : {0u, 1u}) {
-    const double height = size == Blend_size::SAME ? 1 : given[size == Blend_size::SOURCE ? 0 : 1];
-    const double scale = height / given[end];
-    if (scale == 1) continue;
-    frames_[end].height = height;
-    frames_[end].origin *= scale;
-    Segmented_shape scaled(shapes[end].name(), shapes[end].up());
-    for (const Shape_part& part : shapes[end].parts())
-      scaled.add_part(part.name, {scale * part.mesh.points, part.mesh.triangles});
-    shapes[end] = std::move(scaled);
+    if (is_symmetric) end_asymmetry[end] = end_asymmetry_of(stage.meshes[end]);
   }
 }
 
-Points Blend_structure::to_world(const Points& points, double t) const
+Points Blend_structure::to_world(const Points& points, double done) const
 {
-  const Eigen::Quaterniond from(frames_[0].axes), to(frames_[1].axes);
-  const Eigen::Matrix3d axes = from.slerp(t, to).toRotationMatrix();
-  const double from_height = frames_[0].height, to_height = frames_[1].height;
-  const double height = std::pow(from_height, 1 - t) * std::pow(to_height, t);
-  constexpr double alike = 1e-6; // of the heights: their difference is no divisor
-  const double grown = to_height - from_height;
-  const double share = std::abs(grown) > alike * to_height ? (height - from_height) / grown : t;
-  const Point origin = (1 - share) * frames_[0].origin + share * frames_[1].origin;
-  return (axes * height * points).colwise() + origin;
-}
-
-Point Blend_structure::up(double t) const
-{
-  const Point between = (1 - t) * shapes[0].up() + t * shapes[1].up();
-  return unit_or(between, shapes[0].up());
+  return axes_ * (std::pow(heights_[0], 1 - done) * std::pow(heights_[1], done)) * points;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -32,12 +32,17 @@ Overlaps overlaps_of(const std::vector<Seen_surface>& surfaces);
 /// \param is_on_hidden whether what is on the other one is hidden, too
 double hidden_share(const Points& samples, const contacts::Triangle_tree& surface, bool is_on_hidden);
 
+/// The volume of the convex hull of surfaces, nearly; 0 of what is flat.
+double hull_volume(const std::vector<const Points*>& surfaces);
+
 /// What shapes in between are compared with at an end.
 struct End_look
 {
   End_look(const std::vector<Blend_part>& parts, int end);
 
   double area = 0, volume = 0; ///< of all parts; the volume of closed ones
+  double hull = 0;             ///< volume of the convex hull
+  double supports = 0;         ///< number of parts that stand on the ground
   Overlaps overlaps;
 };
 

@@ -3,8 +3,6 @@
 
 #include "blend/In_between_cache.h"
 
-#include "blend/in_between_steps.h"
-
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -13,11 +11,8 @@ namespace {
 std::size_t number_of_points(const In_between_shape& shape)
 {
   Eigen::Index result = 0;
-  for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
-    for (int surface : {0, 1})
-      result += shape.points(part, surface).cols();
-    result += shape.other_points(part).cols();
-  }
+  for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
+    result += shape.points(part).cols() + shape.other_points(part).cols();
   return std::size_t(result);
 }
 
@@ -33,8 +28,7 @@ std::shared_ptr<const In_between_shape> In_between_cache::at(double t)
     const std::lock_guard<std::mutex> lock(mutex_);
     if (const auto found = shapes_.find(t); found != shapes_.end()) return found->second;
   }
-  auto made = std::make_shared<In_between_shape>(in_between_shape(*blend_, times_, t));
-  made->drop_trees();
+  auto made = std::make_shared<const In_between_shape>(*blend_, times_, t);
   const std::size_t points = number_of_points(*made);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (points_ + points > most_points) return made;

@@ -6,96 +6,194 @@
 #include "blend/ease.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+constexpr double no_extent = 1e-6; // of the height: what is narrower is not stretched
+
+/// The map that stretches along the axes from one box to another; extents that are none are moved only.
+Eigen::Affine3d box_map(const contacts::Box& from, const contacts::Box& to)
+{
+  Eigen::Affine3d result = Eigen::Affine3d::Identity();
+  for (int axis = 0; axis < 3; ++axis)
+    if (from.sizes()[axis] > no_extent) result.linear()(axis, axis) = to.sizes()[axis] / from.sizes()[axis];
+  result.translation() = to.center() - result.linear() * from.center();
+  return result;
+}
+
+contacts::Box between(const contacts::Box& a, const contacts::Box& b, double t)
+{
+  return {(1 - t) * a.min() + t * b.min(), (1 - t) * a.max() + t * b.max()};
+}
+
+} // namespace
 
 In_between_shape::In_between_shape(const Blend_structure& blend, const Task_times& times, double t)
     : blend_(blend),
-      t_(eased(t)),
-      points_(blend.parts.size()),
-      surface_(blend.parts.size(), -1),
-      others_(blend.parts.size()),
-      has_other_(blend.parts.size(), 0),
+      progress_(blend.parts.size(), 0),
       remaining_(blend.parts.size(), 1),
-      trees_(blend.parts.size()),
-      has_moved_(blend.parts.size(), 1),
-      stretches_(blend.parts.size())
+      points_(blend.parts.size()),
+      others_(blend.parts.size()),
+      surface_(blend.parts.size(), -1),
+      has_other_(blend.parts.size(), 0),
+      placements_(blend.parts.size(), Eigen::Affine3d::Identity())
 {
+  set_progress(times, t);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Blend_part& part = blend.parts[i];
-    const double own = eased((t - times[i][0]) / (times[i][1] - times[i][0]));
     if (part.morph) {
-      surface_[i] = part.morph->surface(own);
-      for (int surface : {0, 1})
-        if (!part.is_exchange() || surface == surface_[i] || part.holds[std::size_t(surface)])
-          points_[i][std::size_t(surface)] = part.points(surface, own);
+      surface_[i] = part.morph->surface(progress_[i]);
+      points_[i] = part.points(surface_[i], progress_[i]);
       if (!part.is_exchange()) continue;
       const int other = 1 - surface_[i];
-      const double there = Part_morph::remaining(other, own);
+      const double there = Part_morph::remaining(other, progress_[i]);
       has_other_[i] = there > nothing;
-      others_[i] = part.points(other, own, there);
-    } else {
-      remaining_[i] = part.end() == 0 ? 1 - own : own;
+      others_[i] = part.points(other, progress_[i], there);
+    } else if (remaining_[i] > nothing) {
+      surface_[i] = 0;
+      points_[i] = part.points(0, 0, remaining_[i]);
     }
+  }
+  ride_the_whole();
+  close_contacts();
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (is_there(i)) put_on_ground(i);
+  fill_the_box();
+}
+
+/// The whole is as far as matched parts are on average, by their sizes.
+void In_between_shape::set_progress(const Task_times& times, double t)
+{
+  double sum = 0, sizes = 0;
+  for (std::size_t i = 0; i < progress_.size(); ++i) {
+    const Blend_part& part = blend_.parts[i];
+    progress_[i] = eased((t - times[i][0]) / (times[i][1] - times[i][0]));
+    if (part.morph) {
+      sum += part.size * progress_[i];
+      sizes += part.size;
+    } else {
+      remaining_[i] = part.end() == 0 ? 1 - progress_[i] : progress_[i];
+    }
+  }
+  whole_ = sizes > 0 ? sum / sizes : eased(t);
+}
+
+contacts::Box In_between_shape::due_box() const { return between(blend_.boxes[0], blend_.boxes[1], whole_); }
+
+Points In_between_shape::points(std::size_t part, int surface) const
+{
+  const Blend_part& own = blend_.parts[part];
+  if (surface == surface_[part]) return points_[part];
+  if (own.is_exchange() && surface == 1 - surface_[part]) return others_[part];
+  return placements_[part] * own.points(surface, progress_[part], remaining_[part]);
+}
+
+In_between_shape::Trees In_between_shape::trees() const
+{
+  Trees result(points_.size());
+  for (std::size_t part = 0; part < result.size(); ++part) {
+    if (!is_there(part)) continue;
+    result[part] = blend_.parts[part].trees[std::size_t(surface_[part])];
+    const Eigen::Matrix3Xi& triangles = blend_.parts[part].triangles(surface_[part]);
+    result[part]->move([&](std::size_t t) { return triangle_of(points(part), triangles, t); });
+  }
+  return result;
+}
+
+void In_between_shape::place(std::size_t part, const Eigen::Affine3d& map)
+{
+  placements_[part] = map * placements_[part];
+  if (points_[part].cols() > 0) points_[part] = map * points_[part];
+  if (others_[part].cols() > 0) others_[part] = map * others_[part];
+}
+
+void In_between_shape::ride_the_whole()
+{
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (!blend_.parts[i].morph) place(i, box_map(blend_.boxes[std::size_t(blend_.parts[i].end())], due_box()));
+}
+
+void In_between_shape::close_contacts()
+{
+  constexpr double least_stretch = 0.7, most_stretch = 1.4, least_size = 1e-3;
+  std::vector<Moving_body> bodies(points_.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!is_there(i)) continue;
+    const contacts::Box box = box_of(points_[i]);
+    bodies[i] = {box.center(), std::max(box.diagonal().norm() / 2, least_size)};
+  }
+  Affine_motion_solver solver(bodies);
+  for (const Kept_contact& contact : blend_.contacts) {
+    const auto [a, b] = contact.parts;
+    if (!is_there(a) || !is_there(b)) continue;
+    const auto at = [&](std::size_t i) -> Point {
+      const std::size_t part = contact.parts[i];
+      return placements_[part] * blend_.parts[part].place(contact.points[i], progress_[part], remaining_[part]);
+    };
+    solver.add_contact(a, at(0), b, at(1), std::min(remaining_[a], remaining_[b]));
+  }
+  const std::vector<Affine_motion> motions = solver.solve();
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    if (!is_there(i)) continue;
+    const std::size_t image = blend_.parts[i].image;
+    const bool has_image = blend_.is_symmetric && image != Blend_task::no_part && is_there(image);
+    const Affine_motion motion = has_image ? motions[i].symmetrised(motions[image]) : motions[i];
+    place(i, motion.bounded(least_stretch, most_stretch).map());
   }
 }
 
-void In_between_shape::set_unmatched(std::size_t part, Points points)
+/// Stretches a part that stands to its height above the ground, and one that is in the ground up out of it; what is
+/// highest stays. What would be stretched too much moves as a whole.
+void In_between_shape::put_on_ground(std::size_t part)
 {
-  points_[part][0] = std::move(points);
-  has_moved_[part] = 1;
-  stretches_[part] = {};
-  if (remaining_[part] > nothing) surface_[part] = 0;
+  constexpr double least_stretch = 0.5, most_stretch = 2;
+  const Blend_part& own = blend_.parts[part];
+  const double low = points_[part].row(1).minCoeff(), high = points_[part].row(1).maxCoeff();
+  const double level = own.stands ? (1 - progress_[part]) * own.foot[0] + progress_[part] * own.foot[1] : 0;
+  if (!own.stands && low >= 0) return;
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  const double stretch = high - low > no_extent ? (high - level) / (high - low) : 0;
+  if (stretch > least_stretch && stretch < most_stretch) {
+    map.linear()(1, 1) = stretch;
+    map.translation().y() = high - stretch * high;
+  } else {
+    map.translation().y() = level - low;
+  }
+  place(part, map);
 }
 
-Points& In_between_shape::moving_points(std::size_t part)
+/// Stretches the whole so that it fills the box that is due. Unmatched parts count as far as there is something of
+/// them, so that nothing jumps when one goes.
+void In_between_shape::fill_the_box()
 {
-  has_moved_[part] = 1;
-  return points_[part][std::size_t(surface_[part])];
+  constexpr double little = 0.25; // what remains of a part from where on it counts less and less
+  contacts::Box matched;
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (blend_.parts[i].morph) matched.extend(box_of(points_[i]));
+  if (matched.isEmpty()) return;
+  contacts::Box all = matched;
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (is_there(i) && !blend_.parts[i].morph) {
+      const double share = std::min(1., remaining_[i] / little);
+      const contacts::Box with = matched.merged(box_of(points_[i]));
+      all.extend(between(matched, with, share));
+    }
+  all.min().y() = std::min(0., all.min().y());
+  if (blend_.is_symmetric) {
+    const double half = std::max(-all.min().x(), all.max().x());
+    all.min().x() = -half;
+    all.max().x() = half;
+  }
+  contacts::Box due = due_box();
+  if (blend_.is_symmetric) {
+    const double half = std::max(-due.min().x(), due.max().x());
+    due.min().x() = -half;
+    due.max().x() = half;
+  }
+  const Eigen::Affine3d map = box_map(all, due);
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    place(i, map);
 }
-
-const In_between_shape::Tree& In_between_shape::tree(std::size_t part)
-{
-  std::optional<Tree>& tree = trees_[part];
-  if (!tree) tree = blend_.parts[part].trees[std::size_t(surface_[part])];
-  if (!has_moved_[part]) return *tree;
-  const Eigen::Matrix3Xi& triangles = blend_.parts[part].triangles(surface_[part]);
-  tree->move([&](std::size_t t) { return triangle_of(points(part), triangles, t); });
-  has_moved_[part] = 0;
-  return *tree;
-}
-
-const In_between_shape::Trees& In_between_shape::trees()
-{
-  for (std::size_t part = 0; part < trees_.size(); ++part)
-    if (is_there(part)) tree(part);
-  return trees_;
-}
-
-void In_between_shape::drop_trees()
-{
-  trees_.assign(trees_.size(), std::nullopt);
-  has_moved_.assign(trees_.size(), 1);
-}
-
-void In_between_shape::apply(const Affine_motion& motion, std::size_t part)
-{
-  if (motion.is_none()) return;
-  has_moved_[part] = 1;
-  for (Points& surface : points_[part])
-    motion.apply(surface);
-  motion.apply(others_[part]);
-}
-
-double In_between_shape::needed_rise(std::size_t part) const
-{
-  const Blend_part& standing = blend_.parts[part];
-  if (!standing.stands) return std::max(0., ground() - lowest(part));
-  const double level = (1 - t_) * standing.foot[0] + t_ * standing.foot[1];
-  return ground() + level - lowest(part);
-}
-
-void In_between_shape::add_disconnection(double gap) { widest_disconnection_ = std::max(widest_disconnection_, gap); }
 
 } // namespace CGAL::Shape_correspondence::internal

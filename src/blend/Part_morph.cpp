@@ -50,30 +50,6 @@ void Part_morph::exchange()
   is_exchange_ = true;
 }
 
-void Part_morph::exchange_in_boxes()
-{
-  if (!is_exchange_) exchange();
-  const std::array<Points, 2> own = {points(0, 0), points(1, 1)};
-  for (int end : {0, 1})
-    put_into_box(end, own[std::size_t(end)]);
-}
-
-void Part_morph::put_into_box(int end, const Points& own)
-{
-  Part_chart& chart = end == 0 ? source_ : target_;
-  chart = Part_chart::box(own, chart.axes());
-  Charted_mesh mesh{own, moving(end).triangles, own, own};
-  for (Eigen::Index i = 0; i < own.cols(); ++i) {
-    mesh.coordinates.col(i) = chart.coordinates(own.col(i));
-    mesh.offsets.col(i) =
-        chart.frame(mesh.coordinates.col(i)).transpose() * (own.col(i) - chart(mesh.coordinates.col(i)));
-  }
-  const Moving_surface before = moving(end);
-  moving(end) = at_rest(mesh);
-  moving(end).begin = before.begin;
-  moving(end).end = before.end;
-}
-
 double Part_morph::remaining(int surface, double t)
 {
   const double gone = surface == 0 ? t : 1 - t;
@@ -88,15 +64,24 @@ Points Part_morph::points(int surface, double t, double remaining) const
   const Moving_surface& mesh = moving(surface);
   const double own_time = forward_ ? t : 1 - t;
   const double moved = std::clamp((own_time - mesh.begin) / std::max(mesh.end - mesh.begin, instant), 0., 1.);
-  const Point scale = is_exchange_ ? Point(remaining * narrowing(t)) : Point::Ones();
+  const Point left = is_exchange_ ? thinning(remaining) : Point::Ones();
+  const Point scale = is_exchange_ ? Point(left.cwiseProduct(narrowing(t))) : left;
   Points result(3, mesh.coordinates[0].cols());
   for (Eigen::Index i = 0; i < result.cols(); ++i) {
     const Point q = (1 - moved) * mesh.coordinates[0].col(i) + moved * mesh.coordinates[1].col(i);
     const Point k = is_exchange_ ? scale.cwiseProduct(q) : outline.absolute(q);
-    const Point off = remaining * ((1 - own_time) * mesh.offsets[0].col(i) + own_time * mesh.offsets[1].col(i));
+    const Point off = left.minCoeff() * ((1 - own_time) * mesh.offsets[0].col(i) + own_time * mesh.offsets[1].col(i));
     result.col(i) = chart(k) + chart.frame(k) * off;
   }
   return result;
+}
+
+/// Neither a plate nor, lengthwise, a rod.
+bool Part_morph::is_block() const
+{
+  constexpr double elongated = 2; // over the extents across
+  const Point extents = source_.half_extents() + target_.half_extents();
+  return !source_.is_sheet() && extents[0] <= elongated * std::max(extents[1], extents[2]);
 }
 
 /// By how much extents across that go over by equal factors in equal times are less than those that go over evenly: a
@@ -105,9 +90,30 @@ Point Part_morph::narrowing(double t) const
 {
   const Point a = source_.half_extents(), b = target_.half_extents();
   Point result = Point::Ones();
-  for (int axis = source_.is_sheet() ? 2 : 1; axis < 3; ++axis)
+  for (int axis = source_.is_sheet() ? 2 : 1; axis < 3 && !is_block(); ++axis)
     result[axis] = std::pow(a[axis], 1 - t) * std::pow(b[axis], t) / ((1 - t) * a[axis] + t * b[axis]);
   return result;
+}
+
+/// What remains is as much of the volume: a plate thins, a rod across, a block as a whole.
+Point Part_morph::thinning(double remaining) const
+{
+  if (source_.is_sheet()) return {1, 1, remaining};
+  if (is_block()) return Point::Constant(std::cbrt(remaining));
+  return {1, std::sqrt(remaining), std::sqrt(remaining)};
+}
+
+Point Part_morph::coordinates(int end, const Point& p) const
+{
+  const Point k = (end == 0 ? source_ : target_).coordinates(p);
+  return is_exchange_ ? k : outlines_[std::size_t(end)].relative(k);
+}
+
+Point Part_morph::place(const Point& coordinates, double t) const
+{
+  const Part_chart chart = Part_chart::between(source_, target_, t);
+  return chart(is_exchange_ ? narrowing(t).cwiseProduct(coordinates)
+                            : Chart_outline::between(outlines_[0], outlines_[1], t).absolute(coordinates));
 }
 
 double Part_morph::Moving_surface::reach() const

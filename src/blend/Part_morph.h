@@ -25,7 +25,7 @@ struct Pair_charts;
 /// any time: closed if both are.
 ///
 /// Where that fails, the surfaces are *exchanged*: both go the way of the pair's charts as they are. In the first half
-/// the target's grows from the middle of the source's; in the second half the source's shrinks to there.
+/// the target's thickens in the middle of the source's; in the second half the source's thins to there.
 class Part_morph
 {
 public:
@@ -37,8 +37,6 @@ public:
   bool is_exchange() const { return is_exchange_; }
   /// Makes it an exchange.
   void exchange();
-  /// The same in straight charts, of the boxes around both surfaces: nothing is bent, so nothing is torn.
-  void exchange_in_boxes();
 
   /// The surfaces, the one at the source's end first.
   const Eigen::Matrix3Xi& triangles(int surface) const { return moving(surface).triangles; }
@@ -48,10 +46,14 @@ public:
   double switch_time() const { return forward_ ? surfaces_.change : 1 - surfaces_.change; }
 
   /// The points of a surface at `t`, also where it is not the one that there is.
-  /// \param remaining how much there is of it, in [0, 1], about the middle
+  /// \param remaining how much there is of it, in [0, 1]
   Points points(int surface, double t, double remaining = 1) const;
   /// In an exchange, how much there is of a surface.
   static double remaining(int surface, double t);
+
+  /// Coordinates of a point at an end, and where such coordinates are at `t`, before the surfaces fit in exactly.
+  Point coordinates(int end, const Point& p) const;
+  Point place(const Point& coordinates, double t) const;
 
 private:
   struct Moving_surface
@@ -70,15 +72,15 @@ private:
     double change = 1; ///< when the second takes over
   };
 
+  bool is_block() const;
   Point narrowing(double t) const;
-  void put_into_box(int end, const Points& own);
+  Point thinning(double remaining) const;
   static Moving_surface at_rest(const Charted_mesh& mesh);
   static Surface_pair surface_pair(const Charted_mesh& a, const Charted_mesh& b);
   const Moving_surface& moving(int surface) const
   {
     return (surface == 0) == forward_ ? surfaces_.first : surfaces_.second;
   }
-  Moving_surface& moving(int surface) { return (surface == 0) == forward_ ? surfaces_.first : surfaces_.second; }
 
   Part_chart source_, target_;
   std::vector<Chart_outline> outlines_; ///< by end

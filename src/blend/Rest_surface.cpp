@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -153,6 +154,23 @@ Points Rest_surface::samples(const Points& points) const
     result.col(Eigen::Index(i)) = (points.col(corners[0]) + points.col(corners[1]) + points.col(corners[2])) / 3;
   }
   return result;
+}
+
+double thinning_of(const std::array<std::optional<Rest_surface>, 2>& ends, const Surface_extent& extent,
+                   double remaining)
+{
+  bool are_closed = true, is_flat = false;
+  for (const std::optional<Rest_surface>& surface : ends)
+    if (surface) {
+      are_closed = are_closed && surface->is_closed() && surface->extent().thickness > Surface_extent::least_thickness;
+      is_flat = is_flat || surface->extent().is_flat();
+    }
+  if (is_flat) return 0;
+  const auto thickness = [&](const Surface_extent& of) { return are_closed ? of.thickness : of.spread(); };
+  double at_ends = std::numeric_limits<double>::infinity();
+  for (const std::optional<Rest_surface>& surface : ends)
+    if (surface) at_ends = std::min(at_ends, thickness(surface->extent()));
+  return std::max(0., 1 - thickness(extent) / (at_ends * remaining));
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -6,6 +6,7 @@
 #include <CGAL/Shape_correspondence/Points.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -58,5 +59,10 @@ private:
   Eigen::VectorXd longest_;          ///< by triangle, its longest edge, squared
   std::vector<Eigen::Index> chosen_; ///< triangles
 };
+
+/// By what share a surface is thinner than surfaces at the ends, where they are thinnest, or than what is left of them.
+/// \param remaining how much there is of it
+double thinning_of(const std::array<std::optional<Rest_surface>, 2>& ends, const Surface_extent& extent,
+                   double remaining);
 
 } // namespace CGAL::Shape_correspondence::internal

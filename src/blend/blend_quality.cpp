@@ -5,156 +5,444 @@
 
 #include "base/quantized.h"
 #include "blend/mirror_images.h"
-#include "blend/visible_quality.h"
+#include "blend/surface_components.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <numeric>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace CGAL::Shape_correspondence::internal {
+namespace CGAL::Shape_correspondence {
+
+const std::vector<Blend_measure>& blend_measures()
+{
+  static const std::vector<Blend_measure> measures = {
+      {"height", &Blend_quality::height, Shape_blend::height_tolerance, "share by which the shape is too high or low"},
+      {"hull", &Blend_quality::hull, Shape_blend::hull_tolerance, "share by which its convex hull is too large or small"},
+      {"volume", &Blend_quality::volume, Shape_blend::volume_tolerance, "share by which its volume is too large or small"},
+      {"support", &Blend_quality::support, Shape_blend::support_tolerance,
+       "share of the parts on the ground that is missing"},
+      {"gone", &Blend_quality::gone, Shape_blend::gone_tolerance, "share by which a part that stays is too small"},
+      {"rotation", &Blend_quality::rotation, Shape_blend::rotation_tolerance,
+       "radians by which a part turns more than it has to"},
+      {"travel", &Blend_quality::travel, Shape_blend::travel_tolerance, "distance of a part from its straight way"},
+      {"gap", &Blend_quality::gap, Shape_blend::contact_tolerance,
+       "how much wider a contact is than in the source and the target"},
+      {"apart", &Blend_quality::apart, Shape_blend::apart_tolerance,
+       "how much wider gaps it takes to join all parts than there"},
+      {"asymmetry", &Blend_quality::asymmetry, Shape_blend::symmetry_tolerance,
+       "distance of the shape from its mirror image"},
+      {"ground", &Blend_quality::ground, Shape_blend::ground_tolerance, "distance of the feet from the ground"},
+      {"thinning", &Blend_quality::thinning, Shape_blend::thinning_tolerance,
+       "share by which a part is thinner than in the source and the target"},
+      {"area", &Blend_quality::area, Shape_blend::area_tolerance, "share by which the surface is larger"},
+      {"torn", &Blend_quality::torn, Shape_blend::torn_tolerance, "share of the surface that is torn or folded"},
+      {"overlap", &Blend_quality::overlap, Shape_blend::overlap_tolerance,
+       "share of the surface that lies inside other parts"}};
+  return measures;
+}
+
+namespace internal {
 namespace {
 
-using Trees = In_between_shape::Trees;
-
-/// By how much a contact that is to be kept is wider than it may be, at most, and between which parts.
-struct Open_contact
+/// A measure of a shape, and the parts where it is worst.
+struct Worst_parts
 {
-  double gap = 0;
-  std::array<std::size_t, 2> parts{};
+  double value = 0;
+  std::array<std::size_t, 2> parts{}; ///< the same twice where it is a measure of one
+
+  void improve(double other, std::size_t a, std::size_t b)
+  {
+    if (other > value) value = other, parts = {a, b};
+  }
+  void improve(double other, std::size_t part) { improve(other, part, part); }
 };
 
-Open_contact widest_contact(const In_between_shape& shape, const Trees& trees)
+/// By which share something is larger, or smaller, than is due.
+double off_due(double value, double due) { return due > 0 ? std::abs(value / due - 1) : 0; }
+
+/// Between volumes, as if lengths were between.
+double due_volume(double a, double b, double t)
 {
-  Open_contact widest;
-  for (const Contact_constraint& contact : shape.blend().contacts) {
-    const auto [a, b] = contact.parts;
-    const double allowed = contact.allowed_gap(shape.time());
-    const double gap = std::sqrt(trees[a]->nearly_closest(*trees[b], allowed).squared) - allowed;
-    if (gap > widest.gap) widest = {gap, contact.parts};
-  }
-  return widest;
+  return std::pow((1 - t) * std::cbrt(a) + t * std::cbrt(b), 3);
 }
 
-/// How far a part that stands is above the place on the ground, or above it, that it has at the ends, or below it
-/// (negative), where that is most.
-struct Lifted_foot
+/// Measures a shape part by part.
+class Shape_measure
 {
-  double height = 0;
-  std::size_t part = 0;
+public:
+  explicit Shape_measure(const In_between_shape& shape)
+      : shape_(shape), trees_(shape.trees()), extents_(shape.number_of_parts()), others_(shape.number_of_parts())
+  {
+    for (std::size_t part = 0; part < extents_.size(); ++part) {
+      if (!shape.is_there(part)) continue;
+      extents_[part] = rest(part).extent(shape.points(part));
+      area_ += extents_[part].area;
+      if (shape.has_other(part)) add_other(part);
+    }
+  }
+
+  Blend_quality quality() const
+  {
+    Blend_quality result;
+    const double t = shape_.progress();
+    result.height = off_due(box().sizes().y(), shape_.due_box().sizes().y());
+    result.hull = off_due(hull_volume(surfaces()), due_volume(look(0).hull, look(1).hull, t));
+    result.volume = off_due(volume(), due_volume(look(0).volume, look(1).volume, t));
+    result.support = support();
+    result.gone = gone().value;
+    result.rotation = rotation().value;
+    result.travel = travel().value;
+    result.gap = gap().value;
+    result.apart = apart();
+    if (blend().is_symmetric) result.asymmetry = mirror_residual(surfaces(), trees_);
+    result.ground = std::abs(lifted_foot().value);
+    result.thinning = thinning().value;
+    result.area = area().value;
+    result.torn = torn().value;
+    result.overlap = overlap().value;
+    return result;
+  }
+
+  std::vector<std::string> faults(const Blend_quality& quality) const;
+
+private:
+  /// The other surface of an exchange.
+  struct Other_surface
+  {
+    Surface_extent extent;
+    Points samples;
+    contacts::Triangle_tree tree;
+    double seen, others_seen; ///< shares of it, and of the one that is there as a whole
+  };
+
+  void add_other(std::size_t i)
+  {
+    const Points& points = shape_.other_points(i);
+    const Rest_surface& own = other_rest(i);
+    others_[i].emplace(Other_surface{own.extent(points), own.samples(points),
+                                     *part(i).trees[std::size_t(1 - shape_.surface(i))], 1, 1});
+    Other_surface& other = *others_[i];
+    const Eigen::Matrix3Xi& triangles = part(i).triangles(1 - shape_.surface(i));
+    other.tree.move([&](std::size_t t) { return triangle_of(points, triangles, t); });
+    area_ += other.extent.area;
+    other.seen = 1 - hidden_share(other.samples, *trees_[i], true);
+    other.others_seen = 1 - hidden_share(rest(i).samples(shape_.points(i)), other.tree, false);
+  }
+
+  const Blend_structure& blend() const { return shape_.blend(); }
+  const Blend_part& part(std::size_t part) const { return shape_.part(part); }
+  const Rest_surface& rest(std::size_t part) const
+  {
+    return *shape_.part(part).rests[std::size_t(shape_.surface(part))];
+  }
+  const Rest_surface& other_rest(std::size_t part) const
+  {
+    return *shape_.part(part).rests[std::size_t(1 - shape_.surface(part))];
+  }
+  const End_look& look(std::size_t end) const { return blend().looks[end]; }
+  const contacts::Box& end_box(std::size_t i, int end) const
+  {
+    return part(i).trees[std::size_t(part(i).end_surface(end))]->box();
+  }
+
+  std::vector<const Points*> surfaces() const
+  {
+    std::vector<const Points*> result;
+    for (std::size_t i = 0; i < extents_.size(); ++i)
+      if (shape_.is_there(i)) result.push_back(&shape_.points(i));
+    return result;
+  }
+
+  contacts::Box box() const
+  {
+    contacts::Box result;
+    for (const std::optional<contacts::Triangle_tree>& tree : trees_)
+      if (tree) result.extend(tree->box());
+    return result;
+  }
+
+  double volume_of(std::size_t i) const
+  {
+    const auto own = [](const Rest_surface& rest, const Surface_extent& extent) {
+      return rest.is_closed() ? std::abs(extent.volume) : 0;
+    };
+    const double there = own(rest(i), extents_[i]);
+    return others_[i] ? others_[i]->others_seen * there + others_[i]->seen * own(other_rest(i), others_[i]->extent)
+                      : there;
+  }
+
+  double volume() const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < extents_.size(); ++i)
+      if (shape_.is_there(i)) sum += volume_of(i);
+    return sum;
+  }
+
+  double support() const
+  {
+    double standing = 0;
+    for (std::size_t i = 0; i < extents_.size(); ++i)
+      if (shape_.is_there(i)) standing += trees_[i]->box().min().y() <= Blend_part::on_ground;
+    const double due = (1 - shape_.progress()) * look(0).supports + shape_.progress() * look(1).supports;
+    return due > 0 ? std::max(0., 1 - standing / due) : 0;
+  }
+
+  Worst_parts gone() const
+  {
+    Worst_parts worst;
+    for (std::size_t i = 0; i < extents_.size(); ++i) {
+      if (!part(i).morph) continue;
+      const auto across = [](const contacts::Box& box) { return box.diagonal().norm(); };
+      const double t = shape_.progress(i), due = (1 - t) * across(end_box(i, 0)) + t * across(end_box(i, 1));
+      worst.improve(1 - across(trees_[i]->box()) / due, i);
+    }
+    return worst;
+  }
+
+  Worst_parts rotation() const
+  {
+    Worst_parts worst;
+    for (std::size_t i = 0; i < extents_.size(); ++i)
+      worst.improve(part(i).needless_turn, i);
+    return worst;
+  }
+
+  /// Of matched parts, from the way between their places in the boxes of the shapes.
+  Worst_parts travel() const
+  {
+    Worst_parts worst;
+    for (std::size_t i = 0; i < extents_.size(); ++i) {
+      if (!part(i).morph) continue;
+      const double t = shape_.progress(i);
+      const Point due = (1 - t) * end_box(i, 0).center() + t * end_box(i, 1).center();
+      worst.improve((trees_[i]->box().center() - due).norm(), i);
+    }
+    return worst;
+  }
+
+  Worst_parts gap() const
+  {
+    Worst_parts worst;
+    for (const Kept_contact& contact : blend().contacts) {
+      const auto [a, b] = contact.parts;
+      if (!part(a).morph || !part(b).morph) continue;
+      const double allowed = contact.allowed_gap(shape_.progress());
+      worst.improve(std::sqrt(trees_[a]->nearly_closest(*trees_[b], allowed).squared) - allowed, a, b);
+    }
+    return worst;
+  }
+
+  double apart() const
+  {
+    std::vector<const contacts::Triangle_tree*> there;
+    for (const std::optional<contacts::Triangle_tree>& tree : trees_)
+      if (tree) there.push_back(&*tree);
+    return std::max(0., widest_gap(there) - std::max(blend().widest_gap[0], blend().widest_gap[1]));
+  }
+
+  /// How far a part that stands at both ends is above the height of its foot there, or below (negative).
+  Worst_parts lifted_foot() const
+  {
+    Worst_parts worst;
+    for (std::size_t i = 0; i < extents_.size(); ++i) {
+      if (!part(i).morph || !part(i).stands) continue;
+      const double t = shape_.progress(i), due = (1 - t) * part(i).foot[0] + t * part(i).foot[1];
+      const double lifted = trees_[i]->box().min().y() - due;
+      if (std::abs(lifted) > std::abs(worst.value)) worst = {lifted, {i, i}};
+    }
+    return worst;
+  }
+
+  Worst_parts thinning() const
+  {
+    Worst_parts worst;
+    for (std::size_t i = 0; i < extents_.size(); ++i)
+      if (part(i).morph) worst.improve(thinning_of(part(i).rests, extents_[i], 1), i);
+    return worst;
+  }
+
+  /// By what share the surface is larger than at the ends, with the part that is over its own most.
+  Worst_parts area() const
+  {
+    Worst_parts worst;
+    double sum = 0;
+    for (std::size_t i = 0; i < extents_.size(); ++i) {
+      if (!shape_.is_there(i)) continue;
+      double own = extents_[i].area;
+      if (others_[i]) own = others_[i]->others_seen * own + others_[i]->seen * others_[i]->extent.area;
+      double at_ends = 0;
+      for (const std::optional<Rest_surface>& surface : part(i).rests)
+        if (surface) at_ends = std::max(at_ends, surface->extent().area);
+      worst.improve(own - at_ends, i);
+      sum += own;
+    }
+    const double most = std::max(look(0).area, look(1).area);
+    worst.value = most > 0 ? std::max(0., sum / most - 1) : 0;
+    return worst;
+  }
+
+  Worst_parts torn() const
+  {
+    Worst_parts worst;
+    double sum = 0;
+    for (std::size_t i = 0; i < extents_.size(); ++i) {
+      if (!shape_.is_there(i) || !part(i).morph) continue;
+      double area = rest(i).torn_area(shape_.points(i), extents_[i]);
+      if (others_[i]) area += other_rest(i).torn_area(shape_.other_points(i), others_[i]->extent);
+      worst.improve(area, i);
+      sum += area;
+    }
+    worst.value = area_ > 0 ? sum / area_ : 0;
+    return worst;
+  }
+
+  /// How much of the surface is inside other parts, more than at the ends; what thins or thickens may be.
+  Worst_parts overlap() const
+  {
+    constexpr double least_share = 0.1; // of a part's surface, less may be the samples' chance
+    std::vector<Seen_surface> seen;
+    for (std::size_t i = 0; i < extents_.size(); ++i)
+      if (part(i).morph)
+        seen.push_back({i, rest(i).samples(shape_.points(i)), &*trees_[i], rest(i).is_closed(), extents_[i].volume > 0});
+    Worst_parts worst;
+    double sum = 0;
+    for (const auto& [pair, share] : overlaps_of(seen)) {
+      double known = 0;
+      for (std::size_t end : {0u, 1u}) {
+        const auto found = look(end).overlaps.find(pair);
+        if (found != look(end).overlaps.end()) known = std::max(known, found->second);
+      }
+      if (share - known < least_share) continue;
+      const double area = (share - known) * extents_[pair[0]].area;
+      worst.improve(area, pair[0], pair[1]);
+      sum += area;
+    }
+    worst.value = area_ > 0 ? sum / area_ : 0;
+    return worst;
+  }
+
+  std::string most_asymmetric() const;
+  std::string quoted(std::size_t i) const { return '\'' + part(i).name + '\''; }
+
+  const In_between_shape& shape_;
+  const In_between_shape::Trees trees_;
+  std::vector<Surface_extent> extents_; ///< by part
+  std::vector<std::optional<Other_surface>> others_;
+  double area_ = 0;
 };
 
-Lifted_foot worst_foot(const In_between_shape& shape)
+std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
+
+std::string two_digits(double value)
 {
-  Lifted_foot worst;
-  for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
-    const double height = shape.is_there(part) && shape.part(part).stands ? -shape.needed_rise(part) : 0;
-    if (std::abs(height) > std::abs(worst.height)) worst = {height, part};
-  }
-  return worst;
+  std::ostringstream text;
+  text << std::setprecision(2) << value;
+  return text.str();
 }
 
-double asymmetry(const In_between_shape& shape, const Trees& trees)
-{
-  std::vector<const Points*> surfaces;
-  for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
-    if (shape.is_there(part)) surfaces.push_back(&shape.points(part));
-  return mirror_residual(surfaces, trees);
-}
-
-/// By part, how far it is from the mirror image of the shape; not there: 0.
-std::vector<double> asymmetries(const In_between_shape& shape, const Trees& trees)
-{
-  std::vector<double> result(shape.number_of_parts(), 0);
-  for (std::size_t part = 0; part < result.size(); ++part)
-    if (shape.is_there(part)) result[part] = mirror_residual({&shape.points(part)}, trees);
-  return result;
-}
-
-Blend_quality quality(const In_between_shape& shape, const Trees& trees, const Visible_quality& seen)
-{
-  Blend_quality result;
-  result.thinning = seen.thinning.value;
-  result.area = seen.area.value;
-  result.volume = seen.volume.value;
-  result.torn = seen.torn.value;
-  result.overlap = seen.overlap.value;
-  result.wobble = seen.wobble.value;
-  result.gap = widest_contact(shape, trees).gap;
-  result.apart = shape.widest_disconnection();
-  result.ground = std::abs(worst_foot(shape).height);
-  if (shape.blend().is_symmetric) result.asymmetry = asymmetry(shape, trees);
-  return result;
-}
-
-void add_contact_fault(const In_between_shape& shape, const Trees& trees, std::vector<std::string>& faults)
-{
-  const Open_contact contact = widest_contact(shape, trees);
-  if (contact.gap <= Shape_blend::contact_tolerance) return;
-  faults.push_back("The contact of " + quoted(shape, contact.parts[0]) + " and " + quoted(shape, contact.parts[1]) +
-                   " is open by " + two_digits(contact.gap) + " of the height.");
-}
-
-void add_foot_fault(const In_between_shape& shape, std::vector<std::string>& faults)
-{
-  const Lifted_foot foot = worst_foot(shape);
-  if (std::abs(foot.height) <= Shape_blend::ground_tolerance) return;
-  faults.push_back("The foot of " + quoted(shape, foot.part) + " is " + two_digits(std::abs(foot.height)) +
-                   " of the height " + (foot.height > 0 ? "above" : "below") + " its place on the ground.");
-}
+double end_asymmetry(const Blend_structure& blend) { return std::max(blend.end_asymmetry[0], blend.end_asymmetry[1]); }
 
 /// The parts that are farthest from the mirror image of the shape, and how far.
-std::string most_asymmetric(const In_between_shape& shape, const Trees& trees)
+std::string Shape_measure::most_asymmetric() const
 {
   constexpr std::size_t most_named = 3;
-  const std::vector<double> asymmetry = asymmetries(shape, trees);
+  std::vector<double> asymmetry(extents_.size(), 0);
+  for (std::size_t i = 0; i < asymmetry.size(); ++i)
+    if (shape_.is_there(i)) asymmetry[i] = mirror_residual({&shape_.points(i)}, trees_);
   std::vector<std::size_t> order(asymmetry.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return quantized(asymmetry[a]) > quantized(asymmetry[b]); });
   std::string result;
   for (std::size_t i = 0; i < std::min(most_named, order.size()); ++i) {
-    if (asymmetry[order[i]] <= end_asymmetry(shape.blend()) + Shape_blend::symmetry_tolerance) break;
-    result += (i > 0 ? ", " : "") + quoted(shape, order[i]) + " by " + two_digits(asymmetry[order[i]]);
-    if (!shape.part(order[i]).has_image()) result += " (it has no mirror image)";
+    if (asymmetry[order[i]] <= end_asymmetry(blend()) + Shape_blend::symmetry_tolerance) break;
+    result += (i > 0 ? ", " : "") + quoted(order[i]) + " by " + two_digits(asymmetry[order[i]]);
+    if (!part(order[i]).has_image()) result += " (it has no mirror image)";
   }
   return result;
 }
 
-/// \param asymmetry of the whole shape
-void add_symmetry_fault(const In_between_shape& shape, const Trees& trees, double asymmetry,
-                        std::vector<std::string>& faults)
+std::vector<std::string> Shape_measure::faults(const Blend_quality& quality) const
 {
-  const double excess = asymmetry - end_asymmetry(shape.blend());
-  if (excess <= Shape_blend::symmetry_tolerance) return;
-  faults.push_back("It is farther from its mirror image than the ends by " + two_digits(excess) +
-                   " of the height, most of all " + most_asymmetric(shape, trees) + '.');
+  std::vector<std::string> result;
+  const auto is_over = [&](double Blend_quality::*value) {
+    const auto& all = blend_measures();
+    const auto measure = std::find_if(all.begin(), all.end(), [&](const auto& other) { return other.value == value; });
+    const double most = measure->tolerance + (value == &Blend_quality::asymmetry ? end_asymmetry(blend()) : 0);
+    return quality.*value > most;
+  };
+  const auto add = [&](const std::string& fault) { result.push_back(fault); };
+  if (is_over(&Blend_quality::height)) add("The shape is higher or lower than is due by " + percent(quality.height) + '.');
+  if (is_over(&Blend_quality::hull))
+    add("The convex hull is larger or smaller than is due by " + percent(quality.hull) + '.');
+  if (is_over(&Blend_quality::volume))
+    add("The volume is larger or smaller than is due by " + percent(quality.volume) + '.');
+  if (is_over(&Blend_quality::support))
+    add("Of the parts that are due to stand on the ground, " + percent(quality.support) + " do not.");
+  if (is_over(&Blend_quality::gone))
+    add(quoted(gone().parts[0]) + ", which both ends have, is smaller than is due by " + percent(quality.gone) + '.');
+  if (is_over(&Blend_quality::rotation))
+    add(quoted(rotation().parts[0]) + " turns by " + two_digits(quality.rotation) + " radians more than it has to.");
+  if (is_over(&Blend_quality::travel))
+    add(quoted(travel().parts[0]) + " is " + two_digits(quality.travel) + " of the height off its way.");
+  if (is_over(&Blend_quality::gap)) {
+    const auto [a, b] = gap().parts;
+    add("The contact of " + quoted(a) + " and " + quoted(b) + " is open by " + two_digits(quality.gap) +
+        " of the height.");
+  }
+  if (is_over(&Blend_quality::apart))
+    add("Parts are farther from all others than at the ends by " + two_digits(quality.apart) + " of the height.");
+  if (is_over(&Blend_quality::asymmetry))
+    add("It is farther from its mirror image than the ends by " +
+        two_digits(quality.asymmetry - end_asymmetry(blend())) + " of the height, most of all " + most_asymmetric() +
+        '.');
+  if (is_over(&Blend_quality::ground)) {
+    const Worst_parts foot = lifted_foot();
+    add("The foot of " + quoted(foot.parts[0]) + " is " + two_digits(std::abs(foot.value)) + " of the height " +
+        (foot.value > 0 ? "above" : "below") + " its place on the ground.");
+  }
+  if (is_over(&Blend_quality::thinning))
+    add(quoted(thinning().parts[0]) + " is thinner than at the ends by " + percent(quality.thinning) + '.');
+  if (is_over(&Blend_quality::area))
+    add("The surface is larger than at the ends by " + percent(quality.area) + ", most of all that of " +
+        quoted(area().parts[0]) + '.');
+  if (is_over(&Blend_quality::torn))
+    add(percent(quality.torn) + " of the surface are torn or folded, most of all at " + quoted(torn().parts[0]) + '.');
+  if (is_over(&Blend_quality::overlap)) {
+    const auto [a, b] = overlap().parts;
+    add(percent(quality.overlap) + " of the surface have gone into other parts, most of all " + quoted(a) + " into " +
+        quoted(b) + '.');
+  }
+  return result;
 }
 
 } // namespace
 
-Blend_quality quality(In_between_shape shape)
+Blend_quality quality(const In_between_shape& shape) { return Shape_measure(shape).quality(); }
+
+Blend_check check(const In_between_shape& shape)
 {
-  const Trees& trees = shape.trees();
-  return quality(shape, trees, visible_quality(shape, trees));
+  const Shape_measure measure(shape);
+  const Blend_quality quality = measure.quality();
+  return {quality, measure.faults(quality)};
 }
 
-double end_asymmetry(const Blend_structure& blend) { return std::max(blend.end_asymmetry[0], blend.end_asymmetry[1]); }
-
-Blend_check check(In_between_shape shape)
+double cost_of(const Blend_quality& quality, const Blend_structure& blend)
 {
-  const Trees& trees = shape.trees();
-  const Visible_quality seen = visible_quality(shape, trees);
-  Blend_check result{quality(shape, trees, seen), {}};
-  add_contact_fault(shape, trees, result.faults);
-  add_foot_fault(shape, result.faults);
-  add_symmetry_fault(shape, trees, result.quality.asymmetry, result.faults);
-  for (std::string& fault : visible_faults(seen, shape))
-    result.faults.push_back(std::move(fault));
+  double result = 0;
+  for (const Blend_measure& measure : blend_measures()) {
+    const double own = measure.value == &Blend_quality::asymmetry ? end_asymmetry(blend) : 0;
+    result += std::max(0., quality.*measure.value - own) / measure.tolerance;
+  }
   return result;
 }
 
-} // namespace CGAL::Shape_correspondence::internal
+} // namespace internal
+} // namespace CGAL::Shape_correspondence

@@ -5,16 +5,15 @@
 
 #include "blend/In_between_shape.h"
 
-#include <CGAL/Shape_correspondence/blend_shapes.h>
-
 namespace CGAL::Shape_correspondence::internal {
 
-Blend_quality quality(In_between_shape shape);
+/// The measures of a shape.
+Blend_quality quality(const In_between_shape& shape);
 
-/// `Blend_quality::asymmetry` of that end which is less symmetric; shapes in between are measured against it.
-double end_asymmetry(const Blend_structure& blend);
+/// The measures of a shape, and which tolerances it exceeds.
+Blend_check check(const In_between_shape& shape);
 
-/// The quality, and what does not hold within the tolerances of `Shape_blend`.
-Blend_check check(In_between_shape shape);
+/// By how much a shape with the quality is over a tolerance, where that is 1: 0 at best.
+double cost_of(const Blend_quality& quality, const Blend_structure& blend);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/Blend_ends.h"
 #include "blend/In_between_cache.h"
 #include "blend/blend_quality.h"
 #include "blend/ease.h"
@@ -46,12 +45,12 @@ void check_options(const Blend_options& options)
 }
 
 /// What there is of a part, both surfaces where there are two.
-Part_mesh mesh_of(const Blend_structure& blend, const In_between_shape& shape, std::size_t part)
+Part_mesh mesh_of(const In_between_shape& shape, std::size_t part, double done)
 {
   const int surface = shape.surface(part);
-  Part_mesh result{blend.to_world(shape.points(part), shape.time()), shape.part(part).triangles(surface)};
+  Part_mesh result{shape.blend().to_world(shape.points(part), done), shape.part(part).triangles(surface)};
   if (!shape.has_other(part)) return result;
-  const Points other = blend.to_world(shape.other_points(part), shape.time());
+  const Points other = shape.blend().to_world(shape.other_points(part), done);
   const Eigen::Matrix3Xi& triangles = shape.part(part).triangles(1 - surface);
   const Eigen::Index points = result.points.cols(), given = result.triangles.cols();
   result.points.conservativeResize(3, points + other.cols());
@@ -117,9 +116,9 @@ Segmented_shape Shape_blend::operator()(double t) const
   if (t >= 1) return blend_->shapes[1];
   const std::shared_ptr<const In_between_shape> in_between = shapes_->at(t);
   const In_between_shape& shape = *in_between;
-  Segmented_shape result(blend_->shapes[0].name() + '~' + blend_->shapes[1].name(), blend_->up(t));
+  Segmented_shape result(blend_->shapes[0].name() + '~' + blend_->shapes[1].name(), blend_->shapes[0].up());
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
-    if (shape.is_there(part)) result.add_part(shape.part(part).name, mesh_of(*blend_, shape, part));
+    if (shape.is_there(part)) result.add_part(shape.part(part).name, mesh_of(shape, part, eased(t)));
   return result;
 }
 
@@ -161,11 +160,8 @@ std::vector<Points> Shape_blend::points(double t) const
   const std::shared_ptr<const In_between_shape> in_between = shapes_->at(t);
   const In_between_shape& shape = *in_between;
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
-    for (int surface = 0; surface < (shape.part(part).morph ? 2 : 1); ++surface) {
-      const bool is_other = shape.part(part).is_exchange() && surface != shape.surface(part);
-      const Points& points = is_other ? shape.other_points(part) : shape.points(part, surface);
-      result.push_back(blend_->to_world(points, shape.time()));
-    }
+    for (int surface = 0; surface < (shape.part(part).morph ? 2 : 1); ++surface)
+      result.push_back(blend_->to_world(shape.points(part, surface), eased(t)));
   return result;
 }
 

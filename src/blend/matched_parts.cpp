@@ -1,9 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/Blend_ends.h"
 #include "blend/Blend_part.h"
-#include "blend/exchange_reason.h"
+#include "blend/Blend_stage.h"
+#include "blend/like_leftovers.h"
+#include "blend/pair_boxes.h"
+#include "base/quantized.h"
 #include "map/piece_of.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
@@ -18,18 +20,52 @@ namespace {
 
 constexpr std::size_t none = Blend_task::no_part;
 
+/// What is wrong with the surfaces of a matched part on their way, where it is worst, as `Blend_quality` measures it.
+struct Surface_fault
+{
+  double torn = 0;       ///< area
+  double torn_share = 0; ///< of the surface
+  double thinning = 0;
+};
+
+/// Of the surface that there is, at some times.
+Surface_fault surface_fault(const Part_morph& morph)
+{
+  std::array<std::optional<Rest_surface>, 2> rests;
+  for (int end : {0, 1})
+    rests[std::size_t(end)].emplace(morph.points(end, end), morph.triangles(end));
+  const double change = morph.switch_time();
+  std::vector<std::pair<int, double>> samples = {{0, change}, {1, change}};
+  for (double t : {0.25, 0.5, 0.75})
+    if (t != change) samples.emplace_back(morph.surface(t), t);
+  Surface_fault result;
+  for (const auto& [surface, t] : samples) {
+    const Rest_surface& rest = *rests[std::size_t(surface)];
+    const Points points = morph.points(surface, t);
+    const Surface_extent extent = rest.extent(points);
+    const double torn = rest.torn_area(points, extent);
+    result.torn = std::max(result.torn, torn);
+    if (extent.area > 0) result.torn_share = std::max(result.torn_share, torn / extent.area);
+    result.thinning = std::max(result.thinning, thinning_of(rests, extent, 1));
+  }
+  return result;
+}
+
 /// Makes the parts of a blend from pairs of pieces.
 class Matched_part_maker
 {
 public:
-  Matched_part_maker(const Blend_ends& ends, const Correspondence& correspondence) : ends_(ends)
+  Matched_part_maker(const Blend_stage& stage, const Correspondence& correspondence) : stage_(stage)
   {
     Part_pairs paired = part_pairs(correspondence.pairs);
-    add_mirrored(paired, ends.images[0], ends.images[1]);
-    paired = matched_members(ends.charted[0], ends.charted[1], paired);
-    add_mirrored(paired, ends.images[0], ends.images[1]);
+    add_mirrored(paired, stage.images[0], stage.images[1]);
+    paired = matched_members(stage.charted[0], stage.charted[1], paired);
+    add_mirrored(paired, stage.images[0], stage.images[1]);
     leave_rings_out(paired);
-    pairs_ = piece_pairs(ends.charted[0], ends.charted[1], paired);
+    leftovers_ = like_leftovers(stage, paired);
+    paired.insert(paired.end(), leftovers_.begin(), leftovers_.end());
+    std::sort(paired.begin(), paired.end());
+    pairs_ = piece_pairs(stage.charted[0], stage.charted[1], paired);
     find_images(paired);
     find_uses();
     turn_own_images();
@@ -37,17 +73,13 @@ public:
 
   std::vector<Blend_part> parts() const
   {
-    std::vector<Blend_part> result;
-    std::vector<std::shared_ptr<Part_morph>> morphs;
+    std::vector<Making> makings;
     for (std::size_t i = 0; i < pairs_.size(); ++i)
-      result.push_back(part(i, images_[i] < i ? &result[images_[i]] : nullptr, morphs));
-    const std::vector<Blend_exchange> reasons = exchanges(result);
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      result[i].task.exchange = reasons[i];
-      if (reasons[i] == Blend_exchange::NONE) continue;
-      morphs[i]->exchange();
-      if (surface_fault(result[i]).torn_share > Shape_blend::torn_tolerance) morphs[i]->exchange_in_boxes();
-    }
+      makings.push_back(making(i, images_[i] < i ? &makings[images_[i]] : nullptr));
+    exchange_most_torn(makings);
+    std::vector<Blend_part> result;
+    for (Making& making : makings)
+      result.push_back(std::move(making.part));
     return result;
   }
 
@@ -64,8 +96,8 @@ private:
   void leave_rings_out(Part_pairs& paired) const
   {
     const auto is_torn = [&](const std::pair<std::size_t, std::size_t>& pair) {
-      return ends_.charted[0].parts[pair.first]->is_closed_curve() !=
-             ends_.charted[1].parts[pair.second]->is_closed_curve();
+      return stage_.charted[0].parts[pair.first]->is_closed_curve() !=
+             stage_.charted[1].parts[pair.second]->is_closed_curve();
     };
     const auto has_other = [&](const std::pair<std::size_t, std::size_t>& pair) {
       return std::any_of(paired.begin(), paired.end(), [&](const auto& other) {
@@ -81,7 +113,7 @@ private:
   void find_images(const Part_pairs& paired)
   {
     for (const auto& [s, t] : paired) {
-      const std::pair<std::size_t, std::size_t> image = {ends_.images[0][s], ends_.images[1][t]};
+      const std::pair<std::size_t, std::size_t> image = {stage_.images[0][s], stage_.images[1][t]};
       const auto found = std::lower_bound(paired.begin(), paired.end(), image);
       const bool is_paired = found != paired.end() && *found == image;
       images_.push_back(is_paired ? std::size_t(found - paired.begin()) : none);
@@ -91,7 +123,7 @@ private:
   void find_uses()
   {
     for (std::size_t end : {0u, 1u})
-      uses_[end].resize(ends_.meshes[end].size());
+      uses_[end].resize(stage_.meshes[end].size());
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       for (Use* use : {&uses_[0][pairs_[i].source], &uses_[1][pairs_[i].target]}) {
         ++use->count;
@@ -105,7 +137,7 @@ private:
     is_upright_.resize(pairs_.size(), 0);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       if (images_[i] != i) continue;
-      const std::optional<Eigen::Matrix3d> turn = mirrored_turn(pairs_[i], ends_.charted[0], ends_.charted[1]);
+      const std::optional<Eigen::Matrix3d> turn = mirrored_turn(pairs_[i], stage_.charted[0], stage_.charted[1]);
       is_upright_[i] = !turn;
       if (turn) pairs_[i].turn = *turn;
     }
@@ -128,52 +160,145 @@ private:
     return task;
   }
 
+  /// A part while it is not decided how it becomes its counterpart.
+  struct Making
+  {
+    Blend_part part;
+    std::array<Part_mesh, 2> pieces;
+    std::vector<Pair_charts> charts; ///< that may be used, the better ones first
+    std::optional<bool> forward;
+    std::shared_ptr<Part_morph> morph;
+    double torn = 0; ///< area
+  };
+
   /// \param image its mirror image, if it is there, which becomes its counterpart in the same way
-  Blend_part part(std::size_t number, const Blend_part* image, std::vector<std::shared_ptr<Part_morph>>& morphs) const
+  Making making(std::size_t number, const Making* image) const
   {
     const Piece_pair& pair = pairs_[number];
-    Blend_part result;
-    result.name = ends_.charted[0].parts[pair.source]->name + '~' + ends_.charted[1].parts[pair.target]->name;
-    result.task = task_of(pair);
-    result.image = images_[number];
-    result.is_reflected = result.image < number && has_images(pair) && has_images(pairs_[result.image]);
-    const Piece_pair& charted_as = result.is_reflected ? pairs_[result.image] : pair;
-    const std::array<Part_mesh, 2> pieces = {
-        piece(0, pair.source, charted_as.source, charted_as.source_piece, result.is_reflected),
-        piece(1, pair.target, charted_as.target, charted_as.target_piece, result.is_reflected)};
-    morphs.push_back(std::make_shared<Part_morph>(charts(charted_as, is_upright_[number], pieces), pieces[0], pieces[1],
-                                                  image ? std::optional(image->morph->is_forward()) : std::nullopt));
-    result.morph = morphs.back();
-    set_foot(result, pieces);
-    result.add_trees();
+    Making result;
+    Blend_part& part = result.part;
+    part.name = stage_.charted[0].parts[pair.source]->name + '~' + stage_.charted[1].parts[pair.target]->name;
+    part.task = task_of(pair);
+    part.image = images_[number];
+    part.is_reflected = part.image < number && has_images(pair) && has_images(pairs_[part.image]);
+    const std::size_t charted_as = part.is_reflected ? part.image : number;
+    const Piece_pair& charted = pairs_[charted_as];
+    result.pieces = {piece(0, pair.source, charted.source, charted.source_piece, part.is_reflected),
+                     piece(1, pair.target, charted.target, charted.target_piece, part.is_reflected)};
+    if (image) result.forward = image->morph->is_forward();
+    if (std::binary_search(leftovers_.begin(), leftovers_.end(), std::pair(pair.source, pair.target))) {
+      part.task.type = Blend_task_type::EXCHANGE;
+      result.charts = {boxes(result, charted_as)};
+      exchange(result, Blend_exchange::UNMATCHED);
+    } else {
+      set_charts(result, charted_as);
+      choose_charts(result, image ? image->part.task.exchange : Blend_exchange::NONE);
+    }
     return result;
   }
 
-  Pair_charts charts(const Piece_pair& pair, bool is_upright, const std::array<Part_mesh, 2>& pieces) const
+  /// Those of the boxes and, unless they turn the part more than boxes do to make up for what boxes stretch more, those
+  /// of the parts, along which they may bend.
+  void set_charts(Making& making, std::size_t number) const
   {
-    return is_upright ? upright_charts(pieces[0].points, pieces[1].points)
-                      : pair_charts(pair, ends_.charted[0], ends_.charted[1], pieces[0].points, pieces[1].points);
+    constexpr double bending = 0.35; // that own charts may turn more
+    making.charts = {boxes(making, number)};
+    if (is_upright_[number]) return;
+    const Pair_charts straight = making.charts[0];
+    const Pair_charts own = pair_charts(pairs_[number], stage_.charted[0], stage_.charted[1], making.pieces[0].points,
+                                        making.pieces[1].points);
+    making.charts.insert(change(own) <= change(straight) + bending ? making.charts.begin() : making.charts.end(), own);
+    making.part.needless_turn = std::max(0., turn(making.charts[0]) - turn(straight));
   }
 
-  void set_foot(Blend_part& part, const std::array<Part_mesh, 2>& pieces) const
+  Pair_charts boxes(const Making& making, std::size_t number) const
   {
-    constexpr double on_ground = 0.02; // of the height: what is no higher stands on the ground
-    part.height = (pieces[0].points.row(1).mean() + pieces[1].points.row(1).mean()) / 2;
-    for (std::size_t end : {0u, 1u})
-      part.foot[end] = pieces[end].points.row(1).minCoeff() - ends_.ground[end];
-    part.stands = std::max(part.foot[0], part.foot[1]) <= on_ground;
+    const std::array<const Points*, 2> surfaces = {&making.pieces[0].points, &making.pieces[1].points};
+    if (images_[number] == number) return upright_boxes(surfaces);
+    const auto [from, to] = piece_charts(pairs_[number], stage_.charted[0], stage_.charted[1]);
+    return pair_boxes(surfaces, {from.axes(), to.axes()});
+  }
+
+  static void set_morph(Making& making, const Pair_charts& charts)
+  {
+    making.morph = std::make_shared<Part_morph>(charts, making.pieces[0], making.pieces[1], making.forward);
+  }
+
+  static void finish(Making& making)
+  {
+    making.part.morph = making.morph;
+    making.part.set_ends();
+  }
+
+  /// The first charts by which the surface becomes that of the counterpart, or else an exchange.
+  /// \param known of the mirror image
+  static void choose_charts(Making& making, Blend_exchange known)
+  {
+    constexpr double torn_part = 10; // tolerances, of a part by itself
+    Blend_exchange reason = known;
+    for (std::size_t i = 0; i < making.charts.size() && known == Blend_exchange::NONE; ++i) {
+      set_morph(making, making.charts[i]);
+      const Surface_fault fault = surface_fault(*making.morph);
+      making.torn = fault.torn;
+      const Blend_exchange own = fault.torn_share > torn_part * Shape_blend::torn_tolerance ? Blend_exchange::TORN
+                                 : fault.thinning > Shape_blend::thinning_tolerance         ? Blend_exchange::THIN
+                                                                                            : Blend_exchange::NONE;
+      if (own == Blend_exchange::NONE) return finish(making);
+      if (i == 0) reason = own;
+    }
+    exchange(making, reason);
+  }
+
+  /// In the first charts that do not tear surfaces: boxes do not.
+  static void exchange(Making& making, Blend_exchange reason)
+  {
+    making.part.task.exchange = reason;
+    making.torn = 0;
+    for (const Pair_charts& charts : making.charts) {
+      set_morph(making, charts);
+      making.morph->exchange();
+      if (surface_fault(*making.morph).torn_share <= Shape_blend::torn_tolerance) break;
+    }
+    finish(making);
+  }
+
+  /// Exchanges the parts that are torn most, until little of the whole surface is.
+  void exchange_most_torn(std::vector<Making>& makings) const
+  {
+    constexpr double most_torn = 0.5; // of the tolerance: the layout tears, too
+    std::array<double, 2> areas = {0, 0};
+    std::vector<std::size_t> order(makings.size());
+    double torn = 0;
+    for (std::size_t i = 0; i < makings.size(); ++i) {
+      order[i] = i;
+      torn += makings[i].torn;
+      for (std::size_t end : {0u, 1u})
+        areas[end] += makings[i].part.rests[end]->extent().area;
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return quantized(makings[a].torn) > quantized(makings[b].torn);
+    });
+    for (std::size_t i : order) {
+      if (torn <= most_torn * Shape_blend::torn_tolerance * std::min(areas[0], areas[1])) return;
+      for (std::size_t part : {i, images_[i]}) {
+        if (part == none || makings[part].part.is_exchange()) continue;
+        torn -= makings[part].torn;
+        exchange(makings[part], Blend_exchange::TORN);
+      }
+    }
   }
 
   /// The piece of a part that a box of a chart cuts out.
   /// \param charted the part whose chart it is
   Part_mesh piece(std::size_t end, std::size_t part, std::size_t charted, const Chart_box& box, bool in_mirror) const
   {
-    const Part_mesh& mesh = ends_.meshes[end][part];
-    return piece_of(in_mirror ? mirrored(mesh.points) : mesh.points, mesh.triangles, ends_.charted[end].charts[charted],
+    const Part_mesh& mesh = stage_.meshes[end][part];
+    return piece_of(in_mirror ? mirrored(mesh.points) : mesh.points, mesh.triangles, stage_.charted[end].charts[charted],
                     box);
   }
 
-  const Blend_ends& ends_;
+  const Blend_stage& stage_;
+  Part_pairs leftovers_;
   std::vector<Piece_pair> pairs_;
   std::vector<std::size_t> images_;      ///< by pair, its mirror image
   std::vector<char> is_upright_;         ///< by pair
@@ -182,9 +307,9 @@ private:
 
 } // namespace
 
-std::vector<Blend_part> matched_parts(const Blend_ends& ends, const Correspondence& correspondence)
+std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence)
 {
-  return Matched_part_maker(ends, correspondence).parts();
+  return Matched_part_maker(stage, correspondence).parts();
 }
 
 } // namespace CGAL::Shape_correspondence::internal

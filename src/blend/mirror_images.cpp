@@ -173,12 +173,6 @@ void mirror_charts(const std::vector<Part_mesh>& parts, const Mirror_images& ima
   }
 }
 
-Pair_charts upright_charts(const Points& source, const Points& target)
-{
-  const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
-  return {Part_chart::box(source, upright), Part_chart::box(target, upright)};
-}
-
 std::optional<Eigen::Matrix3d> mirrored_turn(const Piece_pair& pair, const Charted_shape& source,
                                              const Charted_shape& target)
 {

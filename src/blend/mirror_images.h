@@ -54,9 +54,6 @@ void add_mirrored(Part_pairs& pairs, const Mirror_images& source, const Mirror_i
 /// is divided among them, is divided alike.
 void mirror_charts(const std::vector<Part_mesh>& parts, const Mirror_images& images, std::vector<Part_chart>& charts);
 
-/// Charts of a pair that is its own mirror image: boxes upright on the mirror plane.
-Pair_charts upright_charts(const Points& source, const Points& target);
-
 /// The turn by which a pair that is its own mirror image keeps the mirror plane where it is, on the way, too; none if
 /// its charts do not allow one.
 std::optional<Eigen::Matrix3d> mirrored_turn(const Piece_pair& pair, const Charted_shape& source,

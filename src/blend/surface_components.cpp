@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -45,13 +44,18 @@ std::vector<Surface_connection> shortest_connections(const std::vector<const con
   return result;
 }
 
+double widest_gap(const std::vector<const contacts::Triangle_tree*>& surfaces)
+{
+  const std::vector<Surface_connection> connections = shortest_connections(surfaces, Disjoint_sets(surfaces.size()));
+  return connections.empty() ? 0 : connections.back().length;
+}
+
 double widest_gap(const std::vector<contacts::Triangle_tree>& surfaces)
 {
   std::vector<const contacts::Triangle_tree*> pointers;
   for (const contacts::Triangle_tree& surface : surfaces)
     pointers.push_back(&surface);
-  const std::vector<Surface_connection> connections = shortest_connections(pointers, Disjoint_sets(surfaces.size()));
-  return connections.empty() ? 0 : connections.back().length;
+  return widest_gap(pointers);
 }
 
 std::vector<contacts::Triangle_tree> trees_of(const std::vector<Part_mesh>& parts)
@@ -60,42 +64,6 @@ std::vector<contacts::Triangle_tree> trees_of(const std::vector<Part_mesh>& part
   for (const Part_mesh& part : parts)
     result.push_back(tree_of(part.points, part.triangles));
   return result;
-}
-
-Surface_components::Surface_components(std::vector<const Tree*> surfaces, double widest)
-    : surfaces_(std::move(surfaces)), components_(surfaces_.size())
-{
-  for (std::size_t a = 0; a < surfaces_.size(); ++a)
-    for (std::size_t b = a + 1; b < surfaces_.size(); ++b)
-      if (components_[a] != components_[b] && surfaces_[a]->is_within(*surfaces_[b], widest * widest)) unite(a, b);
-}
-
-std::optional<std::size_t> Surface_components::smallest() const
-{
-  std::map<std::size_t, double> sizes;
-  for (std::size_t a = 0; a < surfaces_.size(); ++a)
-    sizes[components_[a]] += surfaces_[a]->box().diagonal().norm();
-  if (sizes.size() < 2) return std::nullopt;
-  const auto is_smaller = [](const auto& a, const auto& b) { return quantized(a.second) < quantized(b.second); };
-  return std::min_element(sizes.begin(), sizes.end(), is_smaller)->first;
-}
-
-Surface_components::Connection Surface_components::shortest_connection(std::size_t component) const
-{
-  std::size_t other = 0;
-  while (components_[other] == component)
-    ++other;
-  Connection shortest{component, other, {}};
-  for (std::size_t a = 0; a < surfaces_.size(); ++a)
-    for (std::size_t b = 0; b < surfaces_.size(); ++b) {
-      if (components_[a] != component || components_[b] == component ||
-          surfaces_[a]->box().squaredExteriorDistance(surfaces_[b]->box()) >= shortest.closest.squared)
-        continue;
-      contacts::Closest_pair pair = shortest.closest;
-      surfaces_[a]->improve_nearly_closest(*surfaces_[b], pair);
-      if (pair.squared < shortest.closest.squared) shortest = {a, b, pair};
-    }
-  return shortest;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -25,6 +25,7 @@
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <algorithm>
+#include <iomanip>
 #include <iostream>
 #include <sstream>
 
@@ -37,14 +38,14 @@ namespace {
 const char* const help_text =
     R"(Usage: shape_correspondence blend SOURCE TARGET -o FOLDER|FILE.glb|FILE.html [options]
 
-Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. Corresponding parts
-morph into each other, split or merge; where a surface would be torn on its way to the other, the one grows in the
-middle of the other, which then shrinks. Parts without counterpart shrink or grow; parts in contact stay in contact.
-The first frame is the source, the last one the target.
+Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. All stand on one
+ground, in the axes of the source. Every part goes straight to the place of its counterpart and morphs on the way; where
+its surface would be torn, the other one thickens inside it, and it thins. Parts without counterpart thin or thicken in
+place; parts in contact stay in contact. The first frame is the source, the last one the target.
 
 With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
-plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb. Otherwise FOLDER is made, with one file for
-each frame: frame_000 and so on. A part of a frame is named s~t where source part s becomes t, s~ where s vanishes, and
+plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb, with --solid as one closed surface.
+Otherwise FOLDER is made, with one file for each frame: frame_000 and so on. A part of a frame is named s~t where source part s becomes t, s~ where s vanishes, and
 ~t where t grows.
 
 SOURCE and TARGET are each one of
@@ -56,12 +57,13 @@ SOURCE and TARGET are each one of
 With --match R.json, the correspondence is read from a result of `match` for the same two shapes, and options of the
 search are refused.
 
-Pairs of parts with a confidence below --min-confidence are left out: their parts shrink and grow. A schedule defines
+Pairs of parts with a confidence below --min-confidence are left out: their parts thin and thicken. A schedule defines
 when each part changes: --schedule takes one by its name, the best one, or all that make different shapes in between,
 each into a folder of its own (with --at, a file), the best one first.
 
 Examples: shape_correspondence blend chair.obj swivel_chair.obj -o blend.glb
           shape_correspondence blend chair.obj swivel_chair.obj -o frames --match chair_swivel.json --frames 9
+          shape_correspondence blend chair.obj swivel_chair.obj -o print.obj --at 0.5 --solid
           shape_correspondence blend chair.obj swivel_chair.obj -o between --schedule all --at 0.5 --size same
 
 )";
@@ -90,30 +92,21 @@ Blend_options with_progress(Blend_options result, Progress_bar& bar)
 
 void print_schedules(const Shape_blend& blend)
 {
-  std::vector<std::vector<std::string>> rows{
-      {"schedule", "gap", "apart", "asymmetry", "ground", "thinning", "area", "volume", "torn", "overlap", "wobble"}};
+  std::vector<std::vector<std::string>> rows{{"schedule"}};
+  for (const Blend_measure& measure : blend_measures())
+    rows[0].push_back(measure.name);
   for (const Blend_schedule& schedule : blend.schedules()) {
-    const Blend_quality& quality = schedule.quality;
-    rows.emplace_back();
-    rows.back().push_back(schedule.name);
-    for (double value : {quality.gap, quality.apart, quality.asymmetry, quality.ground, quality.thinning, quality.area,
-                         quality.volume, quality.torn, quality.overlap, quality.wobble})
-      rows.back().push_back(short_number(value));
+    rows.push_back({schedule.name});
+    for (const Blend_measure& measure : blend_measures())
+      rows.back().push_back(short_number(schedule.quality.*measure.value));
   }
   write_table(std::cout, rows);
   std::cout << "\nThe first schedule is used. Each value is the maximum over the in-between shapes that were rated "
                "(for a schedule that is already worse in the middle, only that one); lengths are fractions of the "
-               "height:\n"
-               "  gap        how much wider a contact is than in the source and the target\n"
-               "  apart      how far connected parts were apart before they were moved together again\n"
-               "  asymmetry  distance of the shape from its mirror image\n"
-               "  ground     distance of the feet from the ground\n"
-               "  thinning   share by which a part is thinner than in the source and the target\n"
-               "  area       share by which the surface is larger\n"
-               "  volume     share by which the volume is larger\n"
-               "  torn       share of the surface that is torn or folded\n"
-               "  overlap    share of the surface that lies inside other parts\n"
-               "  wobble     how much farther a part that is the same in both shapes moves than its neighbours\n";
+               "height:\n";
+  constexpr int width = 11;
+  for (const Blend_measure& measure : blend_measures())
+    std::cout << "  " << std::left << std::setw(width) << measure.name << measure.meaning << '\n';
 }
 
 struct Variables
@@ -150,15 +143,16 @@ void warn_of_sizes(Blend_size size, const Loaded_shape& source, const Loaded_sha
 void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
                        std::vector<std::string>& warnings)
 {
-  for (const auto& [reason, word] :
-       {std::pair(Blend_exchange::TORN, "torn"), std::pair(Blend_exchange::THIN, "crushed")}) {
+  for (const auto& [reason, why] :
+       {std::pair(Blend_exchange::TORN, "as one would be torn on its way to the other"),
+        std::pair(Blend_exchange::THIN, "as one would be crushed on its way to the other"),
+        std::pair(Blend_exchange::UNMATCHED, "as neither has a counterpart and they are alike in place and size")}) {
     std::string pairs;
     for (const Blend_task& task : blend.schedules()[0].tasks)
       if (task.exchange == reason)
         pairs += (pairs.empty() ? "'" : ", '") + structure(source.graph).parts[task.source].name + "' and '" +
                  structure(target.graph).parts[task.target].name + "'";
-    if (!pairs.empty())
-      warnings.push_back(pairs + " exchange surfaces half-way, as one would be " + word + " on its way to the other");
+    if (!pairs.empty()) warnings.push_back(pairs + " exchange surfaces in place, " + why);
   }
 }
 

@@ -122,6 +122,8 @@ po::options_description output_options(Blend_output& output, Common_options& com
           .c_str());
   add("at", po::value<double>()->value_name("T")->notifier([&output](double t) { output.at = t; }),
       "make one shape only, that at time T between 0, the source, and 1, the target. Default: the whole blend");
+  add("solid", po::bool_switch(&output.solid),
+      "with --at: wrap the shape into one closed surface, for printing and Boolean operations (.obj or .ply)");
   add("size", po::value(&output.size)->value_name("SIZE")->default_value(output.size),
       "size of the frames: blend (from the source's to the target's), source, target, or same (height 1)");
   add("colours", po::value(&output.colours)->value_name("COLOURS")->default_value(output.colours),
@@ -141,7 +143,10 @@ void check(const Blend_output& output)
   check_word("size", output.size, {"blend", "source", "target", "same"});
   check_word("schedule", output.schedule, schedule_words());
   if (output.is_one_shape() && !(*output.at >= 0 && *output.at <= 1)) throw Usage_error("--at must be between 0 and 1");
+  if (output.solid && !output.is_one_shape()) throw Usage_error("--solid makes one shape: --at T says which");
   check_path(output);
+  if (output.solid && (output.format == "glb" || file_format(output) == "glb"))
+    throw Usage_error("--solid writes a surface without materials: .obj or .ply");
 }
 
 Blend_options blend_options(const Blend_output& output)
@@ -165,17 +170,26 @@ std::string frame_name(const Blend_output& output, int frame)
   return "frame_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number + '.' + output.format;
 }
 
+/// The shape at a time, or what is solid of it.
+Segmented_shape shape_at(const Shape_blend& blend, double t, bool solid)
+{
+  if (!solid) return blend(t);
+  Segmented_shape result(blend(t).name(), blend(t).up());
+  result.add_part("solid", blend.solid(t));
+  return result;
+}
+
 /// Writes the shape at a time.
 void write_shape(const std::string& path, const std::string& format, const Shape_blend& blend,
-                 const IO::Blend_appearance& appearance, double t)
+                 const IO::Blend_appearance& appearance, double t, bool solid = false)
 {
   IO::write_atomically(path, [&](std::ostream& out) {
     if (format == "glb")
       IO::write_blend_frame_glb(out, blend, appearance, t);
     else if (format == "ply")
-      IO::write_segmented_shape_ply(out, blend(t));
+      IO::write_segmented_shape_ply(out, shape_at(blend, t, solid));
     else
-      IO::write_segmented_shape_obj(out, blend(t));
+      IO::write_segmented_shape_obj(out, shape_at(blend, t, solid));
   });
 }
 
@@ -195,7 +209,7 @@ void write_all(const std::string& folder, const Blend_output& output, const std:
   for (std::size_t i = 0; i < blends.size(); ++i) {
     const std::string path = folder + '/' + std::to_string(i + 1) + '_' + schedule_word(blends[i].schedules()[0].name);
     if (output.is_one_shape()) {
-      write_shape(path + '.' + output.format, output.format, blends[i], appearance, *output.at);
+      write_shape(path + '.' + output.format, output.format, blends[i], appearance, *output.at, output.solid);
       continue;
     }
     std::filesystem::create_directory(path);
@@ -210,7 +224,7 @@ void write_blend(const Blend_output& output, const Shape_blend& blend, const Cor
 {
   const IO::Blend_appearance none, &looks = appearance ? *appearance : none;
   if (const std::string format = file_format(output); !format.empty())
-    write_shape(output.path, format, blend, looks, *output.at);
+    write_shape(output.path, format, blend, looks, *output.at, output.solid);
   else if (is_glb(output.path))
     IO::write_atomically(output.path, [&](std::ostream& out) {
       if (appearance)

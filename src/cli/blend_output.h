@@ -5,6 +5,7 @@
 
 #include "cli/command_line.h"
 
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
@@ -24,6 +25,7 @@ struct Blend_output
   std::string colours = "auto"; ///< auto, materials or match
   int frames = 25;
   std::optional<double> at; ///< the time of the one shape that is made; empty: the whole blend
+  bool solid = false;       ///< that shape is one closed surface
 
   bool is_one_shape() const { return at.has_value(); }
   bool is_page() const;

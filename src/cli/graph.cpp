@@ -10,13 +10,13 @@
 #include "cli/text_table.h"
 #include "cli/thread_limit.h"
 #include "io/system/quoting.h"
-#include "io/write/report_text.h"
+#include "io/read/report_text.h"
 
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/parts_json.h>
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
-#include <CGAL/Shape_correspondence/IO/write_glb.h>
 #include <CGAL/Shape_correspondence/IO/write_html.h>
 
 #include <iostream>
@@ -144,7 +144,7 @@ void run_graph(const std::vector<std::string>& arguments)
   }
   write_output(common.json, [&](std::ostream& out) { IO::write_structural_graph_json(out, shape.graph); });
   write_output(common.glb, [&](std::ostream& out) {
-    IO::write_structural_graph_glb(out, shape.graph, shape.model_pointer(), &shape.appearance);
+    IO::write_structural_graph_glb(out, shape.graph, shape.model_pointer(), shape.appearance);
   });
   write_output(common.html,
                [&](std::ostream& out) { IO::write_structural_graph_html(out, shape.graph, shape.model_pointer()); });

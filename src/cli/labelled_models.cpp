@@ -4,9 +4,10 @@
 #include "cli/labelled_models.h"
 #include "cli/load_shape.h"
 #include "io/read/Json_field.h"
-#include "matching/cross_validate_roles.h"
+#include "roles/Role_trainer.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/train_role_model.h>
 
 #include <filesystem>
 #include <map>
@@ -68,6 +69,16 @@ void add_spread(const std::vector<Labelled_model>& models, const std::string& fo
   }
 }
 
+std::vector<Labelled_graph> labelled_graphs(const std::vector<Labelled_model>& models, std::size_t number_of_real)
+{
+  std::vector<Labelled_graph> result;
+  for (const Labelled_model& model : models) {
+    const double weight = result.size() < number_of_real ? internal::weight_of_real_shapes : 1;
+    result.push_back({&model.graph, model.labels.category, model.part_labels, weight});
+  }
+  return result;
+}
+
 } // namespace
 
 std::vector<Labelled_model> load_labelled_models(const std::string& folder, const Common_options& options)
@@ -91,13 +102,11 @@ void add_examples(const std::string& folder, const Common_options& options, std:
                   std::string& category)
 {
   const std::vector<Labelled_model> models = load_labelled_models(folder, options);
-  std::vector<Labelled_graph> shapes;
   std::set<std::string> categories;
-  for (const Labelled_model& shape : models) {
-    shapes.push_back({&shape.graph, shape.labels.category, shape.part_labels, internal::weight_of_real_shapes});
+  for (const Labelled_model& shape : models)
     categories.insert(shape.labels.category);
-  }
-  model = std::make_shared<const Role_model>(extend_role_model(model ? *model : Role_model(), shapes));
+  model = std::make_shared<const Role_model>(
+      extend_role_model(model ? *model : Role_model(), labelled_graphs(models, models.size())));
   if (category.empty() && categories.size() == 1) category = *categories.begin();
 }
 
@@ -113,6 +122,22 @@ std::vector<Pair> listed_pairs(const std::vector<Labelled_model>& models, std::s
     else
       add_spread(models, model.folder, most, result);
   }
+  return result;
+}
+
+Trained_roles train_roles(const Role_training& training, const Common_options& options)
+{
+  Trained_roles result;
+  const auto load = [&](const std::vector<std::string>& folders) {
+    for (const std::string& folder : folders)
+      for (Labelled_model& model : load_labelled_models(folder, options))
+        result.models.push_back(std::move(model));
+  };
+  load(training.folders);
+  result.number_of_real = result.models.size();
+  const std::vector<Pair> pairs = listed_pairs(result.models, training.most_pairs);
+  load(training.generated);
+  result.model = train_role_model(labelled_graphs(result.models, result.number_of_real), training.options, pairs);
   return result;
 }
 

@@ -39,4 +39,23 @@ void add_examples(const std::string& folder, const Common_options& options, std:
 /// spread evenly over all. \throw Invalid_input if a list names a shape that is not there
 std::vector<std::array<std::size_t, 2>> listed_pairs(const std::vector<Labelled_model>& models, std::size_t most);
 
+/// What roles are learned from.
+struct Role_training
+{
+  std::vector<std::string> folders;   ///< of labelled shapes
+  std::vector<std::string> generated; ///< further ones, which are generated: they weigh less, and are in no pair
+  std::size_t most_pairs = 45;        ///< of a category and folder without a list of pairs
+  Role_training_options options;
+};
+
+struct Trained_roles
+{
+  std::vector<Labelled_model> models; ///< the shapes, those that are not generated first
+  std::size_t number_of_real = 0;
+  Role_model model;
+};
+
+/// Learns roles from folders, see `train_role_model()`: what `roles train` and Python do.
+Trained_roles train_roles(const Role_training& training, const Common_options& options);
+
 } // namespace CGAL::Shape_correspondence::cli

@@ -12,7 +12,7 @@
 #include "cli/suggestion.h"
 #include "io/system/input_file.h"
 
-#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -319,7 +319,7 @@ void read_appearance(const std::string& path, Loaded_shape& shape)
   shape.appearance = {};
   if (!shape.model || is_graph_file(path) || shape.split.pieces.empty() || !fs::exists(path)) return;
   Shape_appearance of_objects;
-  const Segmented_shape objects = IO::read_segmented_shape(path, Point::UnitY(), nullptr, &of_objects);
+  const Segmented_shape objects = IO::read_shape_and_appearance(path, of_objects);
   for (const Model_piece& piece : shape.split.pieces)
     if (piece.object >= objects.parts().size())
       throw Invalid_input(path + ": the file has changed since it was read; try again");

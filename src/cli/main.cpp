@@ -8,6 +8,7 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/version.h>
 
+#include <csignal>
 #include <fcntl.h>
 #include <filesystem>
 #include <iostream>
@@ -100,6 +101,7 @@ void keep_freed_memory()
 
 int main(int argc, char* argv[])
 {
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow any more is an error of writing
   CGAL::Shape_correspondence::cli::reserve_standard_streams();
   CGAL::Shape_correspondence::cli::keep_freed_memory();
   return CGAL::Shape_correspondence::cli::run(std::vector<std::string>(argv + 1, argv + argc));

@@ -11,9 +11,10 @@
 #include "cli/outputs.h"
 #include "cli/run_report.h"
 #include "cli/thread_limit.h"
+#include "texture/dressed_meshes.h"
 #include "viewer/match_page.h"
 
-#include <CGAL/Shape_correspondence/IO/write_glb.h>
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <iostream>
@@ -121,12 +122,14 @@ void run_match(const std::vector<std::string>& arguments)
   }
   write_output(common.glb, [&](std::ostream& out) {
     IO::write_correspondence_glb(out, ranked[0], source.graph, target.graph, source.model_pointer(),
-                                 target.model_pointer(), &source.appearance, &target.appearance);
+                                 target.model_pointer(), source.appearance, target.appearance);
   });
   write_output(common.html, [&](std::ostream& out) {
-    IO::write_page(out,
-                   IO::match_page(ranked, source.graph, target.graph, source.model_pointer(), target.model_pointer(),
-                                  paths[0], paths[1], matched.seconds, &source.appearance, &target.appearance));
+    IO::write_page(out, IO::match_page(ranked, source.graph, target.graph, source.model_pointer(),
+                                       target.model_pointer(), paths[0], paths[1], matched.seconds,
+                                       IO::dressed_scenes({{source.model_pointer(), &source.appearance},
+                                                           {target.model_pointer(), &target.appearance}},
+                                                          IO::largest_page_textures)));
   });
   if (!common.prints_table()) return;
   write_match_table(std::cout, ranked[0], source.graph, target.graph);

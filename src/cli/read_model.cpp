@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/read_model.h"
-#include "io/system/input_file.h"
 #include "io/read/model_parts.h"
 #include "io/read/split_by_roles.h"
+#include "io/system/input_file.h"
 #include "roles/up_by_roles.h"
 #include "structure/frame_of_shape.h"
 
@@ -197,6 +197,9 @@ Read_model model_of_objects(const std::string& path, Model_objects objects, cons
   if (model.split.pieces_left_out > 0 && splitting.mode != Part_splitting::FILE)
     model.warnings.push_back("Loose pieces that were left out, since they have no area: " +
                              std::to_string(model.split.pieces_left_out) + ".");
+  if (model.split.pieces_kept_whole > 0)
+    model.warnings.push_back("Pieces that were not divided into segments, since their thickness cannot be measured: " +
+                             std::to_string(model.split.pieces_kept_whole) + "; repair their triangles.");
   return model;
 }
 

@@ -1,19 +1,25 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/for_each_index.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/labelled_models.h"
 #include "cli/outputs.h"
 #include "cli/predicted_labels.h"
-#include "cli/role_reports.h"
 #include "cli/run_report.h"
+#include "cli/text_table.h"
 #include "cli/thread_limit.h"
+#include "io/write/Json.h"
+#include "matching/mean_differences.h"
+#include "roles/Role_model_data.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 #include <iostream>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -30,9 +36,10 @@ const char* const help_text =
 
 Learns the roles of parts, such as the legs and the seat of a chair, from labelled shapes.
 
-  train     learns a model. The weights of predicted labels and of the geometric match are fitted to pairs of shapes
-            that were left out of the training; this needs 50 pairs of shapes or more
-  evaluate  measures by how much roles improve the matching of shapes that were left out of the training
+  train     learns a model. The weights of predicted labels and of the geometric match are fitted to pairs of shapes,
+            each matched as by a model that has seen neither of them; this needs 50 pairs of shapes or more
+  evaluate  measures by how much a model improves the matching of labelled shapes, which should be others than those that
+            it was learned from
   predict   prints the roles of the parts of a shape, as the command label does
 
 FOLDER has CATEGORY/SHAPE/labels.json and CATEGORY/SHAPE/parts, one mesh file for each part. labels.json gives the coarse
@@ -43,22 +50,17 @@ label of every part, which is its role:
 All shapes must be upright and face +z. A category should have at least five shapes; twenty or more are better.
 
 Examples: shape_correspondence roles train my_shapes --output my.roles --cache graphs
+          shape_correspondence roles evaluate other_shapes --roles my.roles --cache graphs
           shape_correspondence roles predict chair.obj --roles my.roles
 
 )";
 
 struct Roles_options
 {
-  std::vector<std::string> generated;
-  std::string output, manifest, date, model, category;
-  std::string turned = "no", front = "given";
-  std::string leave_out = "shapes";
-  int shown_examples = 0;
-  std::string examples;
-  bool told = false;
-  double role_weight = 0;
+  Role_training training;
+  std::string output, manifest, date;
+  Label_options label; // predict, evaluate: the model
   int pairs = 45;
-  Role_training_options training;
 };
 
 po::options_description roles_options(Roles_options& roles, Common_options& common)
@@ -67,91 +69,214 @@ po::options_description roles_options(Roles_options& roles, Common_options& comm
   auto add = result.add_options();
   add("output,o", po::value(&roles.output)->value_name("MODEL"), "train: write the model to this file");
   add("manifest", po::value(&roles.manifest)->value_name("FILE"),
-      "train: write the training shapes and the accuracy of the model as JSON; - is standard output");
+      "train: write the training shapes and the weights of the model as JSON; - is standard output");
   add("date", po::value(&roles.date)->value_name("DATE"), "train: date to put into the manifest");
-  add("generated", po::value(&roles.generated)->value_name("FOLDER"),
-      "train, evaluate: further labelled shapes that are generated; they have a third of the weight of real ones and "
-      "are "
-      "never left out. Can be repeated");
-  add("leave-out", po::value(&roles.leave_out)->value_name("WHAT")->default_value(roles.leave_out),
-      "evaluate: what is left out of the training for a pair of shapes: shapes (the two), sources (all shapes with "
-      "their `source` in labels.json) or category (all shapes of their category)");
-  add("examples", po::value(&roles.examples)->value_name("FOLDER"),
-      "predict: labelled shapes that the model learns in addition, as of `match`");
-  add("number-of-examples", po::value(&roles.shown_examples)->value_name("N"),
-      "evaluate: the training sees at most N shapes of the pair's category that are not generated, drawn for every "
-      "pair; with --leave-out category, no others of the category. Default: all that are not left out");
-  add("told", po::bool_switch(&roles.told), "evaluate: give the category to the matcher, as by --category");
-  add("turned", po::value(&roles.turned)->value_name("HOW")->default_value(roles.turned),
-      "evaluate: turn every shape about the up axis by an angle drawn for the pair: no, quarters (a multiple of 90°) "
-      "or any");
-  add("front", po::value(&roles.front)->value_name("HOW")->default_value(roles.front),
-      "evaluate: what the matcher does about fronts, as --front of `match`: given, likely or auto");
-  add("role-weight", number(roles.role_weight)->value_name("W"),
-      "evaluate: compare the correspondences of least energy, by exact search, without roles and with roles of this "
-      "weight in the energy; 0: compare matching by parts");
+  add("generated", po::value(&roles.training.generated)->value_name("FOLDER"),
+      "train: further labelled shapes that are generated; they have a third of the weight of real ones and are in no "
+      "pair. Can be repeated");
   add("pairs", number(roles.pairs)->value_name("N"),
       "train, evaluate: match at most N pairs of a category and folder, unless the folder has a pairs.json: "
       "[[CATEGORY, SOURCE, TARGET], ...]");
-  add("trees", number(roles.training.trees)->value_name("N"), "train, evaluate: trees in the forest of a category");
-  add("roles", po::value(&roles.model)->value_name("MODEL"),
-      "predict: the role model; default: the one that comes with the program");
-  add("category", po::value(&roles.category)->value_name("NAME"),
+  add("trees", number(roles.training.options.trees)->value_name("N"), "train: trees in the forest of a category");
+  add("roles", po::value(&roles.label.roles)->value_name("MODEL"),
+      "evaluate, predict: the role model; default: the one that comes with the program");
+  add("examples", po::value(&roles.label.examples)->value_name("FOLDER"),
+      "predict: labelled shapes that the model learns in addition, as of `match`");
+  add("category", po::value(&roles.label.category)->value_name("NAME"),
       "predict: the category of the shape; default: the one whose labelled parts are most similar to its parts");
   add("json", po::value(&common.json)->value_name("FILE"),
       "evaluate, predict: write the result as JSON; - is standard output");
   return result;
 }
 
-Left_out left_out(const std::string& word)
+void add_weights(const Match_weights& weights, IO::Json& result)
 {
-  check_word("leave-out", word, {"shapes", "sources", "category"});
-  return word == "shapes" ? Left_out::SHAPES : word == "sources" ? Left_out::SOURCES : Left_out::CATEGORY;
+  const char* const names[] = {"same_label", "same_role", "votes_agree", "geometric_pair", "excess", "constant"};
+  for (Eigen::Index term = 0; term < PAIR_TERM_COUNT; ++term)
+    result["weights"][names[term]] = weights.weights[term];
+  for (const auto& [name, confidence] :
+       {std::pair("confidence", weights.confidence), std::pair("geometric_confidence", weights.geometric_confidence)}) {
+    result[name]["slope"] = confidence[SLOPE];
+    result[name]["offset"] = confidence[OFFSET];
+  }
 }
 
-Validation_options validation_options(const Roles_options& roles)
+/// What a model was learned from.
+IO::Json manifest_json(const Trained_roles& trained, const Roles_options& roles)
 {
-  Validation_options result;
-  result.left_out = left_out(roles.leave_out);
-  if (roles.shown_examples > 0) result.examples = std::size_t(roles.shown_examples);
-  result.category_is_told = roles.told;
-  result.role_weight = roles.role_weight;
-  check_word("turned", roles.turned, {"no", "quarters", "any"});
-  check_word("front", roles.front, {"given", "likely", "auto"});
-  result.turns = roles.turned == "any"        ? Validation_turns::ANY
-                 : roles.turned == "quarters" ? Validation_turns::QUARTERS
-                                              : Validation_turns::NONE;
-  result.fronts = roles.front == "auto"     ? Validation_fronts::AUTO
-                  : roles.front == "likely" ? Validation_fronts::LIKELY
-                                            : Validation_fronts::GIVEN;
+  IO::Json result;
+  result["format"] = "shape_correspondence/role_manifest";
+  result["version"] = 1;
+  if (!roles.date.empty()) result["date"] = roles.date;
+  result["seed"] = roles.training.options.seed;
+  result["trees"] = roles.training.options.trees;
+  result["categories"] = IO::Json::array();
+  for (const Category_roles& learned : Role_model_access::data(trained.model).categories) {
+    IO::Json entry;
+    entry["category"] = learned.name;
+    entry["roles"] = learned.roles;
+    add_weights(learned, entry);
+    result["categories"].push_back(std::move(entry));
+  }
+  result["generated_shapes"] = trained.models.size() - trained.number_of_real;
+  result["shapes"] = IO::Json::array();
+  for (std::size_t i = 0; i < trained.number_of_real; ++i) {
+    const IO::Labelled_shape& shape = trained.models[i].labels;
+    IO::Json entry;
+    entry["category"] = shape.category;
+    entry["name"] = shape.name;
+    entry["source"] = shape.source;
+    entry["license"] = shape.license;
+    result["shapes"].push_back(std::move(entry));
+  }
+  return result;
+}
+
+void train(const Roles_options& roles, const Common_options& common)
+{
+  if (roles.output.empty()) throw Usage_error("'roles train' needs --output MODEL");
+  check_outputs({roles.output, roles.manifest}, {});
+  const Trained_roles trained = train_roles(roles.training, common);
+  IO::write_role_model(roles.output, trained.model);
+  write_output(roles.manifest, [&](std::ostream& out) { manifest_json(trained, roles).write(out); });
+  if (common.quiet || roles.manifest == "-") return;
+  std::vector<std::vector<std::string>> rows{{"category", "shapes", "roles"}};
+  for (const std::string& category : trained.model.categories()) {
+    const auto shapes = std::count_if(trained.models.begin(), trained.models.end(),
+                                      [&](const Labelled_model& model) { return model.labels.category == category; });
+    rows.push_back({category, std::to_string(shapes), listed(trained.model.roles(category))});
+  }
+  write_table(std::cout, rows);
+}
+
+/// Scores of pairs of labelled shapes, matched by geometry alone and with roles; the gain is paired.
+struct Evaluated_roles
+{
+  std::vector<Scored_correspondence> geometry, with_roles; // by pair
+  Evaluation mean_geometry, mean_with_roles, gain;
+};
+
+Evaluated_roles evaluated(const std::vector<Labelled_model>& models,
+                          const std::vector<std::array<std::size_t, 2>>& pairs,
+                          const std::shared_ptr<const Role_model>& model, std::uint64_t seed)
+{
+  Evaluated_roles result;
+  result.geometry.resize(pairs.size());
+  result.with_roles.resize(pairs.size());
+  std::vector<Prepared_shape> shapes;
+  for (const Labelled_model& labelled : models)
+    shapes.emplace_back(labelled.graph);
+  for_each_index(pairs.size(), true, [&](std::size_t i) {
+    const Labelled_model &source = models[pairs[i][0]], &target = models[pairs[i][1]];
+    const Ground_truth truth = ground_truth(source.part_labels, target.part_labels);
+    const auto scored = [&](const std::shared_ptr<const Role_model>& roles) {
+      Search_options options;
+      options.roles = roles;
+      const Part_pairs found =
+          part_pairs(Correspondence_finder(shapes[pairs[i][0]], options)(shapes[pairs[i][1]]).pairs);
+      return Scored_correspondence{source.labels.category, source.labels.file, target.labels.file,
+                                   evaluate_correspondence(found, truth)};
+    };
+    result.geometry[i] = scored(nullptr);
+    result.with_roles[i] = scored(model);
+  });
+  Evaluation_options options;
+  options.seed = seed;
+  result.mean_geometry = mean_scores(result.geometry, options);
+  result.mean_with_roles = mean_scores(result.with_roles, options);
+  result.gain = mean_differences(result.with_roles, result.geometry, options);
+  return result;
+}
+
+/// Calls `row(category, geometry, with roles, gain)` for every category, and for the mean.
+template <typename Row>
+void for_each_row(const Evaluated_roles& found, const Row& row)
+{
+  for (std::size_t c = 0; c < found.gain.categories.size(); ++c)
+    row(found.gain.categories[c].first, found.mean_geometry.categories[c].second,
+        found.mean_with_roles.categories[c].second, found.gain.categories[c].second);
+  row("mean", found.mean_geometry.mean, found.mean_with_roles.mean, found.gain.mean);
+}
+
+std::string decimals(double number)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", number);
+  return text;
+}
+
+std::string interval(const Estimate& estimate) { return decimals(estimate.low) + ".." + decimals(estimate.high); }
+
+void write_evaluation_table(std::ostream& out, const Evaluated_roles& found)
+{
+  std::vector<std::vector<std::string>> rows{
+      {"category", "pairs", "geometry P", "R", "F1", "with roles P", "R", "F1", "95 %", "gain", "95 %"}};
+  for_each_row(found, [&](const std::string& category, const Mean_score& geometry, const Mean_score& with_roles,
+                          const Mean_score& gain) {
+    rows.push_back({category, std::to_string(geometry.correspondences)});
+    for (const Mean_score* score : {&geometry, &with_roles})
+      for (const Estimate* estimate : {&score->precision, &score->recall, &score->f1})
+        rows.back().push_back(decimals(estimate->mean));
+    for (const std::string& text : {interval(with_roles.f1), decimals(gain.f1.mean), interval(gain.f1)})
+      rows.back().push_back(text);
+  });
+  write_table(out, rows);
+}
+
+IO::Json evaluation_json(const Evaluated_roles& found)
+{
+  IO::Json result;
+  result["format"] = "shape_correspondence/role_evaluation";
+  result["version"] = 2;
+  result["categories"] = IO::Json::array();
+  const auto json_of_score = [](const Mean_score& score) {
+    IO::Json entry;
+    for (const auto& [name, estimate] :
+         {std::pair("precision", score.precision), std::pair("recall", score.recall), std::pair("f1", score.f1)}) {
+      entry[name]["mean"] = estimate.mean;
+      entry[name]["low"] = estimate.low;
+      entry[name]["high"] = estimate.high;
+    }
+    return entry;
+  };
+  for_each_row(found, [&](const std::string& category, const Mean_score& geometry, const Mean_score& with_roles,
+                          const Mean_score& gain) {
+    IO::Json entry;
+    entry["category"] = category;
+    entry["pairs"] = geometry.correspondences;
+    entry["geometry"] = json_of_score(geometry);
+    entry["with_roles"] = json_of_score(with_roles);
+    entry["gain"] = json_of_score(gain);
+    result["categories"].push_back(std::move(entry));
+  });
+  result["pairs"] = IO::Json::array();
+  for (std::size_t i = 0; i < found.geometry.size(); ++i) {
+    IO::Json entry;
+    entry["category"] = found.geometry[i].category;
+    entry["source"] = found.geometry[i].source;
+    entry["target"] = found.geometry[i].target;
+    entry["geometry"] = found.geometry[i].score.f1();
+    entry["with_roles"] = found.with_roles[i].score.f1();
+    result["pairs"].push_back(std::move(entry));
+  }
   return result;
 }
 
 void evaluate(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
 {
   check_outputs({common.json}, {});
-  const Role_training_set set(folders, roles.generated, std::size_t(roles.pairs), common);
-  if (set.pairs.empty()) throw Invalid_input(folders[0] + ": it takes two shapes of a category to match any");
-  const Role_validation validation(set.shapes, set.pairs, validation_options(roles), roles.training);
-  write_output(common.json, [&](std::ostream& out) {
-    role_evaluation_json(set, validation, roles.leave_out, roles.training.seed).write(out);
-  });
-  if (common.prints_table()) write_role_table(std::cout, set, validation, roles.training.seed);
-}
-
-void train(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
-{
-  if (roles.output.empty()) throw Usage_error("'roles train' needs --output MODEL");
-  check_outputs({roles.output, roles.manifest}, {});
-  const Role_training_set set(folders, roles.generated, std::size_t(roles.pairs), common);
-  const Role_validation validation(set.shapes, set.pairs, {}, roles.training);
-  const Role_model model = validation.model();
-  IO::write_role_model(roles.output, model);
-  write_output(roles.manifest, [&](std::ostream& out) {
-    role_manifest_json(set, validation, model, roles.date, roles.training).write(out);
-  });
-  if (common.prints_table() && roles.manifest != "-" && !set.pairs.empty())
-    write_role_table(std::cout, set, validation, roles.training.seed);
+  const auto model = roles.label.roles.empty()
+                         ? IO::shipped_role_model()
+                         : std::make_shared<const Role_model>(IO::read_role_model(roles.label.roles));
+  std::vector<Labelled_model> models;
+  for (const std::string& folder : folders)
+    for (Labelled_model& labelled : load_labelled_models(folder, common))
+      models.push_back(std::move(labelled));
+  const auto pairs = listed_pairs(models, roles.training.most_pairs);
+  if (pairs.empty()) throw Invalid_input(folders[0] + ": it takes two shapes of a category to match any");
+  const Evaluated_roles found = evaluated(models, pairs, model, roles.training.options.seed);
+  write_output(common.json, [&](std::ostream& out) { evaluation_json(found).write(out); });
+  if (common.prints_table()) write_evaluation_table(std::cout, found);
 }
 
 /// Options that only some of the actions have.
@@ -160,17 +285,11 @@ void refuse_options_of_other_actions(const std::string& action, const po::variab
   const std::pair<const char*, std::vector<std::string>> actions_of[] = {{"output", {"train"}},
                                                                          {"manifest", {"train"}},
                                                                          {"date", {"train"}},
-                                                                         {"generated", {"train", "evaluate"}},
-                                                                         {"leave-out", {"evaluate"}},
-                                                                         {"number-of-examples", {"evaluate"}},
-                                                                         {"examples", {"predict"}},
-                                                                         {"told", {"evaluate"}},
-                                                                         {"turned", {"evaluate"}},
-                                                                         {"front", {"evaluate"}},
-                                                                         {"role-weight", {"evaluate"}},
+                                                                         {"generated", {"train"}},
+                                                                         {"trees", {"train"}},
                                                                          {"pairs", {"train", "evaluate"}},
-                                                                         {"trees", {"train", "evaluate"}},
-                                                                         {"roles", {"predict"}},
+                                                                         {"roles", {"evaluate", "predict"}},
+                                                                         {"examples", {"predict"}},
                                                                          {"category", {"predict"}},
                                                                          {"json", {"evaluate", "predict"}}};
   for (const auto& [option, actions] : actions_of)
@@ -208,15 +327,10 @@ void run_roles(const std::vector<std::string>& arguments)
   if (parsed.help) return write_help(std::cout, command_of("roles"));
   const Run_report report(common);
   check(common);
-  check_at_least("trees", roles.training.trees, 1);
+  check_at_least("trees", roles.training.options.trees, 1);
   check_at_least("pairs", roles.pairs, 1);
-  if (!(roles.role_weight >= 0) || std::isinf(roles.role_weight))
-    throw Usage_error("--role-weight must be finite and not negative");
-  for (const char* option : {"turned", "front"})
-    if (is_given(parsed.values, option) && roles.role_weight > 0)
-      throw Usage_error("--" + std::string(option) + " has no effect with --role-weight");
-  if (is_given(parsed.values, "number-of-examples")) check_at_least("number-of-examples", roles.shown_examples, 1);
-  roles.training.seed = std::uint64_t(common.seed);
+  roles.training.most_pairs = std::size_t(roles.pairs);
+  roles.training.options.seed = std::uint64_t(common.seed);
   const Thread_limit limit(common.threads);
   const std::string action = parsed.inputs[0];
   const std::vector<std::string> inputs(parsed.inputs.begin() + 1, parsed.inputs.end());
@@ -224,12 +338,13 @@ void run_roles(const std::vector<std::string>& arguments)
   if (std::find(known.begin(), known.end(), action) == known.end())
     throw Usage_error("there is no 'roles " + action + "'; known are: train, evaluate, predict");
   refuse_options_of_other_actions(action, parsed.values);
+  roles.training.folders = inputs;
   if (action == "train")
-    train(inputs, roles, common);
+    train(roles, common);
   else if (action == "evaluate")
     evaluate(inputs, roles, common);
   else if (inputs.size() == 1)
-    label_shape(inputs[0], {roles.model, roles.examples, roles.category}, common.json, common);
+    label_shape(inputs[0], roles.label, common.json, common);
   else
     throw Usage_error("'roles predict' takes one shape");
 }

@@ -47,6 +47,8 @@ public:
     if (!failure_.empty()) return;
     try {
       work_(i);
+    } catch (const std::bad_alloc&) {
+      failure_ = "there is not enough memory";
     } catch (const std::exception& error) {
       failure_ = error.what();
     }

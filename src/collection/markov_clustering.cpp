@@ -100,7 +100,7 @@ double step(const Markov_clustering_options& options, Flow_matrix& flow)
   constexpr Eigen::Index columns_at_a_time = 256;
   const std::size_t limit = column_limit(options, flow.cols());
   Flow_matrix result(flow.rows(), flow.cols());
-  result.reserve(Eigen::Index(limit) * flow.cols()); // or else it is copied to twice its size whenever it is full
+  result.reserve(Eigen::Index(limit) * flow.cols()); // avoids repeated growth
   double chaos = 0;
   for (Eigen::Index first = 0; first < flow.cols(); first += columns_at_a_time) {
     const Flow_matrix squared = flow * flow.middleCols(first, std::min(columns_at_a_time, flow.cols() - first));
@@ -131,7 +131,7 @@ std::vector<std::size_t> systems_of(const Flow_matrix& flow)
 {
   const auto n = std::size_t(flow.cols());
   internal::Disjoint_sets systems(n);
-  constexpr double least_share = 1e-2; // of what is not about to vanish
+  constexpr double least_share = 1e-2; // of flow that is not about to vanish
   std::vector<std::size_t> attractor(n);
   for (std::size_t j = 0; j < n; ++j) {
     double most = 0;

@@ -14,7 +14,8 @@ using namespace internal;
 
 namespace {
 
-constexpr std::size_t evaluated_at_a_time = 4; // whatever the number of threads, so that as many are in every run
+constexpr std::size_t evaluated_at_a_time =
+    4; // independent of the number of threads, so that every run evaluates the same shapes
 
 } // namespace
 

@@ -32,7 +32,7 @@ std::size_t topological_medoid(const Eigen::Ref<const Eigen::MatrixXd>& distance
 
 namespace {
 
-// Distances as far as they are known, and the best of the shapes of which all are.
+// Lazily evaluated distances, and the best shape so far among those with all distances known.
 class Medoid_search
 {
 public:
@@ -137,7 +137,7 @@ private:
   }
 
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  static constexpr double presumed_failure = 0.01; // where mistakes are made good
+  static constexpr double presumed_failure = 0.01; // where candidates that were set aside are checked again
 
   const std::size_t n_;
   const std::function<double(std::size_t, std::size_t)>& evaluate_;

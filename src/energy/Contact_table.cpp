@@ -7,35 +7,34 @@
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
+using namespace internal;
 
 Matching_problem::Contact_table::Contact_table(const Matching_problem& problem)
     : problem_(problem),
       fitted_(problem.fitted_),
-      pair_of_(fitted_.number_of_lanes() * fitted_.number_of_lanes(), none),
+      pair_of_(fitted_.takes_samples() ? fitted_.number_of_lanes() * fitted_.number_of_lanes() : 0, none),
       distances_(fitted_.number_of_target_pieces())
 {}
 
 void Matching_problem::Contact_table::list(std::size_t contact)
 {
   contact_ = contact;
-  const auto& parts = problem_.source().contacts[contact].parts;
-  const bool same_group = problem_.source().group_of[parts[0]] == problem_.source().group_of[parts[1]];
-  for (int side : {0, 1}) {
-    const std::size_t part = parts[std::size_t(side)];
+  const std::array<std::size_t, 2> groups = problem_.groups_of_contact(contact);
+  for (std::size_t side : {0, 1}) {
+    const std::size_t part = problem_.source().contacts[contact].parts[side];
     begin_[side] = fitted_.begin_of(part);
     count_[side] = fitted_.begin_of(part + 1) - begin_[side];
     touching_[side].clear();
-    for (std::size_t label = 0; label < problem_.number_of_labels(problem_.source().group_of[part]); ++label)
+    for (std::size_t label = 0; label < problem_.number_of_labels(groups[side]); ++label)
       touching_[side].push_back(problem_.touching(contact, side, label));
+    list_ends(side);
   }
   known_.assign(count_[0] * count_[1], none);
-  for (int side : {0, 1})
-    list_ends(side);
   rods_of_ends_.assign(ends_[0].size() * ends_[1].size(), nullptr);
   for (std::size_t a = 0; a < touching_[0].size(); ++a)
     for (std::size_t b = 0; b < touching_[1].size(); ++b) {
       const std::size_t before = compared_.size();
-      if (!same_group || a == b) list(touching_[0][a], touching_[1][b]);
+      if (groups[0] != groups[1] || a == b) list(touching_[0][a], touching_[1][b]);
       counts_.push_back(std::uint32_t(compared_.size() - before));
     }
 }
@@ -57,7 +56,8 @@ void Matching_problem::Contact_table::compute(std::vector<Rod_energy>& result)
   counts_.clear();
   compared_.clear();
   piece_rods_.clear();
-  piece_memory_.clear();
+  piece_memory_.release();
+  used_blocks_ = 0;
 }
 
 void Matching_problem::Contact_table::list(const Range& first, const Range& second)
@@ -83,21 +83,22 @@ void Matching_problem::Contact_table::list(const Range& first, const Range& seco
 const std::uint32_t* Matching_problem::Contact_table::nearest(std::uint32_t fitted, const Range& others)
 {
   const std::uint32_t* best = others.begin();
-  double least = target_distance(fitted_[fitted], fitted_[*best]);
+  double least = distance(fitted_[fitted], fitted_[*best]);
   for (const std::uint32_t* other = best + 1; other != others.end(); ++other) {
-    const double distance = target_distance(fitted_[fitted], fitted_[*other]);
-    if (distance < least) least = distance, best = other;
+    const double other_distance = distance(fitted_[fitted], fitted_[*other]);
+    if (other_distance < least) least = other_distance, best = other;
   }
   return best;
 }
 
-double Matching_problem::Contact_table::target_distance(const Fitted& first, const Fitted& second)
+double Matching_problem::Contact_table::distance(const Fitted& first, const Fitted& second)
 {
-  if (first.target.is_whole() && second.target.is_whole()) return fitted_.target_distance(first, second);
+  const bool is_cached = fitted_.takes_samples() && !(first.target.is_whole() && second.target.is_whole());
+  if (!is_cached) return fitted_.distance(first, second);
   const auto [low, high] = std::minmax(first.target_index, second.target_index);
   std::vector<double>& known = distances_[high];
   if (known.empty()) known.assign(high + 1, -1);
-  if (known[low] < 0) known[low] = fitted_.target_distance(first, second);
+  if (known[low] < 0) known[low] = fitted_.distance(first, second);
   return known[low];
 }
 
@@ -107,12 +108,13 @@ std::uint32_t Matching_problem::Contact_table::comparison(std::uint32_t a, std::
   if (known != none) return known;
   known = std::uint32_t(comparisons_.size());
   const Fitted &first = fitted_[a], &second = fitted_[b];
-  std::uint32_t& pair = pair_of_[pair_index(first, second)];
+  std::uint32_t own_pair = none;
+  std::uint32_t& pair = pair_of_.empty() ? own_pair : pair_of_[pair_index(first, second)];
   if (pair == none) {
     pair = std::uint32_t(pairs_.size());
     pairs_.push_back({a, b, none});
   }
-  comparisons_.emplace_back(); // and filled there: the copy of a new one would stall on its parts just written
+  comparisons_.emplace_back(); // filled in place: a copy would wait for the stores of its members
   comparisons_.back().rods = &rods(a, b);
   comparisons_.back().next = std::exchange(pairs_[pair].comparison, known);
   return known;
@@ -132,17 +134,17 @@ void Matching_problem::Contact_table::compare()
       rods_.push_back(comparisons_[i].rods);
     distortions(rods_, fitted_.samples(first), fitted_.samples(second), distortions_);
     const bool collapsed = overlap(first.target, second.target);
-    const double distance = collapsed ? 0 : target_distance(first, second);
+    const double least = collapsed ? 0 : distance(first, second);
     auto distortion = distortions_.begin();
     for (std::uint32_t i = pair.comparison; i != none; i = comparisons_[i].next)
       comparisons_[i].energy = {*distortion++,
-                                collapsed ? collapsed_connectedness : comparisons_[i].rods->connectedness(distance)};
-    pair_of_[pair_index(first, second)] = none;
+                                collapsed ? collapsed_connectedness : comparisons_[i].rods->connectedness(least)};
+    if (!pair_of_.empty()) pair_of_[pair_index(first, second)] = none;
   }
   pairs_.clear();
 }
 
-void Matching_problem::Contact_table::list_ends(int side)
+void Matching_problem::Contact_table::list_ends(std::size_t side)
 {
   ends_[side].clear();
   end_of_[side].clear();
@@ -164,9 +166,11 @@ const Structural_rods& Matching_problem::Contact_table::rods(std::uint32_t a, st
     known = &problem_.source().rods(contact_, first.repeats, second.repeats);
     return *known;
   }
-  const int n = int(first.order->size()), m = int(second.order->size());
-  piece_rods_.emplace_back(fitted_.source_samples(first), n, fitted_.source_samples(second), m,
-                           piece_memory_.take(Structural_rods::size(n, m)));
+  const std::size_t blocks = Structural_rods::size(first.samples, second.samples);
+  void* const memory = piece_memory_.allocate(blocks * sizeof(Rod_block), alignof(Rod_block));
+  used_blocks_ += blocks;
+  piece_rods_.emplace_back(fitted_.source_samples(first), first.samples, fitted_.source_samples(second), second.samples,
+                           static_cast<Rod_block*>(memory));
   known = &piece_rods_.back();
   return *known;
 }

@@ -4,31 +4,33 @@
 #pragma once
 
 #include "energy/Matching_problem.h"
-#include "energy/Rod_memory.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory_resource>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
 
-// Computes the energies of all contacts by the labels of their two parts. What is to be compared is listed first, so
-// that the rods of a pair of target pieces are found once, for all contacts that may turn into it.
+// Computes the energies of all contacts by the labels of their two parts. Comparisons of rods are listed first, so that
+// the rods of a pair of target pieces are found once, for all contacts that may turn into it.
 class Matching_problem::Contact_table
 {
 public:
   explicit Contact_table(const Matching_problem& problem);
 
-  // Lists what the energies of the next contact are the means of.
+  // Lists the comparisons that the energies of the next contact are the means of.
   void list(std::size_t contact);
 
-  // Whether more is listed than stays in the cache.
-  bool is_full() const { return comparisons_.size() > most_comparisons || piece_memory_.is_full(); }
+  // Whether more is listed than fits in the processor's cache.
+  bool is_full() const
+  {
+    return comparisons_.size() > maximum_comparisons || used_blocks_ * sizeof(internal::Rod_block) > maximum_bytes;
+  }
 
-  // Appends the energies of the contacts that were listed, in their order, first label by second label; the list is
-  // empty then.
+  // Appends the energies of the listed contacts, in their order, first label by second label, and clears the list.
   void compute(std::vector<Rod_energy>& result);
 
 private:
@@ -36,64 +38,58 @@ private:
   using Fitted = internal::Fitted_piece;
 
   static constexpr std::uint32_t none = std::uint32_t(-1);
-  static constexpr std::size_t most_comparisons = 8192; // what they compare stays in the cache
+  static constexpr std::size_t maximum_comparisons = 8192, maximum_bytes = 3 * internal::rod_chunk_bytes;
 
-  // Rods of a source pair with those of a target pair; `next` is the next one with the same target pair.
+  // Rods between two source pieces, and those after the deformation of the target pair whose list it is in.
   struct Comparison
   {
     const Structural_rods* rods;
-    std::uint32_t next;
+    std::uint32_t next; // in the list of the target pair
     Rod_energy energy;
   };
 
-  // Two target pieces, each in an order of its samples: those of two fitted pieces.
+  // Two target pieces, each in the order of its samples that a fitted piece has.
   struct Target_pair
   {
-    std::uint32_t first, second;
-    std::uint32_t comparison; // the first of the list
+    std::uint32_t first, second; // fitted pieces
+    std::uint32_t comparison;    // first of the list
   };
 
-  // Clones are compared each with its nearest counterpart.
+  // Lists a pair of clones for each clone: it and the nearest one of the other part.
   void list(const Range& first, const Range& second);
-
-  // The one of `others` that is nearest to a fitted piece.
   const std::uint32_t* nearest(std::uint32_t fitted, const Range& others);
-
-  // The least distance of two target pieces, which is found once.
-  double target_distance(const Fitted& first, const Fitted& second);
-
+  double distance(const Fitted& first, const Fitted& second);
   std::uint32_t comparison(std::uint32_t a, std::uint32_t b);
-
   std::size_t pair_index(const Fitted& first, const Fitted& second) const;
-
   void compare();
-
-  void list_ends(int side);
-
+  void list_ends(std::size_t side);
   const Structural_rods& rods(std::uint32_t a, std::uint32_t b);
 
   const Matching_problem& problem_;
   const internal::Fitted_pieces& fitted_;
-  std::vector<std::uint32_t> pair_of_;       // by `pair_index()`, in `pairs_`
-  std::vector<Target_pair> pairs_;           // those that anything is compared with
-  std::vector<Comparison> comparisons_;      // of contact after contact
-  std::vector<std::uint32_t> counts_;        // by contact and labels: how many comparisons
-  std::vector<std::uint32_t> compared_;      // which ones, those of all labels in a row
-  std::deque<Structural_rods> piece_rods_;   // between pieces of which one is no whole part
-  internal::Rod_memory piece_memory_;        // where their directions are
-  std::vector<const Structural_rods*> rods_; // that are compared with those of a target pair
-  std::vector<double> distortions_;
-  std::vector<std::vector<double>> distances_; // by target pieces; none where not asked for yet
-  std::vector<std::uint32_t> nearest_;         // to the clones of a part
+  std::vector<std::uint32_t> pair_of_;     // by `pair_index()`, in `pairs_`; empty if fitted pieces share no samples
+  std::vector<Target_pair> pairs_;         // with comparisons
+  std::vector<Comparison> comparisons_;    // contact by contact
+  std::vector<std::uint32_t> counts_;      // number of comparisons by contact and labels
+  std::vector<std::uint32_t> compared_;    // the comparisons themselves, those of all labels in a row
+  std::deque<Structural_rods> piece_rods_; // between pieces of which one is no whole part
+  std::pmr::monotonic_buffer_resource piece_memory_{internal::rod_chunk_bytes, &internal::rod_pool()};
+  std::size_t used_blocks_ = 0;                // of `piece_memory_`
+  std::vector<std::vector<double>> distances_; // by target pieces; negative where not yet known
 
-  // Of the contact that is being listed
+  // Of the contact that is being listed, by side
   std::size_t contact_ = 0;
-  std::array<std::size_t, 2> begin_, count_;         // the fitted pieces of either side
-  std::array<std::vector<Range>, 2> touching_;       // by label
+  std::array<std::size_t, 2> begin_, count_;         // the fitted pieces
+  std::array<std::vector<Range>, 2> touching_;       // fitted pieces that touch there, by label
   std::vector<std::uint32_t> known_;                 // comparisons by two fitted pieces
-  std::array<std::vector<std::size_t>, 2> ends_;     // samples of source pieces: rods are found once for two of them
-  std::array<std::vector<std::size_t>, 2> end_of_;   // by fitted piece
-  std::vector<const Structural_rods*> rods_of_ends_; // null where not found yet
+  std::array<std::vector<std::size_t>, 2> ends_;     // source lanes, each once
+  std::array<std::vector<std::size_t>, 2> end_of_;   // index in `ends_` by fitted piece
+  std::vector<const Structural_rods*> rods_of_ends_; // by two ends; null where not yet known
+
+  // Kept for their memory
+  std::vector<const Structural_rods*> rods_;
+  std::vector<double> distortions_;
+  std::vector<std::uint32_t> nearest_;
 };
 
 } // namespace CGAL::Shape_correspondence

@@ -14,9 +14,9 @@
 
 namespace CGAL::Shape_correspondence {
 
-/// A shape that is deformed, or that another one is deformed into, with what the energy measures of it. This is found
-/// when it is first asked for and shared by copies, so that a shape that is matched many times is measured once, and
-/// one that nothing is deformed from has no rods. Threads may share it.
+/// A source or target shape with what the energy needs of it as such: structural rods and distances of parts. They are
+/// computed when first asked for and shared by copies, so that a shape that is matched many times is measured once.
+/// Threads may share it.
 class Deformable_shape : public Aligned_shape
 {
 public:
@@ -28,9 +28,9 @@ public:
   /// The least distance between the samples of two parts.
   const Eigen::MatrixXd& part_distances() const;
 
-  /// The same with a group for every part.
+  /// The same shape with a group for every part.
   Deformable_shape ungrouped() const;
-  /// The same with sets of parts as groups of their own.
+  /// The same shape with sets of parts as groups of their own.
   Deformable_shape regrouped(const std::vector<std::vector<std::size_t>>& sets) const;
 
 private:

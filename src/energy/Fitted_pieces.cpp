@@ -2,14 +2,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/Fitted_pieces.h"
+#include "energy/cut_curves.h"
+#include "energy/deform_to_fit.h"
+#include "energy/divide_sheets.h"
 
 #include <algorithm>
 
 namespace CGAL::Shape_correspondence::internal {
 
+std::size_t Piece_list::index(const Piece& piece)
+{
+  if (piece.is_whole()) return piece.part;
+  for (std::size_t known : pieces_of_[piece.part])
+    if (pieces_[known].piece == piece) return parts_->size() + known;
+  const Sampled_part& part = (*parts_)[piece.part];
+  pieces_of_[piece.part].push_back(pieces_.size());
+  pieces_.push_back(
+      {piece, piece.is_segment() ? segment(part, piece.index, piece.count) : rectangle(part, piece.low, piece.high)});
+  return size() - 1;
+}
+
 namespace {
 
-// Which of `count` segments of a curve a sample of it is on.
+// Index of the segment, of `count` of a curve, that a sample of the curve is on.
 int segment_of_sample(std::size_t sample, int count)
 {
   return std::min(count - 1, int(sample) * count / (samples_per_side - 1));
@@ -18,8 +33,8 @@ int segment_of_sample(std::size_t sample, int count)
 } // namespace
 
 Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape& target,
-                             const std::vector<std::vector<Group_label>>& labels)
-    : source_pieces_(source), target_pieces_(target), part_distances_(target.part_distances())
+                             const std::vector<std::vector<Group_label>>& labels, Deform_to_fit how)
+    : fit_(how), source_pieces_(source), target_pieces_(target), part_distances_(target.part_distances())
 {
   for (std::size_t part = 0; part < source.parts.size(); ++part) {
     const std::size_t group = source.group_of[part];
@@ -37,38 +52,47 @@ Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape
   image_begin_.push_back(images_.size());
 }
 
-// The index of a fitted piece among those of its part, the last part that has any.
+// Returns the index of a fitted piece of the last part.
 std::uint32_t Fitted_pieces::fit(const Piece_image& image)
 {
   const std::size_t from = source_pieces_.index(image.source), to = target_pieces_.index(image.target);
   for (std::size_t known = fitted_begin_.back(); known < fitted_.size(); ++known)
     if (fitted_[known].source_index == from && fitted_[known].target_index == to) return std::uint32_t(known);
-  const std::vector<int>& order = deform_to_fit(source_pieces_[from], target_pieces_[to]);
-  const int repeats = int(order.size()) / int(source_pieces_[from].samples.cols());
-  fitted_.push_back(
-      {image.source, image.target, from, to, &order, repeats, source_lanes_of(from, repeats), lanes_of(to, order)});
+  const std::size_t lanes = lanes_of(from, to);
+  const int samples = int(points_[lanes].cols()), repeats = samples / int(source_pieces_[from].samples.cols());
+  fitted_.push_back({image.source, image.target, from, to, samples, repeats, source_lanes_of(from, repeats), lanes});
   return std::uint32_t(fitted_.size() - 1);
 }
 
 std::size_t Fitted_pieces::source_lanes_of(std::size_t source_piece, int repeats)
 {
   constexpr std::size_t none = std::size_t(-1);
-  if (source_lanes_at_.size() <= source_piece) source_lanes_at_.resize(source_pieces_.size(), {none, none});
-  std::size_t& known = source_lanes_at_[source_piece][repeats > 1];
+  if (source_lanes_of_.size() <= source_piece) source_lanes_of_.resize(source_pieces_.size(), {none, none});
+  std::size_t& known = source_lanes_of_[source_piece][repeats > 1];
   if (known == none) {
     known = source_lanes_.size();
-    source_lanes_.emplace_back(source_pieces_[source_piece].samples, repeats);
+    source_lanes_.emplace_back(repeated(source_pieces_[source_piece].samples, repeats), repeats);
   }
   return known;
 }
 
-std::size_t Fitted_pieces::lanes_of(std::size_t target_piece, const std::vector<int>& order)
+std::size_t Fitted_pieces::lanes_of(std::size_t source_piece, std::size_t target_piece)
 {
+  const Sampled_part &source = source_pieces_[source_piece], &target = target_pieces_[target_piece];
+  if (!takes_samples()) {
+    points_.push_back(deform_to_fit(source, target, fit_));
+    lanes_.emplace_back(points_.back());
+    return lanes_.size() - 1;
+  }
+  const std::vector<int>& order = match_extremities(source, target);
   if (lanes_of_.size() <= target_piece) lanes_of_.resize(target_pieces_.size());
-  for (const auto& known : lanes_of_[target_piece])
-    if (known.first == &order) return known.second;
-  lanes_of_[target_piece].emplace_back(&order, lanes_.size());
-  lanes_.push_back(Sample_lanes(target_pieces_[target_piece].samples, order));
+  for (const Lanes_of_order& known : lanes_of_[target_piece])
+    if (known.order == &order) return known.lanes;
+  lanes_of_[target_piece].push_back({&order, lanes_.size()});
+  const int repeats = int(order.size()) / int(target.samples.cols());
+  const bool is_transposed = repeats > 1 && order[0] / repeats != order[1] / repeats; // equal rows, not columns
+  points_.push_back(deform_to_fit(source, target));
+  lanes_.emplace_back(points_.back(), repeats, is_transposed ? repeats : 1);
   return lanes_.size() - 1;
 }
 

@@ -14,7 +14,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// The index of a part in the aligned shape; the number of its parts if it is not there.
+// Index of a part in the aligned shape; the number of its parts if it does not take part.
 std::size_t place_of(const Aligned_shape& shape, std::size_t part)
 {
   return std::size_t(std::find(shape.original.begin(), shape.original.end(), part) - shape.original.begin());

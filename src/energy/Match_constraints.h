@@ -12,22 +12,22 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Which parts of two aligned shapes may correspond, and which must, by `Matching_options::pinned` and `forbidden`.
+/// The parts of two aligned shapes that may and that must correspond, by `Matching_options::pinned` and `forbidden`.
 class Match_constraints
 {
 public:
-  /// All may and none must.
+  /// No constraints.
   Match_constraints() = default;
 
   /// \throw Invalid_input if a pinned part does not take part, or a pair is pinned and forbidden
   Match_constraints(const Aligned_shape& source, const Aligned_shape& target, const Matching_options& options);
 
-  /// Whether there are none.
+  /// Whether there are no constraints.
   bool empty() const { return pinned_.empty(); }
 
   bool allows(std::size_t source, std::size_t target) const { return empty() || allowed_[source][target]; }
 
-  /// What a part of the source is pinned to, ascending.
+  /// The target parts that a source part is pinned to, ascending.
   const std::vector<std::size_t>& pinned(std::size_t source) const { return pinned_[source]; }
 
 private:
@@ -35,7 +35,8 @@ private:
   std::vector<std::vector<char>> allowed_;       // by source part and target part
 };
 
-/// The sets of parts of the source, and those of the target, that pins join. Indices are those of the pins.
+/// The connected components of the pinned pairs: the parts of the source and those of the target of each. Indices are
+/// those of the pins.
 struct Pinned_sets
 {
   std::vector<std::vector<std::size_t>> source, target;

@@ -18,7 +18,7 @@ using namespace internal;
 
 namespace {
 
-// How far the sides of two boxes are from each other.
+// The distance of two boxes as vectors of the positions of their sides.
 double distance(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b)
 {
   Eigen::Matrix<double, 6, 1> difference;
@@ -26,8 +26,8 @@ double distance(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b)
   return difference.norm();
 }
 
-// The target groups that a source group may be matched to: all that the symmetry allows, or any if it allows none, or
-// the nearest ones, in their order.
+// The target groups that a source group may be matched to, ascending: those that the symmetry allows (all if it allows
+// none), at most the nearest `maximum_labels`.
 std::vector<std::size_t> candidates(const Aligned_shape& source, std::size_t group, const Aligned_shape& target)
 {
   const auto all = groups(target);
@@ -111,7 +111,7 @@ Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
       target_(std::move(target)),
       options_(options),
       labels_(std::move(labels)),
-      fitted_(*source_, *target_, labels_)
+      fitted_(*source_, *target_, labels_, options.fit)
 {
   fill_contact_energies();
   fill_cut_energies();
@@ -122,10 +122,10 @@ Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
 void Matching_problem::fill_contact_energies()
 {
   std::size_t count = 0;
-  for (const Aligned_shape::Contact& contact : source().contacts) {
+  for (std::size_t contact = 0; contact < source().contacts.size(); ++contact) {
+    const auto [first, second] = groups_of_contact(contact);
     contact_begin_.push_back(count);
-    count +=
-        number_of_labels(source().group_of[contact.parts[0]]) * number_of_labels(source().group_of[contact.parts[1]]);
+    count += number_of_labels(first) * number_of_labels(second);
   }
   contact_energies_.reserve(count);
   Contact_table table(*this);
@@ -136,11 +136,10 @@ void Matching_problem::fill_contact_energies()
   table.compute(contact_energies_);
 }
 
-// Segments next to each other were connected.
+// Neighbouring segments of a part count as connected.
 void Matching_problem::fill_cut_energies()
 {
   cut_energies_.resize(labels_.size());
-  std::vector<double> distortion;
   for (std::size_t g = 0; g < labels_.size(); ++g) {
     cut_energies_[g].resize(labels_[g].size());
     for (std::size_t l = 0; l < labels_[g].size(); ++l) {
@@ -149,12 +148,13 @@ void Matching_problem::fill_cut_energies()
         for (std::size_t a : fitted_.images(part, l))
           for (std::size_t b : fitted_.images(part, l)) {
             const Fitted_piece &first = fitted_[a], &second = fitted_[b];
-            if (first.source.count < 2 || second.source.index != first.source.index + 1) continue;
-            const Structural_rods rods(fitted_.source_piece(first.source_index).samples,
-                                       fitted_.source_piece(second.source_index).samples);
-            distortions({&rods}, fitted_.samples(first), fitted_.samples(second), distortion);
-            cut_energies_[g][l].distortion += distortion[0];
-            cut_energies_[g][l].connectedness += fitted_.connectedness(rods, first, second);
+            if (!first.source.is_segment() || second.source.index != first.source.index + 1) continue;
+            const Rod_energy energy = rod_energy(fitted_.source_piece(first.source_index).samples,
+                                                 fitted_.source_piece(second.source_index).samples,
+                                                 fitted_.points(first), fitted_.points(second));
+            cut_energies_[g][l].distortion += energy.distortion;
+            cut_energies_[g][l].connectedness +=
+                overlap(first.target, second.target) ? collapsed_connectedness : energy.connectedness;
           }
     }
   }
@@ -163,12 +163,11 @@ void Matching_problem::fill_cut_energies()
 void Matching_problem::fill_role_costs()
 {
   const bool has_costs = options_.weights.roles > 0 && options_.role_costs.size() > 0;
-  std::vector<double> weight(source().parts.size(), 0); // half of a contact for each of its sides
+  std::vector<double> weight(source().parts.size(), 0); // a contact counts one half to each of its parts
   for (const Aligned_shape::Contact& contact : source().contacts)
     for (std::size_t part : contact.parts)
       weight[part] += 0.5;
-  const double unit =
-      options_.norm == Energy_norm::POOLED ? 1 / double(std::max<std::size_t>(1, source().contacts.size())) : 1;
+  const double unit = pools_rods() ? 1 / double(std::max<std::size_t>(1, source().contacts.size())) : 1;
   for (std::size_t g = 0; g < labels_.size(); ++g) {
     role_costs_.emplace_back(labels_[g].size(), 0.);
     for (std::size_t l = 0; has_costs && l < labels_[g].size(); ++l)
@@ -184,19 +183,34 @@ void Matching_problem::fill_role_costs()
   }
 }
 
-// Of the whole parts, unlifted.
+// Between the samples of the whole parts, each counted once.
 double Matching_problem::number_of_rods(std::size_t contact) const
 {
   const auto& parts = source().contacts[contact].parts;
   return double(source().parts[parts[0]].samples.cols() * source().parts[parts[1]].samples.cols());
 }
 
-// Eq. 1 as a sum over labels of groups and pairs of groups. The root terms are w_s E_s (`split_energy()`, Eq. 5), and a
-// pooled E_d (`distortion_energy()`, Eq. 3).
+// The sum of the squared cosines of a contact's rods, from its E_d, for a pooled norm.
+double Matching_problem::kept_rods(std::size_t contact, const Rod_energy& energy) const
+{
+  return number_of_rods(contact) * (1 - energy.distortion) * (1 - energy.distortion);
+}
+
+// What a group's label adds to the terms of the energy, but for E_s and contacts with other groups.
+Energy_terms Matching_problem::group_terms(std::size_t group, std::size_t label) const
+{
+  Energy_terms terms;
+  terms.distortion = cut_energies_[group][label].distortion;
+  terms.connectedness = cut_energies_[group][label].connectedness;
+  terms.roles = role_costs_[group][label];
+  if (is_unmatched(group, label) && is_isolated(source(), group)) terms.unmatched = options_.unmatched_cost;
+  return terms;
+}
+
+// E as a sum over labels of groups and pairs of groups. The root terms are w_s E_s (Eq. 5) and a pooled E_d (Eq. 3).
 void Matching_problem::add_up_energy()
 {
   const Energy_weights& weights = options_.weights;
-  const bool pooled = options_.norm == Energy_norm::POOLED;
   const std::size_t n = labels_.size();
   Pairwise_energy::Root_term split{weights.split, double(n), {}, {}}, rods{weights.distortion, 0, {}, {}};
   for (std::size_t g = 0; g < n; ++g) {
@@ -205,33 +219,32 @@ void Matching_problem::add_up_energy()
     rods.unary.push_back(Eigen::VectorXd::Zero(count));
     split.unary.push_back(Eigen::VectorXd::Zero(count));
     for (Eigen::Index l = 0; l < count; ++l) {
-      const Group_label& label = labels_[g][std::size_t(l)];
-      split.unary[g][l] = label.solidity_ratio * label.solidity_ratio;
-      const Rod_energy& cut = cut_energies_[g][std::size_t(l)];
-      energy_.unary[g][l] = weights.distortion * cut.distortion + weights.connectedness * cut.connectedness +
-                            weights.roles * role_costs_[g][std::size_t(l)];
-      if (is_unmatched(g, std::size_t(l)) && is_isolated(source(), g)) energy_.unary[g][l] = options_.unmatched_cost;
+      const double ratio = labels_[g][std::size_t(l)].solidity_ratio;
+      split.unary[g][l] = ratio * ratio;
+      energy_.unary[g][l] = deformation_energy(group_terms(g, std::size_t(l)), weights);
     }
   }
 
   const double contact_count = double(std::max<std::size_t>(1, source().contacts.size()));
-  const auto group = [&](std::size_t contact, std::size_t side) {
-    return source().group_of[source().contacts[contact].parts[side]];
-  };
-  // Adds what a contact costs with labels a and b of its groups to the energy, or what it keeps to the pooled norm
+  // Adds what a contact costs with labels a and b of its groups to `cost`, and the rods that it keeps to `kept`
   const auto add = [&](std::size_t contact, std::size_t a, std::size_t b, double& cost, double& kept) {
     const Rod_energy energy = contact_energy(contact, a, b);
-    if (pooled) kept += number_of_rods(contact) * (1 - energy.distortion) * (1 - energy.distortion);
-    if (is_unmatched(group(contact, 0), a) || is_unmatched(group(contact, 1), b))
-      cost += options_.unmatched_cost;
-    else
-      cost += pooled ? weights.connectedness * energy.connectedness / contact_count
-                     : weights.distortion * energy.distortion + weights.connectedness * energy.connectedness;
+    const auto [first, second] = groups_of_contact(contact);
+    Energy_terms terms;
+    if (is_unmatched(first, a) || is_unmatched(second, b)) terms.unmatched = options_.unmatched_cost;
+    if (pools_rods()) {
+      kept += kept_rods(contact, energy);
+      terms.connectedness = energy.connectedness / contact_count;
+    } else {
+      terms.distortion = energy.distortion;
+      terms.connectedness = energy.connectedness;
+    }
+    cost += deformation_energy(terms, weights);
   };
   for (std::size_t contact = 0; contact < source().contacts.size(); ++contact) {
     rods.count += number_of_rods(contact);
-    const std::size_t g = group(contact, 0);
-    if (g != group(contact, 1)) continue; // an edge has it
+    const auto [g, other] = groups_of_contact(contact);
+    if (g != other) continue; // an edge has it
     for (std::size_t a = 0; a < labels_[g].size(); ++a)
       add(contact, a, a, energy_.unary[g][Eigen::Index(a)], rods.unary[g][Eigen::Index(a)]);
   }
@@ -241,7 +254,7 @@ void Matching_problem::add_up_energy()
     Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(Eigen::Index(labels_[low].size()), Eigen::Index(labels_[high].size()));
     Eigen::MatrixXd kept = cost;
     for (std::size_t contact : graph[edge].contacts) {
-      const bool forward = group(contact, 0) == low;
+      const bool forward = groups_of_contact(contact)[0] == low;
       for (Eigen::Index a = 0; a < cost.rows(); ++a)
         for (Eigen::Index b = 0; b < cost.cols(); ++b)
           add(contact, std::size_t(forward ? a : b), std::size_t(forward ? b : a), cost(a, b), kept(a, b));
@@ -250,41 +263,34 @@ void Matching_problem::add_up_energy()
     rods.edge.push_back(std::move(kept));
   }
   if (weights.split > 0) energy_.root_terms.push_back(std::move(split));
-  if (pooled && weights.distortion > 0 && rods.count > 0) energy_.root_terms.push_back(std::move(rods));
+  if (pools_rods() && weights.distortion > 0 && rods.count > 0) energy_.root_terms.push_back(std::move(rods));
 }
 
 Energy_terms Matching_problem::terms(const Assignment& assignment) const
 {
-  std::vector<Rod_energy> contacts(source().contacts.size());
-  for (std::size_t contact = 0; contact < contacts.size(); ++contact) {
-    const auto& parts = source().contacts[contact].parts;
-    contacts[contact] = contact_energy(contact, std::size_t(assignment[source().group_of[parts[0]]]),
-                                       std::size_t(assignment[source().group_of[parts[1]]]));
-  }
+  std::vector<Rod_energy> contacts;
+  for (std::size_t contact = 0; contact < source().contacts.size(); ++contact)
+    contacts.push_back(contact_energy(contact, assignment));
   return terms(assignment, contacts);
 }
 
 Energy_terms Matching_problem::terms(const Assignment& assignment, const std::vector<Rod_energy>& contacts) const
 {
-  const bool pooled = options_.norm == Energy_norm::POOLED;
   std::vector<char> unmatched(labels_.size());
   for (std::size_t g = 0; g < labels_.size(); ++g)
     unmatched[g] = assignment[g] != unassigned && is_unmatched(g, std::size_t(assignment[g]));
   Energy_terms terms;
   double kept = 0, rod_count = 0;
   for (std::size_t contact = 0; contact < contacts.size(); ++contact) {
-    const auto& parts = source().contacts[contact].parts;
-    if (unmatched[source().group_of[parts[0]]] || unmatched[source().group_of[parts[1]]])
-      terms.unmatched += options_.unmatched_cost;
-    const Rod_energy& energy = contacts[contact];
-    terms.distortion += energy.distortion;
-    terms.connectedness += energy.connectedness;
-    if (!pooled) continue;
-    const double rods = number_of_rods(contact);
-    rod_count += rods;
-    kept += rods * (1 - energy.distortion) * (1 - energy.distortion);
+    const auto [first, second] = groups_of_contact(contact);
+    if (unmatched[first] || unmatched[second]) terms.unmatched += options_.unmatched_cost;
+    terms.distortion += contacts[contact].distortion;
+    terms.connectedness += contacts[contact].connectedness;
+    if (!pools_rods()) continue;
+    rod_count += number_of_rods(contact);
+    kept += kept_rods(contact, contacts[contact]);
   }
-  if (pooled && rod_count > 0) {
+  if (rod_count > 0) {
     terms.distortion = distortion_energy(kept / rod_count);
     terms.connectedness /= double(contacts.size());
   }
@@ -292,11 +298,12 @@ Energy_terms Matching_problem::terms(const Assignment& assignment, const std::ve
   for (std::size_t g = 0; g < labels_.size(); ++g) {
     if (assignment[g] == unassigned) continue;
     const std::size_t l = std::size_t(assignment[g]);
+    const Energy_terms of_group = group_terms(g, l);
     solidity_ratios[g] = labels_[g][l].solidity_ratio;
-    terms.distortion += cut_energies_[g][l].distortion;
-    terms.connectedness += cut_energies_[g][l].connectedness;
-    terms.roles += role_costs_[g][l];
-    if (is_unmatched(g, l) && is_isolated(source(), g)) terms.unmatched += options_.unmatched_cost;
+    terms.distortion += of_group.distortion;
+    terms.connectedness += of_group.connectedness;
+    terms.roles += of_group.roles;
+    terms.unmatched += of_group.unmatched;
   }
   terms.split = split_energy(solidity_ratios);
   return terms;

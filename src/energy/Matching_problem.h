@@ -10,8 +10,8 @@
 #include <CGAL/Shape_correspondence/Matching_options.h>
 #include <CGAL/Shape_correspondence/Pairwise_energy.h>
 
+#include <array>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -23,8 +23,8 @@ constexpr std::size_t maximum_labels = 64;
 
 /// The matching graph of a source and a target shape (paper, section 5) with its energies as tables. Once every group
 /// has a label, a matched part is its target part up to resampling, so that E is a sum over groups and over pairs of
-/// groups in contact of terms that depend on their labels alone; each is computed once. Labels are the target groups
-/// (the nearest `maximum_labels`) in their order, then those with cut curves, then, where allowed, none.
+/// groups in contact of terms that depend on their labels alone; each is computed once. The labels of a group are the
+/// target groups (the nearest `maximum_labels`) in their order, then those with cut curves, then, where allowed, none.
 class Matching_problem
 {
 public:
@@ -32,8 +32,8 @@ public:
 
   Matching_problem(const Shared_shape& source, const Shared_shape& target, const Matching_options& options = {});
   Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options = {});
-  /// The same with given labels, by source group: to rate a mapping that was found in another way. Members of a group
-  /// may have no image; their contacts cost nothing. \pre at least one label a group, as many images as it has members
+  /// With given labels, by source group: to rate a mapping that was found in another way. Members of a group may have
+  /// no image; their contacts cost nothing. \pre at least one label a group, as many lists of images as it has members
   Matching_problem(Shared_shape source, Shared_shape target, std::vector<std::vector<Group_label>> labels,
                    const Matching_options& options = {});
 
@@ -46,37 +46,47 @@ public:
   {
     return labels_[group][label].target_group == Group_label::no_group;
   }
-  /// Whether the labels of a group are fewer than the target groups, so that no search proves an optimum.
+  /// Whether target groups were left out of the labels of a group, so that no search proves an optimum.
   bool has_shortlists() const { return has_shortlists_; }
 
-  /// E of Eq. 1 of complete assignments: a variable a source group.
+  /// E of Eq. 1 of complete assignments of labels to groups.
   const Pairwise_energy& energy() const { return energy_; }
-  /// Its terms.
+  /// The terms of E.
   Energy_terms terms(const Assignment& assignment) const;
-  /// The terms, given the energies of all contacts between matched groups (others are 0); `assignment` may be partial.
+  /// The terms of E of a partial assignment, given the energies of all contacts: 0 where a group is unmatched.
   Energy_terms terms(const Assignment& assignment, const std::vector<Rod_energy>& contacts) const;
 
+  /// The source groups of the two parts of a contact.
+  std::array<std::size_t, 2> groups_of_contact(std::size_t contact) const
+  {
+    const auto& parts = source_->contacts[contact].parts;
+    return {source_->group_of[parts[0]], source_->group_of[parts[1]]};
+  }
   /// E_d and E_c of a contact whose two groups have labels; clones are paired with their nearest counterparts, and the
   /// pairs averaged. A cut part counts with the segment that touches.
   Rod_energy contact_energy(std::size_t contact, std::size_t first_label, std::size_t second_label) const
   {
-    const std::size_t second = source_->group_of[source_->contacts[contact].parts[1]];
+    const std::size_t second = groups_of_contact(contact)[1];
     return contact_energies_[contact_begin_[contact] + first_label * number_of_labels(second) + second_label];
   }
-  /// E_d and E_c, summed, between the segments of a group's cut parts.
+  /// The same with the labels of a complete assignment.
+  Rod_energy contact_energy(std::size_t contact, const Assignment& assignment) const
+  {
+    const auto [first, second] = groups_of_contact(contact);
+    return contact_energy(contact, std::size_t(assignment[first]), std::size_t(assignment[second]));
+  }
+  /// E_d and E_c, summed, between neighbouring segments of a group's cut parts.
   Rod_energy cut_energy(std::size_t group, std::size_t label) const { return cut_energies_[group][label]; }
-
-  /// What the roles of a group and of what it becomes add to the energy, before weighting
-  /// (`Matching_options::role_costs`).
+  /// The cost of the roles of a group and its image, before weighting (`Matching_options::role_costs`).
   double role_cost(std::size_t group, std::size_t label) const { return role_costs_[group][label]; }
 
-  /// What source parts become, by label.
+  /// The source parts after the deformation, by label.
   const internal::Fitted_pieces& fitted() const { return fitted_; }
-  /// What touches at a contact on a side when the part there has a label: all its clones, or the one segment.
-  internal::Fitted_range touching(std::size_t contact, int side, std::size_t label) const
+  /// The fitted pieces that touch at a side of a contact: all clones of the part there, or the one segment.
+  internal::Fitted_range touching(std::size_t contact, std::size_t side, std::size_t label) const
   {
     const Aligned_shape::Contact& c = source_->contacts[contact];
-    return fitted_.touching(c.parts[std::size_t(side)], c.samples[std::size_t(side)], label);
+    return fitted_.touching(c.parts[side], c.samples[side], label);
   }
 
 private:
@@ -86,7 +96,10 @@ private:
   void fill_cut_energies();
   void fill_role_costs();
   void add_up_energy();
+  bool pools_rods() const { return options_.norm == Energy_norm::POOLED; }
   double number_of_rods(std::size_t contact) const;
+  double kept_rods(std::size_t contact, const Rod_energy& energy) const;
+  Energy_terms group_terms(std::size_t group, std::size_t label) const;
 
   Shared_shape source_, target_;
   Matching_options options_;

@@ -1,12 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Shape_correspondence/Deformation_energy.h>
 #include <CGAL/Shape_correspondence/Pairwise_energy.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace CGAL::Shape_correspondence {
+
+double Pairwise_energy::Root_term::operator()(double sum) const { return weight * norm_loss(sum / count); }
 
 double Pairwise_energy::root_sum(const Root_term& term, const Assignment& assignment) const
 {
@@ -26,7 +28,7 @@ double Pairwise_energy::operator()(const Assignment& assignment) const
   for (const Edge& edge : edges)
     sum += edge.cost(assignment[edge.first], assignment[edge.second]);
   for (const Root_term& term : root_terms)
-    sum += term.weight * (1 - std::sqrt(root_sum(term, assignment) / term.count));
+    sum += term(root_sum(term, assignment));
   return sum;
 }
 
@@ -43,7 +45,7 @@ double Pairwise_energy::lower_bound() const
       most += shares.maxCoeff();
     for (const Eigen::MatrixXd& shares : term.edge)
       most += shares.maxCoeff();
-    sum += term.weight * (1 - std::sqrt(std::min(1.0, most / term.count)));
+    sum += term(std::min(most, term.count));
   }
   return sum;
 }

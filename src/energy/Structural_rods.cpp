@@ -3,80 +3,93 @@
 
 #include "energy/Structural_rods.h"
 #include "base/quantized.h"
-#include "energy/rod_cosines.h"
-#include "energy/rod_directions.h"
+#include "energy/deform_to_fit.h"
 
 #include <CGAL/Shape_correspondence/Deformation_energy.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
-#include <utility>
+#include <limits>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
 
-std::size_t Structural_rods::size(int first_count, int second_count)
+namespace {
+
+// E_d, 0 where the mean is 1 up to roundings, so that what does not move costs nothing.
+double rounded_distortion(double mean_squared_cosine)
 {
-  const int in_blocks = samples_in_blocks(second_count);
-  return std::size_t(first_count) * std::size_t(blocks_of(in_blocks)) +
-         std::size_t(second_count - in_blocks) * std::size_t(blocks_of(first_count));
+  return mean_squared_cosine > 1 - comparison_grid ? 0 : distortion_energy(mean_squared_cosine);
+}
+
+} // namespace
+
+Rod_energy rod_energy(const Points& first, const Points& second, const Points& moved_first, const Points& moved_second)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double squared_cosines = 0, shortest = infinity, shortest_after = infinity, longest = 0;
+  for (Eigen::Index i = 0; i < first.cols(); ++i)
+    for (Eigen::Index j = 0; j < second.cols(); ++j) {
+      const Point before = second.col(j) - first.col(i), after = moved_second.col(j) - moved_first.col(i);
+      const double cosine = rod_rotation(before, after);
+      squared_cosines += cosine * cosine;
+      shortest = std::min(shortest, before.norm());
+      longest = std::max(longest, before.norm());
+      shortest_after = std::min(shortest_after, after.norm());
+    }
+  return {rounded_distortion(squared_cosines / double(first.cols() * second.cols())),
+          connectedness_energy(shortest, shortest_after, longest)};
+}
+
+std::pmr::memory_resource& internal::rod_pool()
+{
+  // Chunks of growing sizes are asked for; never destroyed, so that it outlives static shapes
+  static auto* const pool = new std::pmr::synchronized_pool_resource({4, 8 * rod_chunk_bytes});
+  return *pool;
 }
 
 Structural_rods::Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats)
-    : Structural_rods(first, second, first_repeats, second_repeats,
-                      own_rods(size(int(first.cols()) * first_repeats, int(second.cols()) * second_repeats)))
-{}
-
-Structural_rods::Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats,
-                                 Own_rods memory)
-    : Structural_rods(Sample_lanes(first, first_repeats), int(first.cols()) * first_repeats,
-                      Sample_lanes(second, second_repeats), int(second.cols()) * second_repeats, memory.get())
 {
-  memory_ = std::move(memory);
+  const int n = int(first.cols()) * first_repeats, m = int(second.cols()) * second_repeats;
+  void* const memory = rod_pool().allocate(size(n, m) * sizeof(Rod_block), alignof(Rod_block));
+  decltype(memory_) owner(static_cast<Rod_block*>(memory), {size(n, m)});
+  *this = Structural_rods(Sample_lanes(repeated(first, first_repeats), first_repeats), n,
+                          Sample_lanes(repeated(second, second_repeats), second_repeats), m, owner.get());
+  memory_ = std::move(owner);
 }
 
-Structural_rods::Structural_rods(const Sample_lanes& from, int first_count, const Sample_lanes& to, int second_count,
-                                 Rod_block* memory)
-    : rods_(memory), first_count_(first_count), second_count_(second_count)
+Structural_rods::Structural_rods(const Sample_lanes& first, int n, const Sample_lanes& second, int m, Rod_block* memory)
+    : rods_(memory), first_count_(n), second_count_(m)
 {
-  CGAL_precondition(first_count_ <= maximum_samples && second_count_ <= maximum_samples);
-  const int in_blocks = samples_in_blocks(second_count_);
-  static const Rod_writer write = available_rod_writers().back();
-  const Rod_rows there = write(from, 0, first_count_, to, in_blocks, memory);
-  memory += std::ptrdiff_t(first_count_) * blocks_of(in_blocks);
-  const Rod_rows back = write(to, in_blocks, second_count_, from, first_count_, memory);
-  directionless_ = there.directionless + back.directionless;
-  share_ = 1 / double(first_count_ * second_count_);
-  shortest_ = std::sqrt(double(std::min(there.shortest_squared, back.shortest_squared)));
-  longest_ = std::sqrt(double(std::max(there.longest_squared, back.longest_squared)));
+  CGAL_precondition(n <= maximum_samples && m <= maximum_samples);
+  const Rod_lengths lengths = rod_kernel().write(first, n, second, m, memory);
+  zero_ = lengths.zero;
+  shortest_ = std::sqrt(double(lengths.shortest_squared));
+  longest_ = std::sqrt(double(lengths.longest_squared));
 }
 
+// A rod of length zero keeps its direction.
 double Structural_rods::distortion(float squared_cosines) const
 {
-  const double mean = (directionless_ + double(squared_cosines)) * share_;
-  return mean > 1 - comparison_grid ? 0 : distortion_energy(mean);
+  return rounded_distortion((zero_ + double(squared_cosines)) * (1 / double(first_count_ * second_count_)));
 }
 
 void distortions(const std::vector<const Structural_rods*>& pairs, const Sample_lanes& first,
                  const Sample_lanes& second, std::vector<double>& result)
 {
-  const Rod_kernels& kernels = rod_kernels();
-  std::size_t done = 0;
+  const Rod_kernel& kernel = rod_kernel();
   result.resize(pairs.size());
-  const auto compare = [&](const auto& kernel, auto count) {
-    const Rod_block* rods[decltype(count)::value];
+  for (std::size_t done = 0; done < pairs.size();) {
+    const std::size_t left = pairs.size() - done, count = left >= 4 ? 4 : left >= 2 ? 2 : 1;
+    const Rod_kernel::Compare compare = count == 4 ? kernel.four : count == 2 ? kernel.two : kernel.one;
+    const Rod_block* rods[4] = {};
     for (std::size_t i = 0; i < count; ++i)
       rods[i] = pairs[done + i]->rods_;
-    const auto moved = kernel(rods, first, pairs[0]->first_count_, second, pairs[0]->second_count_);
+    const Rod_comparison moved = compare(rods, first, pairs[0]->first_count_, second, pairs[0]->second_count_);
     for (std::size_t i = 0; i < count; ++i, ++done)
       result[done] = pairs[done]->distortion(moved.squared_cosines[i]);
-  };
-  while (pairs.size() - done >= 4)
-    compare(kernels.four, std::integral_constant<std::size_t, 4>());
-  if (pairs.size() - done >= 2) compare(kernels.two, std::integral_constant<std::size_t, 2>());
-  if (pairs.size() > done) compare(kernels.one, std::integral_constant<std::size_t, 1>());
+  }
 }
 
 double Structural_rods::connectedness(double distance) const
@@ -86,7 +99,7 @@ double Structural_rods::connectedness(double distance) const
 
 Rod_energy Structural_rods::energy(const Sample_lanes& first, const Sample_lanes& second) const
 {
-  const Rod_answer<1> moved = rod_kernels().both(&rods_, first, first_count_, second, second_count_);
+  const Rod_comparison moved = rod_kernel().one_and_length(&rods_, first, first_count_, second, second_count_);
   return {distortion(moved.squared_cosines[0]), connectedness(std::sqrt(double(moved.least_squared_length)))};
 }
 
@@ -102,10 +115,9 @@ double least_distance(const Points& first, const Points& second)
   return least_distance(Sample_lanes(first), int(first.cols()), Sample_lanes(second), int(second.cols()));
 }
 
-double least_distance(const Sample_lanes& first, int first_count, const Sample_lanes& second, int second_count)
+double least_distance(const Sample_lanes& first, int n, const Sample_lanes& second, int m)
 {
-  return std::sqrt(
-      double(rod_kernels().least_length(nullptr, first, first_count, second, second_count).least_squared_length));
+  return std::sqrt(double(rod_kernel().least_length(nullptr, first, n, second, m).least_squared_length));
 }
 
 } // namespace CGAL::Shape_correspondence

@@ -16,33 +16,40 @@ namespace CGAL::Shape_correspondence {
 
 namespace {
 
-// What the generator of a group makes of directions at its representative, for another member.
-Eigen::Matrix3d generated_directions(const Symmetry& symmetry, const Point& representative, const Point& member)
+// The linear map by which the generator of a group carries its representative to another member.
+Eigen::Matrix3d generated_directions(const Part_group& group, const Point& representative, const Point& member)
 {
+  const Symmetry& symmetry = group.symmetry;
+  Eigen::Matrix3d result = Eigen::Matrix3d::Identity();
   switch (symmetry.type) {
   case Symmetry_type::REFLECTION: {
-    // Members on the same side move alike
-    const double side = symmetry.direction.dot(representative - symmetry.point);
-    if (side * symmetry.direction.dot(member - symmetry.point) >= 0) break;
-    return Eigen::Matrix3d::Identity() - 2 * symmetry.direction * symmetry.direction.transpose();
+    // Orbits of more than two parts have a second, vertical plane; members on one side of a plane move alike
+    std::vector<Point> normals{symmetry.direction};
+    if (group.parts.size() > 2) normals.push_back(symmetry.direction.cross(Point::UnitY()));
+    for (const Point& normal : normals)
+      if (normal.dot(representative - symmetry.point) * normal.dot(member - symmetry.point) < 0)
+        result -= 2 * normal * normal.transpose();
+    break;
   }
   case Symmetry_type::ROTATION: {
     const Point axis = symmetry.direction;
     const Point from = representative - symmetry.point - axis * axis.dot(representative - symmetry.point);
     const Point to = member - symmetry.point - axis * axis.dot(member - symmetry.point);
     const double angle = std::atan2(axis.dot(from.cross(to)), from.dot(to));
-    return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    result = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    break;
   }
   default:
     break;
   }
-  return Eigen::Matrix3d::Identity();
+  return result;
 }
 
 } // namespace
 
-Structure_preservation::Structure_preservation(const Aligned_shape& shape)
+Structure_preservation::Structure_preservation(const Aligned_shape& shape, bool has_hard_contacts)
     : shape_(shape),
+      stiffness_(has_hard_contacts ? least_stiffness : stiffness),
       touches_(shape.number_of_groups()),
       displacement_(Points::Zero(3, Eigen::Index(shape.parts.size()))),
       placed_(shape.number_of_groups()),
@@ -88,20 +95,20 @@ Structure_preservation::Handles Structure_preservation::handles(std::size_t grou
   }
   for (std::size_t member : shape_.group(group).parts)
     result.directions.push_back(
-        generated_directions(shape_.group(group).symmetry, part.centroid, shape_.parts[member].centroid));
+        generated_directions(shape_.group(group), part.centroid, shape_.parts[member].centroid));
   result.middle = points.rowwise().mean();
   points.colwise() -= result.middle;
-  constexpr double least_scatter = 1e-12; // of a part that is a point, so that there is an inverse
+  constexpr double least_scatter = 1e-12; // for a part that is a point, so that the matrix has an inverse
   const double scatter = (part.samples.colwise() - part.centroid).squaredNorm() / double(part.samples.cols());
   const Eigen::Matrix3d weight =
-      points * points.transpose() + stiffness * std::max(scatter, least_scatter) * Eigen::Matrix3d::Identity();
+      points * points.transpose() + stiffness_ * std::max(scatter, least_scatter) * Eigen::Matrix3d::Identity();
   const Points slopes = weight.inverse() * points;
   for (const auto& slope : slopes.colwise())
     result.slopes.emplace_back(slope);
   return result;
 }
 
-// Places a group by what it touches and what is placed.
+// Places a group by its contacts with groups that are placed.
 void Structure_preservation::place(std::size_t group, const std::vector<char>& matched,
                                    const std::vector<std::array<Point, 2>>& contact_displacement)
 {
@@ -125,16 +132,16 @@ void Structure_preservation::place(std::size_t group, const std::vector<char>& m
   if (representative == handles_[group].representative) return displace(group, moved);
   for (std::size_t member : shape_.group(group).parts)
     displacement_.col(Eigen::Index(member)) =
-        generated_directions(shape_.group(group).symmetry, shape_.parts[representative].centroid,
+        generated_directions(shape_.group(group), shape_.parts[representative].centroid,
                              shape_.parts[member].centroid) *
         moved;
 }
 
-// Displaces the members of a group as the representative of its handles is.
+// Displaces the members of a group as its representative is displaced.
 void Structure_preservation::displace(std::size_t group, const Point& moved)
 {
   const std::vector<std::size_t>& members = shape_.group(group).parts;
-  if (members.size() == 1) { // whose directions are its own
+  if (members.size() == 1) { // the representative
     displacement_.col(Eigen::Index(members[0])) = moved;
     return;
   }
@@ -142,7 +149,7 @@ void Structure_preservation::displace(std::size_t group, const Point& moved)
     displacement_.col(Eigen::Index(members[i])) = handles_[group].directions[i] * moved;
 }
 
-// Where the displacements are that the representatives follow once all that they touch is placed.
+// Collects the displacements that the representatives follow, once all groups are placed.
 void Structure_preservation::gather(const std::vector<char>& matched,
                                     const std::vector<std::array<Point, 2>>& contact_displacement)
 {
@@ -156,7 +163,7 @@ void Structure_preservation::gather(const std::vector<char>& matched,
     }
 }
 
-// Places every group anew; returns how far the one that moved most did.
+// Places every group again; returns the largest change of a coordinate.
 double Structure_preservation::sweep()
 {
   double change = 0;
@@ -174,7 +181,7 @@ double Structure_preservation::sweep()
   return change;
 }
 
-// Displaces and deforms a group by all that its representative touches. Two unmatched parts meet half-way.
+// Displaces and deforms a group by the contacts of its representative. Two unmatched parts meet midway.
 void Structure_preservation::stretch(std::size_t group, const std::vector<char>& matched,
                                      const std::vector<std::array<Point, 2>>& contact_displacement,
                                      std::vector<Part_motion>& motions) const
@@ -195,7 +202,7 @@ void Structure_preservation::stretch(std::size_t group, const std::vector<char>&
   motion.shift /= double(handles.end - handles.begin);
   motion.shift -= motion.stretch * handles.middle;
   const std::vector<std::size_t>& members = shape_.group(group).parts;
-  if (members.size() == 1) { // whose directions are its own
+  if (members.size() == 1) { // the representative
     motions[members[0]] = motion;
     return;
   }
@@ -205,7 +212,7 @@ void Structure_preservation::stretch(std::size_t group, const std::vector<char>&
   }
 }
 
-// Breadth-first from the matched groups: the order of the others, a layer after the other, by index in a layer.
+// Breadth-first search from the matched groups: orders the others by layer, then by index.
 void Structure_preservation::visit(const std::vector<char>& matched)
 {
   struct Visitor : boost::default_bfs_visitor
@@ -250,7 +257,7 @@ void Structure_preservation::operator()(const std::vector<char>& matched,
       for (std::size_t part : shape_.group(group).parts)
         motions[part] = {};
 
-  // All that they touch is placed now, so that the representatives are those of the handles
+  // All groups are placed now, so that the representatives are those of the handles
   gather(matched, contact_displacement);
   for (int sweeps = 0; sweeps < maximum_sweeps && sweep() > tolerance;)
     ++sweeps;

@@ -8,18 +8,18 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// The unit box of a group: a direction in which the group has no extent counts as its middle.
+// Maps points to the unit box of a group. An axis along which the group is flat maps to the middle, 0.5.
 class Unit_box
 {
 public:
   explicit Unit_box(const Eigen::AlignedBox3d& box)
   {
-    constexpr double least_extent = 0.02; // of the shape's height; under it, sides are not told apart
+    constexpr double least_extent = 0.02; // of the shape's height; a smaller one counts as flat
     for (int axis = 0; axis < 3; ++axis) {
       const double extent = box.sizes()[axis];
-      const bool has_none = extent < least_extent;
-      scale_[axis] = has_none ? 0 : 1 / extent;
-      origin_[axis] = has_none ? 0.5 : -box.min()[axis] / extent;
+      const bool is_flat = extent < least_extent;
+      scale_[axis] = is_flat ? 0 : 1 / extent;
+      origin_[axis] = is_flat ? 0.5 : -box.min()[axis] / extent;
     }
   }
 

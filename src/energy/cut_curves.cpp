@@ -32,7 +32,7 @@ namespace {
 
 bool is_open_curve(const Sampled_part& part) { return part.kind == Sampled_part::Kind::CURVE; }
 
-// Which segment of a curve each of several curves is, by optimal assignment of their places in the unit boxes.
+// The segment of a curve that corresponds to each of several curves: optimal assignment by places in the unit boxes.
 std::vector<std::size_t> matching_segments(const Sampled_part& curve, const Unit_box& curve_box,
                                            const std::vector<Point>& centroids, const Unit_box& box)
 {

@@ -7,7 +7,7 @@
 
 namespace CGAL::Shape_correspondence {
 
-/// The `index`-th of `count` equally long pieces of a curve, sampled like a part (paper, section 5: cutting).
+/// The `index`-th of `count` equally long segments of a curve, sampled like a part (paper, section 5).
 /// \pre the part is an open curve
 Sampled_part segment(const Sampled_part& curve, int index, int count);
 

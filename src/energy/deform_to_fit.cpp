@@ -11,91 +11,117 @@ using namespace internal;
 
 namespace {
 
-constexpr int samples_of_curve = samples_per_side;
 constexpr int samples_of_sheet = samples_per_side * samples_per_side;
 
+using Kind = Sampled_part::Kind;
 using Permutation = std::vector<int>;
 
-// The ways to run through the samples of a curve, or of a closed one from every start.
-std::vector<Permutation> curve_orientations(bool closed)
+// Both directions of a curve; of a closed one, from every sample.
+std::vector<Permutation> curve_orders(bool closed)
 {
+  constexpr int e = samples_per_side;
   std::vector<Permutation> result;
-  for (int start = 0; start < (closed ? samples_of_curve : 1); ++start)
+  for (int start = 0; start < (closed ? e : 1); ++start)
     for (int step : {1, -1}) {
-      Permutation p(samples_of_curve);
-      for (int i = 0; i < samples_of_curve; ++i)
-        p[i] = ((step > 0 ? i : samples_of_curve - 1 - i) + start) % samples_of_curve;
-      result.push_back(p);
+      Permutation order(e);
+      for (int i = 0; i < e; ++i)
+        order[std::size_t(i)] = ((step > 0 ? i : e - 1 - i) + start) % e;
+      result.push_back(order);
     }
   return result;
 }
 
-// The 8 ways to lay a square grid onto itself.
-std::vector<Permutation> sheet_orientations()
+// The 8 symmetries of a square grid.
+std::vector<Permutation> sheet_orders()
 {
   constexpr int e = samples_per_side;
   std::vector<Permutation> result;
   for (int transposed : {0, 1})
     for (int flip_u : {0, 1})
       for (int flip_v : {0, 1}) {
-        Permutation p(samples_of_sheet);
+        Permutation order(samples_of_sheet);
         for (int i = 0; i < e; ++i)
           for (int j = 0; j < e; ++j) {
             const int u = flip_u ? e - 1 - i : i, v = flip_v ? e - 1 - j : j;
-            p[i * e + j] = transposed ? v * e + u : u * e + v;
+            order[std::size_t(i * e + j)] = transposed ? v * e + u : u * e + v;
           }
-        result.push_back(p);
+        result.push_back(order);
       }
   return result;
 }
 
-const std::vector<Permutation>& orientations(const Sampled_part& source, const Sampled_part& target)
+// How two parts may fit: orders of samples, and the samples that tell them apart.
+struct Fits
 {
-  static const std::vector<Permutation> open = curve_orientations(false), closed = curve_orientations(true),
-                                        sheet = sheet_orientations();
-  using Kind = Sampled_part::Kind;
-  if (source.kind == Kind::SHEET || target.kind == Kind::SHEET) return sheet;
-  return source.kind == Kind::CLOSED_CURVE || target.kind == Kind::CLOSED_CURVE ? closed : open;
-}
+  std::vector<Permutation> orders;
+  std::vector<int> extremities; // ends of a curve, corners of a sheet, all samples of a closed curve
+};
 
-// The samples that orientations are told apart by: the ends of a curve, the corners of a sheet, all of a closed curve.
-const std::vector<int>& extremities(const Sampled_part& source, const Sampled_part& target)
+const Fits& fits_of(const Sampled_part& source, const Sampled_part& target)
 {
-  constexpr int last = samples_per_side - 1;
-  static const std::vector<int> ends{0, last}, corners{0, last, samples_of_sheet - 1 - last, samples_of_sheet - 1},
-      all{0, 1, 2, 3, 4, 5};
-  using Kind = Sampled_part::Kind;
-  if (source.kind == Kind::SHEET || target.kind == Kind::SHEET) return corners;
-  return source.kind == Kind::CLOSED_CURVE || target.kind == Kind::CLOSED_CURVE ? all : ends;
+  constexpr int e = samples_per_side;
+  static const Fits open{curve_orders(false), {0, e - 1}}, closed{curve_orders(true), curve_orders(false)[0]},
+      sheet{sheet_orders(), {0, e - 1, samples_of_sheet - e, samples_of_sheet - 1}};
+  const auto any_is = [&](Kind kind) { return source.kind == kind || target.kind == kind; };
+  return any_is(Kind::SHEET) ? sheet : any_is(Kind::CLOSED_CURVE) ? closed : open;
 }
 
 } // namespace
 
-const std::vector<int>& deform_to_fit(const Sampled_part& source, const Sampled_part& target)
+const std::vector<int>& match_extremities(const Sampled_part& source, const Sampled_part& target)
 {
-  // A curve among sheets has e equal columns
-  const bool sheets = source.kind == Sampled_part::Kind::SHEET || target.kind == Sampled_part::Kind::SHEET;
-  const int from_lift = sheets && source.kind != Sampled_part::Kind::SHEET ? samples_per_side : 1;
-  const int to_lift = sheets && target.kind != Sampled_part::Kind::SHEET ? samples_per_side : 1;
-  const std::vector<int>& ends = extremities(source, target);
-  using Ends = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, samples_per_side>;
-  Ends from(3, Eigen::Index(ends.size())), to = from;
-  for (Eigen::Index k = 0; k < from.cols(); ++k) {
-    from.col(k) = source.samples.col(ends[std::size_t(k)] / from_lift) - source.centroid;
-    to.col(k) = target.samples.col(ends[std::size_t(k)] / to_lift) - target.centroid;
-  }
-  const std::vector<int>* best = nullptr;
-  long best_score = 0; // the sum of products: greatest where the sum of squared distances is least
-  for (const std::vector<int>& candidate : orientations(source, target)) {
+  const auto& [orders, extremities] = fits_of(source, target);
+  const auto from_centre = [count = orders[0].size(), &extremities = extremities](const Sampled_part& part) {
+    const int repeats = int(count) / int(part.samples.cols()); // e of a curve among sheets
+    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, samples_per_side> result(3, Eigen::Index(extremities.size()));
+    for (Eigen::Index k = 0; k < result.cols(); ++k)
+      result.col(k) = part.samples.col(extremities[std::size_t(k)] / repeats) - part.centroid;
+    return result;
+  };
+  const auto from = from_centre(source), to = from_centre(target);
+  const Permutation* best = nullptr;
+  long best_score = 0; // the sum of products is greatest where the sum of squared distances is least
+  for (const Permutation& order : orders) {
     double sum = 0;
     for (Eigen::Index k = 0; k < from.cols(); ++k) {
-      const int end = candidate[std::size_t(ends[std::size_t(k)])]; // again one of the ends
-      sum += from.col(k).dot(to.col(std::find(ends.begin(), ends.end(), end) - ends.begin()));
+      const int image = order[std::size_t(extremities[std::size_t(k)])]; // an extremity, too
+      sum += from.col(k).dot(to.col(std::find(extremities.begin(), extremities.end(), image) - extremities.begin()));
     }
     const long score = quantized(sum);
-    if (!best || score > best_score) best = &candidate, best_score = score;
+    if (!best || score > best_score) best = &order, best_score = score;
   }
   return *best;
+}
+
+Points deform_to_fit(const Sampled_part& source, const Sampled_part& target, Deform_to_fit fit)
+{
+  const Permutation& order = match_extremities(source, target);
+  const int repeats = int(order.size()) / int(target.samples.cols());
+  Points result(3, Eigen::Index(order.size()));
+  for (Eigen::Index i = 0; i < result.cols(); ++i)
+    result.col(i) = target.samples.col(order[std::size_t(i)] / repeats);
+  const std::vector<int>& extremities = fits_of(source, target).extremities;
+  if (fit == Deform_to_fit::SAMPLES || extremities.size() == order.size()) return result;
+
+  const Points from = repeated(source.samples, int(result.cols() / source.samples.cols()));
+  const Points displacement = result - from;
+  result = from;
+  constexpr int e = samples_per_side;
+  for (Eigen::Index i = 0; i < result.cols(); ++i) {
+    const double u = double(i % e) / (e - 1), v = double(i / e) / (e - 1); // v is 0 on a curve
+    const double weights[] = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
+    for (std::size_t k = 0; k < extremities.size(); ++k)
+      result.col(i) += weights[k] * displacement.col(extremities[k]);
+  }
+  return result;
+}
+
+Points repeated(const Points& samples, int repeats)
+{
+  Points result(3, samples.cols() * repeats);
+  for (Eigen::Index i = 0; i < result.cols(); ++i)
+    result.col(i) = samples.col(i / repeats);
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence

@@ -21,7 +21,7 @@ bool is_sheet(const Sampled_part& part) { return part.kind == Sampled_part::Kind
 
 Point sample(const Sampled_part& sheet, int u, int v) { return sheet.samples.col(u * e + v); }
 
-// The directions of a sheet at large: along u, along v, its normal.
+// The mean directions of a sheet along u, along v, and its normal.
 Eigen::Matrix3d axes(const Sampled_part& sheet)
 {
   Point u = Point::Zero(), v = Point::Zero();
@@ -36,7 +36,7 @@ Eigen::Matrix3d axes(const Sampled_part& sheet)
   return result;
 }
 
-// The rectangle of a sheet that each of some parts takes.
+// The rectangles of parameters that divide a sheet among some parts.
 std::vector<Eigen::AlignedBox3d> rectangles(const Sampled_part& sheet, const std::vector<const Sampled_part*>& parts)
 {
   const Eigen::Matrix3d directions = axes(sheet).transpose();
@@ -48,7 +48,7 @@ std::vector<Eigen::AlignedBox3d> rectangles(const Sampled_part& sheet, const std
   return divide_box({Point::Zero(), Point::Ones()}, shares);
 }
 
-// Divides a sheet among the parts that some images have on the other side.
+// Divides a sheet among the parts on the other side of its images.
 void divide_among(const Sampled_part& sheet, const std::vector<Sampled_part>& others,
                   const std::vector<Piece_image*>& images, Piece Piece_image::*divided, Piece Piece_image::*other)
 {
@@ -73,7 +73,7 @@ Sampled_part rectangle(const Sampled_part& sheet, const std::array<double, 2>& l
   Sampled_part result;
   result.kind = Sampled_part::Kind::SHEET;
   result.samples.resize(3, Eigen::Index(e) * e);
-  std::array<std::array<std::pair<int, double>, e>, 2> places; // by axis: the cell, and how far in it
+  std::array<std::array<std::pair<int, double>, e>, 2> places; // by axis: index of the cell, fraction of it
   for (std::size_t axis : {0, 1})
     for (int i = 0; i < e; ++i) {
       const double at = (low[axis] + (high[axis] - low[axis]) * i / (e - 1)) * (e - 1);

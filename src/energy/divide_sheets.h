@@ -11,8 +11,8 @@ namespace CGAL::Shape_correspondence {
 Sampled_part rectangle(const Sampled_part& sheet, const std::array<double, 2>& low, const std::array<double, 2>& high);
 
 /// Splits and merges sheets (paper, section 5, Figure 7c): a source sheet that turns into several parts is divided
-/// among them, and a target sheet that several parts turn into among those, as they are arranged along it. The same
-/// division as that of the mapping (`divide_box()`).
+/// among them, and a target sheet that several parts turn into among those, by their arrangement along it. The map of
+/// points divides parts in the same way (`divide_box()`).
 void divide_sheets(const Aligned_shape& source, const Aligned_shape& target, Group_label& label);
 
 } // namespace CGAL::Shape_correspondence

@@ -13,7 +13,7 @@ using namespace internal;
 
 namespace {
 
-// Columns of a row that no row has taken go to the nearest row.
+// The columns assigned to each row: optimal one-to-one assignment; columns left over go to the nearest row.
 std::vector<std::vector<std::size_t>> assign_members(const Eigen::MatrixXd& cost)
 {
   std::vector<std::vector<std::size_t>> cols_of(cost.rows());
@@ -42,7 +42,7 @@ bool overlap(const Piece& a, const Piece& b)
   const auto meet = [](double low, double high, double other_low, double other_high) {
     return low < other_high && other_low < high;
   };
-  // Segments of a curve, then rectangles of a sheet; the whole is both
+  // Segments of a curve, then rectangles of a sheet; a whole part counts as both
   return meet(a.index * b.count, (a.index + 1) * b.count, b.index * a.count, (b.index + 1) * a.count) &&
          meet(a.low[0], a.high[0], b.low[0], b.high[0]) && meet(a.low[1], a.high[1], b.low[1], b.high[1]);
 }
@@ -72,7 +72,7 @@ bool may_match(const Part_group& source, const Part_group& target)
 
 namespace {
 
-// Added to the distance of two parts that must not correspond: more than any distance in unit boxes.
+// Added to the distance of parts that must not correspond: above any distance in unit boxes.
 constexpr double forbidden_distance = 1e3;
 
 Group_label match_members(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,

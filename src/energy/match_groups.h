@@ -33,46 +33,46 @@ struct Piece
 /// Whether two pieces have more than a boundary in common.
 bool overlap(const Piece& a, const Piece& b);
 
-/// What a piece of a source part turns into.
+/// A piece of a source part and the target piece that it turns into.
 struct Piece_image
 {
   Piece source, target;
 };
 
-/// What a source group becomes: a target group, the operation, and what each member turns into.
+/// A candidate image of a source group: a target group, the operation, and the images of the members.
 struct Group_label
 {
   static constexpr std::size_t no_group = std::size_t(-1);
 
   std::size_t target_group = no_group; ///< `no_group` leaves the group unmatched
   Operation operation = Operation::NONE;
-  std::vector<std::vector<Piece_image>> images; ///< by member of the source group; at least one each, or none at all
+  std::vector<std::vector<Piece_image>> images; ///< by member of the source group; none if it is unmatched
   double solidity_ratio = 1;                    ///< S_i of Eq. 5
 };
 
-/// What becomes of a group of so many parts that turns into a group of so many: match, split, duplicate or merge.
+/// The operation by the numbers of parts of two groups: match, split, duplicate or merge.
 Operation topological_operation(std::size_t source_size, std::size_t target_size);
 
 /// S_i of Eq. 5: 1 between groups of equal size, whose parts correspond one to one, and where one side is a rotational
 /// group.
 double solidity_ratio(const Part_group& source, const Part_group& target);
 
-/// Whether a search may match a group to another one (paper, section 5): to a group, or to a single part if that is
+/// Whether a search may match two groups (paper, section 5): a group to a group, or to a single part that is
 /// self-symmetric; a single part to anything.
 bool may_match(const Part_group& source, const Part_group& target);
 
 /// Group matching (paper, section 5): the parts of a source group and those of a target group, centroids in the groups'
-/// unit boxes, matched one to one by optimal assignment as far as numbers allow; every member left over goes to the
+/// unit boxes, are matched one to one by optimal assignment as far as numbers allow; every member left over goes to the
 /// nearest one of the other side. So no target part stays free while another is taken twice without need. Sheets that
-/// split or merge are divided (`divide_sheets()`). Pairs that the constraints do not allow are avoided where that is
-/// possible, see `is_allowed()`.
+/// split or merge are divided (`divide_sheets()`). Pairs that the constraints forbid are avoided where possible, see
+/// `is_allowed()`.
 Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
                          std::size_t target_group, const internal::Match_constraints& constraints = {});
 
 /// Whether all pairs of a label are allowed.
 bool is_allowed(const Group_label& label, const internal::Match_constraints& constraints);
 
-/// What becomes of a group of parts that are pinned. \pre the group is one of `internal::pinned_sets()`
+/// The label of a group of pinned parts. \pre the group is one of `internal::pinned_sets()`
 Group_label pinned_label(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
                          const internal::Match_constraints& constraints);
 

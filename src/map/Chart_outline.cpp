@@ -3,6 +3,7 @@
 
 #include "map/Chart_outline.h"
 
+#include "base/clamped.h"
 #include "base/planar_hull.h"
 
 #include <CGAL/assertions.h>
@@ -63,7 +64,7 @@ Chart_outline::Section Chart_outline::section_around(const std::vector<Eigen::Ve
 
 Chart_outline::Chart_outline(bool is_sheet, const Points& coordinates) : is_sheet_(is_sheet)
 {
-  constexpr double half_width = 0.2; // of the slice of a curve that a section is taken from; points are as near
+  constexpr double half_width = 0.2; // of the slice of a curve that gives a section
   const auto points_near = [&](double station, double width) {
     std::vector<Eigen::Vector2d> result;
     for (Eigen::Index i = 0; i < coordinates.cols(); ++i)
@@ -83,8 +84,8 @@ Chart_outline::Chart_outline(bool is_sheet, const Points& coordinates) : is_shee
 Chart_outline::Section Chart_outline::section(const Point& k) const
 {
   if (is_sheet_) return sections_[0];
-  const double at = std::clamp((k[0] + 1) / 2, 0., 1.) * (outline_stations - 1);
-  const int cell = std::min(int(at), outline_stations - 2);
+  const double at = clamped_to_unit((k[0] + 1) / 2) * (outline_stations - 1);
+  const int cell = clamped_cell(at, outline_stations - 2);
   const double share = at - cell;
   const Section &a = sections_[std::size_t(cell)], &b = sections_[std::size_t(cell + 1)];
   return {(1 - share) * a.middle + share * b.middle, (1 - share) * a.radii + share * b.radii};
@@ -94,7 +95,7 @@ double Chart_outline::radius(const Section& section, const Eigen::Vector2d& dire
 {
   const auto turn = double(std::atan2(direction.y(), direction.x()) / (2 * EIGEN_PI));
   const double at = (turn - std::floor(turn)) * angles;
-  const int cell = std::min(int(at), angles - 1);
+  const int cell = clamped_cell(at, angles - 1);
   return (1 - (at - cell)) * section.radii[cell] + (at - cell) * section.radii[(cell + 1) % angles];
 }
 

@@ -20,14 +20,14 @@ Eigen::Vector3d barycentric(const Point& p, const contacts::Triangle& t)
   const double determinant = uu * vv - uv * uv;
   if (!(determinant > 1e-14 * uu * vv)) { // a needle: along its longest side
     const int far = uu >= vv ? 1 : 2;
-    const double along = std::max(uu, vv) > 0 ? contacts::clamped((far == 1 ? uw / uu : vw / vv)) : 0;
+    const double along = std::max(uu, vv) > 0 ? clamped_to_unit((far == 1 ? uw / uu : vw / vv)) : 0;
     Eigen::Vector3d result = Eigen::Vector3d::Zero();
     result[0] = 1 - along;
     result[far] = along;
     return result;
   }
-  const double a = contacts::clamped((vv * uw - uv * vw) / determinant);
-  const double b = std::min(contacts::clamped((uu * vw - uv * uw) / determinant), 1 - a);
+  const double a = clamped_to_unit((vv * uw - uv * vw) / determinant);
+  const double b = std::min(clamped_to_unit((uu * vw - uv * uw) / determinant), 1 - a);
   return {1 - a - b, a, b};
 }
 
@@ -37,14 +37,6 @@ constexpr double facing = 0.5; // cosine; every normal is nearer to one of the s
 Point direction(std::size_t side) { return (side % 2 ? -1. : 1.) * Point::Unit(Eigen::Index(side / 2)); }
 
 } // namespace
-
-contacts::Triangle_tree tree_of(const Points& points, const Eigen::Matrix3Xi& triangles)
-{
-  std::vector<contacts::Triangle> list(std::size_t(triangles.cols()));
-  for (std::size_t t = 0; t < list.size(); ++t)
-    list[t] = triangle_of(points, triangles, t);
-  return contacts::Triangle_tree(std::move(list));
-}
 
 Charted_mesh charted_mesh(const Part_mesh& mesh, const Part_chart& chart, double longest_edge)
 {
@@ -117,7 +109,7 @@ Place_finder::Place_finder(const Points& coordinates, const Eigen::Matrix3Xi& tr
       for (int i = 0; i < 3; ++i)
         normal += normals.col(triangles(i, t));
       if (normal.dot(direction(side)) < facing * normal.norm()) continue;
-      list.push_back(triangle_of(coordinates, triangles, std::size_t(t)));
+      list.push_back(triangle_of(coordinates, triangles, t));
       numbers_[side].push_back(t);
     }
     if (!list.empty()) facing_[side].emplace(std::move(list));

@@ -9,7 +9,6 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -23,14 +22,6 @@ struct Charted_mesh
   Points coordinates; ///< in the chart
   Points offsets;     ///< from where the chart has the coordinates to the points, in its frames
 };
-
-inline contacts::Triangle triangle_of(const Points& points, const Eigen::Matrix3Xi& triangles, std::size_t t)
-{
-  const auto corners = triangles.col(Eigen::Index(t));
-  return {points.col(corners[0]), points.col(corners[1]), points.col(corners[2])};
-}
-
-contacts::Triangle_tree tree_of(const Points& points, const Eigen::Matrix3Xi& triangles);
 
 /// Subdivides a mesh until its edges are short in the chart, so that it can be bent.
 Charted_mesh charted_mesh(const Part_mesh& mesh, const Part_chart& chart, double longest_edge);

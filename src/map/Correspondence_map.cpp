@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/clamped.h"
 #include "base/quantized.h"
 #include "map/Surface_pair.h"
 
@@ -30,7 +31,7 @@ std::pair<double, double> closed_curve_fit(const Part_abstraction& source, const
   };
   const Points from = samples(source, source_points), to = samples(target, target_points);
   std::pair<double, double> best(0, 1);
-  long best_score = std::numeric_limits<long>::min();
+  std::int64_t best_score = std::numeric_limits<std::int64_t>::min();
   for (int step : {1, -1})
     for (int start = 0; start < n; ++start) {
       double sum = 0;
@@ -136,7 +137,7 @@ std::vector<Part_parameter> Correspondence_map::operator()(const Part_parameter&
     const Eigen::Vector2d turned = map.turn * inside;
     Part_parameter image{map.target.part, Eigen::Vector2d::Zero()};
     for (int i = 0; i < map.target.dimension; ++i) {
-      const double f = std::clamp((turned[i] + 1) / 2, 0., 1.);
+      const double f = clamped_to_unit((turned[i] + 1) / 2);
       image.parameter[i] = (1 - f) * map.target.low[i] + f * map.target.high[i];
     }
     result.push_back(image);

@@ -3,9 +3,9 @@
 
 #include "map/Part_chart.h"
 
+#include "base/clamped.h"
+#include "base/directions.h"
 #include "base/eigen_system.h"
-#include "base/fixed_direction.h"
-#include "base/least_rotation.h"
 #include "base/planar_hull.h"
 
 #include <CGAL/assertions.h>
@@ -33,7 +33,7 @@ double station_coordinate(Eigen::Index i, int stations) { return 2. * double(i) 
 std::pair<int, double> station_cell(double k, int stations)
 {
   const double x = (k + 1) / 2 * (stations - 1);
-  const int cell = std::clamp(int(std::floor(x)), 0, stations - 2);
+  const int cell = clamped_cell(x, stations - 2);
   return {cell, x - cell};
 }
 
@@ -178,10 +178,10 @@ std::pair<Point, Eigen::Matrix3d> Part_chart::locate(const Point& k) const
   Point place;
   Eigen::Matrix3d frame;
   const auto [i, f] = station_cell(k[0], stations(is_sheet_));
-  const double inside = std::clamp(f, 0., 1.);
+  const double inside = clamped_to_unit(f);
   if (is_sheet_) {
     const auto [j, g] = station_cell(k[1], sheet_stations);
-    const double inside_g = std::clamp(g, 0., 1.);
+    const double inside_g = clamped_to_unit(g);
     const auto at = [&, i = i, j = j](int a, int b) { return std::size_t((i + a) * sheet_stations + j + b); };
     place = (1 - f) * ((1 - g) * station(i, j) + g * station(i, j + 1)) +
             f * ((1 - g) * station(i + 1, j) + g * station(i + 1, j + 1));
@@ -282,6 +282,9 @@ Part_chart Part_chart::plate(const Points& surface, const Eigen::Matrix3d& axes)
 
 Part_chart Part_chart::around(const Part_abstraction& part, const Points& control_points, const Points& surface)
 {
+  const bool is_point = (control_points.rowwise().maxCoeff() - control_points.rowwise().minCoeff()).maxCoeff() <
+                        2 * least_half_extent; // where it is, rounding would be all of its shape
+  if (is_point) return (part.is_sheet() ? plate : box)(surface, Eigen::Matrix3d::Identity());
   if (const Sheet* given = std::get_if<Sheet>(&part.geometry))
     return over(spine_of(Sheet{control_points, given->rows, given->cols}), Point::Ones()).fitted(surface);
   const Curve curve{control_points, std::get<Curve>(part.geometry).closed};
@@ -324,7 +327,9 @@ Part_chart Part_chart::fitted(const Points& surface) const
     Eigen::AlignedBox3d box;
     for (Eigen::Index i = 0; i < surface.cols(); ++i)
       box.extend(result.coordinates(surface.col(i)));
-    const Point least = Point::Constant(least_half_extent), middle = box.center();
+    const Point middle = box.center();
+    const Point least =
+        (least_half_extent * result.half_extents().cwiseInverse()).cwiseMax(least_half_extent).cwiseMin(1);
     result = result.restricted(box.min().cwiseMin(middle - least), box.max().cwiseMax(middle + least));
   }
   return result;

@@ -7,6 +7,7 @@
 #include "base/quantized.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -39,11 +40,11 @@ std::optional<Eigen::Matrix3d> best_turn(const Part_chart& source, const Part_ch
   const Eigen::Matrix3d to = b.axes() * b.half_extents().asDiagonal();
   const int kept = a.is_sheet() ? 2 : 0;
   std::optional<Eigen::Matrix3d> best;
-  long best_score = std::numeric_limits<long>::min();
+  std::int64_t best_score = std::numeric_limits<std::int64_t>::min();
   for (const Eigen::Matrix3d& turn : cube_rotations()) {
     if (kind != Pair_kind::BOXES && turn(kept, kept) == 0) continue;
     if (!is_allowed(after * turn * before)) continue;
-    const long score = quantized(from.cwiseProduct(to * turn).sum());
+    const std::int64_t score = quantized(from.cwiseProduct(to * turn).sum());
     if (!best || score > best_score) best = after * turn * before, best_score = score;
   }
   return best;
@@ -56,7 +57,7 @@ Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, Pa
   return *best_turn(source, target, kind, [](const Eigen::Matrix3d&) { return true; });
 }
 
-/// Where another part lies along the axes of a part that is divided.
+/// Place and extents of another part along the axes of a part that is divided.
 Share share_of(const Part_chart& divided, const Part_chart& other)
 {
   const Eigen::Matrix3d axes = divided.axes();

@@ -34,7 +34,7 @@ public:
 
   void move(int i, const Point& to) { points_[std::size_t(i)] = to; }
 
-  /// Adds a point and returns its number.
+  /// \return its number
   int add_point(const Point& p)
   {
     points_.push_back(p);
@@ -51,7 +51,7 @@ public:
   }
 
   /// Splits every edge (a, b), a < b, at the fraction `where(a, b)` of the way from a to b if that is between 0 and 1.
-  /// Returns whether there was one.
+  /// \return whether there was one
   template <typename Where>
   bool split_edges(const Where& where)
   {

@@ -22,7 +22,7 @@ Surface_map::Surface_map(const Structural_graph& source, const Segmented_shape& 
       charted_shape(source, 0, mesh_surfaces(source_shape)),
       charted_shape(target, correspondence.target_quarter_turns, mesh_surfaces(target_shape))};
   std::array<Places*, 2> places = {&targets_, &sources_}; // of the source's vertices, of the target's
-  std::array<std::vector<std::vector<double>>, 2> off;    // of every vertex, how far it is outside of its piece
+  std::array<std::vector<std::vector<double>>, 2> off;    // by vertex, squared distance from its piece
   for (std::size_t s = 0; s < 2; ++s)
     for (const Shape_part& part : shapes[s]->parts()) {
       places[s]->emplace_back(std::size_t(part.mesh.points.cols()));

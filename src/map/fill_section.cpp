@@ -18,7 +18,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-// Fills a section by a triangulation of the plane that is constrained by its sides.
+/// Fills a section by a constrained Delaunay triangulation.
 class Section_filler
 {
 public:

@@ -15,7 +15,7 @@ namespace CGAL::Shape_correspondence::internal {
 /// From vertex to vertex, counter-clockwise around what the sides of a section enclose.
 using Section_side = std::array<int, 2>;
 
-/// What fills a section of a solid, in the plane.
+/// A triangulation of a section of a solid, in the plane.
 struct Section_filling
 {
   Planar_points vertices; ///< those of the section, then those where its sides cross each other

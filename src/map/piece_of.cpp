@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
@@ -62,7 +63,7 @@ public:
     close(axis, at, is_on_side);
   }
 
-  /// What is left.
+  /// The piece, without vertices that no triangle uses.
   Part_mesh mesh() const
   {
     const Points points = mesh_.points();
@@ -87,7 +88,7 @@ private:
   static constexpr double straight = 1e-3; ///< how far an edge may stray from the chart, over the height
   static constexpr int most_rounds = 8;    ///< of splitting edges that do
 
-  /// Returns the number of those that there were.
+  /// Adds those of new points. \return the number of points before
   std::size_t add_coordinates()
   {
     const std::size_t before = coordinates_.size();
@@ -216,10 +217,10 @@ private:
   /// Whether as many sides end in every place as begin there.
   static bool is_closed(const std::vector<Section_side>& sides, const Planar_points& vertices)
   {
-    std::map<std::array<long, 2>, int> balance;
+    std::map<std::array<std::int64_t, 2>, int> balance;
     const auto place = [&](int vertex) {
       const Eigen::Vector2d& p = vertices[std::size_t(vertex)];
-      return std::array<long, 2>{quantized(p.x()), quantized(p.y())};
+      return std::array<std::int64_t, 2>{quantized(p.x()), quantized(p.y())};
     };
     for (const auto& [a, b] : sides)
       --balance[place(a)], ++balance[place(b)];

@@ -5,39 +5,61 @@
 
 #include "base/Once.h"
 #include "energy/Matching_problem.h"
-#include "matching/Shape_features.h"
+#include "matching/Normalized_shape.h"
 #include "roles/Shape_roles.h"
 
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <array>
+#include <cstddef>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
 
-/// A shape by quarter turn about the up axis. Everything is computed when it is first asked for; threads may share it.
-struct Prepared_shape::Alignments
-{
-  explicit Alignments(const Structural_graph& graph) : graph_(graph) {}
+namespace internal {
 
+/// A shape by quarter turns about the up axis, each aligned when it is first asked for. Threads may share it.
+class Turned_shapes
+{
+public:
+  /// Keeps the graph by reference.
+  explicit Turned_shapes(const Structural_graph& graph) : graph_(graph) {}
+
+  const Structural_graph& graph() const { return graph_; }
   Matching_problem::Shared_shape aligned(int quarter_turns);
 
-  /// Of the options that were asked for last: a shape is hardly ever matched with several.
+  static constexpr std::size_t turns = 4;
+
+private:
+  const Structural_graph& graph_;
+  std::array<Once, turns> is_aligned_;
+  std::array<Matching_problem::Shared_shape, turns> shapes_;
+};
+
+} // namespace internal
+
+/// What matches of a shape share. Everything is computed when it is first asked for; threads may share it.
+struct Prepared_shape::Alignments
+{
+  explicit Alignments(const Structural_graph& graph) : shapes_(std::make_shared<internal::Turned_shapes>(graph)) {}
+
+  Matching_problem::Shared_shape aligned(int quarter_turns) { return shapes_->aligned(quarter_turns); }
+
+  /// Cached for the options that were asked for last, since a shape is hardly ever matched with several.
   std::shared_ptr<const internal::Shape_features> features(int quarter_turns, const Part_matching_options& options);
 
-  /// Of the model that was asked for last. The turns are from the given orientation.
+  /// The roles by a model, in the shape turned from its given orientation.
   std::shared_ptr<const internal::Shape_roles> roles(const std::shared_ptr<const Role_model>& model,
                                                      int quarter_turns = 0);
-
   internal::Turned_roles roles_by_turn(const std::shared_ptr<const Role_model>& model);
 
   /// The front of a shape of a category, `internal::likely_front()`.
   int front(const std::shared_ptr<const Role_model>& model, std::size_t category, const Part_matching_options& options);
 
 private:
-  // A front that is known.
   struct Front
   {
     std::size_t category;
@@ -45,21 +67,21 @@ private:
     int turn;
   };
 
+  struct Roles_by_model
+  {
+    std::shared_ptr<const Role_model> model;
+    internal::Turned_roles roles;
+    std::vector<Front> fronts; // those that are known
+  };
+
   // \pre `roles_mutex_` is held
-  const std::shared_ptr<const internal::Shape_roles>& roles_of(const std::shared_ptr<const Role_model>& model,
-                                                               int quarter_turns);
+  Roles_by_model& roles_by_model(const std::shared_ptr<const Role_model>& model);
 
-  static constexpr std::size_t turns = 4;
-
-  const Structural_graph& graph_;
-  std::array<internal::Once, turns> is_aligned_;
-  std::array<Matching_problem::Shared_shape, turns> shapes_;
+  std::shared_ptr<internal::Turned_shapes> shapes_;
   std::mutex features_mutex_;
-  std::array<std::shared_ptr<const internal::Shape_features>, turns> features_;
+  std::array<std::shared_ptr<const internal::Shape_features>, internal::Turned_shapes::turns> features_;
   std::mutex roles_mutex_;
-  std::shared_ptr<const Role_model> role_model_;
-  internal::Turned_roles turned_roles_;
-  std::vector<Front> fronts_; // of this model
+  std::deque<Roles_by_model> roles_; // of every model that was asked for
 };
 
 } // namespace CGAL::Shape_correspondence

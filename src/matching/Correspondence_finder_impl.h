@@ -4,8 +4,8 @@
 #pragma once
 
 #include "matching/Alignments.h"
-#include "roles/Shape_roles.h"
 #include "matching/match_parts.h"
+#include "roles/Shape_roles.h"
 
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
@@ -16,6 +16,50 @@
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
+
+namespace internal {
+
+/// An alignment of two shapes that is tried.
+struct Alignment_candidate
+{
+  int turn = 0; ///< quarter turns of the target into the frame of the source
+  /// By roles: quarter turns from the given orientations with which the shapes face +z.
+  int source_front = 0, target_front = 0;
+  bool by_roles = false;
+};
+
+/// What `Search_method::PARTS` finds, before the energy rates it.
+struct Part_match_result
+{
+  Part_matching matching;                ///< of the source and the target in the alignment
+  Matching_problem::Shared_shape target; ///< aligned
+  Alignment_candidate alignment;         ///< of least cost
+  Correspondence known;                  ///< roles, category and warnings
+  std::size_t tried = 0, candidates = 0; ///< number of alignments
+};
+
+/// The forest votes for the parts of two shapes, by one category.
+struct Role_votes_of_pair
+{
+  std::shared_ptr<const Role_votes> source, target;
+};
+
+// The shape restricted to chosen parts. \param chosen indices in the structural graph; empty: all
+// \throw Invalid_input if the shape lacks one of them
+Matching_problem::Shared_shape participating(Matching_problem::Shared_shape shape,
+                                             const std::vector<std::size_t>& chosen);
+
+// The parts to match: the most prominent of the chosen ones; of equals the same in every alignment.
+// \param shape in its own frame \param maximum_parts 0: all
+std::vector<std::size_t> participants(const Matching_problem::Shared_shape& shape,
+                                      const std::vector<std::size_t>& chosen, int maximum_parts);
+
+// The shape with sets of pinned parts as groups of their own.
+Matching_problem::Shared_shape regrouped(const Matching_problem::Shared_shape& shape,
+                                         const std::vector<std::vector<std::size_t>>& sets);
+
+} // namespace internal
+
 using namespace internal;
 
 /// One source, matched with any target. What `Search_method::PARTS` finds is in `find_by_parts.cpp`, what the searches
@@ -39,7 +83,7 @@ private:
   // Shared by all methods
 
   Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const;
-  // The turns of the target that are tried, the first guess first.
+  // Quarter turns of the target to try, the likeliest first.
   std::vector<int> tried_turns(const Prepared_shape& target) const;
   Match_constraints constraints(const Aligned_shape& source, const Aligned_shape& target) const
   {
@@ -50,54 +94,31 @@ private:
 
   // By parts
 
-  // An alignment that is tried: the turn of the target into the source's frame, and, by roles, the quarter turns from
-  // the given orientations with which the shapes look to +z.
-  struct Way
-  {
-    int turn = 0, source_front = 0, target_front = 0;
-    bool by_roles = false;
-  };
-
-  // What `Search_method::PARTS` finds, before it is rated by the energy.
-  struct Found
-  {
-    Part_matching matching; // of the source and the target in the alignment
-    Shared_shape target;    // aligned
-    Way way;
-    Correspondence known;           // roles, category and warnings
-    std::size_t done = 0, ways = 0; // alignments
-  };
-
-  // What trees tell of the two shapes.
-  struct Pair_votes
-  {
-    const Role_votes &source, &target;
-  };
-
-  Found matched_parts(const Prepared_shape& target) const;
-  // The alignments that are tried, the first guess first. \param category of both shapes, if roles tell one
-  std::vector<Way> ways(const Prepared_shape& target, Pair_category& category) const;
-  // Those in which the fronts coincide that the roles of parts of a category tell. If there is to be one, and it is the
-  // given one, none.
-  std::vector<Way> ways_by_roles(const Prepared_shape& target, std::size_t category) const;
-  Part_matching matched_way(const Prepared_shape& target, const Shared_shape& shape, const Way& way) const;
+  Part_match_result matched_parts(const Prepared_shape& target) const;
+  // The alignments to try, the likeliest first. \param category of both shapes, if roles tell one
+  std::vector<Alignment_candidate> candidates(const Prepared_shape& target, Pair_category& category) const;
+  // The alignments in which the fronts coincide, as the roles of a category tell them; empty if one alignment is asked
+  // for and it is the given one.
+  std::vector<Alignment_candidate> candidates_by_roles(const Prepared_shape& target, std::size_t category) const;
+  Part_matching matched_in(const Prepared_shape& target, const Shared_shape& shape,
+                           const Alignment_candidate& alignment) const;
   Part_matching matched_in_common_frame(const Prepared_shape& target, const Shared_shape& shape, int turn) const;
   // With either shape turned from its own frame.
   Part_matching matched_in_frames(const Prepared_shape& target, const Aligned_shape& shape, int source_turn,
                                   int target_turn) const;
   std::shared_ptr<const Shape_features> features(const Prepared_shape& of, const Shared_shape& shape, int turn) const;
-  static void warn_of_fronts(const Way& way, Correspondence& result);
+  static void warn_of_fronts(const Alignment_candidate& alignment, Correspondence& result);
   void join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target, const Pair_category& category,
-                  const Way& way, Part_matching& matching, Correspondence& result) const;
+                  const Alignment_candidate& alignment, Part_matching& matching, Correspondence& result) const;
   // \param result gets the roles, or why there are none
-  std::optional<Pair_votes> votes_of(const Prepared_shape& target, const Pair_category& category, const Way& way,
-                                     Correspondence& result) const;
-  // Without the pairs of less than the least confidence.
-  Found without_unsure(Found found) const;
-  // The correspondence by which the source is deformed.
-  Correspondence rated(const Shared_shape& source, const Found& found) const;
-  // The correspondence by which the target is deformed. \pre it is not turned
-  Correspondence rated_backwards(Found found) const;
+  std::optional<Role_votes_of_pair> votes_of(const Prepared_shape& target, const Pair_category& category,
+                                             const Alignment_candidate& alignment, Correspondence& result) const;
+  // Drops pairs below `Search_options::min_confidence`.
+  Part_match_result without_unsure(Part_match_result found) const;
+  // The result with the energy of deforming the source.
+  Correspondence rated(const Shared_shape& source, const Part_match_result& found) const;
+  // The result with the energy of deforming the target. \pre the target is not turned
+  Correspondence rated_backwards(Part_match_result found) const;
   bool takes_shapes_as_they_are() const;
 
   // By least energy

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -90,6 +91,57 @@ void add_unions(Normalized_shape& result, const Aligned_shape& shape, const Part
 
 } // namespace
 
+Measured_boxes::Measured_boxes(const Boxes& boxes, double tolerance) : Boxes(boxes)
+{
+  const Eigen::ArrayX3d extents = (high - low).max(0.) + tolerance;
+  volumes = extents.rowwise().prod();
+  logs = extents.log();
+}
+
+namespace {
+
+constexpr Eigen::Index most_kept_parts = 128; // 96 bytes for each pair of parts
+
+// \param others an even number of ends: the exponential of a scalar has other bits than that of a vector
+template <typename Ends>
+auto closeness_to(const Ends& others, double end, double width)
+{
+  return (-((others - end) / width).square() / 2).exp();
+}
+
+} // namespace
+
+Closeness::Closeness(const Boxes& boxes, double width) : width_(width)
+{
+  const Eigen::Index parts = boxes.low.rows(), n = 2 * parts;
+  for (int axis = 0; axis < 3; ++axis) {
+    Eigen::ArrayXd& ends = ends_[std::size_t(axis)];
+    ends.resize(n);
+    for (Eigen::Index part = 0; part < parts; ++part) {
+      ends[2 * part] = boxes.low(part, axis);
+      ends[2 * part + 1] = boxes.high(part, axis);
+    }
+    if (parts > most_kept_parts) continue;
+    Eigen::MatrixXd& kept = kept_[std::size_t(axis)];
+    kept.resize(n, n);
+    for (Eigen::Index end = 0; end < n; ++end) {
+      const Eigen::Index rest = n - end / 2 * 2;
+      kept.col(end).tail(rest) = closeness_to(ends.tail(rest), ends[end], width).matrix();
+      for (Eigen::Index other = end + 1; other < n; ++other)
+        kept(end, other) = kept(other, end);
+    }
+  }
+}
+
+const double* Closeness::of_end(int axis, Eigen::Index end, Eigen::ArrayXd& room) const
+{
+  const Eigen::MatrixXd& kept = kept_[std::size_t(axis)];
+  if (kept.size() > 0) return kept.col(end).data();
+  const Eigen::ArrayXd& ends = ends_[std::size_t(axis)];
+  room = closeness_to(ends, ends[end], width_);
+  return room.data();
+}
+
 Shape_rank rank_of(const Aligned_shape& shape)
 {
   double height = 0, off_axis = 0;
@@ -129,6 +181,24 @@ Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assembl
   result.lanes = {result.surfaces.begin(), result.surfaces.end()};
   result.rank = rank_of(shape);
   return result;
+}
+
+Shape_features::Shape_features(const Aligned_shape& shape, const Part_matching_options& options)
+    : shape(shape), options(options), assemblies(part_assemblies(shape, options))
+{
+  if (!options.panels) assemblies.panels.clear();
+  if (!options.support) assemblies.support.clear();
+  normalized = normalized_shape(shape, assemblies, options);
+}
+
+bool have_same_features(const Part_matching_options& a, const Part_matching_options& b)
+{
+  const auto values = [](const Part_matching_options& o) {
+    const Part_cost_weights& w = o.weights;
+    return std::make_tuple(w.overlap, w.extent, w.ground, w.place, w.orientation, w.chamfer, o.tolerance, o.warp_width,
+                           o.main_surface, o.side_depth, o.wall_width, o.repetition, o.panels, o.support);
+  };
+  return values(a) == values(b);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include "matching/Boxes.h"
 #include "matching/nearest_points_kernel.h"
 #include "matching/part_assemblies.h"
 #include "structure/align_shapes.h"
@@ -12,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <tuple>
 #include <vector>
@@ -19,7 +19,40 @@
 namespace CGAL::Shape_correspondence::internal {
 
 using Axes = Eigen::Array3d;
-using Surface = Eigen::ArrayX3d; // a point a row
+using Surface = Eigen::ArrayX3d; // one point per row
+
+// The bounding boxes of all parts, one per row.
+struct Boxes
+{
+  Eigen::ArrayX3d low, high;
+};
+
+// Boxes with what their costs need of one shape alone.
+struct Measured_boxes : Boxes
+{
+  Eigen::ArrayXd volumes;
+  Eigen::ArrayX3d logs; // of the extents
+
+  Measured_boxes() = default;
+  Measured_boxes(const Boxes& boxes, double tolerance);
+};
+
+// How much the ends of boxes move with each other in a warp, along each axis: 1 at the same place, less with distance,
+// in units of `width`. Of part i, the low end is number 2 i and the high end number 2 i + 1.
+class Closeness
+{
+public:
+  Closeness() = default;
+  Closeness(const Boxes& boxes, double width);
+
+  // The closeness of an end to all ends: cached, or computed into `room` with the same bits.
+  const double* of_end(int axis, Eigen::Index end, Eigen::ArrayXd& room) const;
+
+private:
+  double width_ = 1;
+  std::array<Eigen::ArrayXd, 3> ends_;
+  std::array<Eigen::MatrixXd, 3> kept_; // one column per end, symmetric; empty for shapes of many parts
+};
 
 // A part, or several as one.
 struct Part_extent
@@ -53,5 +86,21 @@ struct Normalized_shape
 
 Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assemblies& assemblies,
                                   const Part_matching_options& options);
+
+// What `match_parts()` knows of a shape. Threads may share it.
+struct Shape_features
+{
+  const Aligned_shape& shape;
+  Part_matching_options options;
+  Part_assemblies assemblies; // those that the options ask for
+  Normalized_shape normalized;
+
+  Shape_features(const Aligned_shape& shape, const Part_matching_options& options);
+
+  std::size_t size() const { return shape.parts.size(); }
+};
+
+// Whether the features of a shape are the same by both options.
+bool have_same_features(const Part_matching_options& a, const Part_matching_options& b);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -2,17 +2,230 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/Part_costs.h"
+#include "base/quantized.h"
 #include "matching/Normalized_shape.h"
-#include "matching/box_costs.h"
-#include "matching/surface_distances.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
+
+// Cost of what never corresponds: more than all other terms of a pair add up to.
+constexpr double incompatible = 50;
+
+// The costs that do not depend on places.
+double cost_of_kind(const Part_extent& a, const Part_extent& b, const Part_matching_options& options)
+{
+  const Part_cost_weights& weights = options.weights;
+  double result = weights.orientation * (a.orientation - b.orientation).norm();
+  // Of boards, many reach down where others end above
+  if (a.on_ground != b.on_ground) result += (a.is_board || b.is_board ? 0.5 : 1) * weights.ground;
+  if (a.is_in_chain != b.is_in_chain) result += incompatible;
+  return result;
+}
+
+// The costs of places and extents. Column by column, in vectors of boxes.
+Eigen::MatrixXd costs_of_boxes(const Measured_boxes& a, const Measured_boxes& b, const Part_matching_options& options)
+{
+  const Part_cost_weights& weights = options.weights;
+  const double tolerance = options.tolerance;
+  Eigen::MatrixXd result(a.low.rows(), b.low.rows());
+  for (Eigen::Index j = 0; j < result.cols(); ++j) {
+    const Axes low = b.low.row(j), high = b.high.row(j), sum = low + high, logs = b.logs.row(j);
+    const auto overlap = [&](int axis) {
+      return (a.high.col(axis).min(high[axis]) - a.low.col(axis).max(low[axis]) + tolerance).max(0.);
+    };
+    const auto stretch = [&](int axis) { return (a.logs.col(axis) - logs[axis]).abs(); };
+    const auto apart = [&](int axis) { return ((a.low.col(axis) + a.high.col(axis)) - sum[axis]).abs() / 2; };
+    result.col(j) = (weights.overlap * (1 - overlap(0) * (overlap(1) * overlap(2)) / a.volumes.min(b.volumes[j])) +
+                     weights.extent * (stretch(0) + (stretch(1) + stretch(2))) + weights.place * (apart(0) + apart(2)))
+                        .matrix();
+  }
+  return result;
+}
+
+// Likelihood of correspondence: geometric mean of the softmaxes over rows and over columns. Sums run along rows both
+// times, for the same bits with the shapes swapped.
+Eigen::ArrayXXd mutual_softmax(const Eigen::MatrixXd& costs)
+{
+  const Eigen::ArrayXXd likelihood = (-costs.array()).exp(), transposed = likelihood.transpose();
+  const Eigen::VectorXd of_rows = likelihood.rowwise().sum(), of_columns = transposed.rowwise().sum();
+  return likelihood / (of_rows * of_columns.transpose()).array().sqrt();
+}
+
+// Pairs of parts whose boxes pull each other in a warp.
+struct Anchors
+{
+  std::array<std::vector<Eigen::Index>, 2> parts;
+  std::vector<double> weights;
+};
+
+Anchors anchors_of(const Eigen::MatrixXd& costs, double least_likelihood)
+{
+  const Eigen::ArrayXXd likely = mutual_softmax(costs);
+  const long least = quantized(least_likelihood);
+  Anchors result;
+  for (Eigen::Index i = 0; i < costs.rows(); ++i)
+    for (Eigen::Index j = 0; j < costs.cols(); ++j) {
+      if (quantized(likely(i, j)) <= least) continue;
+      result.parts[0].push_back(i);
+      result.parts[1].push_back(j);
+      result.weights.push_back(likely(i, j) / 2);
+    }
+  return result;
+}
+
+// The boxes of one of the shapes, numbered `side`, after the anchors pulled their ends towards those of the other:
+// along each axis by the mean of the displacements, weighted by closeness, and of none, which weighs `inertia`.
+Boxes warped(const Boxes& boxes, const Closeness& closeness, const Boxes& others, const Anchors& anchors,
+             std::size_t side, double inertia)
+{
+  const std::vector<Eigen::Index>&own = anchors.parts[side], &other = anchors.parts[1 - side];
+  const auto count = Eigen::Index(own.size());
+  Eigen::ArrayXd displacement(2 * count), influence(2 * count), room;
+  Boxes result = boxes;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const Eigen::Index i = own[std::size_t(k)], j = other[std::size_t(k)];
+      displacement[2 * k] = others.low(j, axis) - boxes.low(i, axis);
+      displacement[2 * k + 1] = others.high(j, axis) - boxes.high(i, axis);
+    }
+    for (Eigen::Index end = 0; end < 2 * boxes.low.rows(); ++end) {
+      const double* const near = closeness.of_end(axis, end, room);
+      for (Eigen::Index k = 0; k < count; ++k) {
+        const Eigen::Index low = 2 * own[std::size_t(k)];
+        influence[2 * k] = anchors.weights[std::size_t(k)] * near[low];
+        influence[2 * k + 1] = anchors.weights[std::size_t(k)] * near[low + 1];
+      }
+      (end % 2 == 0 ? result.low : result.high)(end / 2, axis) +=
+          (influence * displacement).sum() / (influence.sum() + inertia);
+    }
+  }
+  return result;
+}
+
+// The mean of the costs of boxes as they are, and after either shape was warped towards the other where the pairs that
+// are most probable by all costs ask for it; with the costs of kind.
+Eigen::MatrixXd costs_after_warping(const Normalized_shape& a, const Normalized_shape& b,
+                                    const Eigen::MatrixXd& costs_of_kind, const Part_matching_options& options)
+{
+  const Eigen::MatrixXd given = costs_of_boxes(a.boxes, b.boxes, options);
+  const Anchors anchors = anchors_of(costs_of_kind + given, options.anchor);
+  const Boxes warped_a = warped(a.boxes, a.closeness, b.boxes, anchors, 0, options.anchor),
+              warped_b = warped(b.boxes, b.closeness, a.boxes, anchors, 1, options.anchor);
+  return costs_of_kind + (given + (costs_of_boxes(Measured_boxes(warped_a, options.tolerance), b.boxes, options) +
+                                   costs_of_boxes(a.boxes, Measured_boxes(warped_b, options.tolerance), options))) /
+                             3;
+}
+
+// Distances of the points of the parts of one shape from the parts of another, in one piece of memory.
+class Point_distances
+{
+public:
+  Point_distances(const Normalized_shape& from, const Normalized_shape& to);
+
+  // Of the points of a part from a part of the other shape.
+  Eigen::Map<const Eigen::ArrayXd> of(std::size_t part, std::size_t other) const
+  {
+    return {values_.data() + place(part, other), count(part)};
+  }
+  double sum(std::size_t part, std::size_t other) const { return sums_(Eigen::Index(part), Eigen::Index(other)); }
+  double mean(std::size_t part, std::size_t other) const { return sum(part, other) / double(count(part)); }
+  // Points of a part.
+  Eigen::Index count(std::size_t part) const { return from_.surfaces[part].rows(); }
+
+  void set_squared(std::size_t part, std::size_t other, const Eigen::ArrayXd& squared);
+
+private:
+  Eigen::Index place(std::size_t part, std::size_t other) const
+  {
+    return begin_[part] + Eigen::Index(other) * count(part);
+  }
+
+  const Normalized_shape& from_;
+  std::vector<Eigen::Index> begin_; // of the values of a part
+  Eigen::ArrayXd values_;
+  Eigen::MatrixXd sums_; // part × other part
+};
+
+// The distances of the points of all parts of either shape from all parts of the other.
+struct Surface_distances
+{
+  Point_distances a_from_b, b_from_a;
+
+  Surface_distances(const Normalized_shape& a, const Normalized_shape& b);
+};
+
+// The chamfer distance of two parts: the mean distance of the points of either from the other.
+double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i, std::size_t j);
+
+// The chamfer distance of a part and the union of several.
+double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i,
+               const std::vector<std::size_t>& parts);
+
+void make_room(Eigen::ArrayXd& numbers, Eigen::Index count)
+{
+  if (numbers.size() < count) numbers.resize(count);
+}
+
+// The values of a part begin at an even place, as they would in memory of their own: how Eigen adds numbers up depends
+// on the address of the first.
+Point_distances::Point_distances(const Normalized_shape& from, const Normalized_shape& to)
+    : from_(from), sums_(Eigen::Index(from.surfaces.size()), Eigen::Index(to.surfaces.size()))
+{
+  Eigen::Index size = 0;
+  for (const Surface& surface : from.surfaces) {
+    begin_.push_back(size);
+    size += (surface.rows() * sums_.cols() + 1) / 2 * 2;
+  }
+  values_.resize(size);
+}
+
+void Point_distances::set_squared(std::size_t part, std::size_t other, const Eigen::ArrayXd& squared)
+{
+  Eigen::Map<Eigen::ArrayXd> distances(values_.data() + place(part, other), count(part));
+  distances = squared.head(count(part)).sqrt();
+  sums_(Eigen::Index(part), Eigen::Index(other)) = distances.sum();
+}
+
+Surface_distances::Surface_distances(const Normalized_shape& a, const Normalized_shape& b)
+    : a_from_b(a, b), b_from_a(b, a)
+{
+  Eigen::ArrayXd p_from_q, q_from_p;
+  const Nearest_squared_kernel& kernel = nearest_squared_kernel();
+  for (std::size_t i = 0; i < a.lanes.size(); ++i)
+    for (std::size_t j = 0; j < b.lanes.size(); ++j) {
+      const Point_lanes &p = a.lanes[i], &q = b.lanes[j];
+      make_room(p_from_q, p.padded());
+      make_room(q_from_p, q.padded());
+      kernel.run(p, q, p_from_q.data(), q_from_p.data());
+      a_from_b.set_squared(i, j, p_from_q);
+      b_from_a.set_squared(j, i, q_from_p);
+    }
+}
+
+double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i, std::size_t j)
+{
+  return (a_from_b.mean(i, j) + b_from_a.mean(j, i)) / 2;
+}
+
+double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i,
+               const std::vector<std::size_t>& parts)
+{
+  Eigen::ArrayXd nearest = a_from_b.of(i, parts[0]);
+  double sum = 0, n = 0;
+  for (std::size_t j : parts) {
+    nearest = nearest.min(a_from_b.of(i, j));
+    sum += b_from_a.sum(j, i);
+    n += double(b_from_a.count(j));
+  }
+  return (nearest.mean() + sum / n) / 2;
+}
 
 // Lowers the costs to those of parts of `a` and unions that the parts of `b` are in.
 template <typename Costs>
@@ -34,7 +247,7 @@ void lower_to_unions(const Normalized_shape& a, const Normalized_shape& b, const
     }
 }
 
-// The costs that no warp changes.
+// The costs that warps do not change.
 Eigen::MatrixXd costs_of_kind(const Normalized_shape& a, const Normalized_shape& b, const Surface_distances& surfaces,
                               const Part_matching_options& options)
 {
@@ -64,7 +277,7 @@ double mean_least_cost(const Eigen::MatrixXd& costs)
   return costs.rowwise().minCoeff().mean() + costs.colwise().minCoeff().mean();
 }
 
-// In one order, whichever is the source: sums of the warp run over pairs source by source.
+// In canonical order, since sums of the warp run over pairs source by source.
 Eigen::MatrixXd part_costs(const Normalized_shape& source, const Normalized_shape& target,
                            const Part_matching_options& options)
 {

@@ -15,7 +15,7 @@ std::size_t index_of_turn(int quarter_turns) { return std::size_t(within_a_turn(
 
 } // namespace
 
-Matching_problem::Shared_shape Prepared_shape::Alignments::aligned(int quarter_turns)
+Matching_problem::Shared_shape Turned_shapes::aligned(int quarter_turns)
 {
   const std::size_t turn = index_of_turn(quarter_turns);
   is_aligned_[turn]([&] { shapes_[turn] = std::make_shared<Deformable_shape>(align_shape(graph_, int(turn))); });
@@ -28,52 +28,48 @@ std::shared_ptr<const Shape_features> Prepared_shape::Alignments::features(int q
   const Matching_problem::Shared_shape shape = aligned(quarter_turns);
   const std::lock_guard<std::mutex> lock(features_mutex_);
   std::shared_ptr<const Shape_features>& result = features_[index_of_turn(quarter_turns)];
-  if (!result || !are_same(result->options, options)) result = std::make_shared<Shape_features>(*shape, options);
+  if (!result || !have_same_features(result->options, options))
+    result = std::make_shared<Shape_features>(*shape, options);
+  return result;
+}
+
+// The roles keep the aligned shapes that they are told from, and may outlive the prepared shape.
+Prepared_shape::Alignments::Roles_by_model&
+Prepared_shape::Alignments::roles_by_model(const std::shared_ptr<const Role_model>& model)
+{
+  for (Roles_by_model& known : roles_)
+    if (known.model == model) return known;
+  Roles_by_model& result = roles_.emplace_back();
+  result.model = model;
+  const int given = given_quarter_turns(structure(shapes_->graph()).frame);
+  for (int turn = 0; turn < int(result.roles.size()); ++turn)
+    result.roles[std::size_t(turn)] = std::make_shared<Shape_roles>(
+        [shapes = shapes_, turns = given + turn] { return role_evidence(shapes->graph(), *shapes->aligned(turns)); },
+        *model);
   return result;
 }
 
 std::shared_ptr<const Shape_roles> Prepared_shape::Alignments::roles(const std::shared_ptr<const Role_model>& model,
                                                                      int quarter_turns)
 {
-  const std::lock_guard<std::mutex> lock(roles_mutex_);
-  return roles_of(model, quarter_turns);
-}
-
-const std::shared_ptr<const Shape_roles>&
-Prepared_shape::Alignments::roles_of(const std::shared_ptr<const Role_model>& model, int quarter_turns)
-{
-  if (role_model_ != model) {
-    turned_roles_ = {};
-    fronts_.clear();
-  }
-  role_model_ = model;
-  std::shared_ptr<const Shape_roles>& result = turned_roles_[std::size_t(quarter_turns)];
-  if (!result)
-    result =
-        std::make_shared<Shape_roles>([this, turns = given_quarter_turns(structure(graph_).frame) +
-                                                     quarter_turns] { return role_evidence(graph_, *aligned(turns)); },
-                                      *model);
-  return result;
+  return roles_by_turn(model)[std::size_t(quarter_turns)];
 }
 
 Turned_roles Prepared_shape::Alignments::roles_by_turn(const std::shared_ptr<const Role_model>& model)
 {
   const std::lock_guard<std::mutex> lock(roles_mutex_);
-  for (int turn = 0; turn < int(turns); ++turn)
-    roles_of(model, turn);
-  return turned_roles_;
+  return roles_by_model(model).roles;
 }
 
 int Prepared_shape::Alignments::front(const std::shared_ptr<const Role_model>& model, std::size_t category,
                                       const Part_matching_options& options)
 {
   const std::lock_guard<std::mutex> lock(roles_mutex_);
-  for (int turn = 0; turn < int(turns); ++turn)
-    roles_of(model, turn);
-  for (const Front& known : fronts_)
-    if (known.category == category && known.clearly_better == options.clearly_better) return known.turn;
-  const int turn = likely_front(turned_roles_, category, model->data().trees, options);
-  fronts_.push_back({category, options.clearly_better, turn});
+  Roles_by_model& known = roles_by_model(model);
+  for (const Front& front : known.fronts)
+    if (front.category == category && front.clearly_better == options.clearly_better) return front.turn;
+  const int turn = likely_front(known.roles, category, Role_model_access::data(*model).trees, options);
+  known.fronts.push_back({category, options.clearly_better, turn});
   return turn;
 }
 
@@ -85,7 +81,7 @@ void Prepared_shape::read_roles(const std::shared_ptr<const Role_model>& model) 
 {
   if (!model) return;
   const auto roles = alignments_->roles(model);
-  for (std::size_t category = 0; category < model->data().categories.size(); ++category)
+  for (std::size_t category = 0; category < Role_model_access::data(*model).categories.size(); ++category)
     roles->distance(category);
 }
 

@@ -53,8 +53,9 @@ Search_run::Search_run(const Shared_shape& source, const Shared_shape& target, i
   result.summary.states = result.summary.evaluations = 1;
 }
 
-double Search_run::score() const
+double Search_run::score(bool by_energy) const
 {
+  if (by_energy) return result.best().energy;
   return result.best().energy / double(std::max<std::size_t>(1, problem.source().contacts.size()));
 }
 

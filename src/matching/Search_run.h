@@ -13,7 +13,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// One run of the search: the source of its problem is the shape that is deformed.
+// One run of a search; the source of its problem is the shape that is deformed.
 struct Search_run
 {
   Matching_problem problem;
@@ -26,22 +26,21 @@ struct Search_run
   Search_run(const Shared_shape& source, const Shared_shape& target, Direction direction, int turns,
              const Search_options& options);
 
-  // A mapping that was found by other means: the only label of every group of the source. What it leaves unmatched
-  // costs nothing.
+  // The energy of a known mapping, the only label of every group of the source. Unmatched groups cost nothing.
   Search_run(const Shared_shape& source, const Shared_shape& target, int turns,
              std::vector<std::vector<Group_label>> labels, const Search_options& options);
 
-  // Energy per pair of connected parts, which compares between directions
-  double score() const;
+  // What runs are compared by: the energy, or the energy per pair of connected parts
+  double score(bool by_energy) const;
 };
 
-// The target parts of a label, each once.
+// The distinct target parts of a label, ascending.
 std::vector<std::size_t> image_parts(const Group_label& label);
 
 // Fills in the parts without a pair.
 void collect_unmatched(std::size_t source_parts, std::size_t target_parts, Correspondence& correspondence);
 
-// What a solution of the run says; without the unmatched parts. `min_marginals`: by group, or empty.
+// The correspondence of a solution, without its unmatched parts. \param min_marginals by group, or empty
 Correspondence correspondence_of(const Search_run& run, const Solution& solution,
                                  const std::vector<double>& min_marginals);
 

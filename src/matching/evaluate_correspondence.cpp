@@ -42,7 +42,7 @@ void add(Figures& sum, const Figures& figures, double weight)
 class Category_bootstrap
 {
 public:
-  /// \param others what the figures are the differences from, by score; empty: nothing
+  /// \param others scores to subtract; empty: none
   explicit Category_bootstrap(const std::vector<const Scored_correspondence*>& scores,
                               const std::vector<const Scored_correspondence*>& others)
   {
@@ -145,7 +145,7 @@ Correspondence_score evaluate_correspondence(Part_pairs pairs, const Ground_trut
 
 namespace {
 
-/// \param others what the means are the differences from, by score; empty: nothing
+/// \param others scores to subtract; empty: none
 Evaluation means_of(const std::vector<Scored_correspondence>& scores, const std::vector<Scored_correspondence>& others,
                     const Evaluation_options& options)
 {

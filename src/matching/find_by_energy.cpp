@@ -31,7 +31,7 @@ std::size_t number_of_counted_pairs(const Aligned_shape& shape)
   return std::max<std::size_t>(1, shape.contacts.size() + alone);
 }
 
-// Before the work: `method` would deform more groups than it can within seconds.
+// Refuses shapes with more groups than `method` can deform.
 void check_size(const Aligned_shape& deformed, const std::string& name, Search_method method)
 {
   const bool is_beam = method == Search_method::BEAM;
@@ -49,9 +49,9 @@ Search_options Correspondence_finder::Impl::with_role_costs(const Prepared_shape
   Search_options options = options_;
   if (!(options.matching.weights.roles > 0) || !options.roles || options.matching.role_costs.size() > 0) return options;
   Pair_category category;
-  const Way way = ways(target, category).front();
-  if (const std::optional<Pair_votes> votes = votes_of(target, category, way, result))
-    options.matching.role_costs = 1 - agreement_of_votes(votes->source, votes->target).array();
+  const Alignment_candidate alignment = candidates(target, category).front();
+  if (const std::optional<Role_votes_of_pair> votes = votes_of(target, category, alignment, result))
+    options.matching.role_costs = 1 - agreement_of_votes(*votes->source, *votes->target).array();
   return options;
 }
 
@@ -78,7 +78,8 @@ std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prep
       ++done;
       states += run->result.summary.states;
       evaluations += run->result.summary.evaluations;
-      if (!best || quantized(run->score()) < quantized(best->score())) best = std::move(run);
+      const auto score = [&](const Search_run& of) { return quantized(of.score(options.direction_by_energy)); };
+      if (!best || score(*run) < score(*best)) best = std::move(run);
     }
   }
 

@@ -5,8 +5,6 @@
 #include "matching/Correspondence_finder_impl.h"
 #include "matching/Search_run.h"
 #include "matching/aligned_matching.h"
-#include "matching/match_by_roles.h"
-#include "matching/participants.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -21,12 +19,12 @@
 namespace CGAL::Shape_correspondence {
 using namespace internal;
 
-// To the side and to the front, places count differently, so that it matters by a quarter turn in whose frame shapes
-// are compared: in the frame of the one that comes first, whichever is the source.
+// Costs treat the side and the front differently, so with an odd quarter turn it matters in whose frame shapes are
+// compared: in that of the first in canonical order, whichever is the source.
 Part_matching Correspondence_finder::Impl::matched_in_common_frame(const Prepared_shape& target,
                                                                    const Shared_shape& shape, int turn) const
 {
-  if (turn % 2 == 0 || !comes_first(*shape, *source_))
+  if (turn % 2 == 0 || !canonical_less(*shape, *source_))
     return match_parts(*features(prepared_source_, source_, 0), *features(target, shape, turn), options_.parts,
                        constraints(*source_, *shape));
   return matched_in_frames(target, *shape, -turn, 0);
@@ -51,12 +49,12 @@ std::shared_ptr<const Shape_features> Correspondence_finder::Impl::features(cons
                                        : std::make_shared<Shape_features>(*shape, options_.parts);
 }
 
-std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(const Prepared_shape& target,
-                                                                                Pair_category& category) const
+std::vector<Alignment_candidate> Correspondence_finder::Impl::candidates(const Prepared_shape& target,
+                                                                         Pair_category& category) const
 {
-  std::vector<Way> result;
+  std::vector<Alignment_candidate> result;
   if (options_.roles) {
-    const Role_model_data& model = options_.roles->data();
+    const Role_model_data& model = Role_model_access::data(*options_.roles);
     Alignments &a = *prepared_source_.alignments_, &b = *target.alignments_;
     category.index = model.index(options_.category);
     if (options_.category.empty())
@@ -65,29 +63,31 @@ std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways(
                      : category_of_pair(a.roles_by_turn(options_.roles), b.roles_by_turn(options_.roles), model,
                                         options_.parts);
     if (category.index < model.categories.size() && !(options_.alignments == 1 && options_.front_is_sure))
-      result = ways_by_roles(target, category.index);
+      result = candidates_by_roles(target, category.index);
   }
-  // Of ways that cost the same the first is taken: the same one, whichever shape is the source
-  if (!result.empty() && comes_first(*aligned(target, 0), *source_))
-    std::stable_sort(result.begin(), result.end(),
-                     [](const Way& a, const Way& b) { return a.target_front < b.target_front; });
+  // Of alignments of equal cost the first is taken: the same one, whichever shape is the source
+  if (!result.empty() && canonical_less(*aligned(target, 0), *source_))
+    std::stable_sort(result.begin(), result.end(), [](const Alignment_candidate& a, const Alignment_candidate& b) {
+      return a.target_front < b.target_front;
+    });
   if (result.empty())
     for (int turn : tried_turns(target))
       result.push_back({turn, 0, 0, false});
   return result;
 }
 
-std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways_by_roles(const Prepared_shape& target,
-                                                                                         std::size_t category) const
+std::vector<Alignment_candidate> Correspondence_finder::Impl::candidates_by_roles(const Prepared_shape& target,
+                                                                                  std::size_t category) const
 {
   const auto fronts = [&](const Prepared_shape& shape) {
     Alignments& shapes = *shape.alignments_;
     if (options_.alignments == 1) return std::vector<int>{shapes.front(options_.roles, category, options_.parts)};
-    return front_turns(shapes.roles_by_turn(options_.roles), category, options_.roles->data().trees, options_.parts);
+    return front_turns(shapes.roles_by_turn(options_.roles), category, Role_model_access::data(*options_.roles).trees,
+                       options_.parts);
   };
   const int given = given_quarter_turns(structure(target.graph()).frame) - given_quarter_turns(source_frame_);
   const std::vector<int> of_source = fronts(prepared_source_), of_target = fronts(target);
-  std::vector<Way> result;
+  std::vector<Alignment_candidate> result;
   for (int from : of_source)
     for (int to : of_target)
       if (options_.alignments != 1 || from != 0 || to != 0)
@@ -95,42 +95,42 @@ std::vector<Correspondence_finder::Impl::Way> Correspondence_finder::Impl::ways_
   return result;
 }
 
-Part_matching Correspondence_finder::Impl::matched_way(const Prepared_shape& target, const Shared_shape& shape,
-                                                       const Way& way) const
+Part_matching Correspondence_finder::Impl::matched_in(const Prepared_shape& target, const Shared_shape& shape,
+                                                      const Alignment_candidate& alignment) const
 {
-  if (!way.by_roles) return matched_in_common_frame(target, shape, way.turn);
-  return matched_in_frames(target, *shape, given_quarter_turns(source_frame_) + way.source_front,
-                           given_quarter_turns(structure(target.graph()).frame) + way.target_front);
+  if (!alignment.by_roles) return matched_in_common_frame(target, shape, alignment.turn);
+  return matched_in_frames(target, *shape, given_quarter_turns(source_frame_) + alignment.source_front,
+                           given_quarter_turns(structure(target.graph()).frame) + alignment.target_front);
 }
 
-Correspondence_finder::Impl::Found Correspondence_finder::Impl::matched_parts(const Prepared_shape& target) const
+Part_match_result Correspondence_finder::Impl::matched_parts(const Prepared_shape& target) const
 {
-  Found found;
+  Part_match_result found;
   Pair_category category;
-  const std::vector<Way> tried = ways(target, category);
-  found.way = tried.front();
-  found.ways = tried.size();
+  const std::vector<Alignment_candidate> alignments = candidates(target, category);
+  found.alignment = alignments.front();
+  found.candidates = alignments.size();
   double best_cost = std::numeric_limits<double>::infinity();
-  for (const Way& way : tried) {
-    if (options_.progress && !options_.progress(double(found.done) / double(tried.size()))) break;
-    const Shared_shape shape = aligned(target, way.turn);
-    Part_matching matching = matched_way(target, shape, way);
-    const double preference = found.done == 0 ? 1 - options_.parts.clearly_better : 1;
-    ++found.done;
-    const double cost = tried.size() == 1 ? 0 : preference * double(alignment_cost(matching, *source_, *shape));
+  for (const Alignment_candidate& alignment : alignments) {
+    if (options_.progress && !options_.progress(double(found.tried) / double(alignments.size()))) break;
+    const Shared_shape shape = aligned(target, alignment.turn);
+    Part_matching matching = matched_in(target, shape, alignment);
+    const double preference = found.tried == 0 ? 1 - options_.parts.clearly_better : 1;
+    ++found.tried;
+    const double cost = alignments.size() == 1 ? 0 : preference * double(alignment_cost(matching, *source_, *shape));
     if (cost >= best_cost) continue;
     best_cost = cost;
-    found.way = way;
+    found.alignment = alignment;
     found.matching = std::move(matching);
     found.target = shape;
   }
-  if (found.done == 0) found.target = aligned(target, found.way.turn);
-  if (options_.roles && found.done > 0)
-    join_roles(target, *found.target, category, found.way, found.matching, found.known);
+  if (found.tried == 0) found.target = aligned(target, found.alignment.turn);
+  if (options_.roles && found.tried > 0)
+    join_roles(target, *found.target, category, found.alignment, found.matching, found.known);
   return found;
 }
 
-void Correspondence_finder::Impl::warn_of_fronts(const Way& way, Correspondence& result)
+void Correspondence_finder::Impl::warn_of_fronts(const Alignment_candidate& alignment, Correspondence& result)
 {
   const auto warn = [&](const char* shape, int front) {
     if (front != 0)
@@ -138,11 +138,11 @@ void Correspondence_finder::Impl::warn_of_fronts(const Way& way, Correspondence&
                                 " does not face +z; it was matched as if turned by " + std::to_string(90 * front) +
                                 "° about the up axis. If it does, say so by --front given (`front_is_sure`).");
   };
-  warn("source", way.source_front);
-  warn("target", way.target_front);
+  warn("source", alignment.source_front);
+  warn("target", alignment.target_front);
 }
 
-Correspondence_finder::Impl::Found Correspondence_finder::Impl::without_unsure(Found found) const
+Part_match_result Correspondence_finder::Impl::without_unsure(Part_match_result found) const
 {
   const auto unsure = [&](const Part_correspondence& pair) { return pair.confidence < options_.min_confidence; };
   std::vector<Part_correspondence>& pairs = found.matching.pairs;
@@ -150,15 +150,15 @@ Correspondence_finder::Impl::Found Correspondence_finder::Impl::without_unsure(F
   return found;
 }
 
-Correspondence Correspondence_finder::Impl::rated(const Shared_shape& source, const Found& found) const
+Correspondence Correspondence_finder::Impl::rated(const Shared_shape& source, const Part_match_result& found) const
 {
-  const Search_run run(source, found.target, found.way.turn, group_labels(found.matching, *source, *found.target),
+  const Search_run run(source, found.target, found.alignment.turn, group_labels(found.matching, *source, *found.target),
                        options_);
   Correspondence result = correspondence_of(run, run.result.best(), {});
   result.pairs = original_pairs(found.matching, *source, *found.target);
   take_roles(found.known, result);
-  if (options_.alignments == 1) warn_of_fronts(found.way, result);
-  if (found.done < found.ways) mark_cancelled(found.done, found.ways, result);
+  if (options_.alignments == 1) warn_of_fronts(found.alignment, result);
+  if (found.tried < found.candidates) mark_cancelled(found.tried, found.candidates, result);
   return result;
 }
 
@@ -170,9 +170,9 @@ std::vector<Transferred_label> Correspondence_finder::Impl::transferred_labels(c
   if (labels.size() != number_of_parts_)
     throw Invalid_input("transfer_labels: there are " + std::to_string(labels.size()) + " labels of " +
                         std::to_string(number_of_parts_) + " parts of the source");
-  const Found best = matched_parts(target);
+  const Part_match_result best = matched_parts(target);
   std::vector<Transferred_label> result(structure(target.graph()).parts.size());
-  if (best.done == 0) return result; // it was cancelled
+  if (best.tried == 0) return result; // it was cancelled
   for (std::size_t j = 0; j < best.target->parts.size(); ++j) {
     const Part_correspondence from = likeliest_source(best.matching, j);
     result[best.target->original[j]] = {labels[source_->original[from.source]], from.confidence};
@@ -180,13 +180,13 @@ std::vector<Transferred_label> Correspondence_finder::Impl::transferred_labels(c
   return result;
 }
 
-Correspondence Correspondence_finder::Impl::rated_backwards(Found found) const
+Correspondence Correspondence_finder::Impl::rated_backwards(Part_match_result found) const
 {
   for (Part_correspondence& pair : found.matching.pairs)
     pair = inverse(pair);
   std::sort(found.matching.pairs.begin(), found.matching.pairs.end(), is_before);
   std::swap(found.known.source_roles, found.known.target_roles);
-  std::swap(found.way.source_front, found.way.target_front);
+  std::swap(found.alignment.source_front, found.alignment.target_front);
   const Shared_shape source = std::exchange(found.target, source_);
   return rated(source, found);
 }
@@ -201,8 +201,8 @@ bool Correspondence_finder::Impl::takes_shapes_as_they_are() const
 std::array<Correspondence, 2> Correspondence_finder::Impl::both_orders(const Prepared_shape& target) const
 {
   if (options_.method == Search_method::PARTS && takes_shapes_as_they_are()) {
-    const Found found = without_unsure(matched_parts(target));
-    if (found.way.turn == 0 && found.ways == 1) {
+    const Part_match_result found = without_unsure(matched_parts(target));
+    if (found.alignment.turn == 0 && found.candidates == 1) {
       std::array<Correspondence, 2> result{rated(source_, found), rated_backwards(found)};
       const std::size_t of_target = structure(target.graph()).parts.size();
       collect_unmatched(number_of_parts_, of_target, result[0]);
@@ -214,11 +214,11 @@ std::array<Correspondence, 2> Correspondence_finder::Impl::both_orders(const Pre
 }
 
 void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target,
-                                             const Pair_category& category, const Way& way, Part_matching& matching,
-                                             Correspondence& result) const
+                                             const Pair_category& category, const Alignment_candidate& alignment,
+                                             Part_matching& matching, Correspondence& result) const
 {
-  const Role_model_data& model = options_.roles->data();
-  const std::optional<Pair_votes> votes = votes_of(target, category, way, result);
+  const Role_model_data& model = Role_model_access::data(*options_.roles);
+  const std::optional<Role_votes_of_pair> votes = votes_of(target, category, alignment, result);
   if (!votes) {
     state_confidences(category.nearest < model.categories.size()
                           ? model.categories[category.nearest].geometric_confidence
@@ -227,9 +227,9 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
     constrain(constraints(*source_, aligned_target), matching);
     return;
   }
-  const auto& [source, of_target] = *votes;
-  const Pair_terms terms = with_geometric_terms(
-      role_terms(source, source_->original, of_target, aligned_target.original), matching.costs, matching.pairs);
+  const Pair_terms terms =
+      with_geometric_terms(role_terms(*votes->source, source_->original, *votes->target, aligned_target.original),
+                           matching.costs, matching.pairs);
   const Match_constraints constrained = constraints(*source_, aligned_target);
   const Category_roles& known = model.categories[category.index];
   matching = match_by_terms(terms, known.weights, std::move(matching), constrained, options_.parts);
@@ -237,22 +237,27 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
   constrain(constrained, matching);
 }
 
-std::optional<Correspondence_finder::Impl::Pair_votes>
-Correspondence_finder::Impl::votes_of(const Prepared_shape& target, const Pair_category& category, const Way& way,
-                                      Correspondence& result) const
+std::optional<Role_votes_of_pair> Correspondence_finder::Impl::votes_of(const Prepared_shape& target,
+                                                                        const Pair_category& category,
+                                                                        const Alignment_candidate& alignment,
+                                                                        Correspondence& result) const
 {
-  const Role_model_data& model = options_.roles->data();
+  const Role_model_data& model = Role_model_access::data(*options_.roles);
   if (category.index == model.categories.size()) {
     result.warnings.push_back(category.note);
     return std::nullopt;
   }
-  const Pair_votes votes{prepared_source_.alignments_->roles(options_.roles, way.source_front)->votes(category.index),
-                         target.alignments_->roles(options_.roles, way.target_front)->votes(category.index)};
+  const auto votes_of_shape = [&](const Prepared_shape& shape, int front, std::vector<std::string>& names) {
+    const std::shared_ptr<const Shape_roles> roles = shape.alignments_->roles(options_.roles, front);
+    const std::shared_ptr<const Role_votes> votes(roles, &roles->votes(category.index)); // keeps the roles
+    for (const Part_label& label : votes->labels)
+      names.push_back(label.coarse);
+    return votes;
+  };
   result.category = model.categories[category.index].name;
-  for (const Part_label& label : votes.source.labels)
-    result.source_roles.push_back(label.coarse);
-  for (const Part_label& label : votes.target.labels)
-    result.target_roles.push_back(label.coarse);
+  Role_votes_of_pair votes;
+  votes.source = votes_of_shape(prepared_source_, alignment.source_front, result.source_roles);
+  votes.target = votes_of_shape(target, alignment.target_front, result.target_roles);
   return votes;
 }
 

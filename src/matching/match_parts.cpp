@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/match_parts.h"
+#include "base/Disjoint_sets.h"
 #include "base/quantized.h"
-#include "matching/Shape_features.h"
-#include "matching/part_blocks.h"
+#include "matching/Normalized_shape.h"
 #include "roles/pair_model.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
@@ -34,7 +35,41 @@ void check(const Part_matching_options& options)
       throw Invalid_input("match_parts: the tolerance, the anchor and the width of warps must be finite and above 0");
 }
 
-// Pairs that cost least for one of their parts and, over both, at most so much more than least.
+using Match_matrix = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
+
+// Parts of both shapes that correspond as sets: a block of the matrix of matches.
+struct Block
+{
+  std::vector<std::size_t> source, target;
+};
+
+// The blocks that confident pairs and panels make.
+std::vector<Block> blocks_of(const Match_matrix& confident, const Shape_features& source, const Shape_features& target)
+{
+  const std::size_t n = source.size(), all = n + target.size();
+  Disjoint_sets sets(all);
+  const auto join_panels = [&](const Shape_features& features, std::size_t first) {
+    for (const std::vector<std::size_t>& panel : features.assemblies.panels)
+      for (std::size_t part : panel)
+        sets.unite(first + panel[0], first + part);
+  };
+  join_panels(source, 0);
+  join_panels(target, n);
+  for (Eigen::Index i = 0; i < confident.rows(); ++i)
+    for (Eigen::Index j = 0; j < confident.cols(); ++j)
+      if (confident(i, j)) sets.unite(std::size_t(i), n + std::size_t(j));
+
+  std::vector<Block> by_first(all), result;
+  for (std::size_t k = 0; k < all; ++k) {
+    Block& block = by_first[sets[k]];
+    k < n ? block.source.push_back(k) : block.target.push_back(k - n);
+  }
+  for (Block& block : by_first)
+    if (!block.source.empty() && !block.target.empty()) result.push_back(std::move(block));
+  return result;
+}
+
+// Pairs that are the best one of a part, and exceed the least costs of both parts by at most `excess` in sum.
 Match_matrix pairs_within(const Eigen::MatrixXd& costs, double excess)
 {
   const Eigen::VectorXd least_in_row = costs.rowwise().minCoeff(), least_in_column = costs.colwise().minCoeff();
@@ -49,7 +84,7 @@ Match_matrix pairs_within(const Eigen::MatrixXd& costs, double excess)
   return result;
 }
 
-// How many of the pairs each of the rows is in.
+// The number of pairs of each of the rows with the columns.
 std::vector<std::size_t> number_of_pairs(const Match_matrix& pairs, const std::vector<std::size_t>& rows,
                                          const std::vector<std::size_t>& columns)
 {
@@ -65,7 +100,7 @@ bool are_all(const std::vector<std::size_t>& counts, std::size_t count)
   return std::all_of(counts.begin(), counts.end(), [&](std::size_t c) { return c == count; });
 }
 
-// Do the parts of a block pair one to one, each with one that is as good as the same?
+// Whether the parts of a block pair one to one, at costs of at most `tolerance`.
 bool are_same_parts(const Block& block, const Match_matrix& confident, const Eigen::MatrixXd& costs,
                     const Part_matching_options& options)
 {
@@ -103,7 +138,7 @@ void match_all(const std::vector<std::size_t>& source, const std::vector<std::si
       pairs(Eigen::Index(i), Eigen::Index(j)) = true;
 }
 
-// Every part of a block with every other where they differ in number, or are in panels and not the same.
+// Matches all parts of a block with all where they differ in number, or are in panels and not the same.
 void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confident, const Eigen::MatrixXd& costs,
                      const Shape_features& source, const Shape_features& target, const Part_matching_options& options,
                      Match_matrix& pairs)
@@ -119,7 +154,7 @@ void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confi
       match_all(block.source, block.target, pairs);
 }
 
-// Does every leg of the shape with fewer legs pair with a leg of its own, and do those left over stand on the ground?
+// Whether every leg of the shape with fewer legs pairs with a leg of its own, and the legs left over are on the ground.
 bool supports_pair_one_to_one(const Match_matrix& confident, const Part_assemblies& fewer, const Part_assemblies& more)
 {
   const std::vector<std::size_t> of_fewer = number_of_pairs(confident, fewer.legs, more.legs),
@@ -130,7 +165,7 @@ bool supports_pair_one_to_one(const Match_matrix& confident, const Part_assembli
   return true;
 }
 
-// Do the supports of two shapes correspond as sets, every leg to every leg?
+// Whether the supports of two shapes correspond as sets, every leg to every leg.
 bool support_as_sets(const Match_matrix& confident, const Part_assemblies& a, const Part_assemblies& b)
 {
   if (a.support.empty() || b.support.empty()) return false;
@@ -138,7 +173,7 @@ bool support_as_sets(const Match_matrix& confident, const Part_assemblies& a, co
                                           : supports_pair_one_to_one(confident.transpose(), b, a));
 }
 
-// Takes out pairs of a leg and a part that is not in the support.
+// Removes the pairs of a leg and a part outside of the support.
 void separate_supports(const Shape_features& source, const Shape_features& target, Match_matrix& pairs)
 {
   const std::vector<char> a = flags(source.assemblies.support, source.size()),
@@ -172,7 +207,7 @@ Aligned_shape turned_over(Aligned_shape shape)
   return shape;
 }
 
-// By how much the best pair that was not taken costs more, of either part.
+// The cost of the best pair of either part that was not taken, minus that of the pair.
 double margin(const Eigen::MatrixXd& costs, const Match_matrix& pairs, Eigen::Index i, Eigen::Index j)
 {
   double alternative = std::numeric_limits<double>::infinity();
@@ -183,7 +218,7 @@ double margin(const Eigen::MatrixXd& costs, const Match_matrix& pairs, Eigen::In
   return alternative - costs(i, j);
 }
 
-// Logistic. Pairs of blocks may have any margin below 0 and are as often right as those that have none.
+// Logistic in the margin. Pairs of blocks may have negative margins and are as often right as those of margin 0.
 double confidence(double margin) { return std::min(1 / (1 + std::exp(-std::max(0., margin))), 1 - least_doubt); }
 
 // The cost of a pair that is not allowed: more than all others.
@@ -230,7 +265,7 @@ void constrain(const Match_constraints& constraints, Part_matching& matching)
   std::sort(pairs.begin(), pairs.end(), is_before);
 }
 
-bool comes_first(const Aligned_shape& a, const Aligned_shape& b) { return rank_of(a) < rank_of(b); }
+bool canonical_less(const Aligned_shape& a, const Aligned_shape& b) { return rank_of(a) < rank_of(b); }
 
 Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
                           const Part_matching_options& options, const Match_constraints& constraints)

@@ -14,17 +14,17 @@
 
 namespace CGAL::Shape_correspondence {
 
-/// A part-to-part correspondence. What has no counterpart is in no pair.
+/// A part-to-part correspondence of two aligned shapes.
 struct Part_matching
 {
   std::vector<Part_correspondence> pairs; ///< by source, then target, by index of the aligned shapes
   Eigen::MatrixXd costs;                  ///< source part × target part, by index of the aligned shapes
   bool upside_down = false;               ///< one shape was turned over, as a lamp that hangs from a chain
-  Eigen::MatrixXd probabilities;          ///< of all pairs, as the costs; where roles tell, else empty
+  Eigen::MatrixXd probabilities;          ///< source part × target part; empty without roles
 };
 
-/// An order of two shapes that does not depend on which of them is the source; settles what else that would decide.
-bool comes_first(const Aligned_shape& a, const Aligned_shape& b);
+/// An order of shapes that breaks ties independently of which one is the source.
+bool canonical_less(const Aligned_shape& a, const Aligned_shape& b);
 
 /// Matches parts by their costs alone, without deforming a shape.
 ///
@@ -50,11 +50,11 @@ namespace internal {
 struct Shape_features;
 }
 
-/// The same of shapes whose features are known, by the same options.
+/// The same of shapes with known features, made by the same options.
 Part_matching match_parts(const internal::Shape_features& source, const internal::Shape_features& target,
                           const Part_matching_options& options, const internal::Match_constraints& constraints);
 
-/// Takes out the pairs that are not allowed and puts in those that are pinned.
+/// Removes the pairs that are not allowed and adds those that are pinned.
 void constrain(const internal::Match_constraints& constraints, Part_matching& matching);
 
 } // namespace CGAL::Shape_correspondence

@@ -165,7 +165,7 @@ bool Role_forest::read(Stored_bytes& bytes, int trees, int roles)
   const std::uint8_t* const begin = bytes.next;
   bool is_right = true;
   for (int tree = 0; tree < trees; ++tree)
-    for (std::size_t to_come = 1; to_come > 0; bytes.next += node_size) { // nodes that others ask for
+    for (std::size_t to_come = 1; to_come > 0; bytes.next += node_size) { // nodes of the tree that are left to read
       if (bytes.size() < node_size) return false;
       const std::uint8_t feature = bytes.next[0], value = bytes.next[1];
       const bool is_leaf = feature == leaf;

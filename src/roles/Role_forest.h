@@ -18,7 +18,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// A labelled part. `role`: index of what trees vote for.
+// A labelled part: its features, the index of the role that trees vote for, and its weight in the training.
 struct Role_example
 {
   std::array<std::uint8_t, ROLE_FEATURE_COUNT> features;
@@ -44,15 +44,15 @@ public:
   Eigen::MatrixXi votes(const Role_features& parts, int roles) const;
 
   void write(std::ostream& out) const;
-  // Verifies all nodes, but makes trees of them only when somebody asks for votes, which most forests of a model are
-  // never asked for. \return false if what is read is no forest for so many roles
+  // Checks all nodes; trees are built of them when votes are first asked for. \return false if the bytes are not a
+  // forest of so many trees and roles
   bool read(Stored_bytes& bytes, int trees, int roles);
 
 private:
   struct Node
   {
-    std::uint8_t feature;    // `leaf` of a leaf
-    std::uint8_t value;      // parts with at most this much of the feature go left; of a leaf, the role
+    std::uint8_t feature;    // index; `leaf` at a leaf
+    std::uint8_t value;      // threshold: up to it, parts go left; at a leaf, the role
     std::uint32_t right = 0; // index of the right child; the left one is next
   };
   static constexpr std::uint8_t leaf = 255;
@@ -63,7 +63,7 @@ private:
     std::vector<Node> nodes; // in the order root, left subtree, right subtree
     std::vector<std::uint32_t> roots;
     Stored_bytes stored{}; // nodes that were read; none if the trees were grown
-    Once are_made;         // of what is stored
+    Once are_made;         // built of `stored`
   };
 
   class Builder;

@@ -21,7 +21,7 @@ namespace internal {
 
 namespace {
 
-constexpr double steps_per_deviation = 32; // of a standardised feature, a byte: it reaches over four deviations
+constexpr double steps_per_deviation = 32; // of a feature: a byte covers four standard deviations either way
 
 } // namespace
 
@@ -127,7 +127,7 @@ constexpr const char* magic = "shape_correspondence roles 5";
 constexpr std::uint32_t most_categories = 1000, most_examples = 1000000, most_example_weight = 1000000000;
 constexpr long most_weight_steps = 1000000000; // of a weight, either way
 
-// Numbers and texts one after the other, the least byte of a number first.
+// Writes little-endian numbers, and texts with their lengths.
 class Binary_writer
 {
 public:
@@ -192,7 +192,7 @@ public:
       weight = double(long(number(2 * most_weight_steps)) - most_weight_steps) * pair_weight_unit;
   }
 
-  // So many bytes.
+  // The next bytes.
   const std::uint8_t* take(std::size_t size)
   {
     if (bytes_.size() < size) fail();
@@ -211,7 +211,7 @@ public:
   {
     constexpr std::size_t example_size = ROLE_FEATURE_COUNT + 1 + 4;
     const std::uint32_t count = number(most_examples);
-    if (bytes_.size() / example_size < count) fail(); // before there is memory for more than the file has
+    if (bytes_.size() / example_size < count) fail(); // before memory is allocated
     std::vector<Role_example> result(count);
     for (Role_example& example : result) {
       std::copy_n(take(ROLE_FEATURE_COUNT), std::size_t(ROLE_FEATURE_COUNT), example.features.begin());
@@ -316,14 +316,14 @@ Part_roles part_roles(const Structural_graph& graph, const Role_model& model, co
 {
   const Shape_roles shape(graph, model);
   Part_roles result;
-  const std::size_t index = category.empty()
-                                ? category_of_pair(shape, shape, model.data()).index
-                                : std::size_t(&category_of(model.data(), category) - model.data().categories.data());
-  if (index == model.data().categories.size()) return result;
-  const Category_roles& known = model.data().categories[index];
+  const std::size_t index = category.empty() ? category_of_pair(shape, shape, Role_model_access::data(model)).index
+                                             : std::size_t(&category_of(Role_model_access::data(model), category) -
+                                                           Role_model_access::data(model).categories.data());
+  if (index == Role_model_access::data(model).categories.size()) return result;
+  const Category_roles& known = Role_model_access::data(model).categories[index];
   result.category = known.name;
   result.roles = known.roles;
-  result.probabilities = shape.votes(index).roles.cast<double>() / double(model.data().trees);
+  result.probabilities = shape.votes(index).roles.cast<double>() / double(Role_model_access::data(model).trees);
   result.labels = shape.votes(index).labels;
   result.distance = shape.distance(index);
   return result;

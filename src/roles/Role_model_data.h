@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -21,7 +22,7 @@ struct Role_class
 {
   std::uint8_t role = 0; // index
   std::string fine;      // without the side; empty: none
-  bool has_side = false; // a part that is not in the middle is the left or the right one
+  bool has_side = false; // left and right parts have labels of their own
 
   friend bool operator<(const Role_class& a, const Role_class& b)
   {
@@ -29,17 +30,22 @@ struct Role_class
   }
 };
 
-// What is known of the roles in a category.
-struct Category_roles
+// How the roles of a category and the geometric match are weighed.
+struct Match_weights
+{
+  Pair_weights weights = usual_pair_weights();
+  Confidence_weights confidence = usual_confidence_weights();
+  // Of pairs that geometry alone matches, since this is the nearest category, but not clearly.
+  Confidence_weights geometric_confidence = usual_confidence_weights();
+};
+
+// The roles of a category, and what predicts them.
+struct Category_roles : Match_weights
 {
   std::string name;
   std::vector<std::string> roles;  // sorted
   std::vector<Role_class> classes; // sorted, at most `maximum_classes`
   Role_forest forest;
-  Pair_weights weights = usual_pair_weights();
-  Confidence_weights confidence = usual_confidence_weights();
-  // Of pairs that geometry alone matches, since this is the nearest category, but not clearly.
-  Confidence_weights geometric_confidence = usual_confidence_weights();
   std::vector<Role_example> examples; // the labelled parts, by class; sorted
 };
 
@@ -50,7 +56,7 @@ struct Role_model_data
 {
   std::vector<Category_roles> categories; // by name
   int trees = 0;                          // of every forest
-  // Of what geometry alone matches, for a category that has none of its own.
+  // Of pairs that geometry alone matches, where the nearest category has none of its own.
   Confidence_weights geometric_confidence = usual_confidence_weights();
 
   // The index of a category; `categories.size()` if there is none of the name.
@@ -70,7 +76,7 @@ public:
   double mean_distance(const Role_features& parts, std::size_t category) const;
 
 private:
-  // Rows of whole vectors of 16 bytes, 0 behind the features.
+  // In bytes: a multiple of 16, padded with 0.
   static constexpr int row_length = (ROLE_FEATURE_COUNT + 15) / 16 * 16;
   using Rows = Eigen::Array<std::uint8_t, Eigen::Dynamic, row_length, Eigen::RowMajor>;
 
@@ -82,16 +88,24 @@ private:
   std::vector<Rows> examples_;                                             // by category, standardised
 };
 
-// What the labels of parts are told from, by index in the structural graph.
+// The inside of a model.
+struct Role_model_access
+{
+  static Role_model model(Role_model_data data) { return Role_model(std::move(data)); }
+  static const Role_model_data& data(const Role_model& model) { return *model.data_; }
+  static const Role_distances& distances(const Role_model& model) { return *model.distances_; }
+};
+
+// What the labels of parts are predicted from, by index in the structural graph.
 struct Role_evidence
 {
   Role_features features;
   std::vector<Side> sides;
 };
 
-// Of a shape that looks to +z once it was turned so often by 90° from the orientation that it was given in.
+// \param quarter_turns about up, from the given orientation, with which the shape faces +z
 Role_evidence role_evidence(const Structural_graph& graph, int quarter_turns = 0);
-// Of one that was turned so, `shape`.
+// \param shape the graph, aligned so that it faces +z
 Role_evidence role_evidence(const Structural_graph& graph, const Aligned_shape& shape);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -14,13 +14,11 @@
 #include <string>
 #include <utility>
 
-namespace CGAL::Shape_correspondence {
-
-namespace internal {
+namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// Of a shape that weighs 1, in whole steps, so that sums do not depend on the order of the parts.
+// Of a shape of weight 1: weights are whole numbers, so that sums do not depend on the order of the parts.
 constexpr double weight_steps = 1e6;
 
 void check(const std::vector<Labelled_graph>& shapes, const Role_training_options& options)
@@ -76,7 +74,7 @@ std::vector<Example_label> example_labels(const std::vector<Part_label>& labels)
 // The roles and classes of labelled parts. A class has a side where most of its parts have.
 void set_classes(const std::vector<Example_label>& labels, Category_roles& category)
 {
-  std::map<std::pair<std::string, std::string>, long> sides; // those with, less those without
+  std::map<std::pair<std::string, std::string>, long> sides; // number of parts with a side minus those without
   std::set<std::string> roles;
   for (const Example_label& label : labels) {
     sides[{label.role, label.fine}] += label.has_side ? 1 : -1;
@@ -146,9 +144,7 @@ Category_roles Role_trainer::category(const std::string& name, const std::vector
   std::vector<Labelled_part> parts;
   const std::size_t known = known_.index(name);
   if (known < known_.categories.size()) {
-    result.weights = known_.categories[known].weights;
-    result.confidence = known_.categories[known].confidence;
-    result.geometric_confidence = known_.categories[known].geometric_confidence;
+    static_cast<Match_weights&>(result) = known_.categories[known];
     parts = known_parts(known_.categories[known]);
   }
   result.name = name;
@@ -197,19 +193,13 @@ Role_model_data Role_trainer::model() const
   return result;
 }
 
-} // namespace internal
-
-Role_model train_role_model(const std::vector<Labelled_graph>& shapes, const Role_training_options& options)
+Role_model_data Role_trainer::model_without(Role_model_data model, const std::string& name,
+                                            const std::vector<char>& is_left_out) const
 {
-  return Role_model(internal::Role_trainer(shapes, options).model());
+  const std::size_t index = model.index(name);
+  model.categories[index] = category(name, is_left_out);
+  if (model.categories[index].roles.empty()) model.categories.erase(model.categories.begin() + std::ptrdiff_t(index));
+  return model;
 }
 
-Role_model extend_role_model(const Role_model& model, const std::vector<Labelled_graph>& shapes,
-                             const Role_training_options& options)
-{
-  Role_training_options of_all = options;
-  if (!model.data().categories.empty()) of_all.trees = model.data().trees;
-  return Role_model(internal::Role_trainer(shapes, of_all, model.data()).model());
-}
-
-} // namespace CGAL::Shape_correspondence
+} // namespace CGAL::Shape_correspondence::internal

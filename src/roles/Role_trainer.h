@@ -5,10 +5,15 @@
 
 #include "roles/Role_model_data.h"
 
+#include <CGAL/Shape_correspondence/Role_model.h>
+
 #include <string>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
+
+// Of a real shape in the training, where a generated one weighs 1.
+constexpr double weight_of_real_shapes = 3;
 
 // Learns roles from labelled shapes, as often as asked for: features are computed once.
 class Role_trainer
@@ -20,12 +25,15 @@ public:
                const Role_model_data& known = {});
 
   const Role_evidence& evidence(std::size_t shape) const { return evidence_[shape]; }
-  // What the shapes of a category teach but those left out; without roles if none is left.
-  Category_roles category(const std::string& name, const std::vector<char>& is_left_out) const;
-  // Of all shapes, and the categories that were known before.
+  // Learned from all shapes, with the categories that were known before.
   Role_model_data model() const;
+  // The model with a category learned anew from the shapes that are not left out; without it if none is left.
+  Role_model_data model_without(Role_model_data model, const std::string& category,
+                                const std::vector<char>& is_left_out) const;
 
 private:
+  Category_roles category(const std::string& name, const std::vector<char>& is_left_out) const;
+
   const std::vector<Labelled_graph>& shapes_;
   Role_training_options options_;
   Role_model_data known_;

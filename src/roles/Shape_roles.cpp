@@ -16,8 +16,8 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// Where at least half of the fine labels of a role are taken by an earlier part, as the front legs of a table with four
-// legs in front, they do not tell its parts apart.
+// Drops the fine labels of a role where at least half of them repeat, as of a table with four front legs: they do not
+// distinguish its parts.
 void drop_repeated_fine_labels(std::vector<Part_label>& labels)
 {
   std::map<std::string, std::vector<std::size_t>> parts_of_role;
@@ -84,7 +84,7 @@ Shape_roles::Shape_roles(Role_evidence evidence, const Role_model& model)
 Shape_roles::Shape_roles(std::function<Role_evidence()> find_evidence, const Role_model& model)
     : model_(model),
       find_evidence_(std::move(find_evidence)),
-      findings_(std::make_unique<Findings[]>(model.data().categories.size()))
+      findings_(std::make_unique<Findings[]>(Role_model_access::data(model).categories.size()))
 {}
 
 const Role_evidence& Shape_roles::evidence() const
@@ -96,13 +96,14 @@ const Role_evidence& Shape_roles::evidence() const
 double Shape_roles::distance(std::size_t category) const
 {
   Findings& found = findings_[category];
-  found.distance_is_found([&] { found.distance = model_.distances().mean_distance(evidence().features, category); });
+  found.distance_is_found(
+      [&] { found.distance = Role_model_access::distances(model_).mean_distance(evidence().features, category); });
   return found.distance;
 }
 
 bool Shape_roles::is_nearest(std::size_t category) const
 {
-  for (std::size_t other = 0; other < model_.data().categories.size(); ++other)
+  for (std::size_t other = 0; other < Role_model_access::data(model_).categories.size(); ++other)
     if (distance(other) < distance(category)) return false;
   return true;
 }
@@ -110,7 +111,8 @@ bool Shape_roles::is_nearest(std::size_t category) const
 const Role_votes& Shape_roles::votes(std::size_t category) const
 {
   Findings& found = findings_[category];
-  found.votes_are_counted([&] { found.votes = counted(evidence(), model_.data().categories[category]); });
+  found.votes_are_counted(
+      [&] { found.votes = counted(evidence(), Role_model_access::data(model_).categories[category]); });
   return found.votes;
 }
 
@@ -162,7 +164,7 @@ int likely_front(const Turned_roles& shape, std::size_t category, int trees, con
   };
   long most = likeness(0, agreement(0)) + clear_difference(options);
   int best = 0;
-  // The likeness is at most half of the agreement, and that at most 0: what cannot be clearly better is not looked at
+  // The likeness is at most half of the agreement, which is at most 0: turns that cannot be clearly better are skipped
   for (int turn = 1; turn < 4 && most < 0; ++turn) {
     const double agreed = agreement(turn);
     if (quantized(agreed / 2) <= most) continue;

@@ -15,7 +15,7 @@ namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 constexpr int newton_steps = 15;       // at most
-constexpr double newton_change = 1e-9; // of a weight: less is the end, as the next step would be far smaller
+constexpr double newton_change = 1e-9; // of a weight: a smaller change ends the iteration
 
 } // namespace
 
@@ -28,8 +28,8 @@ Pair_weights usual_pair_weights()
 
 Pair_weights usual_pair_weights(std::size_t labelled_shapes)
 {
-  // Over the root of the number. Set by `roles evaluate --leave-out category --told --number-of-examples N` with N = 1,
-  // 3, 5: the mean of how far `weights` there are from the usual ones, times the root of N
+  // Difference from the usual weights, times the square root of the number of shapes: the mean of those that
+  // `validate_roles --leave-out category --told --number-of-examples N` fits for N = 1, 3, 5
   Pair_weights of_few;
   of_few << -1.68, 1.40, -3.02, 0.69, -0.09, 1.68;
   return usual_pair_weights() + of_few / std::sqrt(double(labelled_shapes));
@@ -92,14 +92,14 @@ double confidence(double probability, const Confidence_weights& weights)
 template <int term_count>
 Eigen::Matrix<double, term_count, 1> fitted_weights(const std::vector<Weighted<term_count>>& examples,
                                                     const Eigen::Matrix<double, term_count, 1>& expected,
-                                                    const Eigen::Matrix<double, term_count, 1>& charges)
+                                                    const Eigen::Matrix<double, term_count, 1>& penalties)
 {
   using Weights = Eigen::Matrix<double, term_count, 1>;
   using Hessian = Eigen::Matrix<double, term_count, term_count>;
   Weights weights = expected;
   for (int step = 0; step < newton_steps; ++step) {
-    Weights gradient = charges.cwiseProduct(expected - weights);
-    Hessian hessian = charges.asDiagonal();
+    Weights gradient = penalties.cwiseProduct(expected - weights);
+    Hessian hessian = penalties.asDiagonal();
     for (const auto& [judged, weight_of_all] : examples) {
       const Eigen::ArrayXd p = 1 / (1 + (-(judged->terms * weights).array()).exp());
       const double weight = weight_of_all / double(p.size());

@@ -10,25 +10,24 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// What is known of a pair of parts. All terms are the same with source and target swapped.
+// Terms of the logistic model of a pair of parts; all are the same with source and target swapped.
 enum Pair_term : int {
   SAME_LABEL,     // 1 or 0: the parts correspond by the likeliest labels of all parts, as by `ground_truth()`
   SAME_ROLE,      // 1 or 0: the likeliest roles of the two parts are the same
   VOTES_AGREE,    // cosine of the votes for the roles of the two parts
   GEOMETRIC_PAIR, // 1 or 0: the geometric match has the pair
-  EXCESS,         // how much more the pair costs than the best one of either part, added
+  EXCESS,         // cost over that of the best pair of either part, summed over both
   CONSTANT,       // 1
   PAIR_TERM_COUNT
 };
 
-// A row a pair of parts, source by source.
+// One row per pair of parts, source by source.
 using Pair_terms = Eigen::Matrix<double, Eigen::Dynamic, PAIR_TERM_COUNT>;
-// Of the terms, in the logit of the probability that a pair is right.
+// Weights of the terms in the logit of the probability that a pair is right.
 using Pair_weights = Eigen::Matrix<double, PAIR_TERM_COUNT, 1>;
 
 // Fitted to the labelled shapes that the role model of the package was learned from, each pair of shapes matched with
-// neither in the training (`weights` in data/roles/manifest.json); for validations of too few pairs for weights of
-// their own.
+// neither in the training (`weights` in data/roles/manifest.json); where there are too few pairs to fit weights to.
 Pair_weights usual_pair_weights();
 
 // For a category of which so many shapes are labelled: the fewer there are, the less the labels count, and the more
@@ -45,8 +44,9 @@ Eigen::ArrayXd probabilities(const Pair_terms& terms, const Pair_weights& weight
 // Without a parameter: many where the parts are told well, few where they are not. O(n log n).
 std::vector<char> pairs_of_greatest_expected_f1(const Eigen::ArrayXd& probabilities);
 
-// How likely a pair that was matched is right: the logit of its probability times the slope, plus the offset. The pairs
-// that are matched are the most probable ones, so that fewer of them are right than their probabilities say.
+// Calibration of confidences: the probability that a matched pair is right has the logit of its probability times the
+// slope, plus the offset. The pairs that are matched are the most probable ones, so that fewer of them are right than
+// their probabilities say.
 enum Confidence_term : int { SLOPE, OFFSET, CONFIDENCE_TERM_COUNT };
 using Confidence_weights = Eigen::Matrix<double, CONFIDENCE_TERM_COUNT, 1>;
 
@@ -54,10 +54,10 @@ inline Confidence_weights usual_confidence_weights() { return {1, 0}; }
 
 constexpr double least_doubt = 1e-3; // of a confidence: keeps its logit finite
 
-// Row of a fit, of a pair of such a probability.
+// The terms of the calibration of a pair of this probability.
 Eigen::Matrix<double, 1, CONFIDENCE_TERM_COUNT> confidence_terms(double probability);
 
-// The same for 0 and 1.
+// The calibrated confidence; 0 and 1 stay.
 double confidence(double probability, const Confidence_weights& weights);
 
 // Pairs of parts of two shapes, and which are right.
@@ -70,7 +70,7 @@ struct Judged
 using Judged_terms = Judged<PAIR_TERM_COUNT>;
 using Judged_confidences = Judged<CONFIDENCE_TERM_COUNT>;
 
-// The same, and what all its pairs together weigh.
+// Pairs with their total weight in a fit.
 template <int term_count>
 struct Weighted
 {
@@ -78,13 +78,13 @@ struct Weighted
   double weight;
 };
 
-// Logistic regression by Newton's method, with charges for the square of how far each weight is from the expected one.
-// Rounded to what a file keeps. For the terms of pairs and for those of confidences.
+// Logistic regression by Newton's method, with a quadratic penalty on the distance of each weight from its expected
+// value. Rounded to `pair_weight_unit`.
 template <int term_count>
 Eigen::Matrix<double, term_count, 1> fitted_weights(const std::vector<Weighted<term_count>>& examples,
                                                     const Eigen::Matrix<double, term_count, 1>& expected,
-                                                    const Eigen::Matrix<double, term_count, 1>& charges);
+                                                    const Eigen::Matrix<double, term_count, 1>& penalties);
 
-constexpr double pair_weight_unit = 1e-6; // in a file
+constexpr double pair_weight_unit = 1e-6; // of weights in a file
 
 } // namespace CGAL::Shape_correspondence::internal

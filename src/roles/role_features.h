@@ -14,8 +14,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// What the role of a part is told from, in the unit box of the shape (each axis from 0 to 1 over its surface) unless it
-// says otherwise: x to its left, y up, z to its front. Left and right are alike.
+// The features that roles are predicted from, in the unit box of the shape (each axis from 0 to 1 over its surface)
+// unless it says otherwise: x to its left, y up, z to its front. Left and right are alike.
 enum Role_feature : int {
   ON_GROUND, // 1 or 0
   LOWEST_HEIGHT,
@@ -56,17 +56,17 @@ enum Role_feature : int {
   ROLE_FEATURE_COUNT
 };
 
-// A row a part, by its index in the structural graph; a byte a feature, so that rounding by a motion of the shape does
-// not show: 0 … 254 for 0 … 1, or for -1 … 1 of what has a sign.
+// One row per part, by its index in the structural graph. A feature is a byte, 0 … 254 for 0 … 1, or for -1 … 1 if it
+// is signed, so that rounding by a motion of the shape does not show.
 using Role_features = Eigen::Array<std::uint8_t, Eigen::Dynamic, ROLE_FEATURE_COUNT, Eigen::RowMajor>;
 
-// `shape`: of the graph, turned so that it looks to +z.
+// \param shape the graph, aligned so that it faces +z
 Role_features role_features(const Structural_graph& graph, const Aligned_shape& shape);
 
-// Of the middle plane.
+// Side of the middle plane.
 enum class Side { RIGHT = -1, NEITHER, LEFT };
 
-// Where the middle of the box of every part is, by its index in the structural graph.
+// The side of the centre of every part's box, by index in the structural graph.
 std::vector<Side> part_sides(const Aligned_shape& shape);
 
 } // namespace CGAL::Shape_correspondence::internal

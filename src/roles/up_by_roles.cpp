@@ -14,7 +14,7 @@ double distance_of_nearest_category(const Structural_graph& graph, const Role_mo
 {
   const Shape_roles roles(graph, model);
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t category = 0; category < model.data().categories.size(); ++category)
+  for (std::size_t category = 0; category < Role_model_access::data(model).categories.size(); ++category)
     least = std::min(least, roles.distance(category));
   return least;
 }
@@ -23,7 +23,7 @@ Up_by_roles up_by_roles(const Structural_graph& graph, const std::array<Shape_fr
                         const Role_model& model, const Role_options& options)
 {
   Up_by_roles result;
-  if (model.data().categories.empty()) return result;
+  if (Role_model_access::data(model).categories.empty()) return result;
   std::array<double, 3> distances;
   Structural_graph turned = graph;
   for (std::size_t axis = 0; axis < 3; ++axis) {

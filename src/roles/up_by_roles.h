@@ -11,8 +11,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// How far the parts of a shape are from labelled parts of the category that they are nearest to, in standard
-/// deviations of a feature; infinite without a category.
+/// Distance of a shape from the nearest category, in standard deviations of a feature; infinite without categories.
 double distance_of_nearest_category(const Structural_graph& graph, const Role_model& model);
 
 /// The axis with which the parts of a shape are nearest to labelled parts of a category.
@@ -23,7 +22,7 @@ struct Up_by_roles
   bool is_clear = false;  ///< the same by `Role_options::category_ratio`
 };
 
-/// \param frames of the shape, if x, y or z is up
+/// \param frames of the shape with x, y or z up
 Up_by_roles up_by_roles(const Structural_graph& graph, const std::array<Shape_frame, 3>& frames,
                         const Role_model& model, const Role_options& options = {});
 

@@ -19,12 +19,12 @@ namespace CGAL::Shape_correspondence::internal {
 struct Tangent_bound
 {
   Mini_bucket_bound tables;
-  double offset = 0; // to be added to what the tables say
+  double offset = 0; // added to the bound of the tables
 
   double bound() const { return offset + tables.bound(); }
 };
 
-// Makes the bounds. Variables are numbered by their position in the order; the energy is kept by reference.
+// Makes tangent bounds. Variables are numbered by their position in the order; the energy is kept by reference.
 class Tangents
 {
 public:
@@ -32,12 +32,12 @@ public:
 
   // Whether the bounds are exact for the tangents.
   bool exact() const { return buckets_->exact(); }
-  // The fewer, the fewer buckets are split.
+  // Grows with the number of buckets that are split.
   std::size_t number_of_tables() const { return buckets_->number_of_tables(); }
 
   Tangent_bound make() const { return {Mini_bucket_bound(*buckets_)}; }
 
-  // The bound whose tangents touch the root terms at the sums `touched`.
+  // Sets the bound whose tangents touch the root terms at the sums `touched`.
   void touch(const std::vector<double>& touched, Tangent_bound& bound);
 
 private:
@@ -52,7 +52,7 @@ private:
   Message_passing pass_messages_;
 };
 
-// The order of the variables, of which the last are eliminated first.
+// The search order of the variables; bucket elimination goes through it backwards.
 std::vector<std::size_t> elimination_order(const Pairwise_energy& energy);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -20,12 +20,12 @@ using namespace internal;
 
 namespace {
 
-// Energies closer than this are equal: the first solution found stays.
+// Energies closer than this count as equal; the solution found first stays.
 constexpr double energy_tolerance = 1e-9;
 
-constexpr std::size_t patience = 1u << 16;       // nodes without a proof, after which the bound gets larger tables:
-constexpr std::size_t table_growth = 16;         // so many times as large,
-constexpr std::size_t largest_tables = 1u << 20; // up to so many entries
+constexpr std::size_t patience = 1u << 16;       // nodes without a proof before the tables of the bound are enlarged
+constexpr std::size_t table_growth = 16;         // factor of it
+constexpr std::size_t largest_tables = 1u << 20; // entries
 
 } // namespace
 
@@ -70,7 +70,7 @@ public:
     result.summary.method = "exact";
     result.solutions = solutions_;
     result.optimal = !stopped_;
-    // Rounding in the bound must not put it above the energy it proves
+    // Roundings of the bound must not put it above the energy
     result.summary.lower_bound =
         result.optimal ? result.best().energy
                        : std::min(result.best().energy, std::max(energy_.lower_bound(), tangent_.bound()));
@@ -98,8 +98,8 @@ public:
   }
 
 private:
-  // Each tangent touches at the solution that the one before led to; the first at the greatest sums. The one with the
-  // greatest bound is kept.
+  // Each tangent touches at the first solution found with the one before; the first at the greatest sums. Keeps the one
+  // with the greatest bound.
   void choose_tangent()
   {
     constexpr int maximum_tangents = 5;
@@ -138,7 +138,7 @@ private:
 
   bool can_refine() const { return !tangents_->exact() && table_limit_ * table_growth <= largest_tables; }
 
-  // Goes over to the next larger tables that split fewer buckets, if there are any.
+  // Enlarges the tables until fewer buckets are split, if that is possible.
   void refine()
   {
     while (can_refine()) {
@@ -179,7 +179,7 @@ private:
     }
   }
 
-  // A limit counts once there is a solution.
+  // Limits count only once there is a solution.
   void check_limits()
   {
     if (solutions_.empty() || first_leaf_only_) return;
@@ -209,7 +209,7 @@ private:
     }
   }
 
-  // Puts the current assignment among the best ones, in their order; among equals, the first found comes first.
+  // Inserts the current assignment into the best ones; of equal ones, the one found first is first.
   void keep()
   {
     const double energy = energy_(assignment_);

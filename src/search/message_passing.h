@@ -19,8 +19,8 @@ struct Pair_cost
 
 // Sequential tree-reweighted message passing (TRW-S, Kolmogorov 2006): moves costs between terms that share a variable,
 // so that the sum of the least costs of all terms rises and no assignment's cost changes. Repeated for similar costs of
-// the same variables, it goes on from the messages that it had. Neither Boost nor CGAL has it, or mini-buckets;
-// toulbar2, a program that solves such problems, is what the exact search is tested against.
+// the same variables, it starts from the last messages. Neither Boost nor CGAL has it, or mini-buckets; the exact
+// search is tested against the program toulbar2.
 class Message_passing
 {
 public:

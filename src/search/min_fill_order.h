@@ -10,8 +10,8 @@
 namespace CGAL::Shape_correspondence::internal {
 
 // Orders the vertices of a graph so that eliminating them from the back fills in few edges (min-fill, ties by index).
-// Boost.Graph orders by minimum degree only, which gave a greater width on 14 of 600 random graphs of 22 to 100
-// vertices and a smaller one on one of them, in one and a half to twice the time.
+// Boost.Graph orders by minimum degree only, which gives greater widths (on 14 of 600 random graphs of 22 to 100
+// vertices, smaller ones on one).
 std::vector<std::size_t> min_fill_order(std::size_t n, const std::vector<std::pair<std::size_t, std::size_t>>& edges);
 
 } // namespace CGAL::Shape_correspondence::internal

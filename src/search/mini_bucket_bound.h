@@ -26,7 +26,7 @@ struct Cost_table
 };
 
 // Mini-bucket elimination: lower bounds on the sum of cost tables for every partial assignment of a prefix of
-// variables, exact as long as no bucket had to be split. Here is what the scopes of the tables determine.
+// variables, exact if no bucket is split. This is the part that depends on the scopes of the tables alone.
 class Mini_buckets
 {
 public:
@@ -40,15 +40,15 @@ public:
 private:
   friend class Mini_bucket_bound;
 
-  // Tables that share a variable are replaced by their minimum over its labels.
+  // Replaces tables that share a variable by a message, the minimum of their sum over its labels.
   struct Elimination
   {
     std::size_t variable;
     std::vector<std::size_t> tables;
     std::size_t message;
   };
-  // Tables that the bound of a variable reads: the given ones that become complete with it, messages that arrive at it
-  // and those that go past it to variables before.
+  // Tables in the bound of a variable: given ones that become complete with it, messages to it, and messages past it to
+  // earlier variables.
   struct Level
   {
     std::vector<std::size_t> complete, arriving, passing;
@@ -56,7 +56,7 @@ private:
 
   void add(std::vector<std::size_t> scope);
 
-  // Tables of a bucket, packed first-fit into sets whose joint table is small enough.
+  // The tables of a bucket in mini-buckets whose joint tables are small enough, packed first-fit.
   std::vector<std::vector<std::size_t>> mini_buckets(std::vector<std::size_t> bucket) const;
 
   std::size_t entries(const std::vector<std::size_t>& scope) const;
@@ -70,7 +70,7 @@ private:
   bool exact_ = true;
 };
 
-// The values.
+// The values of the tables.
 class Mini_bucket_bound
 {
 public:
@@ -92,8 +92,8 @@ public:
   // Lower bound on the sum of all tables over all assignments.
   double bound() const { return bound_; }
 
-  // For every label of v, given labels of the variables before it: in `costs`, `cost` and the tables that become
-  // complete with v; in `bounds`, that and a lower bound on all other tables.
+  // For every label of v, given labels of the earlier variables: in `costs`, `cost` plus the tables that become
+  // complete with v; in `bounds`, a lower bound on that plus all other tables.
   void extend(std::size_t v, const std::vector<int>& labels, double cost, double* costs, double* bounds) const;
 
 private:

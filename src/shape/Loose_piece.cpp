@@ -3,6 +3,7 @@
 
 #include "shape/Loose_piece.h"
 #include "base/Disjoint_sets.h"
+#include "shape/triangle_distance.h"
 
 #include <Eigen/Geometry>
 
@@ -165,11 +166,10 @@ Loose_piece loose_piece(std::size_t object, Part_mesh mesh)
   double area = 0;
   Point middle = Point::Zero();
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Point a = mesh.points.col(mesh.triangles(0, t)), b = mesh.points.col(mesh.triangles(1, t)),
-                c = mesh.points.col(mesh.triangles(2, t));
-    const double twice = (b - a).cross(c - a).norm();
+    const contacts::Triangle corners = triangle_of(mesh, t);
+    const double twice = contacts::area_vector(corners).norm();
     area += twice / 2;
-    middle += twice / 6 * (a + b + c);
+    middle += twice / 6 * (corners[0] + corners[1] + corners[2]);
   }
   middle = area > 0 ? Point(middle / area) : Point(mesh.points.rowwise().mean());
   const double size = size_of(mesh.points, middle);

@@ -11,20 +11,20 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A piece of an object that hangs together.
+/// A connected component of an object, by places of vertices.
 struct Loose_piece
 {
   std::size_t object;
   Part_mesh mesh;
   double area;
-  double size;                  ///< about its diameter
-  bool closed;                  ///< two triangles meet at every edge
+  double size;                  ///< approximate diameter, see `size_of()`
+  bool closed;                  ///< an even number of triangles meets at every edge
   std::set<int> materials = {}; ///< empty: not known
 };
 
-/// The triangles that are connected through vertices at the same place, by their first triangles.
+/// The connected components of a mesh, connected through vertices at the same place, in the order of first triangles.
 /// \param materials by triangle. Empty: they are not known
-/// \param divide whether only triangles of one material are connected
+/// \param divide only triangles of one material are connected
 std::vector<Loose_piece> loose_pieces(std::size_t object, const Part_mesh& mesh, const std::vector<int>& materials = {},
                                       bool divide = false);
 
@@ -34,7 +34,7 @@ Loose_piece loose_piece(std::size_t object, Part_mesh mesh);
 /// Points on the edges of only one triangle, at most `spacing` apart.
 Points border_points(const Part_mesh& mesh, double spacing);
 
-/// About the diameter of points: the distance of the point farthest from the middle to the one farthest from that.
+/// Approximate diameter: the distance between the point farthest from the middle and the one farthest from that.
 double size_of(const Points& points, const Point& middle);
 
 } // namespace CGAL::Shape_correspondence::internal

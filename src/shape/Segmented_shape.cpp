@@ -9,7 +9,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
@@ -50,14 +49,12 @@ void check_indices(const std::string& name, const Part_mesh& mesh)
 
 void check_mesh(const std::string& name, const Part_mesh& mesh)
 {
-  if (mesh.triangles.cols() == 0) {
+  if (mesh.triangles.cols() == 0)
     throw Invalid_input(part_message(name, "no triangles; remove the part or give it a surface"));
-  }
   check_coordinates(name, mesh.points);
   check_indices(name, mesh);
-  if (!has_area(mesh)) {
+  if (!has_area(mesh))
     throw Invalid_input(part_message(name, "all triangles have zero area; remove the part or give it a surface"));
-  }
 }
 
 } // namespace
@@ -67,9 +64,8 @@ Segmented_shape::Segmented_shape(std::string name, const Point& up) : name_(std:
 void Segmented_shape::set_up(const Point& up)
 {
   up_ = up.normalized();
-  if (!(up_.norm() > 0.5)) {
+  if (!(up_.norm() > 0.5))
     throw Invalid_input("shape '" + name_ + "': the up direction is zero or not finite; give a unit vector");
-  }
 }
 
 void Segmented_shape::add_part(std::string name, Part_mesh mesh)
@@ -78,11 +74,10 @@ void Segmented_shape::add_part(std::string name, Part_mesh mesh)
     throw Invalid_input("part number " + std::to_string(parts_.size()) + " of shape '" + name_ +
                         "': the name is empty; give every part a name");
   }
-  const auto same_name = [&name](const Shape_part& part) { return part.name == name; };
-  if (std::any_of(parts_.begin(), parts_.end(), same_name)) {
+  if (names_.count(name) > 0)
     throw Invalid_input(part_message(name, "shape '" + name_ + "' has another part of that name; rename one of them"));
-  }
   check_mesh(name, mesh);
+  names_.insert(name);
   parts_.push_back({std::move(name), std::move(mesh)});
 }
 

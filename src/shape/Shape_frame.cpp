@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/Nearest_points.h"
+#include "base/directions.h"
 #include "base/eigen_system.h"
-#include "base/least_rotation.h"
 #include "base/planar_hull.h"
+#include "shape/oriented_box.h"
 
 #include <CGAL/Shape_correspondence/Shape_frame.h>
 
@@ -36,14 +37,12 @@ class Mirror_plane_finder
 public:
   explicit Mirror_plane_finder(const Points& points) : points_(points), nearest_(points), queries_(thinned(points))
   {
-    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    for (Eigen::Index i = 0; i < points.cols(); ++i)
       footprint_.emplace_back(points(0, i), points(2, i));
-    }
     hull_ = planar_hull(footprint_);
-    extent_ = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
-    for (Eigen::Index i = 0; i < queries_.size(); ++i) {
-      spacing_ += nearest_.distance(points.col(queries_[i]), queries_[i]) / static_cast<double>(queries_.size());
-    }
+    extent_ = diagonal(points);
+    for (Eigen::Index i = 0; i < queries_.size(); ++i)
+      spacing_ += nearest_.distance(points.col(queries_[i]), queries_[i]) / double(queries_.size());
   }
 
   Eigen::Vector2d rectangle_direction() const
@@ -58,9 +57,7 @@ public:
     Mirror_plane result;
     for (const Eigen::Vector2d& direction : candidate_normals()) {
       const Mirror_plane plane = score(direction, clearly * result.residual);
-      if (plane.residual < clearly * result.residual) {
-        result = plane;
-      }
+      if (plane.residual < clearly * result.residual) result = plane;
     }
     return refined(tightest_alternative(result));
   }
@@ -89,19 +86,16 @@ private:
       sum += x;
     }
     Mirror_plane middle = scored({normal, 0.5 * (low + high)}, limit);
-    const Mirror_plane centroid = scored({normal, sum / static_cast<double>(footprint_.size())}, limit);
-    if (std::isinf(middle.residual) && std::isfinite(centroid.residual)) {
-      middle = scored(middle);
-    }
+    const Mirror_plane centroid = scored({normal, sum / double(footprint_.size())}, limit);
+    if (std::isinf(middle.residual) && std::isfinite(centroid.residual)) middle = scored(middle);
     return centroid.residual < 0.8 * middle.residual ? centroid : middle;
   }
 
   static std::vector<Eigen::Index> sorted_indices(Eigen::Index n, Eigen::Index limit)
   {
     std::vector<Eigen::Index> result;
-    for (Eigen::Index i = 0; i < std::min(n, limit); ++i) {
+    for (Eigen::Index i = 0; i < std::min(n, limit); ++i)
       result.push_back(n <= limit ? i : i * n / limit);
-    }
     return result;
   }
 
@@ -110,13 +104,13 @@ private:
     const Eigen::Index most_queries = 600;
     const auto indices = sorted_indices(points.cols(), most_queries);
     return Eigen::Map<const Eigen::Array<Eigen::Index, Eigen::Dynamic, 1>>(indices.data(),
-                                                                           static_cast<Eigen::Index>(indices.size()));
+                                                                           Eigen::Index(indices.size()));
   }
 
   Mirror_plane scored(Mirror_plane plane, double limit = std::numeric_limits<double>::infinity()) const
   {
     const Point normal(plane.normal.x(), 0, plane.normal.y());
-    const double count = static_cast<double>(queries_.size());
+    const double count = double(queries_.size());
     double sum = 0;
     for (Eigen::Index i = 0; i < queries_.size(); ++i) {
       const Point p = points_.col(queries_[i]);
@@ -138,13 +132,11 @@ private:
   {
     std::vector<Eigen::Vector2d> result{rectangle_direction(), quarter_turn(rectangle_direction())};
     Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
-    for (const Eigen::Vector2d& p : footprint_) {
-      centroid += p / static_cast<double>(footprint_.size());
-    }
+    for (const Eigen::Vector2d& p : footprint_)
+      centroid += p / double(footprint_.size());
     Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
-    for (const Eigen::Vector2d& p : footprint_) {
+    for (const Eigen::Vector2d& p : footprint_)
       moments += (p - centroid) * (p - centroid).transpose();
-    }
     const Eigen::Matrix2d axes = eigenvectors(moments);
     result.push_back(axes.col(1));
     result.push_back(axes.col(0));
@@ -157,9 +149,8 @@ private:
     const std::size_t most_chords = 24;
     std::vector<Eigen::Vector2d> chords;
     for (std::size_t i = 0; i < hull_.size(); ++i) {
-      for (std::size_t j = i + 1; j < hull_.size(); ++j) {
+      for (std::size_t j = i + 1; j < hull_.size(); ++j)
         chords.push_back(hull_[j] - hull_[i]);
-      }
     }
     std::stable_sort(chords.begin(), chords.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
       return a.squaredNorm() > b.squaredNorm() * (1 + 1e-9);
@@ -193,9 +184,8 @@ private:
   {
     const Mirror_plane crossing = score(quarter_turn(plane.normal));
     double sum = 0;
-    for (const Eigen::Vector2d& p : footprint_) {
+    for (const Eigen::Vector2d& p : footprint_)
       sum += std::abs((plane.normal.dot(p) - plane.offset) * (crossing.normal.dot(p) - crossing.offset));
-    }
     return sum;
   }
 
@@ -204,14 +194,10 @@ private:
   Mirror_plane tightest_alternative(const Mirror_plane& plane) const
   {
     const double as_good = 1.3, tighter = 0.99, clearly = 0.8;
-    if (!is_mirror(plane)) {
-      return plane;
-    }
+    if (!is_mirror(plane)) return plane;
     const double limit = as_good * plane.residual;
     const Mirror_plane diagonal = score(Eigen::Rotation2Dd(double(0.25 * EIGEN_PI)) * plane.normal, limit);
-    if (!(diagonal.residual < limit)) {
-      return plane;
-    }
+    if (!(diagonal.residual < limit)) return plane;
     const double area = rectangle_area(plane.normal), diagonal_area = rectangle_area(diagonal.normal);
     const bool is_round = diagonal_area > tighter * area && area > tighter * diagonal_area;
     const bool better = is_round ? cornering(plane) < clearly * cornering(diagonal) : diagonal_area < tighter * area;
@@ -222,17 +208,13 @@ private:
   Mirror_plane refined(Mirror_plane plane) const
   {
     const double clearly = 0.98;
-    if (plane.residual < 0.5 * spacing_) {
-      return plane;
-    }
+    if (plane.residual < 0.5 * spacing_) return plane;
     for (double step = 0.08; step > 0.002; step *= 0.5) {
       const Mirror_plane start = plane;
       for (const double angle : {-step, step}) {
         const double limit = clearly * plane.residual;
         const Mirror_plane turned = score(Eigen::Rotation2Dd(angle) * start.normal, limit);
-        if (turned.residual < limit) {
-          plane = turned;
-        }
+        if (turned.residual < limit) plane = turned;
       }
     }
     return plane;
@@ -267,9 +249,7 @@ Eigen::Vector2d side_nearest_to_x(const Eigen::Vector2d& direction)
   Eigen::Vector2d result = direction, candidate = direction;
   for (int turn = 1; turn < 4; ++turn) {
     candidate = quarter_turn(candidate);
-    if (candidate.x() > result.x() + clearly) {
-      result = candidate;
-    }
+    if (candidate.x() > result.x() + clearly) result = candidate;
   }
   return result;
 }
@@ -317,17 +297,12 @@ void place(Shape_frame& frame, const Points& points, const Eigen::Vector2d& offs
   const Points turned = frame.axes.transpose() * points;
   const Point low = turned.rowwise().minCoeff(), high = turned.rowwise().maxCoeff();
   Point origin(0.5 * (low.x() + high.x()), low.y(), 0.5 * (low.z() + high.z()));
-  for (Eigen::Index k = 0; k < 2; ++k) {
-    if (std::isfinite(offset_along_mirror[k])) {
-      origin[2 * k] = offset_along_mirror[k];
-    }
-  }
+  for (Eigen::Index k = 0; k < 2; ++k)
+    if (std::isfinite(offset_along_mirror[k])) origin[2 * k] = offset_along_mirror[k];
   const double largest = (high - low).maxCoeff();
   frame.origin = frame.axes * origin;
   frame.height = high.y() - low.y() > flattest * largest ? high.y() - low.y() : largest;
-  if (!(frame.height > 0)) {
-    frame.height = 1;
-  }
+  if (!(frame.height > 0)) frame.height = 1;
 }
 
 } // namespace

@@ -23,7 +23,7 @@ inline Box box_of(const Triangle& t)
   return Box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));
 }
 
-/// What `box.squaredExteriorDistance(p)` is, without branches.
+/// `box.squaredExteriorDistance(p)` without branches.
 inline double squared_distance(const Box& box, const Point& p)
 {
   return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0).squaredNorm();
@@ -35,11 +35,9 @@ struct Triangle_pair
   std::size_t first = 0, second = 0;
 };
 
-/// A tree of boxes around triangles, for distances between whole surfaces: two trees are walked at once. CGAL's
-/// AABB_tree finds the point of a surface nearest to a point, not the closest pair of two surfaces. Asked for every
-/// vertex of both, it took 1.02 ms for a pair of parts (of 2 137 pairs, those of all shapes in data/) and gave more
-/// than the distance for 322 pairs, whose closest points lie within edges; closest pairs take 0.72 ms, nearly closest
-/// ones 0.05.
+/// A bounding volume hierarchy of triangles. By hand, since distances between two surfaces need two trees that are
+/// traversed at once: CGAL's AABB_tree finds the nearest point of one surface, which for all vertices is slower and
+/// misses pairs of points within edges (`benchmark_parts` compares them).
 class Triangle_tree
 {
 public:
@@ -55,8 +53,8 @@ public:
     triangles_.swap(in_order);
   }
 
-  /// The same triangles elsewhere, `place(t)` the one that was given with number t: much faster than a new tree and as
-  /// good where neighbours stay neighbours.
+  /// Moves the triangles, `place(t)` being the one that was given with number t, and refits the boxes: faster than a
+  /// new tree, and as good where neighbours stay neighbours.
   template <typename Place>
   void move(const Place& place)
   {
@@ -382,4 +380,10 @@ private:
 };
 
 } // namespace contacts
+
+inline contacts::Triangle_tree tree_of(const Points& points, const Eigen::Matrix3Xi& triangles)
+{
+  return contacts::Triangle_tree(triangles_of(points, triangles));
+}
+
 } // namespace CGAL::Shape_correspondence::internal

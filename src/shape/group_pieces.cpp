@@ -3,9 +3,12 @@
 
 #include "shape/group_pieces.h"
 #include "base/Nearest_points.h"
-#include "shape/Hull_planes.h"
+#include "base/limits.h"
 #include "shape/Triangle_tree.h"
+#include "shape/convex_hull.h"
 #include "shape/sample_triangles.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,22 +30,22 @@ using contacts::Triangle_tree;
 constexpr int piece_samples = 64;           // of a piece
 constexpr Eigen::Index vertex_samples = 64; // at most
 constexpr double hull_tolerance = 0.005;
-constexpr std::size_t most_pieces = 1000; // of an object; of more, such as leaves, none is a part
+constexpr std::size_t most_pieces = 1000; // of an object; of one with more, such as leaves, no piece is a part
 constexpr double share_in_hull = 0.95;    // of a piece that is in a hull
-constexpr double share_interlocked = 0.3; // of each of two pieces in the other's hull
+constexpr double share_interlocked = 0.3; // of each of two pieces that is in the hull of the other
 constexpr double alike = 0.01;            // relative difference of areas and sizes of copies
 constexpr std::size_t fewest_copies = 3;
 constexpr double share_of_seam = 0.9;    // of a border that is along another one
 constexpr double width_of_patch = 0.9;   // of its border, over its own
 constexpr double border_spacing = 0.002; // of points on a border
-constexpr double holder_size = 0.5;      // of what holds pieces; a larger one is the frame of the model
+constexpr double holder_size = 0.5;      // of a piece that holds others; a larger one is the frame of the model
 constexpr double assembly_size = 0.3;    // of an object whose pieces stay together if they touch, or of a decal
 constexpr double shell_distance = 0.03;  // between both shells of a panel
 constexpr double shell_areas = 0.7;      // least ratio of them
 constexpr double unlimited = 1e100;      // a distance that none reaches
 constexpr double speck_size = 0.01;      // a smaller piece joins what it touches, whatever its object
 
-/// A piece with what distances to it need.
+/// A piece with its search structures, made on demand.
 class Measured_piece
 {
 public:
@@ -59,7 +62,7 @@ public:
     return tree_.is_within(other.tree_, distance * distance);
   }
 
-  /// How far the point of this piece is that is farthest from another one; infinite if that is `limit` or more.
+  /// One-sided Hausdorff distance from this piece to another one; infinite if it is `limit` or more.
   double distance_to(const Measured_piece& other, double limit) const
   {
     double result = 0;
@@ -74,20 +77,20 @@ public:
     return std::sqrt(result);
   }
 
-  /// Which share of this piece is in the hull of another, or as near to it as `tolerance`.
+  /// Share of this piece within `tolerance` of the convex hull of another.
   double share_in(const Measured_piece& other, double tolerance) const
   {
     return other.hull().share_inside(samples_, tolerance);
   }
 
-  /// Whether it has a border, as wide as the piece; that of a tube or bottle is narrower.
+  /// Whether its border is as wide as the piece, unlike that of a tube or bottle.
   bool is_patch() const
   {
     const Points& points = border().points;
     return points.cols() > 0 && size_of(points, points.rowwise().mean()) > width_of_patch * piece_.size;
   }
 
-  /// Which share of the border is nearer than a distance to that of another piece.
+  /// Share of the border within a distance of the border of another piece.
   double share_of_border_along(const Measured_piece& other, double distance) const
   {
     const Points& points = border().points;
@@ -111,17 +114,7 @@ private:
     return *border_;
   }
 
-  static std::vector<Triangle> triangles_of(const Part_mesh& mesh)
-  {
-    std::vector<Triangle> result;
-    result.reserve(std::size_t(mesh.triangles.cols()));
-    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
-      result.push_back({mesh.points.col(mesh.triangles(0, t)), mesh.points.col(mesh.triangles(1, t)),
-                        mesh.points.col(mesh.triangles(2, t))});
-    return result;
-  }
-
-  /// Points by area, and vertices, which corners are among.
+  /// Points sampled by area, and vertices, so that corners are among them.
   static Points samples_of(const Part_mesh& mesh)
   {
     std::vector<Point> points = contacts::sample_triangles(contacts::sampled_triangles_of(mesh), piece_samples).points;
@@ -144,15 +137,15 @@ private:
   Triangle_tree tree_;
   Points samples_;
   double model_size_;
-  mutable std::optional<Hull_planes> hull_; ///< made when it is asked for
-  mutable std::optional<Border> border_;    ///< the same
+  mutable std::optional<Hull_planes> hull_; ///< made on demand
+  mutable std::optional<Border> border_;    ///< made on demand
 };
 
-/// Why a piece joins another one.
+/// That a piece joins another one, and why.
 struct Join
 {
   std::size_t to;
-  double distance; ///< of its farthest point; the nearest is joined
+  double distance; ///< one-sided Hausdorff distance; the nearest piece is joined
   const char* reason;
 };
 
@@ -173,6 +166,7 @@ public:
 
   Piece_groups run()
   {
+    check_number();
     for (std::size_t begin = 0; begin < pieces_.size();) {
       std::size_t end = begin;
       while (end < pieces_.size() && pieces_[end].object == pieces_[begin].object)
@@ -185,7 +179,23 @@ public:
   }
 
 private:
-  /// The pieces of an object.
+  /// \throw Invalid_input if there are too many pieces to be grouped
+  void check_number() const
+  {
+    std::vector<std::size_t> count(objects_, 0);
+    for (const Loose_piece& piece : pieces_)
+      ++count[piece.object];
+    std::size_t grouped = 0;
+    for (std::size_t n : count)
+      if (objects_ == 1 || n <= most_pieces) grouped += n;
+    if (grouped > most_grouped_pieces)
+      throw Invalid_input("it has " + std::to_string(grouped) + " loose pieces, of which at most " +
+                          std::to_string(most_grouped_pieces) +
+                          " can be grouped into parts: join pieces to objects in a program for modelling, and take the "
+                          "objects as parts (--parts file)");
+  }
+
+  /// Groups the pieces of an object.
   void group_object(std::size_t begin, std::size_t end)
   {
     std::string& kept = result_.kept[pieces_[begin].object];
@@ -254,7 +264,7 @@ private:
     return true;
   }
 
-  /// Whether the pieces of an object are a small thing made of pieces that touch.
+  /// Whether an object is small and its pieces touch.
   bool is_assembly(std::size_t begin, std::size_t end)
   {
     Points points(3, 0);
@@ -277,14 +287,14 @@ private:
     return boxes_are_near(i, other, distance) && measured(i).is_within(measured(other), distance);
   }
 
-  /// Of two pieces that may join one another the smaller one does; of copies the later one.
+  /// The smaller piece joins the larger one; of copies the later one the earlier.
   bool may_join(std::size_t i, std::size_t other) const
   {
     const double difference = pieces_[other].area - pieces_[i].area;
     return std::abs(difference) > alike * pieces_[i].area ? difference > 0 : other < i;
   }
 
-  /// Two sheets that have one extent, such as the front and the back of a panel.
+  /// Whether two open pieces lie along each other, as the front and the back of a panel.
   bool are_both_shells(std::size_t i, std::size_t other)
   {
     if (pieces_[i].closed || pieces_[other].closed) return false;
@@ -292,7 +302,7 @@ private:
     return std::isfinite(measured(other).distance_to(measured(i), shell_distance * size_));
   }
 
-  /// What a piece joins of the others of its object.
+  /// The piece of the same object that a piece joins, if any.
   std::optional<Join> join_of(std::size_t i, std::size_t begin, std::size_t end)
   {
     const bool is_small = pieces_[i].size < options_.small_size * size_;
@@ -307,7 +317,7 @@ private:
     return best;
   }
 
-  /// Null if there is none. \param distance of the farthest point
+  /// Null if there is none. \param distance one-sided Hausdorff distance
   const char* reason_to_join(std::size_t i, std::size_t other, double distance, bool is_small)
   {
     if (distance <= options_.layer_distance * size_) return "lies on";
@@ -316,7 +326,7 @@ private:
     return nullptr;
   }
 
-  /// The nearest piece that another one may join.
+  /// The nearest piece that piece `i` may join.
   std::optional<Join> nearest(std::size_t i, std::size_t begin, std::size_t end)
   {
     std::optional<Join> best;
@@ -333,7 +343,7 @@ private:
     return measured(i).tree().box().exteriorDistance(measured(other).tree().box()) <= distance;
   }
 
-  /// Pieces of one number of triangles, area and size, by the first of them.
+  /// Sets of pieces with the same number of triangles and about the same area and size.
   Disjoint_sets copies(std::size_t begin, std::size_t end) const
   {
     std::vector<std::size_t> order(end - begin);
@@ -445,7 +455,7 @@ private:
   std::size_t objects_;
   double size_;
   const Part_splitting_options& options_;
-  std::vector<std::unique_ptr<Measured_piece>> measured_; ///< made when they are asked for
+  std::vector<std::unique_ptr<Measured_piece>> measured_; ///< made on demand
   Piece_groups result_;
 };
 

@@ -3,9 +3,8 @@
 
 #pragma once
 
-#include <CGAL/Shape_correspondence/Segmented_shape.h>
-
-#include <Eigen/Geometry>
+#include "shape/oriented_box.h"
+#include "shape/triangle_distance.h"
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -14,15 +13,9 @@ inline bool has_area(const Part_mesh& mesh)
 {
   // Relative to the squared extent, so that the unit of length does not matter.
   const double smallest = 1e-14;
-  const double extent = (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Point a = mesh.points.col(mesh.triangles(0, t));
-    const Point b = mesh.points.col(mesh.triangles(1, t));
-    const Point c = mesh.points.col(mesh.triangles(2, t));
-    if ((b - a).cross(c - a).norm() > smallest * extent * extent) {
-      return true;
-    }
-  }
+  const double extent = diagonal(mesh.points);
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    if (contacts::area_vector(triangle_of(mesh, t)).norm() > smallest * extent * extent) return true;
   return false;
 }
 

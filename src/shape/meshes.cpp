@@ -12,11 +12,10 @@ namespace CGAL::Shape_correspondence::internal {
 Triangle_soup to_soup(const Part_mesh& mesh)
 {
   Triangle_soup result;
-  for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
+  for (Eigen::Index v = 0; v < mesh.points.cols(); ++v)
     result.points.push_back(to_mesh_point(mesh.points.col(v)));
-  }
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const auto corner = [&](int k) { return static_cast<std::size_t>(mesh.triangles(k, t)); };
+    const auto corner = [&](int k) { return std::size_t(mesh.triangles(k, t)); };
     result.triangles.push_back({corner(0), corner(1), corner(2)});
   }
   return result;
@@ -30,9 +29,7 @@ Halfedge_mesh manifold_surface(const Part_mesh& mesh, bool* changed)
   PMP::repair_polygon_soup(soup.points, soup.triangles);
   const bool repaired = soup.points.size() != points || soup.triangles.size() != triangles;
   const bool oriented = PMP::orient_polygon_soup(soup.points, soup.triangles);
-  if (changed) {
-    *changed = repaired || !oriented;
-  }
+  if (changed) *changed = repaired || !oriented;
   Halfedge_mesh result;
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, result);
   return result;
@@ -41,16 +38,14 @@ Halfedge_mesh manifold_surface(const Part_mesh& mesh, bool* changed)
 Part_mesh to_part_mesh(const Halfedge_mesh& mesh)
 {
   Part_mesh result;
-  result.points.resize(3, static_cast<Eigen::Index>(mesh.number_of_vertices()));
-  result.triangles.resize(3, static_cast<Eigen::Index>(mesh.number_of_faces()));
-  for (auto v : mesh.vertices()) {
-    result.points.col(static_cast<Eigen::Index>(v.idx())) = to_point(mesh.point(v));
-  }
+  result.points.resize(3, Eigen::Index(mesh.number_of_vertices()));
+  result.triangles.resize(3, Eigen::Index(mesh.number_of_faces()));
+  for (auto v : mesh.vertices())
+    result.points.col(Eigen::Index(v.idx())) = to_point(mesh.point(v));
   for (auto f : mesh.faces()) {
     int k = 0;
-    for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
-      result.triangles(k++, static_cast<Eigen::Index>(f.idx())) = static_cast<int>(v.idx());
-    }
+    for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      result.triangles(k++, Eigen::Index(f.idx())) = int(v.idx());
   }
   return result;
 }
@@ -58,13 +53,11 @@ Part_mesh to_part_mesh(const Halfedge_mesh& mesh)
 Halfedge_mesh to_halfedge_mesh(const Part_mesh& mesh)
 {
   Halfedge_mesh result;
-  for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
+  for (Eigen::Index v = 0; v < mesh.points.cols(); ++v)
     result.add_vertex(to_mesh_point(mesh.points.col(v)));
-  }
   const auto vertex = [](int v) { return Halfedge_mesh::Vertex_index(static_cast<Halfedge_mesh::size_type>(v)); };
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
     result.add_face(vertex(mesh.triangles(0, t)), vertex(mesh.triangles(1, t)), vertex(mesh.triangles(2, t)));
-  }
   return result;
 }
 

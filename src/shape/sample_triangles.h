@@ -3,10 +3,7 @@
 
 #pragma once
 
-#include <CGAL/Shape_correspondence/Points.h>
-#include <CGAL/Shape_correspondence/Segmented_shape.h>
-
-#include <Eigen/Geometry>
+#include "shape/triangle_distance.h"
 
 #include <cmath>
 #include <cstddef>
@@ -33,9 +30,9 @@ inline std::vector<Sampled_triangle> sampled_triangles_of(const Part_mesh& mesh)
 {
   std::vector<Sampled_triangle> result;
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Point p = mesh.points.col(mesh.triangles(0, t));
-    const Point u = mesh.points.col(mesh.triangles(1, t)) - p, v = mesh.points.col(mesh.triangles(2, t)) - p;
-    result.push_back({p, u, v, u.cross(v).norm() / 2});
+    const Triangle corners = triangle_of(mesh, t);
+    const Point u = corners[1] - corners[0], v = corners[2] - corners[0];
+    result.push_back({corners[0], u, v, u.cross(v).norm() / 2});
   }
   return result;
 }

@@ -10,8 +10,12 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/mesh_segmentation.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -22,16 +26,20 @@ using namespace internal;
 
 namespace {
 
-/// Segment ids of a closed connected mesh, from 0 on.
-std::vector<std::size_t> sdf_segments(const Halfedge_mesh& mesh, const Segmentation_options& options)
+/// Segment ids of a closed connected mesh, from 0 on; none where the shape diameter function is not finite, as on a
+/// damaged mesh whose triangles differ in size by many orders of magnitude: its clustering would not end.
+std::optional<std::vector<std::size_t>> sdf_segments(const Halfedge_mesh& mesh, const Segmentation_options& options)
 {
   std::vector<double> sdf(mesh.number_of_faces());
   std::vector<std::size_t> segments(mesh.number_of_faces());
   const auto id = CGAL::get(boost::face_index, mesh);
   const auto sdf_map = boost::make_iterator_property_map(sdf.begin(), id);
-  CGAL::sdf_values(mesh, sdf_map);
+  const double greatest = CGAL::sdf_values(mesh, sdf_map).second;
+  const bool is_measured = greatest < std::numeric_limits<double>::max() &&
+                           std::all_of(sdf.begin(), sdf.end(), [](double value) { return std::isfinite(value); });
+  if (!is_measured) return std::nullopt;
   CGAL::segmentation_from_sdf_values(mesh, sdf_map, boost::make_iterator_property_map(segments.begin(), id),
-                                     static_cast<std::size_t>(options.clusters), options.smoothness);
+                                     std::size_t(options.clusters), options.smoothness);
   return segments;
 }
 
@@ -53,20 +61,21 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
     std::vector<std::size_t> segments(component.number_of_faces(), 0);
     if (CGAL::is_closed(component)) {
       CGAL::Polygon_mesh_processing::orient_to_bound_a_volume(component); // its inside is what is measured
-      segments = sdf_segments(component, options);
+      if (const auto found = sdf_segments(component, options))
+        segments = *found;
+      else
+        ++result.pieces_kept_whole;
     }
     const Part_mesh_builder empty(component, component.points());
     std::map<std::size_t, std::decay_t<decltype(empty)>> builders;
-    for (auto face : component.faces()) {
+    for (auto face : component.faces())
       builders.try_emplace(segments[face.idx()], empty).first->second.add_face(face);
-    }
     for (const auto& [segment, builder] : builders) {
       Part_mesh part{builder.data().points(), builder.data().triangles()};
-      if (has_area(part)) {
+      if (has_area(part))
         result.shape.add_part("segment_" + std::to_string(result.shape.parts().size()), std::move(part));
-      } else {
+      else
         ++result.pieces_left_out;
-      }
     }
   }
   return result;

@@ -18,7 +18,7 @@ using namespace internal;
 
 namespace {
 
-// More are noise, of a surface that has no inside
+// more are noise, on a surface without an inside
 constexpr std::size_t most_segments = 30;
 
 double size_of_model(const Segmented_shape& model)
@@ -30,7 +30,7 @@ double size_of_model(const Segmented_shape& model)
   return size_of(points, middle);
 }
 
-/// The name with `#` and a number, the first from `number` on that is not taken; takes it.
+/// The name with `#` and the first number from `number` on that makes it a new one, which is added to `taken`.
 std::string unused_name(const std::string& name, std::size_t number, std::set<std::string>& taken)
 {
   std::string result = name + '#' + std::to_string(number);
@@ -89,6 +89,7 @@ public:
     for (const Loose_piece& piece : whole) {
       const Mesh_segmentation segments = segment_mesh(piece.mesh, segmentation_);
       result_.pieces_left_out += segments.pieces_left_out;
+      result_.pieces_kept_whole += segments.pieces_kept_whole;
       for (const Shape_part& segment : segments.shape.parts())
         add_piece(loose_piece(piece.object, segment.mesh));
     }
@@ -169,16 +170,17 @@ private:
 
   void name_pieces()
   {
-    std::vector<std::size_t> count(objects_.size(), 0), number(objects_.size(), 0);
+    count_.assign(objects_.size(), 0);
+    std::vector<std::size_t> number(objects_.size(), 0);
     for (const Loose_piece& piece : pieces_)
-      ++count[piece.object];
+      ++count_[piece.object];
     std::set<std::string> taken;
     for (std::size_t i = 0; i < objects_.size(); ++i)
-      if (count[i] == 1) taken.insert(objects_[i].name);
+      if (count_[i] == 1) taken.insert(objects_[i].name);
     result_.pieces.clear();
     for (const Loose_piece& piece : pieces_) {
       std::string name = objects_[piece.object].name;
-      if (count[piece.object] > 1) name = unused_name(name, ++number[piece.object], taken);
+      if (count_[piece.object] > 1) name = unused_name(name, ++number[piece.object], taken);
       result_.pieces.push_back({name, piece.object, 0, piece.closed, piece.size / size_, ""});
     }
   }
@@ -207,15 +209,13 @@ private:
                              [&](std::size_t a, std::size_t b) { return pieces_[a].area < pieces_[b].area; });
   }
 
-  /// Whether some pieces are all of an object and nothing else.
+  /// Whether some pieces are exactly those of an object.
   bool is_object(const Group& group) const
   {
     if (result_.by_segments) return false;
-    const auto is_of_it = [object = pieces_[group[0]].object](const Loose_piece& piece) {
-      return piece.object == object;
-    };
-    return std::all_of(group.begin(), group.end(), [&](std::size_t i) { return is_of_it(pieces_[i]); }) &&
-           std::size_t(std::count_if(pieces_.begin(), pieces_.end(), is_of_it)) == group.size();
+    const std::size_t object = pieces_[group[0]].object;
+    return group.size() == count_[object] &&
+           std::all_of(group.begin(), group.end(), [&](std::size_t i) { return pieces_[i].object == object; });
   }
 
   void add_part(const Group& group, const std::string& name)
@@ -230,25 +230,21 @@ private:
 
   Part_split finished(const std::vector<std::string>& kept)
   {
+    std::vector<std::set<std::size_t>> parts(objects_.size());
+    for (const Model_piece& piece : result_.pieces)
+      parts[piece.object].insert(piece.part);
     for (std::size_t i = 0; i < objects_.size(); ++i)
-      result_.decisions.push_back(decision(i, kept.empty() ? "" : kept[i]));
+      result_.decisions.push_back(decision(count_[i], parts[i].size(), kept.empty() ? "" : kept[i]));
     return std::move(result_);
   }
 
-  /// What became of an object.
-  std::string decision(std::size_t object, const std::string& why_kept) const
+  /// What became of an object, in words.
+  std::string decision(std::size_t pieces, std::size_t parts, const std::string& why_kept) const
   {
-    std::size_t pieces = 0;
-    std::set<std::size_t> parts;
-    for (const Model_piece& piece : result_.pieces)
-      if (piece.object == object) {
-        ++pieces;
-        parts.insert(piece.part);
-      }
     const std::string count = std::to_string(pieces) + (result_.by_segments ? " segments" : " pieces");
     if (pieces == 0) return "left out: it has no area";
     if (pieces == 1) return "one piece";
-    if (parts.size() > 1) return count + ", split into " + std::to_string(parts.size()) + " parts";
+    if (parts > 1) return count + ", split into " + std::to_string(parts) + " parts";
     return count + ", kept whole" + (why_kept.empty() ? "" : ": " + why_kept);
   }
 
@@ -256,6 +252,7 @@ private:
   const Segmentation_options& segmentation_;
   double size_;
   std::vector<Loose_piece> pieces_;
+  std::vector<std::size_t> count_; ///< by object, number of pieces
   Part_split result_;
 };
 

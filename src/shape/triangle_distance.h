@@ -3,19 +3,55 @@
 
 #pragma once
 
+#include "base/clamped.h"
+
 #include <CGAL/Shape_correspondence/Points.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace contacts {
 
 using Triangle = std::array<Point, 3>;
+
+/// Across the triangle, twice its area long.
+inline Point area_vector(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
+
+} // namespace contacts
+
+inline contacts::Triangle triangle_of(const Points& points, const Eigen::Matrix3Xi& triangles, Eigen::Index t)
+{
+  return {points.col(triangles(0, t)), points.col(triangles(1, t)), points.col(triangles(2, t))};
+}
+
+inline contacts::Triangle triangle_of(const Part_mesh& mesh, Eigen::Index t)
+{
+  return triangle_of(mesh.points, mesh.triangles, t);
+}
+
+inline std::vector<contacts::Triangle> triangles_of(const Points& points, const Eigen::Matrix3Xi& triangles)
+{
+  std::vector<contacts::Triangle> result;
+  result.reserve(std::size_t(triangles.cols()));
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t)
+    result.push_back(triangle_of(points, triangles, t));
+  return result;
+}
+
+inline std::vector<contacts::Triangle> triangles_of(const Part_mesh& mesh)
+{
+  return triangles_of(mesh.points, mesh.triangles);
+}
+
+namespace contacts {
 
 /// Two points, one on either of two sets, and their squared distance.
 struct Closest_pair
@@ -30,13 +66,11 @@ struct Closest_pair
   }
 };
 
-inline double clamped(double x) { return std::min(1.0, std::max(0.0, x)); }
-
 /// The point of the segment from `a` to `b` nearest to `p`.
 inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b)
 {
   const double length = (b - a).squaredNorm();
-  return length > 0 ? Point(a + clamped((p - a).dot(b - a) / length) * (b - a)) : a;
+  return length > 0 ? Point(a + clamped_to_unit((p - a).dot(b - a) / length) * (b - a)) : a;
 }
 
 constexpr double parallel_squared_sine = 1e-24; // of an angle that rounding alone can make of none
@@ -84,7 +118,7 @@ inline void improve_by_segments(const Point& a, const Point& b, const Point& c, 
   const Point u = b - a, v = d - c, w = a - c;
   const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), uw = u.dot(w), vw = v.dot(w);
   const double determinant = uu * vv - uv * uv;
-  const double s = determinant > 0 ? clamped((uv * vw - vv * uw) / determinant) : 0;
+  const double s = determinant > 0 ? clamped_to_unit((uv * vw - vv * uw) / determinant) : 0;
   const Point q = nearest_on_segment(a + s * u, c, d);
   best.improve(nearest_on_segment(q, a, b), q);
 }
@@ -122,7 +156,7 @@ inline bool improve_by_crossing(const Triangle& a, const Triangle& b, Closest_pa
 inline bool is_off_plane(const Triangle& plane, const Triangle& t, double squared)
 {
   constexpr double rounding = 1 + 1e-9;
-  const Point normal = (plane[1] - plane[0]).cross(plane[2] - plane[0]);
+  const Point normal = area_vector(plane);
   const double a = normal.dot(t[0] - plane[0]), b = normal.dot(t[1] - plane[0]), c = normal.dot(t[2] - plane[0]);
   const double least = std::max(std::min({a, b, c}), -std::max({a, b, c}));
   return least > 0 && least * least > rounding * squared * normal.squaredNorm();

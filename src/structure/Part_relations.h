@@ -14,14 +14,14 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
-constexpr double least_position_tolerance = 0.01; ///< over the shape's height; for parts that are small
-constexpr double hull_noise = 0.003;              ///< mean deviation of hulls that noise explains, over the diagonal
-constexpr double least_elongation = 1.5;          ///< length over width of a shape whose ends differ in meaning
-constexpr double plane_tolerance = 0.02;    ///< how far from a mirror plane a pair may be centred, over the height
-constexpr double main_plane_support = 0.4;  ///< share of the surface that must be mirrored, for the better plane
-constexpr double other_plane_support = 0.7; ///< and for the other one
+constexpr double least_position_tolerance = 0.01; ///< of small parts, over the shape's height
+constexpr double hull_noise = 0.003;              ///< mean deviation of hulls due to noise, over the diagonal
+constexpr double least_elongation = 1.5;          ///< length over width of a shape with two different ends
+constexpr double plane_tolerance = 0.02;          ///< distance of a pair's centre from a mirror plane, over the height
+constexpr double main_plane_support = 0.4;        ///< mirrored share of the surface, for the main plane
+constexpr double other_plane_support = 0.7;       ///< and for the other one
 
-/// The motions whose linear part every pair is tested for.
+/// The linear maps that every pair of parts is tested for.
 enum Basic_map { TRANSLATED = 0, MIRRORED_X = 1, MIRRORED_Z = 2 };
 
 inline int axis_of(Basic_map map) { return map == MIRRORED_X ? 0 : 2; }
@@ -38,8 +38,8 @@ inline Eigen::Matrix3d mirror_matrix(const Point& normal)
   return Eigen::Matrix3d::Identity() - 2 * normal * normal.transpose();
 }
 
-/// Which parts are congruent under which motions, of parts in a canonical order. What is asked for all pairs is judged
-/// by hulls; `confirm()` looks at the surfaces.
+/// The congruences between parts, which are in a canonical order. All pairs are compared by their hulls; `confirm()`
+/// compares surfaces.
 class Part_relations
 {
 public:
@@ -64,7 +64,7 @@ public:
   std::size_t size() const { return parts_.size(); }
   const Part_signature& operator[](std::size_t i) const { return parts_[i]; }
 
-  /// How far apart, on average, the surface of one part and the image of another's may be.
+  /// Largest mean deviation of a part from the image of another that is congruent to it.
   double deviation_limit(std::size_t i, std::size_t j) const
   {
     return std::max(tolerance_ * std::max(parts_[i].diagonal, parts_[j].diagonal), noise_);
@@ -72,7 +72,7 @@ public:
 
   double noise() const { return noise_; }
 
-  /// How far a part may be from where it should be.
+  /// Largest distance of a part from its place in a group.
   double position_tolerance(std::size_t i) const
   {
     return std::max(least_position_tolerance, tolerance_ * parts_[i].diagonal);
@@ -86,7 +86,7 @@ public:
     return std::size_t(std::count(translated.begin(), translated.end(), 1));
   }
 
-  /// Root mean square deviation of the hull of the image of part i from that of part j, in heights; infinite if they
+  /// Root mean square deviation of the hull of part i after the map from that of part j, in heights; infinite if they
   /// are not congruent.
   double deviation(std::size_t i, std::size_t j, const Eigen::Matrix3d& map) const
   {
@@ -96,7 +96,7 @@ public:
 
   bool same_size(std::size_t i, std::size_t j) const { return have_same_size(parts_[i], parts_[j], tolerance_); }
 
-  /// Compares surfaces; what fails is not related any more.
+  /// Whether the surfaces of two parts agree; if not, they are not related from now on.
   bool confirm(std::size_t i, std::size_t j, const Eigen::Matrix3d& map)
   {
     if (surfaces_agree(parts_[i], parts_[j], map, deviation_limit(i, j))) return true;
@@ -105,7 +105,7 @@ public:
     return false;
   }
 
-  /// Whether two parts are displaced from each other along one axis alone. Parts that cross each other are not
+  /// Whether two parts are displaced along the normal of a mirror plane alone. Parts that cross each other are not
   /// displaced at all, but mirror images of each other and not of themselves.
   bool displaced_along(std::size_t i, std::size_t j, Basic_map mirror) const
   {
@@ -118,16 +118,16 @@ public:
     return along > std::max(least_position_tolerance, across) || cross;
   }
 
-  /// The mirror map that explains more of the shape than the other: the one of left and right.
+  /// The mirror plane under which more of the surface is symmetric: the one of left and right.
   Basic_map main_mirror() const { return main_mirror_; }
   Basic_map other_mirror() const { return main_mirror_ == MIRRORED_X ? MIRRORED_Z : MIRRORED_X; }
 
-  /// The mirror plane x = offset or z = offset that explains most of the shape, if it explains enough.
+  /// The offset of the mirror plane x or z = offset under which most of the surface is symmetric, if it is enough.
   const std::optional<double>& plane(Basic_map map) const { return planes_[map]; }
 
-  /// A shape that is longer than wide has two ends: a bed's head and foot, a bicycle's front and rear. Whether two
-  /// parts are at both ends, and nothing that they carry together says that these are alike, as a table's top does.
-  /// A shape whose only mirror plane is across its length has two sides instead, like an aeroplane of wide span.
+  /// Whether two parts are at the two ends of a long shape that differ, such as a bed's head and foot or a bicycle's
+  /// front and rear. Ends do not differ if a part covers both, as a table's top does, nor if the only mirror plane is
+  /// across the length, as in an aeroplane of wide span.
   bool are_at_different_ends(std::size_t i, std::size_t j) const
   {
     const int length = extent_.x() > extent_.z() ? 0 : 2, width = 2 - length;
@@ -138,8 +138,8 @@ public:
     return !are_covered(i, j) && !is_wheel(i);
   }
 
-  /// Whether a part is an upright disc or ring, which looks the same when it is turned about its axis. It may have an
-  /// axle, a hub or a sprocket.
+  /// Whether a part is an upright disc or ring, perhaps with an axle, a hub or a sprocket: nearly a body of revolution
+  /// about a horizontal axis.
   bool is_wheel(std::size_t i) const
   {
     const Point size = boxes_[i].sizes();
@@ -159,7 +159,7 @@ private:
                                part.centre + part.extremes.rowwise().maxCoeff());
   }
 
-  /// Whether one part lies above the middles of both.
+  /// Whether a third part is above the centres of both.
   bool are_covered(std::size_t i, std::size_t j) const
   {
     const double top = std::max(boxes_[i].max().y(), boxes_[j].max().y());
@@ -194,14 +194,14 @@ private:
     return parts_[i].area > 0 ? parts_[i].area : parts_[i].diagonal * parts_[i].diagonal;
   }
 
-  /// The share of the surface mirrored by some plane of an axis, and the plane.
+  /// A plane normal to an axis, and the share of the surface that it mirrors.
   struct Supported_plane
   {
     double support = 0;
     double offset = 0;
   };
 
-  /// Every pair and every part of its own votes for a plane; the offset with most surface behind it wins.
+  /// Every mirrored pair and every self-symmetric part votes for an offset; the offset with most surface wins.
   Supported_plane best_plane(Basic_map map, const std::optional<double>& wanted) const
   {
     const int axis = axis_of(map);
@@ -222,7 +222,7 @@ private:
     return best_window(votes, total);
   }
 
-  /// The window of offsets, as wide as the plane's tolerance, whose parts have most surface.
+  /// The window of offsets, of the width of the plane's tolerance, whose parts have most surface.
   Supported_plane best_window(const std::vector<std::pair<double, std::size_t>>& votes, double total) const
   {
     Supported_plane best;
@@ -245,10 +245,10 @@ private:
     return best;
   }
 
-  /// Of two mirror planes that explain the shape equally well, the one across its length is the main one.
+  /// Of two mirror planes with equal support, the one across the length is the main one.
   void find_planes()
   {
-    constexpr double clearly = 0.01;
+    constexpr double clearly = 0.01; // difference of supports or extents
     const std::optional<double> at_origin = 0.0, anywhere;
     std::array<Supported_plane, 3> found;
     for (Basic_map map : {MIRRORED_X, MIRRORED_Z})

@@ -16,14 +16,16 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
-constexpr int sheet_samples = 16;      ///< along each side, of a sheet that stands for its part's surface
-constexpr int curve_samples = 64;      ///< of a curve that stands for its part's surface
-constexpr double area_ratio = 1.35;    ///< how much the areas of congruent parts may differ
-constexpr double volume_ratio = 1.5;   ///< the same of volumes, which open meshes do not fix well
-constexpr double largest_factor = 2.5; ///< the largest deviation allowed, over the mean one allowed
+/// Samples of an abstraction in the place of a surface that is unknown.
+constexpr int sheet_samples = 16; ///< along each side
+constexpr int curve_samples = 64;
+/// Limits for congruent parts.
+constexpr double area_ratio = 1.35;    ///< ratio of areas
+constexpr double volume_ratio = 1.5;   ///< ratio of volumes, which are uncertain for open meshes
+constexpr double largest_factor = 2.5; ///< largest deviation, over the mean one allowed
 
-/// Directions to measure supports in: the points of a cubic lattice on the surface of a cube, so that mirroring in a
-/// coordinate plane permutes them.
+/// Directions of support functions: the lattice points on the surface of a cube, which reflection in a coordinate plane
+/// permutes.
 class Directions
 {
 public:
@@ -47,10 +49,10 @@ public:
   const Eigen::MatrixX3d& vectors() const { return vectors_; }
   const Eigen::VectorXd& weights() const { return weights_; }
 
-  /// Which direction is the opposite one: the lattice is symmetric, and its points are in lexicographic order.
+  /// Index of the opposite direction: the lattice is symmetric, and its points are in lexicographic order.
   Eigen::Index opposite(Eigen::Index i) const { return size() - 1 - i; }
 
-  /// Where mirroring along an axis takes the directions.
+  /// The permutation of the directions by reflection along an axis.
   std::vector<Eigen::Index> mirrored(int axis) const
   {
     std::vector<Eigen::Index> result;
@@ -73,7 +75,7 @@ inline const Directions& support_directions()
   return directions;
 }
 
-/// Mean distance of every point from the nearest other one of the set.
+/// Mean distance of a point from its nearest neighbour in the set.
 inline double spacing(const Points& points)
 {
   double sum = 0;
@@ -85,14 +87,14 @@ inline double spacing(const Points& points)
   return points.cols() > 1 ? sum / double(points.cols()) : 0;
 }
 
-/// How far points reach in each of some directions.
+/// Support function of the points: their extent in each of some directions.
 inline Eigen::VectorXd support(const Eigen::MatrixX3d& directions, const Points& points)
 {
   return (directions * points).rowwise().maxCoeff();
 }
 
-/// What congruence is judged by, in frame coordinates. Points are relative to `centre`, the Steiner point of the
-/// part's convex hull, which moves with the part and does not depend on its mesh.
+/// The measures of a part that congruence is decided by, in frame coordinates. Points are relative to `centre`, the
+/// Steiner point of the convex hull, which moves with the part and does not depend on its mesh.
 struct Part_signature
 {
   Point centre = Point::Zero();
@@ -153,14 +155,14 @@ inline bool ratio_within(double a, double b, double limit)
   return std::max(a, b) <= limit * std::min(a, b);
 }
 
-/// Whether a motion could carry one part into the other, by what no motion changes.
+/// Whether the invariants of two parts agree: width, area and volume.
 inline bool have_same_size(const Part_signature& a, const Part_signature& b, double tolerance)
 {
   return std::abs(a.width - b.width) <= tolerance * std::max(a.width, b.width) * 2 &&
          ratio_within(a.area, b.area, area_ratio) && ratio_within(a.volume, b.volume, volume_ratio);
 }
 
-/// The ratios of two bodies' widths by direction, ascending; noise explains a part of them.
+/// Ratios of two bodies' widths in all directions, ascending; `noise` is added to the widths.
 inline std::vector<double> width_ratios(const Eigen::VectorXd& support_a, const Eigen::VectorXd& support_b,
                                         double noise)
 {
@@ -175,8 +177,8 @@ inline std::vector<double> width_ratios(const Eigen::VectorXd& support_a, const 
   return result;
 }
 
-/// Root mean square difference of two supports; infinite if they differ too much for a tolerance.
-/// \param maximum_factor the largest difference allowed, over the tolerance
+/// Root mean square difference of two support functions; infinite if that is above the tolerance, or the largest
+/// difference is above the tolerance times `maximum_factor`.
 inline double support_deviation(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double tolerance,
                                 double maximum_factor = largest_factor)
 {
@@ -191,7 +193,7 @@ inline Eigen::VectorXd moved_support(const Part_signature& part, const Eigen::Ma
   return support(support_directions().vectors() * map, part.extremes);
 }
 
-/// Whether most of the points are near the others.
+/// Whether the mean distance of points to others is within tolerance and spacing, and 95 % are not much above.
 inline bool lie_on(const Points& points, const Points& others, double tolerance, double spacing)
 {
   Eigen::ArrayXd distances(points.cols());
@@ -203,7 +205,7 @@ inline bool lie_on(const Points& points, const Points& others, double tolerance,
   return mean <= tolerance + spacing && *percentile <= largest_factor * (tolerance + spacing);
 }
 
-/// Whether the surfaces agree after the map, not their hulls alone. \param limit the mean distance allowed
+/// Whether the surface of a after the map agrees with that of b. \param limit of the mean distance
 inline bool surfaces_agree(const Part_signature& a, const Part_signature& b, const Eigen::Matrix3d& map, double limit)
 {
   const double spacing = std::max(a.spacing, b.spacing);

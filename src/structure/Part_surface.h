@@ -20,10 +20,10 @@ inline Box widened(const Box& box, double by)
   return Box(box.min() - Point::Constant(by), box.max() + Point::Constant(by));
 }
 
-/// A convex polygon, as clipping a triangle makes them.
+/// A convex polygon: a clipped triangle.
 using Polygon = std::vector<Point>;
 
-/// The part of the polygon on the side of `bound` where `sign` * coordinate is smaller.
+/// The polygon clipped to the half-space sign · coordinate <= sign · bound.
 inline Polygon clipped(const Polygon& polygon, int axis, double bound, double sign)
 {
   Polygon result;
@@ -55,17 +55,17 @@ inline void add_fan(const Polygon& polygon, std::vector<Sampled_triangle>& trian
   }
 }
 
-/// The surface of a part, ready for distance queries.
+/// The surface of a part with a tree for distance queries.
 class Part_surface
 {
 public:
-  /// \param points of the mesh, in the coordinates that queries come in
+  /// \param points of the mesh, in the coordinates of the queries
   Part_surface(const Points& points, const Eigen::Matrix3Xi& triangles) : tree_(proper_triangles(points, triangles)) {}
 
   const Box& box() const { return tree_.box(); }
   const Triangle_tree& tree() const { return tree_; }
 
-  /// Whether the other is inside, by the majority of three rays, so that a small hole does no harm.
+  /// Whether the other surface is inside, by the majority of three rays, since the mesh may have small holes.
   bool encloses(const Part_surface& other) const
   {
     if (other.tree_.triangles().empty() || !box().contains(other.box())) return false;
@@ -78,7 +78,7 @@ public:
     return odd >= 2;
   }
 
-  /// About `n` points on the marked triangles inside `region`; where these have few corners, those, too, at no area.
+  /// About `n` points on the marked triangles inside `region`, and the corners of these, without area, if they are few.
   Surface_samples sample(const std::vector<char>& marked, const Box& region, int n) const
   {
     std::vector<Sampled_triangle> pieces;

@@ -57,7 +57,7 @@ bool is_finite(const Shape_frame& frame)
   return frame.origin.allFinite() && frame.axes.allFinite() && std::isfinite(frame.height);
 }
 
-/// Runs the checks of `is_valid_structural_graph()`; stops at the first that fails.
+/// The checks of `is_valid_structural_graph()`, up to the first that fails.
 class Validity_check
 {
 public:
@@ -141,7 +141,7 @@ private:
   bool verbose_;
 };
 
-/// Compares two graphs for `are_same_structural_graphs()`.
+/// The comparison of `are_same_structural_graphs()`.
 class Comparison
 {
 public:
@@ -152,7 +152,7 @@ public:
   bool operator()() { return find_parts() && find_motion() && have_same_groups() && have_same_contacts(); }
 
 private:
-  /// The part of b that has the name of each part of a.
+  /// Finds the part of b with the name of each part of a.
   bool find_parts()
   {
     std::map<std::string, std::size_t> indices;
@@ -167,7 +167,7 @@ private:
     return indices.size() == image_.size();
   }
 
-  /// The similarity that carries all control points as near as possible to their namesakes.
+  /// Finds the similarity that maps all control points nearest to their namesakes.
   bool find_motion()
   {
     Points from(3, 0), to(3, 0);
@@ -214,7 +214,7 @@ private:
     return true;
   }
 
-  /// Where a contact is, on both parts, by the middle of each region's places.
+  /// The regions of a contact, each by the midpoint of its two places.
   static std::vector<Point> places(const Shape_structure& shape, const Contact& contact)
   {
     std::vector<Contact::Parameters> all = {contact.parameters};

@@ -5,7 +5,7 @@
 #include "base/quantized.h"
 #include "base/quarter_turn.h"
 
-#include <CGAL/assertions.h>
+#include <CGAL/Shape_correspondence/abstract_part.h>
 
 #include <Eigen/Geometry>
 
@@ -38,7 +38,7 @@ Sampled_part sampled_part(const Part_abstraction& part, const Shape_frame& frame
   return result;
 }
 
-// The part's volume, or that of its bounding box scaled down where the file has none.
+// The part's volume; where it is unknown, that of its hull or of the thickened box of its abstraction.
 double prominence(const Part_abstraction& part, const Sampled_part& sampled)
 {
   if (part.volume > 0) return part.volume;
@@ -57,16 +57,6 @@ Symmetry in_common_frame(const Symmetry& symmetry, const Shape_frame& frame, con
   return result;
 }
 
-// The order that sorts the keys, ties by index.
-template <typename Key>
-std::vector<std::size_t> sorting_order(const std::vector<Key>& keys)
-{
-  std::vector<std::size_t> order(keys.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
-  return order;
-}
-
 std::size_t nearest_sample(const Points& samples, const Point& p)
 {
   Eigen::Index nearest;
@@ -74,7 +64,7 @@ std::size_t nearest_sample(const Points& samples, const Point& p)
   return std::size_t(nearest);
 }
 
-// Makes the graph of groups, in their order, and of the contacts between them.
+// Makes the graph of the groups and of the contacts between them.
 void build_graph(const std::vector<Part_group>& groups, Aligned_shape& shape)
 {
   shape.graph = Aligned_shape::Graph();
@@ -99,6 +89,36 @@ void build_graph(const std::vector<Part_group>& groups, Aligned_shape& shape)
   }
 }
 
+double sampled_hull_volume(const Aligned_shape& shape, const std::vector<std::size_t>& parts)
+{
+  Points all(3, 0);
+  for (std::size_t part : parts) {
+    const Points& surface = shape.parts[part].surface;
+    all.conservativeResize(3, all.cols() + surface.cols());
+    all.rightCols(surface.cols()) = surface;
+  }
+  return convex_hull_volume(all);
+}
+
+// What is left of a group with some of its parts. Its volumes are those of the group, reduced as the prominences and
+// the hull of the sampled surfaces are.
+Part_group remaining(const Aligned_shape& shape, const Part_group& group, std::vector<std::size_t> parts)
+{
+  Part_group result = group;
+  if (parts.size() < group.parts.size()) {
+    const auto prominence = [&](const std::vector<std::size_t>& of) {
+      return std::accumulate(of.begin(), of.end(), 0.,
+                             [&](double sum, std::size_t part) { return sum + shape.prominence[part]; });
+    };
+    const double hull = sampled_hull_volume(shape, group.parts);
+    result.volume *= prominence(parts) / prominence(group.parts);
+    if (hull > 0) result.hull_volume *= sampled_hull_volume(shape, parts) / hull;
+    if (parts.size() == 1) result.symmetry.type = Symmetry_type::NONE;
+  }
+  result.parts = std::move(parts);
+  return result;
+}
+
 } // namespace
 
 bool is_isolated(const Aligned_shape& shape, std::size_t group)
@@ -121,11 +141,13 @@ Aligned_shape restricted(const Aligned_shape& shape, const std::vector<char>& is
   }
   std::vector<Part_group> kept_groups;
   for (const Part_group& group : groups(shape)) {
-    Part_group smaller = group;
-    smaller.parts.clear();
-    for (std::size_t part : group.parts)
-      if (is_kept[part]) smaller.parts.push_back(index[part]);
-    if (!smaller.parts.empty()) kept_groups.push_back(std::move(smaller));
+    std::vector<std::size_t> kept;
+    std::copy_if(group.parts.begin(), group.parts.end(), std::back_inserter(kept),
+                 [&](std::size_t part) { return is_kept[part]; });
+    if (kept.empty()) continue;
+    kept_groups.push_back(remaining(shape, group, kept));
+    for (std::size_t& part : kept_groups.back().parts)
+      part = index[part];
   }
   for (Aligned_shape::Contact contact : shape.contacts) {
     if (!is_kept[contact.parts[0]] || !is_kept[contact.parts[1]]) continue;
@@ -161,11 +183,10 @@ Aligned_shape regrouped(Aligned_shape shape, const std::vector<std::vector<std::
     if (!group.parts.empty()) result.push_back(std::move(group));
   }
   for (const Part_group& group : groups(shape)) {
-    Part_group rest = group;
-    rest.parts.clear();
-    std::copy_if(group.parts.begin(), group.parts.end(), std::back_inserter(rest.parts),
+    std::vector<std::size_t> rest;
+    std::copy_if(group.parts.begin(), group.parts.end(), std::back_inserter(rest),
                  [&](std::size_t part) { return !is_in_set[part]; });
-    if (!rest.parts.empty()) result.push_back(std::move(rest));
+    if (!rest.empty()) result.push_back(remaining(shape, group, std::move(rest)));
   }
   std::sort(result.begin(), result.end(),
             [](const Part_group& a, const Part_group& b) { return a.parts[0] < b.parts[0]; });
@@ -186,32 +207,57 @@ std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t c
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return prominence(a) > prominence(b); });
   std::vector<char> is_kept(shape.parts.size(), 0);
-  std::size_t kept = 0;
+  std::size_t left = count;
+  std::vector<std::size_t> too_large; // parts of groups that did not fit
   for (std::size_t group : order) {
     const auto& parts = shape.group(group).parts;
-    if (kept > 0 && kept + parts.size() > count) break;
+    if (parts.size() > left) {
+      too_large.insert(too_large.end(), parts.begin(), parts.end());
+      continue;
+    }
     for (std::size_t part : parts)
       is_kept[part] = 1;
-    kept += parts.size();
+    left -= parts.size();
   }
+  too_large.resize(std::min(left, too_large.size()));
+  for (std::size_t part : too_large)
+    is_kept[part] = 1;
   return is_kept;
 }
 
 namespace {
 
-// Adds the parts in an order that does not depend on the file's. Returns the place in it of each part of the file.
+// The place of a part: its centroid, its extent, then, for parts that cross each other, its samples in whatever order.
+std::vector<long> place_of(const Sampled_part& part)
+{
+  const auto key = [](const Point& p) {
+    return std::array<long, 3>{quantized(p.y()), quantized(p.x()), quantized(p.z())};
+  };
+  std::vector<std::array<long, 3>> keys;
+  for (const auto& sample : part.samples.colwise())
+    keys.push_back(key(sample));
+  std::sort(keys.begin(), keys.end());
+  keys.insert(keys.begin(),
+              {key(part.centroid), key(part.samples.rowwise().maxCoeff() - part.samples.rowwise().minCoeff())});
+  std::vector<long> result;
+  for (const std::array<long, 3>& point : keys)
+    result.insert(result.end(), point.begin(), point.end());
+  return result;
+}
+
+// Adds the parts in the order of their places. Returns the rank of each part of the file.
 std::vector<std::size_t> add_parts(const Shape_structure& shape, const Eigen::Matrix3d& turn, Aligned_shape& result)
 {
   std::vector<Sampled_part> sampled;
-  std::vector<std::array<long, 6>> keys;
+  std::vector<std::vector<long>> places;
   for (const Part_abstraction& part : shape.parts) {
     sampled.push_back(sampled_part(part, shape.frame, turn));
-    const Points& s = sampled.back().samples;
-    const Point c = sampled.back().centroid, extent = s.rowwise().maxCoeff() - s.rowwise().minCoeff();
-    keys.push_back({quantized(c.y()), quantized(c.x()), quantized(c.z()), quantized(extent.y()), quantized(extent.x()),
-                    quantized(extent.z())});
+    places.push_back(place_of(sampled.back()));
   }
-  result.original = sorting_order(keys);
+  result.original.resize(sampled.size());
+  std::iota(result.original.begin(), result.original.end(), std::size_t(0));
+  std::stable_sort(result.original.begin(), result.original.end(),
+                   [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
   std::vector<std::size_t> rank(sampled.size());
   for (std::size_t i = 0; i < rank.size(); ++i) {
     const std::size_t part = result.original[i];
@@ -239,7 +285,7 @@ std::vector<Part_group> aligned_groups(const Structural_graph& graph, const Eige
   return result;
 }
 
-// One contact a pair of parts.
+// One contact for each pair of parts.
 void add_contacts(const Shape_structure& shape, const Eigen::Matrix3d& turn, const std::vector<std::size_t>& rank,
                   Aligned_shape& result)
 {
@@ -280,8 +326,7 @@ Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns)
 
 namespace {
 
-// How far the frame is turned about up from the orientation that the shape was given in: x to the right, or as near to
-// it as up allows.
+// The angle about up from the orientation of the file, x to the right as far as up allows, to the frame.
 double given_turn(const Shape_frame& frame)
 {
   const Point up = frame.axes.col(1);
@@ -296,7 +341,7 @@ int given_quarter_turns(const Shape_frame& frame) { return int(std::lround(given
 
 std::vector<int> alignment_turns(const Shape_frame& source, const Shape_frame& target)
 {
-  // Either frame is off by a turn of its own and by quarter turns that its finding left open
+  // A frame differs from the orientation of its file by a small turn and by quarter turns
   const double from = given_turn(source), to = given_turn(target), quarter = double(EIGEN_PI / 2);
   const double given = quarter * (given_quarter_turns(target) - given_quarter_turns(source));
   const auto off = [&](double angle, int q) {

@@ -29,7 +29,7 @@ void check_number_of_parts(const std::string& name, std::size_t parts)
   if (parts > most_parts) throw Invalid_input("shape '" + name + "': has " + too_many_parts(parts));
 }
 
-/// Of what others have abstracted.
+/// Checks numbers that come from the caller.
 void check_numbers(const Shape_structure& shape)
 {
   const auto fail = [&shape](const std::string& what) { throw Invalid_input("shape '" + shape.name + "': " + what); };
@@ -50,7 +50,7 @@ void check_numbers(const Shape_structure& shape)
       fail("a contact does not name two of its parts");
 }
 
-/// Says which parts got their bounding box in place of a skeleton.
+/// Names the parts that are abstracted by their bounding box.
 void warn_of_fallbacks(const std::vector<Part_abstraction>& parts, std::vector<std::string>& warnings)
 {
   for (const Part_abstraction& part : parts) {
@@ -62,7 +62,7 @@ void warn_of_fallbacks(const std::vector<Part_abstraction>& parts, std::vector<s
   }
 }
 
-/// Names the parts that branch: the paper asks for parts that are curves or sheets.
+/// Names the parts that branch, which are neither curves nor sheets.
 void warn_of_branches(const std::vector<Part_abstraction>& parts, std::vector<std::string>& warnings)
 {
   std::string names;
@@ -74,7 +74,7 @@ void warn_of_branches(const std::vector<Part_abstraction>& parts, std::vector<st
         ". Divide them into parts of one branch (`--parts segments` divides a model file by thickness).");
 }
 
-/// Groups, unless given, and the graph.
+/// Detects groups, unless they are given, and makes the graph.
 Structural_graph assemble(Shape_structure shape, std::vector<Part_group> groups, const Structure_options& options)
 {
   if (groups.empty()) groups = detect_symmetry_groups(shape.parts, shape.frame, options.symmetry, &shape.warnings);

@@ -20,22 +20,21 @@ using namespace internal::contacts;
 
 namespace {
 
-constexpr double slack = 1 + 1e-9; ///< so that a gap of exactly the tolerance is a contact in every pose
-constexpr double near_band = 0.5;  ///< over the tolerance: what is this much farther than the least distance is near
-/// Over the size of all near regions: samples farther apart are in different ones.
-constexpr double region_gap = 1.0 / 6;
-constexpr int region_samples = 64;      ///< on either part, to find the regions of a contact and their middles
+constexpr double slack = 1 + 1e-9;      ///< so that a gap of exactly the tolerance is a contact in every pose
+constexpr double near_band = 0.5;       ///< width of the band of near points behind the closest one, over the tolerance
+constexpr double region_gap = 1.0 / 6;  ///< distance between regions, over the diagonal of all near samples
+constexpr int region_samples = 64;      ///< on either part, to find the regions of a contact
 constexpr int abstraction_samples = 16; ///< of a curve, or along each side of a sheet
 
-/// Samples where two surfaces are near each other, on both.
+/// Samples of two surfaces that are near the other one.
 struct Near_samples
 {
   std::vector<Point> points;
   std::vector<double> areas;
-  std::vector<char> is_first; ///< on which of the two
+  std::vector<char> is_first; ///< whether a sample is on the first surface
 };
 
-/// Where two surfaces touch: the middle, and how much of their area is near.
+/// A region where two surfaces touch: its centre, and its area on both.
 struct Region
 {
   Point middle;
@@ -67,7 +66,7 @@ Near_samples near_samples(const Part_surface& a, const Part_surface& b, const Cl
   return result;
 }
 
-/// The regions that the samples make up, by single linkage.
+/// Clusters of the points by single linkage.
 Disjoint_sets linked(const std::vector<Point>& points, double tolerance)
 {
   Box box;
@@ -81,7 +80,8 @@ Disjoint_sets linked(const std::vector<Point>& points, double tolerance)
   return pieces;
 }
 
-/// The middle of the samples of one piece on both surfaces, by area; where they have none, of the samples alone.
+/// The region of one cluster. Its centre is the mean of the centroids on both surfaces, by area, or of the samples if
+/// they have no area.
 Region region_of(const Near_samples& samples, const Disjoint_sets& pieces, std::size_t piece)
 {
   std::array<Point, 2> sums = {Point::Zero(), Point::Zero()};
@@ -105,19 +105,18 @@ Region region_of(const Near_samples& samples, const Disjoint_sets& pieces, std::
   return {sides > 0 ? Point(middle / sides) : Point(sum / count), areas[0] + areas[1]};
 }
 
-/// Where two surfaces touch, the largest region first. Specks of area, of corners alone, are regions only if there is
-/// nothing else.
+/// The regions where two surfaces touch, the largest first, without those under 5 % of it.
 std::vector<Region> regions(const Near_samples& samples, double tolerance)
 {
-  constexpr double speck = 0.05; // of the largest region's area
+  constexpr double least_share = 0.05; // of the largest region's area
   const Disjoint_sets pieces = linked(samples.points, tolerance);
   std::vector<Region> result;
   for (std::size_t i = 0; i < samples.points.size(); ++i)
     if (pieces[i] == i) result.push_back(region_of(samples, pieces, i));
   std::stable_sort(result.begin(), result.end(), [](const Region& a, const Region& b) { return a.area > b.area; });
-  const double least = speck * result.front().area;
-  const auto is_speck = [least](const Region& region) { return region.area <= least; };
-  result.erase(std::remove_if(result.begin() + 1, result.end(), is_speck), result.end());
+  const double least = least_share * result.front().area;
+  const auto is_small = [least](const Region& region) { return region.area <= least; };
+  result.erase(std::remove_if(result.begin() + 1, result.end(), is_small), result.end());
   return result;
 }
 
@@ -127,7 +126,7 @@ class Mesh_contacts
 public:
   Mesh_contacts(const Segmented_shape& shape, const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
                 const Contact_options& options)
-      : parts_(parts), frame_(frame)
+      : parts_(parts), frame_(frame), closest_points_(options.closest_points)
   {
     Box box;
     surfaces_.reserve(parts.size());
@@ -161,6 +160,13 @@ private:
   Contact contact(const Near_pair& pair) const
   {
     const auto [a, b] = pair.parts;
+    if (closest_points_) {
+      const Closest_pair& closest = closest_[pair.region];
+      return {pair.parts,
+              {nearest_parameter(parts_[a], frame_.to_world(closest.first)),
+               nearest_parameter(parts_[b], frame_.to_world(closest.second))},
+              {}};
+    }
     const Near_samples samples =
         near_samples(surfaces_[a], surfaces_[b], closest_[pair.region], pair.distance + near_band * tolerance_);
     Contact result{pair.parts, {}, {}};
@@ -173,7 +179,7 @@ private:
     return result;
   }
 
-  /// The closest points of two parts, where they are nearer than `limit`.
+  /// The closest points of two parts, if they are nearer than `limit`.
   Closest_pair closest(std::size_t a, std::size_t b, double limit = std::numeric_limits<double>::infinity()) const
   {
     Closest_pair result;
@@ -216,6 +222,7 @@ private:
   const Shape_frame& frame_;
   std::vector<Part_surface> surfaces_;
   std::vector<Closest_pair> closest_; ///< of the near pairs
+  bool closest_points_;
   double diagonal_;
   double tolerance_;
 };
@@ -243,8 +250,8 @@ double area(const Sheet& sheet)
   return sum;
 }
 
-/// How far the surface is from the abstraction, of a part of even thickness: the radius of a rod, half the thickness
-/// of a plate.
+/// Distance of the surface from the abstraction for a part of even thickness: the radius of a rod, or half the
+/// thickness of a plate.
 double half_thickness(const Part_abstraction& part)
 {
   const double extent = part.is_sheet() ? 2 * area(std::get<Sheet>(part.geometry))

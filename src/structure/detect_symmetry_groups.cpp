@@ -19,7 +19,7 @@ using namespace internal::symmetry;
 
 namespace {
 
-/// Takes the best explanations one after the other until every part is explained.
+/// Finds groups: takes the best candidates one after the other until every part is in a group.
 class Group_finder
 {
 public:
@@ -29,12 +29,12 @@ public:
     std::iota(free_.begin(), free_.end(), 0);
   }
 
-  std::vector<Explanation> operator()()
+  std::vector<Symmetry_candidate> operator()()
   {
-    take_while_found([this](std::vector<Explanation>& found) { add_sets(found); });
-    take_while_found([this](std::vector<Explanation>& found) { add_pairs(found); });
+    take_while_found([this](std::vector<Symmetry_candidate>& found) { add_sets(found); });
+    take_while_found([this](std::vector<Symmetry_candidate>& found) { add_pairs(found); });
     for (std::size_t part : free_) {
-      Explanation single;
+      Symmetry_candidate single;
       single.members = {part};
       single.symmetry = self_symmetry(parts_, part);
       groups_.push_back(single);
@@ -43,14 +43,14 @@ public:
   }
 
 private:
-  void add_sets(std::vector<Explanation>& found) const
+  void add_sets(std::vector<Symmetry_candidate>& found) const
   {
     if (options_.rotation) add_rings(parts_, free_, found);
     if (options_.reflection) add_orbits_of_four(parts_, free_, found);
     if (options_.translation) add_rows(parts_, free_, found);
   }
 
-  void add_pairs(std::vector<Explanation>& found) const
+  void add_pairs(std::vector<Symmetry_candidate>& found) const
   {
     if (!options_.reflection && !options_.rotation && !options_.translation) return;
     for (std::size_t i : free_)
@@ -61,72 +61,77 @@ private:
           if (options_.rotation) add_turned_pair(parts_, i, j, map, found);
         }
         if (options_.translation) add_translated_pair(parts_, i, j, found);
-        if (options_.reflection) add_pair_half_way(parts_, i, j, found);
+        if (options_.reflection) add_pair_mirrored_anyhow(parts_, i, j, found);
       }
   }
 
-  bool is_free(const Explanation& explanation) const
+  bool is_free(const Symmetry_candidate& candidate) const
   {
-    return std::all_of(explanation.members.begin(), explanation.members.end(),
+    return std::all_of(candidate.members.begin(), candidate.members.end(),
                        [this](std::size_t i) { return std::binary_search(free_.begin(), free_.end(), i); });
   }
 
-  void take(Explanation explanation)
+  void take(Symmetry_candidate candidate)
   {
-    explanation.symmetry.residual = link_residual(parts_, explanation);
-    for (std::size_t member : explanation.members)
+    candidate.symmetry.residual = link_residual(parts_, candidate);
+    for (std::size_t member : candidate.members)
       free_.erase(std::lower_bound(free_.begin(), free_.end(), member));
-    groups_.push_back(std::move(explanation));
+    groups_.push_back(std::move(candidate));
   }
 
-  /// Collects explanations of what is left and takes the best of them, until there is none. After the largest ones of a
-  /// round the rest is collected anew: of a row that lost members to a better one, a shorter row may be left.
+  /// Collects candidates among the free parts and takes the best, until there are none. After the largest ones of a
+  /// round candidates are collected anew, since a row that lost members to a better one may leave a shorter row.
   template <typename Collect>
   void take_while_found(const Collect& collect)
   {
     while (true) {
-      std::vector<Explanation> found;
+      std::vector<Symmetry_candidate> found;
       collect(found);
       found.erase(std::remove_if(found.begin(), found.end(), [this](const auto& e) { return rejected_.count(key(e)); }),
                   found.end());
       if (found.empty()) return;
       std::sort(found.begin(), found.end());
       const std::size_t largest = found.front().members.size();
-      for (const Explanation& explanation : found) {
-        if (explanation.members.size() < largest) break;
-        if (!is_free(explanation)) continue;
-        if (confirm(parts_, explanation))
-          take(explanation);
+      for (const Symmetry_candidate& candidate : found) {
+        if (candidate.members.size() < largest) break;
+        if (!is_free(candidate)) continue;
+        if (confirm(parts_, candidate))
+          take(candidate);
         else
-          rejected_.insert(key(explanation));
+          rejected_.insert(key(candidate));
       }
     }
   }
 
   using Key = std::pair<Preference, std::vector<std::size_t>>;
-  static Key key(const Explanation& explanation) { return {explanation.preference, explanation.members}; }
+  static Key key(const Symmetry_candidate& candidate) { return {candidate.preference, candidate.members}; }
 
   Part_relations& parts_;
   Symmetry_options options_;
   std::vector<std::size_t> free_; ///< ascending
-  std::vector<Explanation> groups_;
-  std::set<Key> rejected_; ///< what the surfaces do not bear out
+  std::vector<Symmetry_candidate> groups_;
+  std::set<Key> rejected_; ///< candidates that the surfaces do not confirm
 };
 
-/// An order of the parts that does not depend on the input's: by their place in the frame, rounded.
+/// An order of the parts that does not depend on the file: by centre, size and, for parts that cross each other,
+/// support function, rounded.
 std::vector<std::size_t> canonical_order(const std::vector<Part_signature>& signatures)
 {
   constexpr double quantum = 1e-6;
   const auto key = [&](std::size_t i) {
     const Part_signature& s = signatures[i];
-    std::array<double, 5> result = {s.centre.y(), s.centre.x(), s.centre.z(), s.width, s.diagonal};
+    std::vector<double> result = {s.centre.y(), s.centre.x(), s.centre.z(), s.width, s.diagonal};
+    result.insert(result.end(), s.support.begin(), s.support.end());
     for (double& x : result)
       x = std::round(x / quantum);
     return result;
   };
+  std::vector<std::vector<double>> keys;
+  for (std::size_t i = 0; i < signatures.size(); ++i)
+    keys.push_back(key(i));
   std::vector<std::size_t> order(signatures.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
   return order;
 }
 
@@ -196,10 +201,10 @@ std::vector<Part_group> detect_symmetry_groups(const std::vector<Part_abstractio
                           " parts are alike to look for symmetry groups; every part is a group of its own.");
   }
   std::vector<Part_group> groups;
-  for (Explanation& explanation : Group_finder(relations, kinds)()) {
-    for (std::size_t& member : explanation.members)
+  for (Symmetry_candidate& candidate : Group_finder(relations, kinds)()) {
+    for (std::size_t& member : candidate.members)
       member = order[member];
-    groups.push_back(make_group(parts, std::move(explanation.members), to_world(explanation.symmetry, frame)));
+    groups.push_back(make_group(parts, std::move(candidate.members), to_world(candidate.symmetry, frame)));
   }
   sort_by_first_part(groups);
   return groups;

@@ -17,14 +17,14 @@ namespace {
 constexpr int frame_samples = 4096;    ///< of a whole shape, to find its frame
 constexpr int least_frame_samples = 4; ///< of every part, however small
 
-/// A part's surface, to be sampled.
+/// The triangles of a part and their area.
 struct Part_triangles
 {
   explicit Part_triangles(const Part_mesh& mesh)
       : triangles(contacts::sampled_triangles_of(mesh)), area(contacts::total_area(triangles))
   {}
 
-  /// An order that does not depend on that of the file: by size, copies by place.
+  /// An order that does not depend on the file: by area, then by the first corner.
   bool operator<(const Part_triangles& other) const
   {
     const auto key = [](const Part_triangles& part) {
@@ -38,8 +38,7 @@ struct Part_triangles
   double area;
 };
 
-/// Points spread over the whole shape, each part with its share of the area, the same to the bit whatever the order of
-/// the parts.
+/// Points spread over the shape by area, the same to the bit whatever the order of the parts.
 Points sample_shape(const Segmented_shape& shape)
 {
   std::vector<Part_triangles> parts;

@@ -8,8 +8,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A graph for what looks at the surfaces of parts alone, as roles do: parts are not abstracted, which takes most of
-/// the time of a graph. Their curves are diagonals of boxes, and every part is a group.
+/// A graph for uses that need only the surfaces of parts, such as roles: the curve of a part is the diagonal of its
+/// box, since abstraction takes most of the time of a graph, and every part is a group.
 Structural_graph outline_graph(const Segmented_shape& shape);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -3,14 +3,13 @@
 
 #pragma once
 
-#include "structure/Explanation.h"
+#include "structure/Symmetry_candidate.h"
 
 namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
-/// Least sine of the angles of what is between a turned pair with plane and normal.
-constexpr double least_oblique_sine = 0.2;
-constexpr double plane_share = 0.1; ///< how far from a mirror plane a pair may be centred, over its distance
+constexpr double least_oblique_sine = 0.2; ///< of the angles of a turned pair's difference with plane and normal
+constexpr double plane_share = 0.1;        ///< distance of a pair's centre from a mirror plane, over its own distance
 
 inline Symmetry mirror(const Point& point, const Point& normal)
 {
@@ -21,7 +20,7 @@ inline Symmetry mirror(const Point& point, const Point& normal)
   return result;
 }
 
-/// Of two opposite directions the one that points up, or to the front.
+/// Of two opposite directions the one that points up, or to the front, or to the right.
 inline Point upward(const Point& direction)
 {
   constexpr double level_limit = 1e-9;
@@ -31,7 +30,7 @@ inline Point upward(const Point& direction)
   return keep ? direction : Point(-direction);
 }
 
-/// How far a plane through a point is from the shape's own one of that direction.
+/// Distance of a plane through a point from the shape's mirror plane of that direction; 1 if it has none.
 inline double plane_distance(const Part_relations& parts, Basic_map map, const Point& middle)
 {
   return parts.plane(map) ? std::abs(middle[axis_of(map)] - *parts.plane(map)) : 1;
@@ -40,14 +39,14 @@ inline double plane_distance(const Part_relations& parts, Basic_map map, const P
 /// Completes an orbit of two orthogonal mirror planes from a corner i, its image j in the main plane and its image k in
 /// the other one.
 inline void add_four(const Part_relations& parts, std::size_t i, std::size_t j, std::size_t k,
-                     const std::vector<std::size_t>& free, std::vector<Explanation>& result)
+                     const std::vector<std::size_t>& free, std::vector<Symmetry_candidate>& result)
 {
   const Basic_map main = parts.main_mirror(), other = parts.other_mirror();
   const Point expected = parts[j].centre + parts[k].centre - parts[i].centre;
   for (std::size_t l : free) {
     if (l == i || l == j || l == k || !parts.related(k, l, main) || !parts.related(j, l, other)) continue;
     if ((parts[l].centre - expected).norm() > 2 * parts.position_tolerance(i)) continue;
-    Explanation four;
+    Symmetry_candidate four;
     four.members = {i, j, k, l};
     four.preference = Preference::FOUR_MIRRORED;
     const Point middle = (parts[i].centre + parts[j].centre + parts[k].centre + parts[l].centre) / 4;
@@ -60,9 +59,9 @@ inline void add_four(const Part_relations& parts, std::size_t i, std::size_t j, 
   }
 }
 
-/// Orbits of four under mirroring in two orthogonal planes, such as the legs of a chair.
+/// Adds orbits of four under reflection in two orthogonal planes, such as the legs of a chair.
 inline void add_orbits_of_four(const Part_relations& parts, const std::vector<std::size_t>& free,
-                               std::vector<Explanation>& result)
+                               std::vector<Symmetry_candidate>& result)
 {
   const auto is_pair = [&](std::size_t i, std::size_t j, Basic_map map) {
     return parts[i].centre[axis_of(map)] > parts[j].centre[axis_of(map)] && parts.related(i, j, map) &&
@@ -76,33 +75,30 @@ inline void add_orbits_of_four(const Part_relations& parts, const std::vector<st
     }
 }
 
-/// A pair mirrored in one of the shape's mirror planes.
+/// Adds a pair mirrored in one of the shape's mirror planes.
 inline void add_pair_in_plane(const Part_relations& parts, std::size_t i, std::size_t j, Basic_map map,
-                              std::vector<Explanation>& result)
+                              std::vector<Symmetry_candidate>& result)
 {
   const int axis = axis_of(map);
   if (!parts.plane(map) || !parts.related(i, j, map) || !parts.displaced_along(i, j, map)) return;
   const Point middle = (parts[i].centre + parts[j].centre) / 2;
   const double apart = std::abs(parts[i].centre[axis] - parts[j].centre[axis]);
   if (std::abs(middle[axis] - *parts.plane(map)) > std::max(plane_tolerance, plane_share * apart)) return;
-  Explanation pair;
+  Symmetry_candidate pair;
   pair.members = {i, j};
   if (parts[i].centre[axis] < parts[j].centre[axis]) std::swap(pair.members[0], pair.members[1]);
   pair.preference = Preference::MIRRORED_IN_SHAPE;
-  Point point = Point::Zero(), normal = Point::Zero();
-  point[axis] = middle[axis];
-  normal[axis] = 1;
-  pair.symmetry = mirror(point, normal);
+  pair.symmetry = mirror(middle[axis] * Point::Unit(axis), Point::Unit(axis));
   const Point across = parts[i].centre - parts[j].centre;
   pair.cost = rounded(std::abs(middle[axis] - *parts.plane(map)) + across.norm() - std::abs(across[axis]));
   pair.links = {{0, 1, matrix_of(map), map != parts.main_mirror()}};
   result.push_back(pair);
 }
 
-/// A pair that half a turn carries into each other about an axis in one of the shape's mirror planes, at right angles
-/// to what is between the two.
+/// Adds a pair that half a turn carries into each other, about an axis in one of the shape's mirror planes, at right
+/// angles to the difference of their centres.
 inline void add_turned_pair(const Part_relations& parts, std::size_t i, std::size_t j, Basic_map map,
-                            std::vector<Explanation>& result)
+                            std::vector<Symmetry_candidate>& result)
 {
   const int normal = axis_of(map);
   const Point middle = (parts[i].centre + parts[j].centre) / 2, between = parts[i].centre - parts[j].centre;
@@ -110,7 +106,7 @@ inline void add_turned_pair(const Part_relations& parts, std::size_t i, std::siz
   const Point axis = between.cross(Point::Unit(normal));
   const double oblique = std::max(least_position_tolerance, least_oblique_sine * between.norm());
   if (std::min(std::abs(between[normal]), axis.norm()) <= oblique) return;
-  Explanation pair;
+  Symmetry_candidate pair;
   pair.members = {i, j};
   if (between[normal] < 0) std::swap(pair.members[0], pair.members[1]);
   pair.preference = Preference::TURNED;
@@ -125,16 +121,15 @@ inline void add_turned_pair(const Part_relations& parts, std::size_t i, std::siz
   result.push_back(pair);
 }
 
+/// Adds a pair along a vector.
 inline void add_translated_pair(const Part_relations& parts, std::size_t i, std::size_t j,
-                                std::vector<Explanation>& result)
+                                std::vector<Symmetry_candidate>& result)
 {
   Point vector = parts[j].centre - parts[i].centre;
   if (!parts.related(i, j, TRANSLATED) || vector.norm() <= least_position_tolerance) return;
-  Explanation pair;
+  Symmetry_candidate pair;
   pair.members = {i, j};
-  Eigen::Index largest;
-  vector.cwiseAbs().maxCoeff(&largest);
-  if (vector[largest] < 0) {
+  if (is_backward(vector)) {
     std::swap(pair.members[0], pair.members[1]);
     vector = -vector;
   }
@@ -147,18 +142,17 @@ inline void add_translated_pair(const Part_relations& parts, std::size_t i, std:
   result.push_back(pair);
 }
 
-/// A pair mirrored in the vertical plane half-way between its centres.
-inline void add_pair_half_way(const Part_relations& parts, std::size_t i, std::size_t j,
-                              std::vector<Explanation>& result)
+/// Adds a pair mirrored in the vertical plane midway between its centres.
+inline void add_pair_mirrored_anyhow(const Part_relations& parts, std::size_t i, std::size_t j,
+                                     std::vector<Symmetry_candidate>& result)
 {
   Point across = parts[i].centre - parts[j].centre;
   const double height = std::abs(across.y());
   across.y() = 0;
   if (height > parts.position_tolerance(i) || across.norm() <= std::max(least_position_tolerance, height)) return;
-  Point normal = across.normalized();
-  if (normal.x() < -1e-9 || (std::abs(normal.x()) <= 1e-9 && normal.z() < 0)) normal = -normal;
+  const Point normal = rightward(across.normalized());
   if (!std::isfinite(parts.deviation(i, j, mirror_matrix(normal)))) return;
-  Explanation pair;
+  Symmetry_candidate pair;
   pair.members = {i, j};
   if (normal.dot(across) < 0) std::swap(pair.members[0], pair.members[1]);
   pair.preference = Preference::MIRRORED_ANYHOW;
@@ -168,7 +162,7 @@ inline void add_pair_half_way(const Part_relations& parts, std::size_t i, std::s
   result.push_back(pair);
 }
 
-/// The mirror plane of a part by itself, for what no other part is like.
+/// The symmetry of a part that is in no group with others: its own mirror plane, if it has one.
 inline Symmetry self_symmetry(Part_relations& parts, std::size_t i)
 {
   for (const Basic_map map : {parts.main_mirror(), parts.other_mirror()}) {

@@ -4,15 +4,15 @@
 #pragma once
 
 #include "base/eigen_system.h"
-#include "structure/Explanation.h"
+#include "structure/Symmetry_candidate.h"
 
 namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
 constexpr auto full_turn = double(2 * EIGEN_PI);
-constexpr double uneven_angle = 0.15;    ///< how far a ring's angle may be from the even one, over the latter
-constexpr double star_core = 0.4;        ///< a star's members reach inwards to this fraction of their outer radius
-constexpr double horizontal_limit = 0.1; ///< the largest vertical component of an axis that is taken to be horizontal
+constexpr double uneven_angle = 0.15;    ///< deviation of an angle between neighbours from the mean one, over it
+constexpr double star_core = 0.4;        ///< inner over outer radius of a star's members, at most
+constexpr double horizontal_limit = 0.1; ///< vertical component of an axis that counts as horizontal, at most
 constexpr std::size_t least_horizontal_ring = 5; ///< fewer about a horizontal axis must be a star: a frame is no ring
 
 struct Axis
@@ -21,7 +21,7 @@ struct Axis
   Point direction; ///< unit
 };
 
-/// Where a part is about an axis.
+/// Cylindrical coordinates of a part's centre about an axis.
 struct Ring_place
 {
   std::size_t part;
@@ -56,7 +56,7 @@ inline bool is_evenly_turned(const std::vector<Ring_place>& ring)
   return true;
 }
 
-/// Whether a part reaches in to the axis.
+/// Whether a part reaches inwards to the axis.
 inline bool comes_from_axis(const Part_signature& part, const Axis& axis)
 {
   double inner = std::numeric_limits<double>::infinity(), outer = 0;
@@ -69,16 +69,16 @@ inline bool comes_from_axis(const Part_signature& part, const Axis& axis)
   return inner <= star_core * outer;
 }
 
-/// Tests one set of places for a ring.
-inline std::optional<Explanation> make_ring(const Part_relations& parts, const std::vector<Ring_place>& places,
-                                            const Axis& axis)
+/// The ring that parts at one height and radius make, if they are evenly turned copies.
+inline std::optional<Symmetry_candidate> make_ring(const Part_relations& parts, const std::vector<Ring_place>& places,
+                                                   const Axis& axis)
 {
   const std::size_t n = places.size();
   if (n < 3 || !is_evenly_turned(places)) return std::nullopt;
   const bool star = comes_from_axis(parts[places[0].part], axis);
   const bool vertical = std::abs(axis.direction.y()) > 0.5;
   if (!vertical && n < least_horizontal_ring && !star) return std::nullopt;
-  Explanation ring;
+  Symmetry_candidate ring;
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(full_turn / double(n), axis.direction).toRotationMatrix();
   for (std::size_t i = 0; i < n; ++i) {
     ring.members.push_back(places[i].part);
@@ -93,9 +93,9 @@ inline std::optional<Explanation> make_ring(const Part_relations& parts, const s
   return ring;
 }
 
-/// The rings about one axis: candidates at one height and one radius.
+/// Adds the rings about one axis; returns whether there are any.
 inline bool add_rings_about(const Part_relations& parts, const std::vector<std::size_t>& candidates, const Axis& axis,
-                            std::vector<Explanation>& result)
+                            std::vector<Symmetry_candidate>& result)
 {
   bool found = false;
   const std::vector<Ring_place> places = places_about(parts, candidates, axis);
@@ -155,10 +155,10 @@ inline std::array<std::vector<std::size_t>, 2> split_at_gap(const Part_relations
   return {{{set.begin(), set.begin() + cut}, {set.begin() + cut, set.end()}}};
 }
 
-/// Looks for rings among parts of one size: about the vertical axis and a horizontal one through their middle, then in
-/// the halves that the widest gap leaves.
+/// Adds rings of parts of one size: about the vertical axis and a horizontal one through their mean, else those in the
+/// halves on either side of the widest gap.
 inline void add_rings_among(const Part_relations& parts, const std::vector<std::size_t>& set, int splits,
-                            std::vector<Explanation>& result)
+                            std::vector<Symmetry_candidate>& result)
 {
   if (set.size() < 3) return;
   const Point mean = mean_centre(parts, set);
@@ -168,17 +168,16 @@ inline void add_rings_among(const Part_relations& parts, const std::vector<std::
   if (std::abs(normal.y()) <= horizontal_limit) {
     normal.y() = 0;
     normal.normalize();
-    if (normal.x() < -1e-9 || (std::abs(normal.x()) <= 1e-9 && normal.z() < 0)) normal = -normal;
-    found = add_rings_about(parts, set, {mean, normal}, result) || found;
+    found = add_rings_about(parts, set, {mean, rightward(normal)}, result) || found;
   }
   if (found || splits == 0) return;
   for (const auto& half : split_at_gap(parts, set, directions.most))
     add_rings_among(parts, half, splits - 1, result);
 }
 
-/// Complete rings of three parts or more.
+/// Adds complete rings of three parts or more.
 inline void add_rings(const Part_relations& parts, const std::vector<std::size_t>& free,
-                      std::vector<Explanation>& result)
+                      std::vector<Symmetry_candidate>& result)
 {
   constexpr int most_splits = 3;
   std::vector<char> used(parts.size(), 0);

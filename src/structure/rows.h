@@ -3,17 +3,17 @@
 
 #pragma once
 
-#include "structure/Explanation.h"
+#include "structure/Symmetry_candidate.h"
 
 #include <set>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
-constexpr double uneven_spacing = 0.3; ///< how far a step of a row may be from the mean step, over the latter
-constexpr double crookedness = 0.1;    ///< how far off its line a row's member may be, over the row's length
+constexpr double uneven_spacing = 0.3; ///< deviation of a step of a row from the mean step, over it
+constexpr double crookedness = 0.1;    ///< distance of a member from the row's line, over the row's length
 
-/// The part of `candidates` that comes next in a row, if one is near enough to its place.
+/// The one of `candidates` nearest to the next place in a row, if it is near enough.
 inline std::optional<std::size_t> next_in_row(const Part_relations& parts, std::size_t last, const Point& step,
                                               const std::vector<std::size_t>& candidates)
 {
@@ -45,7 +45,7 @@ inline bool is_even_and_straight(const Part_relations& parts, const std::vector<
   return true;
 }
 
-/// Follows a row from its first two parts on.
+/// The row that starts with two parts.
 inline std::vector<std::size_t> follow_row(const Part_relations& parts, std::size_t first, std::size_t second,
                                            const std::vector<std::size_t>& free)
 {
@@ -58,9 +58,9 @@ inline std::vector<std::size_t> follow_row(const Part_relations& parts, std::siz
   }
 }
 
-/// Rows of three or more parts that a translation carries each into the next.
+/// Adds rows of three or more parts, each of which a translation carries into the next.
 inline void add_rows(const Part_relations& parts, const std::vector<std::size_t>& free,
-                     std::vector<Explanation>& result)
+                     std::vector<Symmetry_candidate>& result)
 {
   std::set<std::vector<std::size_t>> seen;
   for (std::size_t i : free)
@@ -68,10 +68,8 @@ inline void add_rows(const Part_relations& parts, const std::vector<std::size_t>
       if (i == j || !parts.related(i, j, TRANSLATED)) continue;
       const Point first_step = parts[j].centre - parts[i].centre;
       if (first_step.norm() <= least_position_tolerance) continue;
-      Eigen::Index largest;
-      first_step.cwiseAbs().maxCoeff(&largest);
-      if (first_step[largest] < 0) continue;
-      Explanation row;
+      if (is_backward(first_step)) continue;
+      Symmetry_candidate row;
       row.members = follow_row(parts, i, j, free);
       if (row.members.size() < 3 || !seen.insert(row.members).second) continue;
       const Point step =

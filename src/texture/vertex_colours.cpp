@@ -5,6 +5,8 @@
 #include "map/Subdivision.h"
 #include "texture/Looks_sampler.h"
 
+#include <CGAL/Shape_correspondence/transfer_appearance.h>
+
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 

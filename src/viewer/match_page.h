@@ -3,11 +3,10 @@
 
 #pragma once
 
+#include "io/write/pictures.h"
 #include "viewer/page.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
-#include <CGAL/Shape_correspondence/Segmented_shape.h>
-#include <CGAL/Shape_correspondence/Shape_appearance.h>
 
 #include <string>
 #include <vector>
@@ -17,11 +16,10 @@ namespace CGAL::Shape_correspondence::IO {
 /// The page of a match: its JSON, and its GLB, in which large surfaces are simplified. To be a page of a blend, it
 /// needs the documents `blend` and `blend.glb`, too.
 /// \param ranked the best one first \param source_shape may be null \param target_shape may be null
-/// \param source_appearance, target_appearance may be null; left out if their textures are larger than 16 MB
+/// \param add_scenes further scenes of the GLB, as of materials
 Page match_page(const std::vector<Correspondence>& ranked, const Structural_graph& source,
                 const Structural_graph& target, const Segmented_shape* source_shape,
                 const Segmented_shape* target_shape, const std::string& source_file, const std::string& target_file,
-                const Match_seconds& seconds, const Shape_appearance* source_appearance = nullptr,
-                const Shape_appearance* target_appearance = nullptr);
+                const Match_seconds& seconds, const Add_scenes& add_scenes = {});
 
 } // namespace CGAL::Shape_correspondence::IO

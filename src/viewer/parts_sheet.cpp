@@ -42,8 +42,9 @@ void Parts_sheet::add(const std::string& title, const Segmented_shape& objects, 
   for (std::size_t i = 0; i < shape.parts().size(); ++i) {
     const Shape_part& part = shape.parts()[i];
     parts.push_back(part.name);
-    nodes.push_back(glb_.add_node(
-        part.name, {{{turn * part.mesh.points, {}, part.mesh.triangles}, glb_.add_material(part.name, colours[i])}}));
+    Drawn_mesh mesh{turn * part.mesh.points, {}, part.mesh.triangles};
+    mesh.material = glb_.add_material(part.name, colours[i]);
+    nodes.push_back(glb_.add_node(part.name, {std::move(mesh)}));
   }
   for (std::size_t i = 0; i < split.decisions.size(); ++i)
     decisions.push_back(Json::array({objects.parts()[i].name, split.decisions[i]}));

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "io/write/glb_builder.h"
+#include "io/write/Glb_file.h"
 
 #include <CGAL/Shape_correspondence/split_parts.h>
 
@@ -30,7 +30,7 @@ public:
 private:
   std::size_t triangles_of_model_;
   Json models_ = Json::array();
-  Glb_builder glb_;
+  Glb_file glb_;
   std::vector<int> roots_;
 };
 

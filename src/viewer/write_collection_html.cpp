@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/system/colours.h"
-#include "io/write/drawn_shape.h"
+#include "io/write/pictures.h"
 #include "io/write/simplified_shape.h"
 #include "viewer/page.h"
 
@@ -42,9 +42,9 @@ public:
     const Drawn_shape drawn(graph, simplified ? &*simplified : nullptr, 0);
     std::vector<int> nodes;
     for (std::size_t part = 0; part < drawn.number_of_parts(); ++part) {
-      const Drawn_mesh mesh = drawn.has_mesh() ? drawn.flat_surface(part) : drawn.abstraction(part);
-      nodes.push_back(glb_.add_node(drawn.part(part).name,
-                                    {{mesh, labels[part] == Co_analysis::none ? unclustered_ : labels[part]}}));
+      Drawn_mesh mesh = drawn.model() ? drawn.flat_surface(part) : drawn.abstraction(part);
+      mesh.material = labels[part] == Co_analysis::none ? unclustered_ : labels[part];
+      nodes.push_back(glb_.add_node(drawn.name(part), {std::move(mesh)}));
     }
     roots_.push_back(glb_.add_node(drawn.name(), nodes, Point::Zero()));
   }
@@ -58,7 +58,7 @@ public:
 
 private:
   std::size_t triangles_of_shape_;
-  Glb_builder glb_;
+  Glb_file glb_;
   int unclustered_ = 0;
   std::vector<int> roots_;
 };

@@ -26,17 +26,6 @@ inline Sampled_part sampled(const Part_abstraction& part)
   return result;
 }
 
-// The samples of `source` after it took the shape of `target`; where one is a sheet, as many as a sheet has.
-inline Points deformed(const Sampled_part& source, const Sampled_part& target)
-{
-  const std::vector<int>& order = deform_to_fit(source, target);
-  const int repeats = int(order.size()) / int(target.samples.cols()); // of the samples of a curve among sheets
-  Points result(3, Eigen::Index(order.size()));
-  for (Eigen::Index i = 0; i < result.cols(); ++i)
-    result.col(i) = target.samples.col(order[std::size_t(i)] / repeats);
-  return result;
-}
-
 } // namespace hand_made
 
 #endif // SHAPE_CORRESPONDENCE_TEST_DEFORMED_PARTS_H

@@ -9,7 +9,7 @@
 
 #include "hand_made_graphs.h"
 
-#include <CGAL/Shape_correspondence/Role_model.h>
+#include <CGAL/Shape_correspondence/train_role_model.h>
 
 #include <deque>
 #include <sstream>

@@ -18,6 +18,16 @@ TEST_CASE("Eq. 1 by hand")
   CHECK(deformation_energy({1, 10, 100, 1000}, {0.6, 0.4, 0}) == Approx(0.6 + 0.4 * 10 + 1000));
 }
 
+TEST_CASE("Eq. 2 by hand: the cosine of the angle by which a rod turns")
+{
+  CHECK(rod_rotation({2, 0, 0}, {5, 0, 0}) == 1);
+  CHECK(rod_rotation({2, 0, 0}, {3, 3 * std::sqrt(3), 0}) == Approx(0.5));
+  CHECK(rod_rotation({2, 0, 0}, {0, 0, 1}) == 0);
+  CHECK(rod_rotation({2, 0, 0}, {-1, 1, 0}) == 0); // beyond a right angle
+  CHECK(rod_rotation({0, 0, 0}, {0, 1, 0}) == 1);
+  CHECK(rod_rotation({2, 0, 0}, {0, 0, 0}) == 0);
+}
+
 TEST_CASE("Eq. 3 by hand: of the mean squared cosine of the rods")
 {
   CHECK(distortion_energy(1) == 0);

@@ -8,6 +8,7 @@
 #include "deformed_parts.h"
 #include "energy/Matching_problem.h"
 #include "energy/Structural_rods.h"
+#include "energy/cut_curves.h"
 #include "energy/divide_sheets.h"
 #include "search/beam_search.h"
 
@@ -40,9 +41,12 @@ Structural_graph fence(int posts)
 
 TEST_CASE("The tables add up to the terms of an assignment, in both norms")
 {
-  for (const Energy_norm norm : {Energy_norm::SUM, Energy_norm::POOLED}) {
+  for (const auto& [norm, fit] : {std::pair(Energy_norm::SUM, Deform_to_fit::SAMPLES),
+                                  {Energy_norm::POOLED, Deform_to_fit::SAMPLES},
+                                  {Energy_norm::SUM, Deform_to_fit::EXTREMITIES}}) {
     Matching_options options;
     options.norm = norm;
+    options.fit = fit;
     options.weights.distortion = 0.7;
     options.unmatched_cost = 0.3;
     const Matching_problem problem(align_shape(slatted_chair()), align_shape(chair()), options);
@@ -53,6 +57,24 @@ TEST_CASE("The tables add up to the terms of an assignment, in both norms")
       const Energy_terms terms = problem.terms(assignment);
       CHECK(problem.energy()(assignment) == Approx(deformation_energy(terms, options.weights)));
     }
+  }
+}
+
+TEST_CASE("Straight parts have the same energies by samples and by extremities")
+{
+  Matching_options options;
+  const Matching_problem by_samples(align_shape(slatted_chair()), align_shape(chair()), options);
+  options.fit = Deform_to_fit::EXTREMITIES;
+  const Matching_problem by_extremities(align_shape(slatted_chair()), align_shape(chair()), options);
+  for (std::size_t contact = 0; contact < by_samples.source().contacts.size(); ++contact) {
+    const auto groups = by_samples.groups_of_contact(contact);
+    for (std::size_t a = 0; a < by_samples.number_of_labels(groups[0]); ++a)
+      for (std::size_t b = 0; b < by_samples.number_of_labels(groups[1]); ++b) {
+        const Rod_energy one = by_samples.contact_energy(contact, a, b),
+                         other = by_extremities.contact_energy(contact, a, b);
+        CHECK(one.distortion == Approx(other.distortion).margin(1e-5));
+        CHECK(one.connectedness == Approx(other.connectedness).margin(1e-5));
+      }
   }
 }
 
@@ -190,8 +212,8 @@ TEST_CASE("A sheet that splits: the contact's energy is the mean over its pieces
       low[along_u ? 0 : 1] = k / 3.;
       high[along_u ? 0 : 1] = (k + 1) / 3.;
       const Sampled_part piece = rectangle(sheet, low, high);
-      const Points seat_now = deformed(source.parts[seat], target.parts[index_of(target, 0)]);
-      const Points piece_now = deformed(piece, target.parts[index_of(target, from_left ? 1 + k : 3 - k)]);
+      const Points seat_now = deform_to_fit(source.parts[seat], target.parts[index_of(target, 0)]);
+      const Points piece_now = deform_to_fit(piece, target.parts[index_of(target, from_left ? 1 + k : 3 - k)]);
       const Structural_rods rods = seat_first ? Structural_rods(source.parts[seat].samples, piece.samples)
                                               : Structural_rods(piece.samples, source.parts[seat].samples);
       sum += (seat_first ? rods.energy(seat_now, piece_now) : rods.energy(piece_now, seat_now)).distortion;
@@ -292,4 +314,38 @@ TEST_CASE("Many target groups: the nearest ones are the labels, and nothing is p
       CHECK(problem.label(post, label).target_group == (post == 0 ? label : label + 16));
   }
   CHECK(!Matching_problem(few, few).has_shortlists());
+}
+
+TEST_CASE("A curve that is cut into three has rods between neighbouring segments only")
+{
+  // The target's curves lie end to end, but the middle one is 0.3 to the side
+  const auto shape_with = [](const std::vector<Part_abstraction>& curves) {
+    Shape_structure shape;
+    shape.parts = curves;
+    std::vector<std::size_t> members;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      members.push_back(i);
+    return align_shape(make_structural_graph(std::move(shape), {group(members)}));
+  };
+  const Part_abstraction first = curve("0", {0, 0, 0}, {1, 0, 0}), second = curve("1", {1, .3, 0}, {2, .3, 0}),
+                         third = curve("2", {2, 0, 0}, {3, 0, 0}), whole = curve("whole", {0, 0, 0}, {3, 0, 0});
+  const Matching_problem problem(shape_with({whole}), shape_with({first, second, third}));
+  const std::size_t cut = problem.number_of_labels(0) - 1;
+  REQUIRE(problem.label(0, cut).operation == Operation::CUT);
+  const auto piece = [&](int i) { return segment(sampled(whole), i, 3).samples; };
+  const Points moved = sampled(second).samples;
+  const Rod_energy left = rod_energy(piece(0), piece(1), sampled(first).samples, moved),
+                   right = rod_energy(piece(1), piece(2), moved, sampled(third).samples);
+  CHECK(left.distortion > 0.05);
+  CHECK(problem.cut_energy(0, cut).distortion == Approx(left.distortion + right.distortion));
+  CHECK(problem.cut_energy(0, cut).connectedness == Approx(left.connectedness + right.connectedness));
+}
+
+TEST_CASE("Contacts inside a group are in the tables")
+{
+  const auto pair = [](double height) {
+    return align_shape(point_graph({{0, 0, 0}, {1, height, 0}}, {{0, 1}}, {group({0, 1}, Symmetry_type::TRANSLATION)}));
+  };
+  const Matching_problem problem(pair(0), pair(1)); // the rod turns by 45 degrees and grows
+  CHECK(problem.energy()({0}) == Approx(1 - std::sqrt(.5) + 0.6));
 }

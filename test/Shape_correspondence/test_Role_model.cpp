@@ -5,9 +5,9 @@
 
 // Roles of parts: learning, predicting, writing and reading.
 #include "labelled_furniture.h"
+#include "model_files.h"
 #include "roles/Role_model_data.h"
 #include "roles/pair_model.h"
-#include "model_files.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -216,7 +216,7 @@ TEST_CASE("A model that is extended knows what all shapes teach together")
   // The forests have as many trees as those of the model
   Role_training_options few;
   few.trees = 7;
-  CHECK(extend_role_model(train_role_model(chairs, few), shelves).data().trees == 7);
+  CHECK(Role_model_access::data(extend_role_model(train_role_model(chairs, few), shelves)).trees == 7);
   std::vector<Labelled_graph> bad = shelves;
   bad[0].labels.pop_back();
   CHECK_THROWS_WITH(extend_role_model(train_role_model(chairs), bad), Contains("role for every part"));
@@ -233,7 +233,8 @@ TEST_CASE("The fewer shapes are labelled, the less their labels count")
   }
   CHECK(before < usual_pair_weights()[SAME_LABEL]);
   const std::vector<Labelled_graph> shapes = labelled(examples());
-  CHECK(train_role_model({shapes[0], shapes[2]}).data().categories[0].weights == usual_pair_weights(2));
+  CHECK(Role_model_access::data(train_role_model({shapes[0], shapes[2]})).categories[0].weights ==
+        usual_pair_weights(2));
 }
 
 TEST_CASE("What cannot be learned from")

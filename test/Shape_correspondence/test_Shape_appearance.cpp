@@ -6,11 +6,10 @@
 #include "model_files.h"
 
 #include "generator/textures.h"
-#include "io/system/image_file.h"
+#include "texture/image_file.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
-#include <CGAL/Shape_correspondence/IO/write_glb.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/Shape_appearance.h>
 #include <CGAL/Shape_correspondence/split_parts.h>
@@ -18,9 +17,11 @@
 #include <catch2/catch.hpp>
 
 #include <sstream>
+#include <sys/stat.h>
 
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;
+using Catch::Matchers::Contains;
 
 namespace gen = CGAL::Shape_correspondence::generator;
 
@@ -35,7 +36,7 @@ struct Model
 Model read(const std::string& path)
 {
   Model model;
-  model.shape = IO::read_segmented_shape(path, Point::UnitY(), nullptr, &model.looks);
+  model.shape = IO::read_shape_and_appearance(path, model.looks);
   return model;
 }
 
@@ -136,13 +137,64 @@ TEST_CASE("Texture coordinates without bounds become 0")
 TEST_CASE("Every truncation of an image is an error or an image, and none ends the program")
 {
   const std::string png = gen::test_picture();
-  const Image image = IO::decoded_image(png);
+  IO::Image_budget budget;
+  const Image image = IO::decoded_image(png, budget);
   CHECK(image.width == 128);
   CHECK(image.pixels[4 * (128 * 20 + 40)] == 60 + 25 * 2); // red of the third column
-  CHECK(IO::decoded_image(IO::png_of(image)).pixels == image.pixels);
+  CHECK(IO::decoded_image(IO::png_of(image), budget).pixels == image.pixels);
   for (std::size_t size = 0; size < png.size(); size += 97)
-    CHECK_THROWS_AS(IO::decoded_image(png.substr(0, size)), Invalid_input);
-  CHECK_THROWS_AS(IO::decoded_image("\xff\xd8\xff\xe0 no jpeg"), Invalid_input);
+    CHECK_THROWS_AS(IO::decoded_image(png.substr(0, size), budget), Invalid_input);
+  CHECK_THROWS_AS(IO::decoded_image("\xff\xd8\xff\xe0 no jpeg", budget), Invalid_input);
+}
+
+TEST_CASE("Images of a model may take so many pixels and scans in all, the rest is left out and told")
+{
+  IO::Image_budget budget;
+  budget.take(8192, 4096, 1);
+  CHECK_THROWS_WITH(IO::Image_budget().take(8193, 1, 1), Contains("8193 x 1 pixels"));
+  CHECK_THROWS_WITH(budget.take(8192, 8192, 1), Contains("more than are left"));
+  CHECK_THROWS_WITH(IO::Image_budget().take(4096, 4096, 2000), Contains("2000 scans"));
+  budget.take(8192, 4096, 1);
+  CHECK_THROWS_AS(budget.take(1, 1, 1), Invalid_input);
+  Shape_appearance looks;
+  const std::string large = IO::png_of({4096, 4096, std::vector<std::uint8_t>(std::size_t(4) << 24)});
+  for (int i = 0; i < 5; ++i) {
+    looks.textures.push_back({"t" + std::to_string(i), large, {}});
+    looks.materials.push_back({"m", Eigen::Vector4d::Ones(), i});
+  }
+  IO::decode_textures(looks, looks.warnings);
+  REQUIRE(looks.warnings.size() == 1);
+  CHECK_THAT(looks.warnings[0], Contains("'t4' was left out") && Contains("67108864"));
+  CHECK(looks.materials[3].texture == 3);
+  CHECK(looks.materials[4].texture == -1);
+}
+
+TEST_CASE("A model names files of its folder only, unless others are allowed")
+{
+  const Temporary_folder folder;
+  folder.write("other/p.png", gen::test_picture());
+  folder.write("other/some.mtl", "newmtl picture\nmap_Kd ../other/p.png\n");
+  fs::create_directories(folder.path("model"));
+  std::string text = two_parts;
+  text.replace(text.find("some.mtl"), 8, "../other/some.mtl");
+  const std::string file = folder.write("model/model.obj", text);
+  const Model model = read(file);
+  REQUIRE(model.looks.warnings.size() == 1);
+  CHECK_THAT(model.looks.warnings[0], Contains("outside the model's folder") && Contains("--allow-outside-files"));
+  CHECK(model.looks.textures.empty());
+  IO::Reading_options options;
+  options.allow_outside_files = true;
+  Shape_appearance looks;
+  IO::read_shape_and_appearance(file, looks, Point::UnitY(), nullptr, options);
+  CHECK(looks.warnings.empty());
+  REQUIRE(looks.textures.size() == 1);
+  CHECK(looks.textures[0].bytes == gen::test_picture());
+  // A pipe is none of the files that are read, wherever it is
+  REQUIRE(mkfifo(folder.path("model/some.mtl").c_str(), 0600) == 0);
+  text.replace(text.find("../other/"), 9, "");
+  IO::read_shape_and_appearance(folder.write("model/model.obj", text), looks, Point::UnitY(), nullptr, options);
+  REQUIRE(looks.warnings.size() == 1);
+  CHECK_THAT(looks.warnings[0], Contains("is not there"));
 }
 
 TEST_CASE("Colours of vertices and faces are read from PLY and OFF")

@@ -4,9 +4,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/Structural_rods.h"
-#include "energy/rod_cosines.h"
-#include "energy/rod_directions.h"
+#include "energy/deform_to_fit.h"
 #include "hand_made_graphs.h"
+
+#include <CGAL/Shape_correspondence/Deformation_energy.h>
 
 #include <catch2/catch.hpp>
 
@@ -33,6 +34,12 @@ TEST_CASE("Eq. 2: a rod turned by more than a right angle counts as much as by a
   const Structural_rods rods(points({{0, 0, 0}}), points({{1, 0, 0}}));
   CHECK(rods.energy(points({{0, 0, 0}}), points({{-1, 0.5, 0}})).distortion == 1);
   CHECK(rods.energy(points({{0, 0, 0}}), points({{0, 7, 0}})).distortion == 1);
+}
+
+TEST_CASE("Eq. 2: a short rod has a direction, too")
+{
+  const Structural_rods rods(points({{0, 0, 0}}), points({{.01, 0, 0}}));
+  CHECK(rods.energy(points({{0, 0, 0}}), points({{0, .01, 0}})).distortion == 1);
 }
 
 TEST_CASE("Eq. 4 with its sign turned: the penalty grows with the distance")
@@ -79,11 +86,11 @@ TEST_CASE("Unmoved rods cost exactly nothing, whatever the numbers")
 TEST_CASE("Every rod kernel of the machine gives the bits of the plain one")
 {
   const auto kernels = internal::available_rod_kernels();
-  CHECK(kernels.front().name == std::string("plain"));
+  CHECK(kernels.front().instructions == std::string("plain"));
 #if defined(__x86_64__) && defined(__GNUC__)
   REQUIRE(kernels.size() > 1);
-  if (kernels.back().name != std::string("avx512"))
-    WARN("this machine has no AVX-512: that kernel is not tested, the widest one is " << kernels.back().name);
+  if (kernels.back().instructions != std::string("avx512"))
+    WARN("this machine has no AVX-512: that kernel is not tested, the widest one is " << kernels.back().instructions);
 #endif
   std::srand(3);
   for (const auto& [n, repeats] : {std::pair(1, 1), {5, 1}, {6, 1}, {17, 1}, {36, 1}, {36, 6}})
@@ -99,18 +106,18 @@ TEST_CASE("Every rod kernel of the machine gives the bits of the plain one")
       const internal::Rod_block* rods[4];
       for (int s = 0; s < 4; ++s)
         rods[s] = before.data() + s * (n + m) * internal::maximum_blocks;
-      const internal::Sample_lanes first(a, repeats), second(b);
+      const internal::Sample_lanes first(repeated(a, repeats), repeats), second(b);
       const auto expected = kernels[0].four(rods, first, n, second, m);
       const float least = kernels[0].least_length(nullptr, first, n, second, m).least_squared_length;
-      for (const internal::Rod_kernels& kernel : kernels) {
-        CAPTURE(kernel.name, n, m, repeats);
+      for (const internal::Rod_kernel& kernel : kernels) {
+        CAPTURE(kernel.instructions, n, m, repeats);
         CHECK(kernel.least_length(nullptr, first, n, second, m).least_squared_length == least);
         const auto four = kernel.four(rods, first, n, second, m);
         for (int s = 0; s < 4; ++s) {
           CHECK(four.squared_cosines[s] == expected.squared_cosines[s]);
-          const auto both = kernel.both(rods + s, first, n, second, m);
-          CHECK(both.squared_cosines[0] == expected.squared_cosines[s]);
-          CHECK(both.least_squared_length == least);
+          const auto one = kernel.one_and_length(rods + s, first, n, second, m);
+          CHECK(one.squared_cosines[0] == expected.squared_cosines[s]);
+          CHECK(one.least_squared_length == least);
           CHECK(kernel.one(rods + s, first, n, second, m).squared_cosines[0] == expected.squared_cosines[s]);
         }
         const auto two = kernel.two(rods + 1, first, n, second, m);
@@ -151,12 +158,6 @@ TEST_CASE("Pairs that turn into the same one have the energies that they have al
 
 TEST_CASE("Samples that count several times have the rods of as many samples")
 {
-  const auto repeated = [](const Points& samples, int repeats) {
-    Points result(3, samples.cols() * repeats);
-    for (Eigen::Index i = 0; i < result.cols(); ++i)
-      result.col(i) = samples.col(i / repeats);
-    return result;
-  };
   std::srand(13);
   for (const int n : {6, 36})
     for (const int m : {6, 36}) {
@@ -168,7 +169,8 @@ TEST_CASE("Samples that count several times have the rods of as many samples")
       const Rod_energy expected = Structural_rods(repeated(a, first), repeated(b, second)).energy(c, d);
       for (const Rod_energy& energy :
            {Structural_rods(a, b, first, second).energy(c, d),
-            Structural_rods(internal::Sample_lanes(a, first), 36, internal::Sample_lanes(b, second), 36, memory.data())
+            Structural_rods(internal::Sample_lanes(repeated(a, first), first), 36,
+                            internal::Sample_lanes(repeated(b, second), second), 36, memory.data())
                 .energy(c, d)}) {
         CHECK(energy.distortion == expected.distortion);
         CHECK(energy.connectedness == expected.connectedness);
@@ -186,19 +188,18 @@ TEST_CASE("A sheet that becomes a curve has the rods of a sheet of equal columns
     pairs.push_back(&pair);
   for (const bool columns : {true, false})
     for (const bool backwards : {true, false}) {
-      std::vector<int> order; // of the samples of a sheet of six equal columns
       Points samples(3, 36);
       for (int i = 0; i < 36; ++i) {
         const int along = columns ? i / 6 : i % 6;
-        order.push_back(6 * (backwards ? 5 - along : along) + (columns ? i % 6 : i / 6));
-        samples.col(i) = curve.col(order.back() / 6);
+        samples.col(i) = curve.col(backwards ? 5 - along : along);
       }
+      const internal::Sample_lanes equal(samples, 6, columns ? 1 : 6);
       std::vector<double> result;
-      distortions(pairs, internal::Sample_lanes(curve, order), internal::Sample_lanes(d), result);
+      distortions(pairs, equal, internal::Sample_lanes(d), result);
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Rod_energy expected = rods[i].energy(internal::Sample_lanes(samples), internal::Sample_lanes(d));
         CHECK(result[i] == Approx(expected.distortion).margin(1e-6));
-        const Rod_energy one = rods[i].energy(internal::Sample_lanes(curve, order), internal::Sample_lanes(d));
+        const Rod_energy one = rods[i].energy(equal, internal::Sample_lanes(d));
         CHECK(one.distortion == result[i]);
         CHECK(one.connectedness == expected.connectedness);
       }
@@ -211,13 +212,14 @@ TEST_CASE("All vector instructions write the same directions of rods")
   for (const int n : {6, 36})
     for (const int m : {1, 6, 16, 32, 36})
       for (const int repeats : {1, 6}) {
-        const Points a = Points::Random(3, n / repeats), c = Points::Random(3, m);
-        const internal::Sample_lanes from(a, repeats);
-        Points b = c;
+        const Points a = repeated(Points::Random(3, n / repeats), repeats);
+        Points b = Points::Random(3, m);
         b.col(m - 1) = a.col(0); // rods of length zero
-        const internal::Sample_lanes to(b);
+        const internal::Sample_lanes from(a, repeats), to(b);
+        const int in_blocks = internal::samples_in_blocks(m);
+        const int row = internal::blocks_of(in_blocks), back_row = internal::blocks_of(n);
         float longest_squared = 0;
-        std::vector<internal::Rod_block> expected(std::size_t(n * internal::blocks_of(m)));
+        std::vector<internal::Rod_block> expected(Structural_rods::size(n, m));
         for (internal::Rod_block& block : expected)
           for (auto& axis : block.direction)
             std::fill(std::begin(axis), std::end(axis), 0.f);
@@ -229,16 +231,19 @@ TEST_CASE("All vector instructions write the same directions of rods")
               squared += rod[axis] * rod[axis];
             }
             longest_squared = std::max(longest_squared, squared);
+            const bool is_back = j >= in_blocks;
+            const int lane = is_back ? i : j;
+            internal::Rod_block& block =
+                expected[std::size_t((is_back ? n * row + (j - in_blocks) * back_row : i * row) + lane / 16)];
             for (int axis = 0; axis < 3 && squared > 0; ++axis)
-              expected[std::size_t(i * internal::blocks_of(m) + j / internal::block_lanes)]
-                  .direction[axis][j % internal::block_lanes] = rod[axis] * (1 / std::sqrt(squared));
+              block.direction[axis][lane % 16] = (is_back ? -rod[axis] : rod[axis]) * (1 / std::sqrt(squared));
           }
-        for (const internal::Rod_writer write : internal::available_rod_writers()) {
+        for (const internal::Rod_kernel& kernel : internal::available_rod_kernels()) {
           std::vector<internal::Rod_block> rods(expected.size());
-          const internal::Rod_rows rows = write(from, 0, n, to, m, rods.data());
-          CHECK(rows.directionless == repeats);
-          CHECK(rows.longest_squared == longest_squared);
-          CHECK(rows.shortest_squared == 0);
+          const internal::Rod_lengths lengths = kernel.write(from, n, to, m, rods.data());
+          CHECK(lengths.zero == repeats);
+          CHECK(lengths.longest_squared == longest_squared);
+          CHECK(lengths.shortest_squared == 0);
           for (std::size_t block = 0; block < rods.size(); ++block)
             for (int axis = 0; axis < 3; ++axis)
               CHECK(std::equal(std::begin(rods[block].direction[axis]), std::end(rods[block].direction[axis]),
@@ -258,14 +263,15 @@ TEST_CASE("Rods of every layout agree with Eq. 2 and 3 in double precision")
       for (int i = 0; i < n; ++i)
         for (int j = 0; j < m; ++j) {
           const Point r = b.col(j) - a.col(i), moved = d.col(j) - c.col(i);
-          kept += std::pow(std::max(0.0, r.dot(moved) / (r.norm() * moved.norm())), 2);
+          kept += std::pow(rod_rotation(r, moved), 2);
           nearest = std::min(nearest, moved.norm());
           shortest = std::min(shortest, r.norm());
           longest = std::max(longest, r.norm());
         }
-      const Rod_energy energy = Structural_rods(a, b).energy(c, d);
-      CHECK(energy.distortion == Approx(1 - std::sqrt(kept / (n * m))).margin(1e-6));
-      CHECK(energy.connectedness == Approx(nearest > shortest ? std::min(1.0, nearest / longest) : 0.0).margin(1e-6));
+      for (const Rod_energy& energy : {rod_energy(a, b, c, d), Structural_rods(a, b).energy(c, d)}) {
+        CHECK(energy.distortion == Approx(distortion_energy(kept / (n * m))).margin(1e-6));
+        CHECK(energy.connectedness == Approx(nearest > shortest ? std::min(1.0, nearest / longest) : 0.0).margin(1e-6));
+      }
       CHECK(least_distance(c, d) == Approx(nearest).margin(1e-6));
     }
 }

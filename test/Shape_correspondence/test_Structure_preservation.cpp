@@ -177,3 +177,50 @@ TEST_CASE("Structure preservation: the members of a rotational group move turned
   CHECK(motions[3].shift.isApprox(Point(.05, .2, .1)));
   CHECK(motions[4].shift.isApprox(Point(.1, .2, -.05)));
 }
+
+TEST_CASE("Structure preservation: an orbit of two mirror planes is mirrored in both")
+{
+  // The top of a table grows by 0.2 to either side and by 0.3 to the front and to the back
+  const Aligned_shape shape = align_shape(table());
+  std::vector<char> matched(2, 0);
+  matched[shape.group_of[index_of(shape, 0)]] = 1;
+  std::vector<std::array<Point, 2>> contact_displacement(shape.contacts.size());
+  for (std::size_t c = 0; c < shape.contacts.size(); ++c)
+    for (std::size_t side : {0, 1}) {
+      const Point p =
+          shape.parts[shape.contacts[c].parts[side]].samples.col(Eigen::Index(shape.contacts[c].samples[side]));
+      contact_displacement[c][side] = Point(p.x() < 0 ? -.2 : .2, 0, p.z() < 0 ? -.3 : .3);
+    }
+  std::vector<Part_motion> motions(shape.parts.size());
+  Structure_preservation preserve_structure(shape);
+  preserve_structure(matched, contact_displacement, motions);
+  for (std::size_t leg : shape.group(shape.group_of[index_of(shape, 1)]).parts) {
+    const Point at = shape.parts[leg].centroid;
+    CHECK(motions[leg].shift.isApprox(Point(at.x() < 0 ? -.2 : .2, 0, at.z() < 0 ? -.3 : .3)));
+  }
+}
+
+TEST_CASE("Structure preservation: hard contacts are followed to the point")
+{
+  Shape_structure shape;
+  shape.parts = {curve("bar", {0, 1, 0}, {1, 1, 0}), curve("start", {0, 0, 0}, {0, 1, 0}),
+                 curve("end", {1, 0, 0}, {1, 1, 0})};
+  shape.contacts = {contact(shape, 0, 1, {0, 1, 0}), contact(shape, 0, 2, {1, 1, 0})};
+  const Aligned_shape posts =
+      align_shape(make_structural_graph(std::move(shape), {group({0}), group({1}), group({2})}));
+  const std::size_t bar = index_of(posts, 0);
+  std::vector<char> matched(3, 1);
+  matched[posts.group_of[bar]] = 0;
+  std::vector<std::array<Point, 2>> contact_displacement(2, {Point::Zero(), Point::Zero()});
+  for (std::size_t c : {0, 1})
+    if (posts.original[posts.contacts[c].parts[0]] == 2 || posts.original[posts.contacts[c].parts[1]] == 2)
+      contact_displacement[c] = {Point(.4, .2, 0), Point(.4, .2, 0)};
+  const auto end_of_bar = [&](bool is_hard) {
+    std::vector<Part_motion> motions(3);
+    Structure_preservation preserve_structure(posts, is_hard);
+    preserve_structure(matched, contact_displacement, motions);
+    return Point(motions[bar].shift + motions[bar].stretch * Point(.5, 0, 0));
+  };
+  CHECK(end_of_bar(true).isApprox(Point(.4, .2, 0), 1e-6));
+  CHECK((end_of_bar(false) - Point(.4, .2, 0)).norm() > 1e-3);
+}

@@ -20,15 +20,6 @@ using internal::contacts::Triangle;
 using Kernel = internal::Mesh_kernel;
 using Exact_oracle = CGAL::Alpha_wraps_3::internal::Triangle_soup_oracle<Kernel>;
 
-std::vector<Triangle> triangles_of(const Part_mesh& mesh)
-{
-  std::vector<Triangle> result;
-  for (const auto& t : mesh.triangles.colwise()) {
-    result.push_back({mesh.points.col(t[0]), mesh.points.col(t[1]), mesh.points.col(t[2])});
-  }
-  return result;
-}
-
 Point random_point(std::mt19937& random, double size)
 {
   std::uniform_real_distribution<double> coordinate(-size, size);
@@ -87,7 +78,7 @@ TEST_CASE("A tetrahedron meets what touches it, and what is inside")
 TEST_CASE("The nearest points and the crossings of the offset surface are CGAL's")
 {
   const Part_mesh mesh = torus(1, 0.3);
-  const internal::Wrap_oracle oracle(triangles_of(mesh));
+  const internal::Wrap_oracle oracle(internal::triangles_of(mesh));
   Exact_oracle exact;
   const internal::Triangle_soup soup = internal::to_soup(mesh);
   exact.add_triangle_soup(soup.points, soup.triangles);

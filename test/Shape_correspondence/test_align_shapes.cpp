@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 using namespace CGAL::Shape_correspondence;
 
 TEST_CASE("Aligned shapes do not depend on position, scale, turning and part order")
@@ -83,4 +85,66 @@ TEST_CASE("Alignments: nearest to the given orientation first")
   for (const double a : {60.0, 90.0, 170.0})
     CHECK(alignment_turns(turned_by(a), turned_by(a)).front() == 0);
   CHECK(alignment_turns(turned_by(0), turned_by(180)).front() == 2);
+}
+
+TEST_CASE("What is left of a group has a solidity of its own, and alone no symmetry")
+{
+  const Aligned_shape table = align_shape(hand_made::table());
+  const auto rest_without = [&](const std::vector<std::size_t>& legs, std::size_t leg) {
+    const Aligned_shape shape = regrouped(table, {legs});
+    return shape.group(shape.group_of[hand_made::index_of(shape, leg)]);
+  };
+  // Legs at the corners of a square: three of them have 3/4 of the volume and half of the hull
+  const Part_group three = rest_without({1}, 2);
+  CHECK(three.parts.size() == 3);
+  CHECK(three.volume / three.hull_volume == Approx(.1 * 1.5));
+  CHECK(three.symmetry.type == Symmetry_type::REFLECTION);
+  CHECK(rest_without({1, 2, 3}, 4).symmetry.type == Symmetry_type::NONE);
+  std::vector<char> is_kept(5, 1);
+  is_kept[hand_made::index_of(table, 1)] = 0;
+  const Aligned_shape fewer = restricted(table, is_kept);
+  const Part_group& kept = fewer.group(fewer.group_of[hand_made::index_of(fewer, 2)]);
+  CHECK(kept.volume / kept.hull_volume == Approx(.1 * 1.5));
+}
+
+TEST_CASE("Parts that cross each other are in the order of their samples, not in that of the file")
+{
+  const auto first_of = [](bool swapped) {
+    Shape_structure shape;
+    shape.parts = {hand_made::curve("up", {-1, 0, 0}, {1, 1, 0}), hand_made::curve("down", {-1, 1, 0}, {1, 0, 0})};
+    if (swapped) std::swap(shape.parts[0], shape.parts[1]);
+    const Structural_graph graph =
+        make_structural_graph(std::move(shape), {hand_made::group({0}), hand_made::group({1})});
+    return structure(graph).parts[align_shape(graph).original[0]].name;
+  };
+  CHECK(first_of(false) == first_of(true));
+}
+
+TEST_CASE("The most prominent parts are as many as asked for, in whole groups as far as they fit")
+{
+  for (const Structural_graph& graph : {hand_made::chair(), hand_made::slatted_chair(), hand_made::table()}) {
+    const Aligned_shape shape = align_shape(graph);
+    for (std::size_t count = 1; count <= shape.parts.size() + 1; ++count) {
+      const std::vector<char> is_kept = most_prominent_parts(shape, count);
+      CHECK(std::size_t(std::count(is_kept.begin(), is_kept.end(), 1)) == std::min(count, shape.parts.size()));
+    }
+  }
+  // The top, then one leg of the four; the group of legs does not fit before it has all of them
+  const Aligned_shape table = align_shape(hand_made::table());
+  CHECK(most_prominent_parts(table, 2)[hand_made::index_of(table, 0)] == 1);
+  // Of the chair without the pair in front: seat, back and one pair
+  const Aligned_shape chair = align_shape(hand_made::chair());
+  const std::vector<char> four = most_prominent_parts(chair, 4);
+  for (const Part_group& group : groups(chair))
+    for (std::size_t part : group.parts)
+      CHECK(four[part] == four[group.parts[0]]);
+}
+
+TEST_CASE("The most prominent part has the greatest volume, not the greatest hull")
+{
+  Structural_graph chair = hand_made::chair();
+  structure(chair).parts[0].volume = 2, structure(chair).parts[0].hull_volume = 2;
+  structure(chair).parts[1].volume = 1, structure(chair).parts[1].hull_volume = 4;
+  const Aligned_shape shape = align_shape(chair);
+  CHECK(most_prominent_parts(shape, 1)[hand_made::index_of(shape, 0)] == 1);
 }

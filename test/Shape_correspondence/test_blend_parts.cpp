@@ -2,8 +2,7 @@
 //
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/least_rotation.h"
-#include "blend/Blend_part.h"
+#include "base/directions.h"
 #include "blend/smooth_places.h"
 #include "blend_checks.h"
 #include "box_shapes.h"
@@ -15,7 +14,7 @@
 #include <cmath>
 #include <vector>
 
-// What blends are made of: pieces of parts, unmatched parts, the connections of components.
+// What blends are made of: pieces of parts, the connections of components, places on surfaces.
 
 using namespace CGAL::Shape_correspondence;
 using namespace blend_checks;
@@ -127,30 +126,6 @@ TEST_CASE("A piece where a part has nothing is a speck of it")
   CHECK(volume(piece) > 0);
   CHECK((piece.points.rowwise().maxCoeff() - piece.points.rowwise().minCoeff()).maxCoeff() < 0.01);
   CHECK(std::abs(piece.points.row(2).maxCoeff()) < 0.2 + 1e-6);
-}
-
-TEST_CASE("An unmatched part shrinks to the segment between its attachments; one that diverges is given up")
-{
-  Part_mesh arch = ring(0.05);
-  for (Eigen::Index i = 0; i < arch.points.cols(); ++i)
-    arch.points(1, i) = std::abs(arch.points(1, i));
-  const internal::Part_chart chart = internal::Part_chart::box(arch.points, Eigen::Matrix3d::Identity());
-  const Point left(-1, 0, 0), right(1, 0, 0);
-  const internal::Unmatched_part unmatched(chart, arch, {left, right});
-  CHECK(unmatched.points(1) == arch.points);
-  CHECK(unmatched.points(0).bottomRows<2>().cwiseAbs().maxCoeff() < 1e-9);
-  CHECK(unmatched.points(0).row(0).cwiseAbs().maxCoeff() < 1 + 1e-9);
-  CHECK(unmatched.points(0.5).row(1).maxCoeff() == Approx(arch.points.row(1).maxCoeff() / 2));
-
-  const auto attachment = [](const Point& at, const Point& vanished) {
-    return internal::Attachment{0, 0, {}, at, vanished};
-  };
-  const Point up(0, 0.3, 0), off(0, 0, 5);
-  const auto kept = internal::without_diverging(
-      {attachment(left, left + up), attachment(right, right + up), attachment(right, right + off)}, 2);
-  REQUIRE(kept.size() == 2);
-  CHECK(kept[0].vanished == left + up);
-  CHECK(kept[1].vanished == right + up);
 }
 
 TEST_CASE("Components of surfaces are joined once, by the shortest connections")

@@ -4,10 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/eigen_system.h"
 #include "blend/Affine_motion.h"
-#include "blend/Blend_ends.h"
 #include "blend/blend_quality.h"
 #include "blend/ease.h"
-#include "blend/in_between_steps.h"
 #include "box_models.h"
 #include "model_files.h"
 
@@ -27,7 +25,7 @@
 #include <string>
 #include <vector>
 
-// What one sees of shapes in between, what motions may do to parts, sizes, schedules, and pairs that are not believed.
+// What is measured of shapes in between, what motions may do to parts, sizes, schedules, and pairs that are not believed.
 
 using namespace CGAL::Shape_correspondence;
 using Catch::Matchers::Contains;
@@ -43,6 +41,13 @@ double height_of(const Segmented_shape& shape)
     high = std::max(high, part.mesh.points.row(1).maxCoeff());
   }
   return high - low;
+}
+
+using contacts_box = Eigen::AlignedBox3d;
+
+contacts_box box_of(const Shape_part& part)
+{
+  return {part.mesh.points.rowwise().minCoeff(), part.mesh.points.rowwise().maxCoeff()};
 }
 
 bool is_told(const std::vector<std::string>& faults, const std::string& words, const std::string& part)
@@ -79,63 +84,58 @@ TEST_CASE("Options and numbers of frames that make no sense are refused")
   }
 }
 
-TEST_CASE("Motions that close gaps stretch a part within bounds, all of them together")
+TEST_CASE("Motions that close gaps stretch a part within bounds")
 {
-  internal::Stretch stretch;
-  Eigen::Matrix3d map = Eigen::Matrix3d::Identity();
-  const auto stretches = [&] {
+  constexpr double least = 0.7, most = 1.4;
+  const auto stretches = [](const internal::Affine_motion& motion) {
+    const Eigen::Matrix3d map = Eigen::Matrix3d::Identity() + motion.gradient;
     return Eigen::Vector3d(internal::eigen_system(map.transpose() * map).values.cwiseMax(0).cwiseSqrt());
   };
   internal::Affine_motion motion;
   motion.translation = Point(0.1, 0.2, 0.3);
   motion.gradient.diagonal() = Point(0.2, -0.1, 0);
-  for (int i = 0; i < 6; ++i) {
-    const internal::Affine_motion bounded = stretch.bounded(motion);
-    CHECK(bounded.translation == motion.translation);
-    CHECK(stretch.is_at_bound() == (i > 0)); // 1.2² is over 1.4
-    map = (Eigen::Matrix3d::Identity() + bounded.gradient) * map;
-    CHECK(stretches().maxCoeff() < internal::most_stretch + 1e-9);
-    CHECK(stretches().minCoeff() > internal::least_stretch - 1e-9);
-  }
-  CHECK(stretches().maxCoeff() == Approx(internal::most_stretch));
-  CHECK(stretches().minCoeff() == Approx(internal::least_stretch));
+  CHECK(motion.bounded(least, most).gradient == motion.gradient);
+  motion.gradient.diagonal() = Point(2, -0.9, 0);
+  const internal::Affine_motion bounded = motion.bounded(least, most);
+  CHECK(bounded.translation == motion.translation);
+  CHECK(stretches(bounded).maxCoeff() == Approx(most));
+  CHECK(stretches(bounded).minCoeff() == Approx(least));
   for (double flat : {-1., -3.}) { // to nothing, and inside out
     motion.gradient = flat * Point::UnitX() * Point::UnitX().transpose();
-    map = (Eigen::Matrix3d::Identity() + stretch.bounded(motion).gradient) * map;
-    CHECK(map.determinant() > 0);
-    CHECK(stretches().minCoeff() > internal::least_stretch - 1e-9);
+    CHECK(motion.bounded(least, most).gradient.norm() == 0);
   }
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(1, Point(1, 2, 2) / 3).toRotationMatrix();
   motion.gradient = turn - Eigen::Matrix3d::Identity();
-  internal::Stretch fresh;
-  CHECK((fresh.bounded(motion).gradient - motion.gradient).norm() < 1e-12);
-  CHECK(!fresh.is_at_bound());
+  CHECK((motion.bounded(least, most).gradient - motion.gradient).norm() < 1e-12);
 }
 
-TEST_CASE("A body that is stretched as far as it may be is moved as it is")
+TEST_CASE("Contacts are closed by moving all bodies as little as that takes")
 {
-  const auto moved = [](bool is_rigid) {
-    internal::Affine_motion_solver solver({{Point::Zero(), 1, 0.01, is_rigid}, {Point(1, 0, 0), 1, 1e9, true}});
-    solver.add_contact(0, Point(0.5, 0, 0), 1, Point(1, 0, 0), Point(0.5, 0, 0));
-    return solver.solve()[0];
-  };
-  CHECK(moved(false).gradient.norm() > 1e-3);
-  CHECK(moved(true).gradient.norm() < 1e-3);
-  CHECK(moved(true).displacement({0.5, 0, 0}).x() == Approx(0.5).margin(0.01));
+  internal::Affine_motion_solver solver({{Point::Zero(), 1}, {Point(1, 0, 0), 1}, {Point(5, 0, 0), 1}});
+  solver.add_contact(0, Point(0.4, 0, 0), 1, Point(0.6, 0, 0), 1);
+  const std::vector<internal::Affine_motion> motions = solver.solve();
+  CHECK(motions[0].displacement({0.4, 0, 0}).x() == Approx(0.1).epsilon(0.05));
+  CHECK(motions[1].displacement({0.6, 0, 0}).x() == Approx(-0.1).epsilon(0.05));
+  CHECK(motions[0].displacement({0.4, 0, 0}).tail<2>().norm() < 1e-12);
+  CHECK(motions[2].translation.norm() == 0);
+  const Point at(0.3, 0.2, 0.1);
+  CHECK((motions[0].map() * at - at - motions[0].displacement(at)).norm() < 1e-12);
 }
 
-TEST_CASE("What is wrong with a shape in between is told, with the part")
+TEST_CASE("What is wrong with a shape in between is told, with the part, by its own measure")
 {
   const Box_model model = model_of(stand());
   const std::array<internal::Blend_input, 2> inputs = {internal::Blend_input{model.graph, model.shape, 0},
                                                        internal::Blend_input{model.graph, model.shape, 0}};
-  const internal::Blend_structure blend(inputs, same_parts(3), {});
+  internal::Blend_structure blend(inputs, same_parts(3), {});
   constexpr std::size_t base = 0, column = 1, top = 2;
-  const auto faults = [&](std::size_t part, const std::function<void(Points&)>& harm) {
-    internal::In_between_shape shape =
-        internal::in_between_shape(blend, internal::Task_times(3, std::array<double, 2>{0., 1.}), 0.5);
+  const auto checked = [&](std::size_t part, const std::function<void(Points&)>& harm) {
+    internal::In_between_shape shape(blend, internal::Task_times(3, std::array<double, 2>{0., 1.}), 0.5);
     harm(shape.moving_points(part));
-    return internal::check(shape).faults;
+    return internal::check(shape);
+  };
+  const auto faults = [&](std::size_t part, const std::function<void(Points&)>& harm) {
+    return checked(part, harm).faults;
   };
   CHECK(faults(column, [](Points&) {}).empty());
   const auto scaled = [](const Point& factors) {
@@ -144,45 +144,69 @@ TEST_CASE("What is wrong with a shape in between is told, with the part")
       points = (factors.asDiagonal() * (points.colwise() - middle)).colwise() + middle;
     };
   };
+  const auto shifted = [](const Point& by) { return [by](Points& points) { points.colwise() += by; }; };
+  const auto is_said = [](const std::vector<std::string>& all, const std::string& words) {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const std::string& fault) { return fault.find(words) != std::string::npos; });
+  };
+  // Too high and too low, too wide and too narrow, too much and too little
+  CHECK(is_said(faults(top, shifted({0, 0.3, 0})), "higher or lower than is due by 30 %"));
+  CHECK(is_said(faults(top, shifted({0, -0.3, 0})), "higher or lower than is due by 30 %"));
+  CHECK(!is_said(faults(top, shifted({0, 0.05, 0})), "higher or lower"));
+  for (double factor : {0.3, 3.}) {
+    CHECK(is_said(faults(top, scaled({factor, 1, factor})), "convex hull is larger or smaller than is due"));
+    CHECK(is_said(faults(top, scaled({factor, 1, factor})), "volume is larger or smaller than is due"));
+  }
+  CHECK(!is_said(faults(column, scaled({1.2, 1, 1.2})), "than is due"));
+  CHECK(is_said(faults(column, scaled({5, 1, 5})), "volume is larger"));
+  CHECK(!is_said(faults(column, scaled({5, 1, 5})), "hull is larger"));
+  CHECK(is_said(faults(base, shifted({0, 0.05, 0})), "due to stand on the ground, 100 % do not"));
+  CHECK(is_told(faults(top, scaled({0.4, 1, 0.4})), "smaller than is due", "top~top"));
+  CHECK(!is_told(faults(top, scaled({0.8, 1, 0.8})), "smaller than is due", "top~top"));
+  CHECK(is_told(faults(column, shifted({0.15, 0, 0})), "off its way", "column~column"));
+  CHECK(!is_told(faults(column, shifted({0.05, 0, 0})), "off its way", "column~column"));
+  CHECK(is_told(faults(top, shifted({0, 0.03, 0})), "is open", "top~top"));
+  CHECK(is_said(faults(top, shifted({0, 0.03, 0})), "farther from all others"));
+  CHECK(is_told(faults(base, shifted({0, -0.01, 0})), "below its place on the ground", "base~base"));
   CHECK(is_told(faults(top, scaled({1, 0.3, 1})), "thinner", "top~top"));
   CHECK(!is_told(faults(top, scaled({1, 0.7, 1})), "thinner", "top~top"));
   CHECK(is_told(faults(top, scaled({1.8, 1, 1.8})), "surface is larger", "top~top"));
-  CHECK(is_told(faults(top, scaled({1.8, 1, 1.8})), "volume is larger", "top~top"));
-  CHECK(!is_told(faults(top, scaled({1.1, 1, 1.1})), "larger", "top~top"));
+  CHECK(!is_told(faults(top, scaled({1.1, 1, 1.1})), "surface is larger", "top~top"));
   const auto crumpled = [](Points& points) {
     for (Eigen::Index i = 0; i < points.cols(); i += 2)
       points.col(i) += Point(0.7 * std::sin(double(i)), 0, 0.4 * std::cos(double(i)));
   };
   CHECK(is_told(faults(base, crumpled), "torn or folded", "base~base"));
-  const auto shifted = [](const Point& by) { return [by](Points& points) { points.colwise() += by; }; };
-  CHECK(is_told(faults(column, shifted({0, 0.05, 0})), "moved farther than its neighbours", "column~column"));
-  CHECK(!is_told(faults(column, shifted({0, 0.01, 0})), "moved farther than its neighbours", "column~column"));
   CHECK(is_told(faults(top, shifted({0, -0.88, 0})), "gone into other parts", "top~top"));
+  blend.parts[column].needless_turn = 1;
+  CHECK(is_told(faults(column, [](Points&) {}), "more than it has to", "column~column"));
+  // What is worse costs more, and every measure has a tolerance, a name and a meaning
+  const Blend_quality good = checked(column, [](Points&) {}).quality;
+  for (const Blend_measure& measure : blend_measures()) {
+    Blend_quality bad = good;
+    bad.*measure.value += measure.tolerance;
+    CHECK(internal::cost_of(bad, blend) == Approx(internal::cost_of(good, blend) + 1));
+    CHECK(std::string(measure.meaning).size() > std::string(measure.name).size());
+  }
 }
 
-TEST_CASE("The tree of a part goes where the part goes, whatever moves it, and stays the same object")
+TEST_CASE("Parts turn by the least rotation between their boxes")
 {
-  const Box_model model = model_of(stand());
-  const std::array<internal::Blend_input, 2> inputs = {internal::Blend_input{model.graph, model.shape, 0},
-                                                       internal::Blend_input{model.graph, model.shape, 0}};
-  const internal::Blend_structure blend(inputs, same_parts(3), {});
-  internal::In_between_shape shape(blend, internal::Task_times(3, std::array<double, 2>{0., 1.}), 0.5);
-  const auto is_around = [&](std::size_t part) {
-    return shape.tree(part).box().isApprox(internal::box_of(shape.points(part)));
-  };
-  const auto* tree = &shape.tree(1);
-  CHECK(is_around(1));
-  shape.apply({Point::Zero(), Point(0, 0.2, 0), Eigen::Matrix3d::Zero()}, 1);
-  CHECK(is_around(1));
-  shape.stretch({Point::Zero(), Point::Zero(), 0.1 * Eigen::Matrix3d::Identity()}, 1);
-  CHECK(is_around(1));
-  shape.moving_points(1) *= 2;
-  CHECK(is_around(1));
-  CHECK(&shape.tree(1) == tree);
-  shape.moving_points(2).row(0).array() += 1;
-  CHECK(shape.trees()[2]->box().isApprox(internal::box_of(shape.points(2))));
-  shape.drop_trees();
-  CHECK(is_around(2));
+  // The same plate, once described from above and once from one side: it does not turn
+  std::vector<Named_box> boxes = stand();
+  boxes[2].size = {0.8, 0.5, 0.6};
+  boxes[2].middle.y() = 1.15;
+  const Box_model source = model_of(boxes);
+  boxes[2].size = {0.5, 0.8, 0.6};
+  boxes[2].middle.y() = 1.3;
+  const Box_model target = model_of(boxes);
+  const Shape_blend blend = blend_of(source, target, same_parts(3));
+  for (double t : {0.25, 0.5, 0.75}) {
+    CHECK(blend.check(t).quality.rotation < 1e-6);
+    const contacts_box box = box_of(blend(t).parts()[2]);
+    const double done = internal::eased(t), scale = box.sizes().z() / 0.6;
+    CHECK(box.sizes().x() / scale == Approx(0.8 - 0.3 * done).epsilon(0.02));
+  }
 }
 
 TEST_CASE("What is not symmetric any more is told, with the part")
@@ -196,8 +220,7 @@ TEST_CASE("What is not symmetric any more is told, with the part")
                                                        internal::Blend_input{model.graph, model.shape, 0}};
   const internal::Blend_structure blend(inputs, same_parts(4), {});
   const auto faults = [&](std::size_t part, double by) {
-    internal::In_between_shape shape =
-        internal::in_between_shape(blend, internal::Task_times(4, std::array<double, 2>{0., 1.}), 0.5);
+    internal::In_between_shape shape(blend, internal::Task_times(4, std::array<double, 2>{0., 1.}), 0.5);
     shape.moving_points(part).row(0).array() += by;
     return internal::check(shape).faults;
   };
@@ -237,24 +260,28 @@ TEST_CASE("Size goes over by equal factors in equal times; either shape may be g
     CHECK(height_of(blended(Blend_size::TARGET)(t)) == Approx(scale));
     CHECK(height_of(blended(Blend_size::SAME)(t)) == Approx(1));
   }
-  // One shape in two units and elsewhere is scaled about one point
+  // Elsewhere in its file, and turned there, it stands on the same stage
   Box_model away{Segmented_shape("away"), {}};
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.4, Point::UnitY()).toRotationMatrix();
   for (const Shape_part& part : target.shape.parts())
-    away.shape.add_part(part.name, {part.mesh.points.colwise() + Point(13, 5, 0), part.mesh.triangles});
+    away.shape.add_part(part.name, {(turn * part.mesh.points).colwise() + Point(13, 5, 0), part.mesh.triangles});
   Structure_options options;
   options.abstraction.abstractor = Bounding_box_abstraction();
   away.graph = build_structural_graph(away.shape, options);
-  const Shape_blend moving = blend_of(source, away, same_parts(3));
-  const Point fixed = -Point(13, 5, 0) / (scale - 1); // of the map from the source to the target
-  const auto foot = [&](double t) {
-    const Segmented_shape shape = moving(t);
-    const Points& points = shape.parts()[0].mesh.points;
-    return Point((points.rowwise().minCoeff() + points.rowwise().maxCoeff()) / 2);
-  };
-  CHECK((foot(0.5) - fixed).norm() == Approx(std::sqrt(scale) * (foot(0) - fixed).norm()).epsilon(1e-3));
+  for (const Shape_blend& blend : {blend_of(source, away, same_parts(3)), blend_of(away, source, same_parts(3))})
+    for (double t : {0., 0.2, 0.5, 0.8, 1.}) {
+      contacts_box box;
+      const Segmented_shape shape = blend(t);
+      for (const Shape_part& part : shape.parts())
+        box.extend(box_of(part));
+      CHECK(std::abs(box.min().y()) < 1e-3 * box.sizes().y());
+      CHECK(box.center().x() == Approx(0).margin(0.02 * box.sizes().x()));
+      CHECK(box.center().z() == Approx(0).margin(0.02 * box.sizes().z()));
+      CHECK(blend.check(t).quality.height < 1e-6);
+    }
 }
 
-TEST_CASE("Pairs that are not believed shrink and grow")
+TEST_CASE("Pairs that are not believed are no morphs; parts of the kind, alike in place and size, are exchanged")
 {
   const Box_model model = model_of(stand());
   Correspondence correspondence = same_parts(3);
@@ -271,11 +298,17 @@ TEST_CASE("Pairs that are not believed shrink and grow")
   };
   CHECK(morphs(0) == 3);
   CHECK(morphs(0.5) == 2);
+  const Shape_blend unsure = blend_of(model, model, correspondence);
+  const Blend_task& task = unsure.schedules()[0].tasks[2];
+  CHECK(task.type == Blend_task_type::EXCHANGE);
+  CHECK(task.exchange == Blend_exchange::UNMATCHED);
+  CHECK(task.source == 2);
+  CHECK(task.target == 2);
   correspondence.pairs[2].confidence = std::numeric_limits<double>::quiet_NaN(); // not told: believed
   CHECK(morphs(0.5) == 3);
 }
 
-TEST_CASE("No schedule has idle time; all motions start and stop gently")
+TEST_CASE("All motions start and stop gently, by any schedule")
 {
   std::vector<Named_box> wide = stand();
   wide[2].size.x() = 2;
@@ -290,8 +323,6 @@ TEST_CASE("No schedule has idle time; all motions start and stop gently")
     options.schedule = name;
     const Shape_blend blend = blend_of(source, target, same_parts(3), options);
     REQUIRE(blend.schedules().size() == 1);
-    if (name != "from the ground up") CHECK(width(blend(0.25)) > 1.1);
-    CHECK(width(blend(0.75)) < 1.95);
     CHECK(width(blend(0.02)) < 1.01);
     CHECK(width(blend(0.98)) > 1.99);
   }
@@ -324,6 +355,6 @@ TEST_CASE("A schedule may be chosen; blends by different ones differ, and the be
                         std::abs(height_of(first) - height_of(second)) > 1e-3 ||
                         (first.parts()[2].mesh.points - second.parts()[2].mesh.points).norm() > 1e-3;
   CHECK(is_other);
-  // Nothing that shrinks or grows: all but the one that goes from the ground up are the same
+  // Nothing that moves, shrinks or grows: all are the same
   CHECK(blend_of(source, source, same_parts(3), options).different_blends().size() == 1);
 }

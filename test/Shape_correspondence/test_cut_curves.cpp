@@ -63,7 +63,7 @@ TEST_CASE("Cutting: a post turns into the pieces of another by their places, how
       CHECK(image.target.count == 1);
       // Fitted, a segment is the piece itself
       const Sampled_part piece = segment(whole.parts[image.source.part], image.source.index, 3);
-      CHECK(deformed(piece, pieces.parts[image.target.part]).isApprox(piece.samples, 1e-9));
+      CHECK(deform_to_fit(piece, pieces.parts[image.target.part]).isApprox(piece.samples, 1e-9));
     }
 
     const Group_label join = cut_curves(pieces, to, whole, match_groups(pieces, to, whole, from));

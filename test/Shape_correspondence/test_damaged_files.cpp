@@ -6,7 +6,7 @@
 // Files that are cut off, or made to harm: each is read, or is an error that names it, within moments.
 
 #include "hand_made_graphs.h"
-#include "io/system/isolated.h"
+#include "io/system/run_program.h"
 #include "model_files.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
@@ -225,24 +225,76 @@ TEST_CASE("A grid of more points than an int can count, most of which are not th
              Contains("grid[1] is not an array"));
 }
 
-TEST_CASE("What breaks the process that it is read in is an error that names the file")
+TEST_CASE(
+    "A program that reads a file and is missing, crashes, hangs or is another one is an error that names the file")
 {
-  const auto outcome = [](const std::function<std::string()>& work) {
-    return complaint([&] { IO::run_isolated("a.fbx", work); });
+  const Temporary_folder folder;
+  const std::string model = folder.write("a.fbx", "x"), program = folder.path("import");
+  setenv("SHAPE_CORRESPONDENCE_IMPORT", program.c_str(), 1);
+  const auto complaint_of = [&](const std::string& script) {
+    folder.write("import", "#!/bin/sh\n" + script + "\n");
+    fs::permissions(program, fs::perms::owner_all);
+    return read_complaint(model);
   };
-  CHECK(IO::run_isolated("a.fbx", [] { return std::string(1 << 20, 'x'); }) == std::string(1 << 20, 'x'));
-  CHECK(IO::run_isolated("a.fbx", [] { return std::string(); }).empty());
-  CHECK(outcome([]() -> std::string { throw Invalid_input("a.fbx: refused"); }) == "a.fbx: refused");
-  CHECK_THAT(outcome([]() -> std::string { throw std::logic_error("odd"); }), Contains("a.fbx") && Contains("odd"));
-  CHECK_THAT(outcome([]() -> std::string { std::abort(); }), Contains("a.fbx") && Contains("makes its reader crash"));
-  CHECK_THAT(outcome([]() -> std::string {
-               std::raise(SIGKILL);
-               return "";
-             }),
-             Contains("a.fbx"));
-#ifndef __SANITIZE_ADDRESS__
-  CHECK_THAT(outcome([] { return std::string(std::size_t(3) << 30, 'x'); }), Contains("a.fbx") && Contains("memory"));
-#endif
+  CHECK_THAT(read_complaint(model), Contains(model) && Contains(program) && Contains("cannot be started"));
+  CHECK_THAT(complaint_of("kill -SEGV $$"), Contains(model) && Contains("makes its reader crash (Segm"));
+  CHECK_THAT(complaint_of("kill -XCPU $$"), Contains("60 seconds of processor time"));
+  CHECK_THAT(complaint_of("exit 3"), Contains("2 GB of memory"));
+  CHECK_THAT(complaint_of("exit 1"), Contains("makes its reader crash"));
+  CHECK_THAT(complaint_of("echo hello"), Contains("another version"));
+  const std::string begin = "printf 'shape_correspondence import 1\\n";
+  CHECK_THAT(complaint_of(begin + "e%s is refused' \"$2\""), Contains(model + ": inside is refused"));
+  CHECK_THAT(complaint_of(begin + "c12345678'"), Contains("damaged"));
+  // Nothing is open in it, nothing can be read, and what it says of errors is unheard
+  const std::string listing = "[ -z \"$(cat)\" ] && echo unheard >&2 && ls /proc/self/fd | tr '\\n' ' '";
+  CHECK(IO::run_program("/bin/sh", {"-c", listing}, std::chrono::seconds(10)).output == "0 1 2 3 "); // 3: of ls
+  const IO::Program_run run =
+      IO::run_program("/bin/sh", {"-c", "echo a; exec sleep 60"}, std::chrono::milliseconds(200));
+  CHECK(run.took_too_long);
+  CHECK(run.output == "a\n");
+  unsetenv("SHAPE_CORRESPONDENCE_IMPORT");
+  CHECK_THAT(read_complaint(model), Contains(model) && Contains("extension"));
+}
+
+TEST_CASE("Of the files that a model names only those of its folder are read, unless it is said")
+{
+  const Temporary_folder folder;
+  fs::create_directories(folder.path("m/parts"));
+  folder.write("m/in.obj", "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n");
+  std::string floats;
+  for (float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f})
+    floats.append(reinterpret_cast<const char*>(&x), sizeof x);
+  folder.write("out.bin", floats);
+  const auto gltf = [&](const std::string& uri) {
+    return folder.write(
+        "m/a.gltf",
+        R"({"asset":{"version":"2.0"},"buffers":[{"uri":")" + uri +
+            R"(","byteLength":36}],"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,)"
+            R"("count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+            R"("nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0})");
+  };
+  IO::Reading_options outside;
+  outside.allow_outside_files = true;
+  const std::string file = gltf("../out.bin");
+  CHECK(!read_complaint(file).empty());
+  CHECK(IO::read_segmented_shape(file, Point::UnitY(), nullptr, outside).parts().size() == 1);
+  fs::create_symlink(folder.path("out.bin"), folder.path("m/linked.bin"));
+  CHECK(!read_complaint(gltf("linked.bin")).empty());
+  fs::copy(folder.path("out.bin"), folder.path("m/own.bin"));
+  CHECK(read_complaint(gltf("own.bin")).empty());
+}
+
+TEST_CASE("Counts that a file claims take no memory before the file has shown what it counts")
+{
+  const Temporary_folder folder;
+  const std::string header =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uint double vertex_indices\nend_header\n";
+  const std::string count("\x00\x00\x10\x00", 4), rest(1 << 20, '\0'); // 2^20 doubles are claimed, 2^17 are there
+  CHECK_THAT(read_complaint(folder.write("a.ply", header + count + rest)), Contains("a list of 1048576 numbers"));
+  const std::string large = folder.write("large.obj", "o a\n");
+  fs::resize_file(large, std::uintmax_t(3) << 30);
+  CHECK_THAT(read_complaint(large), Contains("larger than 2 GB"));
 }
 
 TEST_CASE("A small COLLADA file of a thousand million instances is an error within seconds")

@@ -170,11 +170,11 @@ TEST_CASE("Contacts of the models in data are the parts that a brute-force dista
   }
 }
 
-TEST_CASE("An arm that touches the back twice has a contact of two regions")
+TEST_CASE("An arm that touches the back twice has a contact of two regions, the larger one first")
 {
-  // An arm like a C: a bar away from the back, and two bars that reach it
+  // An arm like a C: a bar away from the back, and two bars that reach it, the upper one thicker
   const Part_mesh pieces[] = {box({0.3, 1, 0}, {0.05, 0.6, 0.05}), box({0.15, 0.75, 0}, {0.3, 0.04, 0.05}),
-                              box({0.15, 1.25, 0}, {0.3, 0.04, 0.05})};
+                              box({0.15, 1.25, 0}, {0.3, 0.08, 0.05})};
   Part_mesh arm = pieces[0];
   for (int i = 1; i < 3; ++i) {
     const Eigen::Index points = arm.points.cols(), triangles = arm.triangles.cols();
@@ -193,8 +193,8 @@ TEST_CASE("An arm that touches the back twice has a contact of two regions")
     return evaluate(found.parts[0], parameters[0]).y();
   };
   const double one = height(found.contacts[0].parameters), other = height(found.contacts[0].further[0]);
-  CHECK(std::min(one, other) == Approx(0.75).margin(0.02));
-  CHECK(std::max(one, other) == Approx(1.25).margin(0.02));
+  CHECK(one == Approx(1.25).margin(0.02));
+  CHECK(other == Approx(0.75).margin(0.02));
   for (const Contact& contact : contacts_of(chair()).contacts)
     CHECK(contact.further.empty());
 }
@@ -271,4 +271,31 @@ TEST_CASE("Contacts without meshes")
   }
   CHECK(pairs.count({"front_leg_l", "front_leg_r"}) == 0);
   CHECK(pairs.count({"stretcher_l", "rail"}) == 0);
+}
+
+TEST_CASE("A contact may be at a closest pair of points")
+{
+  // A board that leans away from a box, 0.01 from it at its lower edge, at height 0.2
+  Part_mesh board = box({0, 0, 0}, {.2, 2, 1});
+  board.points = Eigen::AngleAxisd(-EIGEN_PI / 9, Point::UnitZ()).toRotationMatrix() * board.points;
+  const Eigen::Index corner = [&] {
+    Eigen::Index nearest;
+    board.points.row(0).minCoeff(&nearest);
+    return nearest;
+  }();
+  const Point shift = Point(.51, .2, 0) - Point(board.points(0, corner), board.points(1, corner), 0);
+  board.points.colwise() += shift;
+  Segmented_shape shape("box and board");
+  shape.add_part("a", box({0, 0.5, 0}, {1, 1, 1}));
+  shape.add_part("b", board);
+  const std::vector<Part_abstraction> parts = quick_parts(shape);
+  const auto height_on_board = [&](bool closest_points) {
+    Contact_options options;
+    options.closest_points = closest_points;
+    std::vector<std::string> warnings;
+    const std::vector<Contact> contacts = detect_contacts(shape, parts, frame_of(parts), options, warnings);
+    REQUIRE(contacts.size() == 1);
+    return evaluate(parts[1], contacts[0].parameters[1]).y();
+  };
+  CHECK(height_on_board(true) < height_on_board(false) - 0.01);
 }

@@ -23,8 +23,13 @@
 #include <new>
 #include <random>
 #include <string>
+#include <type_traits>
 
 using namespace CGAL::Shape_correspondence;
+
+// The search keeps the energy by reference
+static_assert(!std::is_constructible_v<Exact_search, Pairwise_energy>);
+
 using namespace hand_made;
 
 // Allocations of the whole program, counted. Inlined, free() would be seen, and malloc() not, which g++ warns of

@@ -5,6 +5,8 @@
 #include "blend/Blend_part.h"
 #include "blend/Part_morph.h"
 #include "blend/Rest_surface.h"
+#include "blend/Thinning_part.h"
+#include "blend/pair_boxes.h"
 #include "blend_checks.h"
 #include "box_models.h"
 #include "map/Chart_outline.h"
@@ -20,9 +22,10 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <variant>
 #include <vector>
 
-// Surfaces that are exchanged because one would be torn on its way to the other, and coordinates that do not tear.
+// Surfaces that are exchanged, boxes of pairs, parts that thin, and coordinates that do not tear.
 
 using namespace CGAL::Shape_correspondence;
 using Catch::Matchers::Contains;
@@ -74,8 +77,8 @@ TEST_CASE("Surfaces of which one would be torn on its way to the other are excha
     CHECK((first + 1)->begin == tasks[2].begin);
     CHECK((first + 1)->end == 1);
     const auto at = std::size_t(first - surfaces.begin());
-    const auto extent = [&](double t, std::size_t surface) {
-      return internal::box_of(blend.points(t)[surface]).diagonal().norm();
+    const auto extent = [&](double t, std::size_t surface) { // of the thickness
+      return internal::box_of(blend.points(t)[surface]).sizes().minCoeff();
     };
     CHECK(extent(tasks[2].begin, at + 1) < 1e-6);
     CHECK(extent(tasks[2].end, at) < 1e-6);
@@ -102,37 +105,101 @@ TEST_CASE("What is exchanged is as it is at its own end, and goes from there to 
     }
   const Part_mesh board = box_shapes::box({3, 0, 0}, {1, 3, 0.2});
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  const internal::Pair_charts charts{internal::Part_chart::box(hoop.points, axes),
-                                     internal::Part_chart::box(board.points, axes)};
-  for (bool in_boxes : {false, true}) {
-    internal::Part_morph morph(charts, hoop, board);
+  for (bool are_plates : {false, true}) {
+    const auto chart = are_plates ? internal::Part_chart::plate : internal::Part_chart::box;
+    internal::Part_morph morph({chart(hoop.points, axes), chart(board.points, axes)}, hoop, board);
     const std::array<Points, 2> ends = {morph.points(0, 0), morph.points(1, 1)};
-    if (in_boxes)
-      morph.exchange_in_boxes();
-    else
-      morph.exchange();
+    morph.exchange();
     CHECK(morph.is_exchange());
     for (int end : {0, 1}) {
       const Points& own = ends[std::size_t(end)];
       CHECK((morph.points(end, end) - own).cwiseAbs().maxCoeff() < 1e-12);
       const internal::Rest_surface rest(own, morph.triangles(end));
       for (double t : {0.2, 0.5, 0.8}) {
-        const Points half_way = morph.points(end, t), little = morph.points(end, t, 0.1);
+        const Points half_way = morph.points(end, t), little = morph.points(end, t, 0.125);
         CHECK(rest.torn_area(half_way, rest.extent(half_way)) == 0);
-        CHECK(internal::box_of(little).sizes().isApprox(0.1 * internal::box_of(half_way).sizes(), 1e-9));
+        // A plate thins, a block shrinks: an eighth of the volume remains
+        const Point left = are_plates ? Point(1, 1, 0.125) : Point(0.5, 0.5, 0.5);
+        const Point sizes = internal::box_of(half_way).sizes();
+        CHECK(internal::box_of(little).sizes().isApprox(left.cwiseProduct(sizes), 1e-9));
         CHECK(internal::box_of(half_way).center().x() == Approx(3 * t).margin(1e-9));
       }
-      CHECK(internal::box_of(morph.points(end, 0.5, 0)).sizes().norm() < 1e-12);
       CHECK(internal::Part_morph::remaining(end, end) == 1);
       CHECK(internal::Part_morph::remaining(end, 0.5) == 1);
       CHECK(internal::Part_morph::remaining(end, 1 - end) == 0);
     }
-    // Across, by equal factors in equal times
     const Point sizes = internal::box_of(morph.points(0, 0.5)).sizes();
     CHECK(sizes.x() == Approx((2.2 + 1) / 2));
-    CHECK(sizes.y() == Approx(std::sqrt(2.2 * 3)));
+    CHECK(sizes.y() == Approx((2.2 + 3) / 2));
     CHECK(sizes.z() == Approx(0.2));
   }
+}
+
+TEST_CASE("A rod that is exchanged for a net is not a block half-way: extents across go by equal factors")
+{
+  const Part_mesh rod = box_shapes::box({0, 0, 0}, {4, 0.1, 0.1}), net = box_shapes::box({0, 0, 0}, {4, 1.6, 0.1});
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  internal::Part_morph morph({internal::Part_chart::box(rod.points, axes), internal::Part_chart::box(net.points, axes)},
+                             rod, net);
+  morph.exchange();
+  CHECK(internal::box_of(morph.points(0, 0.5)).sizes().isApprox(Point(4, 0.4, 0.1)));
+  CHECK(internal::box_of(morph.points(1, 0.5, 0.25)).sizes().isApprox(Point(4, 0.2, 0.05)));
+}
+
+TEST_CASE("The axes of boxes are paired for the least rotation; a box has its own axes where they make it smaller")
+{
+  const auto charts = [](const Part_mesh& a, const Part_mesh& b, const Eigen::Matrix3d& a_axes,
+                         const Eigen::Matrix3d& b_axes) {
+    return internal::pair_boxes({&a.points, &b.points}, {a_axes, b_axes});
+  };
+  Eigen::Matrix3d other; // the same box with its axes in another order
+  other << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  const Part_mesh cushion = box_shapes::box({0, 0, 0}, {1, 0.4, 0.9}), back = box_shapes::box({0, 0, 0}, {1, 0.9, 0.4});
+  CHECK(internal::turn(charts(cushion, back, Eigen::Matrix3d::Identity(), other)) == Approx(0).margin(1e-6));
+  constexpr double angle = 0.6;
+  Part_mesh rod = box_shapes::box({0, 0, 0}, {0.05, 1, 0.05}), slanted = rod;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Point::UnitZ()).toRotationMatrix();
+  slanted.points = turn * slanted.points;
+  CHECK(internal::turn(charts(rod, slanted, Eigen::Matrix3d::Identity(), turn * other)) == Approx(angle));
+  CHECK(internal::change(charts(rod, slanted, Eigen::Matrix3d::Identity(), turn * other)) == Approx(angle));
+}
+
+TEST_CASE("A part without counterpart thins where it is: a rod and a ring to a curve, a plate to its plane and a line")
+{
+  const auto thinning = [](const Part_mesh& mesh, const std::variant<Curve, Sheet>& geometry) {
+    Part_abstraction part;
+    part.geometry = geometry;
+    const internal::Part_chart chart = internal::Part_chart::around(part, part.control_points(), mesh.points);
+    return internal::Thinning_part(part, part.control_points(), chart, mesh);
+  };
+  const auto sizes = [](const Points& points) -> Point { return internal::box_of(points).sizes(); };
+  const Part_mesh rod = box_shapes::box({0, 0.5, 0}, {0.1, 1, 0.2});
+  Points axis(3, 2);
+  axis << 0, 0, 0, 1, 0, 0;
+  const internal::Thinning_part thin_rod = thinning(rod, Curve{axis, false});
+  CHECK(thin_rod.points(1) == rod.points);
+  CHECK(sizes(thin_rod.points(0.25)).isApprox(Point(0.05, 1, 0.1), 1e-6));
+  CHECK(thin_rod.place({0.05, 0.3, 0.1}, 0.25).isApprox(Point(0.025, 0.3, 0.05), 1e-6));
+
+  const Part_mesh plate = box_shapes::box({0, 0, 0}, {1, 0.04, 0.6});
+  Points corners(3, 4);
+  corners << -0.5, -0.5, 0.5, 0.5, 0, 0, 0, 0, -0.3, 0.3, -0.3, 0.3;
+  const internal::Thinning_part thin_plate = thinning(plate, Sheet{corners, 2, 2});
+  CHECK(sizes(thin_plate.points(0.5)).isApprox(Point(1, 0.02, 0.6), 1e-6));
+  CHECK(sizes(thin_plate.points(0.2)).isApprox(Point(1, 0.008, 0.3), 1e-6));
+  CHECK(sizes(thin_plate.points(0)).isApprox(Point(1, 0, 0), 1e-6));
+
+  const Part_mesh block = box_shapes::box({0, 0, 0}, {1, 0.8, 0.6});
+  CHECK(sizes(thinning(block, Sheet{corners, 2, 2}).points(0.125)).isApprox(Point(0.5, 0.4, 0.3), 1e-6));
+
+  constexpr int around = 24;
+  Points circle(3, around);
+  for (int i = 0; i < around; ++i)
+    circle.col(i) << std::cos(2 * EIGEN_PI * i / around), std::sin(2 * EIGEN_PI * i / around), 0;
+  Part_mesh tyre = box_shapes::box({0, 0, 0}, {0.1, 0.1, 0.1});
+  tyre.points.row(0).array() += 1;
+  const Points thin_tyre = thinning(tyre, Curve{circle, true}).points(0.01);
+  CHECK((thin_tyre.colwise() - Point(1, 0, 0)).colwise().norm().maxCoeff() < 0.08);
 }
 
 TEST_CASE("Coordinates relative to outlines: a round one and one with corners are the same disc")

@@ -6,9 +6,8 @@
 #include "model_files.h"
 
 #include "generator/textures.h"
-#include "io/read/assimp_functions.h"
 
-#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <assimp/Exporter.hpp>
@@ -48,7 +47,7 @@ TEST_CASE("Models in formats that assimp writes have their parts, materials and 
       continue;
     }
     Shape_appearance looks;
-    const Segmented_shape shape = IO::read_segmented_shape(folder.path(file), Point::UnitY(), nullptr, &looks);
+    const Segmented_shape shape = IO::read_shape_and_appearance(folder.path(file), looks);
     REQUIRE(shape.parts().size() == 2);
     CHECK(looks.warnings.empty());
     for (std::size_t part = 0; part < 2; ++part) {
@@ -62,14 +61,4 @@ TEST_CASE("Models in formats that assimp writes have their parts, materials and 
       if (!is_seat) CHECK(looks.textures.at(std::size_t(material.texture)).bytes == gen::test_picture());
     }
   }
-}
-
-TEST_CASE("A library of assimp that is missing is an error, and the next one is tried")
-{
-  CHECK_THROWS_WITH(IO::loaded_assimp_functions({"libno_assimp.so.0", "libno_other.so.0"}),
-                    Contains("assimp, which cannot be loaded") && Contains("libno_assimp.so.0") &&
-                        Contains("install it"));
-  CHECK_THROWS_WITH(IO::loaded_assimp_functions({"libno_assimp.so.0", "libc.so.6"}), Contains("lacks a function"));
-  CHECK(&IO::assimp_functions() == &IO::assimp_functions());
-  CHECK(IO::assimp_functions().import_file == &aiImportFileExWithProperties); // of the library that is linked here
 }

@@ -7,10 +7,12 @@
 
 #include "hand_made_graphs.h"
 #include "io/system/atomic_file.h"
+#include "io/system/checked_file.h"
 #include "program.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 
+#include <array>
 #include <csignal>
 #include <map>
 #include <sys/stat.h>
@@ -146,6 +148,25 @@ TEST_CASE("Standard output that is full is an error of every command")
     const std::string command = quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " " + arguments + " >/dev/full 2>/dev/null";
     CHECK(WEXITSTATUS(std::system(command.c_str())) == 1);
   }
+}
+
+TEST_CASE("Files that may not grow any more are an error that names the output, and leave nothing behind")
+{
+  const Temporary_folder folder;
+  const std::string model = quoted(folder.write("table.obj", obj_table())), error = folder.path("error");
+  const std::string limited = "ulimit -f 2; " + quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " ";
+  fs::create_directories(folder.path("out"));
+  const auto status_of = [&](const std::string& arguments) {
+    const int status = std::system((limited + arguments + " >/dev/null 2>" + quoted(error)).c_str());
+    REQUIRE(WIFEXITED(status));
+    return WEXITSTATUS(status);
+  };
+  const std::string output = folder.path("out/o");
+  CHECK(status_of("graph " + model + " --glb " + quoted(output + ".glb")) == 1);
+  CHECK_THAT(text_of(error), Contains(output + ".glb: it cannot be written (File too large)"));
+  CHECK(status_of("blend " + model + " " + model + " --frames 2 --format obj -o " + quoted(output)) == 1);
+  CHECK_THAT(text_of(error), Contains(output + "/frame") && Contains("File too large") && !Contains(".tmp-"));
+  CHECK(files_of(folder.path("out")) == 0);
 }
 
 #if defined(SHAPE_CORRESPONDENCE_FAILING_CALLS) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -329,6 +350,116 @@ TEST_CASE("A damaged graph or tile of a store is made again, with a warning")
   CHECK(with_tile.out == expected);
   CHECK_THAT(with_tile.error, Contains("warning") && Contains("damaged"));
   CHECK(run(command).error.empty());
+}
+
+namespace {
+
+/// A folder of six models, all of which differ.
+std::string write_tables(const Temporary_folder& folder)
+{
+  for (int i = 0; i < 6; ++i) {
+    const std::string name = "shapes/" + std::to_string(i) + ".obj";
+    folder.write(name, obj_table() + obj_box("o extra", 5, -0.5, 0.1 + 0.1 * i, -0.5, 1, 0.02, 0.1));
+  }
+  return folder.path("shapes");
+}
+
+/// What a store has of graphs: file names, which tell the contents, and contents.
+std::map<std::string, std::string> graphs_of(const std::string& store)
+{
+  std::map<std::string, std::string> result;
+  for (const std::string sub : {"graphs", "cache"}) {
+    if (!fs::exists(store + "/" + sub)) continue;
+    for (const auto& entry : fs::directory_iterator(store + "/" + sub))
+      if (entry.is_regular_file()) result[entry.path().filename().string()] = text_of(entry.path().string());
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("A shape of a collection that fails does not harm the graphs of others, on however many threads")
+{
+  constexpr int runs = 8; // of each failure on each number of threads
+  const Temporary_folder folder;
+  const std::string shapes = write_tables(folder), store = folder.path("store"), whole = folder.path("whole"),
+                    error = folder.path("error"), program = quoted(SHAPE_CORRESPONDENCE_PROGRAM);
+  const std::string expected = run("collection " + shapes + " --json - --threads 1 --store " + quoted(whole)).out;
+  const std::map<std::string, std::string> right = graphs_of(whole);
+  const fs::path blocked = fs::directory_iterator(whole + "/graphs")->path().filename();
+  std::uintmax_t longest = 0;
+  for (const auto& [name, text] : right)
+    longest = std::max<std::uintmax_t>(longest, text.size());
+  REQUIRE(right.size() == 12);
+  const auto try_often = [&](const std::string& before, const std::string& message, const auto& prepare) {
+    for (const std::string threads : {"1", "2", "8"}) {
+      for (int i = 0; i < runs; ++i) {
+        INFO(message << ", " << threads << " threads");
+        fs::remove_all(store);
+        prepare();
+        const std::string command = before + program + " collection " + quoted(shapes) + " -q --json - --store " +
+                                    quoted(store) + " --threads " + threads;
+        const int status = std::system((command + " >/dev/null 2>" + quoted(error)).c_str());
+        REQUIRE(WIFEXITED(status));
+        REQUIRE(WEXITSTATUS(status) == 1);
+        REQUIRE_THAT(text_of(error), Contains(message));
+        for (const auto& [name, text] : graphs_of(store)) {
+          INFO(name);
+          REQUIRE(right.count(name) == 1);
+          REQUIRE(right.at(name) == text);
+        }
+      }
+    }
+    fs::remove_all(store + "/graphs");
+    CHECK(run("collection " + shapes + " --json - --store " + quoted(store)).out == expected);
+  };
+  SECTION("one graph cannot be written")
+  {
+    try_often("", blocked.string(), [&] { fs::create_directories(fs::path(store) / "graphs" / blocked); });
+  }
+  SECTION("the disk is full")
+  {
+    const std::string limit = "trap '' XFSZ; ulimit -f " + std::to_string(longest / 1024) + "; ";
+    try_often(limit, "cannot be written", [] {});
+  }
+  SECTION("one input is bad")
+  {
+    const std::string good = text_of(shapes + "/3.obj");
+    folder.write("shapes/3.obj", good + "f 1 2 900\n");
+    const auto prepare = [] {};
+    try_often("", "3.obj", prepare);
+    folder.write("shapes/3.obj", good);
+  }
+}
+
+TEST_CASE("Graphs of a cache that are damaged, but not in their digests, are made again, with a warning")
+{
+  const Temporary_folder folder;
+  const std::string model = quoted(folder.write("table.obj", obj_table())), cache = quoted(folder.path("cache"));
+  const std::string command = "graph " + model + " --json - --cache " + cache;
+  const std::string expected = run(command).out;
+  const std::string entry = file_in(folder.path("cache")), kept = text_of(entry);
+  const std::size_t line = kept.find('\n') + 1;
+  const std::string content = fs::path(entry).stem().string();
+  const auto damaged = [&](const std::string& key, const std::string& from, const std::string& to) {
+    std::string text = kept.substr(line);
+    const std::size_t at = text.find(from, text.find(key));
+    REQUIRE(at != std::string::npos);
+    text.replace(at, from.size(), to);
+    IO::write_checked_file(entry, "shape_correspondence cache entry " + content, text);
+  };
+  for (const auto& [key, from, to] :
+       std::vector<std::array<std::string, 3>>{{"\"contacts\"", "\"leg_1\"", "\"top\""},  // of a part with itself
+                                               {"\"contacts\"", "\"leg_1\"", "\"none\""}, // of a part that there is not
+                                               {"\"groups\"", "\"leg_1\"", "\"leg_2\""},  // in two groups
+                                               {"\"content\"", content, "0"}}) {
+    INFO(key << ": " << to);
+    damaged(key, from, to);
+    const Run again = run(command);
+    CHECK(again.out == expected);
+    CHECK_THAT(again.error, Contains("warning") && Contains("damaged"));
+    CHECK(text_of(entry) == kept);
+  }
 }
 
 TEST_CASE("What killed processes left behind is removed by the next that writes there")

@@ -106,7 +106,9 @@ TEST_CASE("A curve that is cut corresponds by its segments, in either direction"
 
 TEST_CASE("The parts of the energy add up")
 {
-  const Correspondence c = find_correspondence(chair(), slatted_chair(), least_energy());
+  Search_options options = least_energy();
+  options.both_directions = false;
+  const Correspondence c = find_correspondence(chair(), slatted_chair(), options);
   CHECK(c.energy == Approx(c.terms.distortion + 0.6 * c.terms.connectedness + 0.4 * c.terms.split));
   Energy_terms sum;
   for (const Contact_energy& contact : c.contacts) {
@@ -121,6 +123,13 @@ TEST_CASE("The parts of the energy add up")
     groups += match.energy;
     CHECK(match.energy == Approx(match.distortion + 0.6 * match.connectedness));
     ratios.push_back(match.solidity_ratio);
+  }
+  for (const Group_match& match : c.groups) { // either group of a contact has half of its energy
+    double half = 0;
+    for (const Contact_energy& contact : c.contacts)
+      for (std::size_t part : contact.parts)
+        half += std::count(match.source.begin(), match.source.end(), part) > 0 ? contact.distortion / 2 : 0;
+    CHECK(match.distortion == Approx(half).margin(1e-12));
   }
   CHECK(split_energy(ratios) == Approx(c.terms.split));
   CHECK(groups == Approx(c.energy - 0.4 * c.terms.split));
@@ -141,6 +150,9 @@ TEST_CASE("The shape that deforms at less energy per connected pair is deformed"
     CHECK(c.direction == Direction::TARGET_TO_SOURCE);
     CHECK(c.energy == Approx(1.2));
     CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {1, 1}, {1, 2}, {1, 3}});
+    options.direction_by_energy = true; // as in the paper
+    CHECK(find_correspondence(one, three, options).direction == Direction::SOURCE_TO_TARGET);
+    CHECK(find_correspondence(one, three, options).energy == Approx(1));
     options.both_directions = false;
     CHECK(find_correspondence(one, three, options).energy == Approx(1));
     CHECK(find_correspondence(three, one, options).energy == Approx(1.2));
@@ -213,6 +225,11 @@ TEST_CASE("The paper's method: beam search of all alignments, coarse in the sour
   CHECK(c.direction == Direction::SOURCE_TO_TARGET);
   CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {1, 1}, {1, 2}, {1, 3}});
   CHECK(c.unmatched_source == std::vector<std::size_t>{2, 3, 4, 5});
+  int runs = 0;
+  coarse.alignments = 1;
+  coarse.progress = [&](double) { return ++runs > 0; };
+  find_correspondence(chair(), slatted_chair(), coarse);
+  CHECK(runs == 1);            // the whole target is not deformed into a coarse source
   coarse.coarse_target = true; // no slat is among the two of the target
   for (const Part_correspondence& pair : find_correspondence(chair(), slatted_chair(), coarse).pairs)
     CHECK((pair.target == 0 || pair.target > 3));

@@ -291,7 +291,10 @@ TEST_CASE("CSV: every name is one field")
       fields.back() += csv[i];
   }
   fields.erase(fields.begin());
-  CHECK(fields == in_utf8(names));
+  Names expected = in_utf8(names);
+  for (std::string& name : expected) // what a spreadsheet would take for a formula
+    if (std::string("=+-@\t\r").find(name[0]) != std::string::npos) name.insert(0, "'");
+  CHECK(fields == expected);
 }
 
 TEST_CASE("GLB and web pages hold the names in their JSON")

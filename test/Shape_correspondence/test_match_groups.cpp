@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "aligned_graphs.h"
+#include "energy/Unit_box.h"
 #include "energy/match_groups.h"
 
 #include <catch2/catch.hpp>
@@ -79,4 +80,11 @@ TEST_CASE("Solidity ratio: of groups of different sizes, without rotation")
   CHECK(solidity_ratio(group(1, .8), group(1, .2)) == 1);
   CHECK(solidity_ratio(group(2, .8), group(2, .2)) == 1);
   CHECK(solidity_ratio(group(1, .8), group(3, .2, Symmetry_type::ROTATION)) == 1);
+}
+
+TEST_CASE("Unit boxes: a group fills its own, and is in the middle of an axis along which it is flat")
+{
+  const internal::Unit_box box(Eigen::AlignedBox3d(Point(1, 2, 5), Point(3, 3, 5.01)));
+  CHECK(box({1, 2, 5}).isApprox(Point(0, 0, .5)));
+  CHECK(box({3, 2.5, 5.01}).isApprox(Point(1, .5, .5)));
 }

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <memory>
 #include <sstream>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -219,9 +220,33 @@ TEST_CASE("A shape between two categories is of neither, a shape like one of the
   CHECK(part_roles(odd.graph, model).category.empty());      // it is as far from chairs as from seats
 }
 
+TEST_CASE("A prepared shape is matched with two models by several threads at once")
+{
+  const std::deque<Furniture> shapes = examples();
+  std::vector<Search_options> options(2);
+  std::vector<Correspondence> expected;
+  for (std::size_t k = 0; k < 2; ++k) {
+    Role_training_options training;
+    training.seed = k;
+    options[k].roles = std::make_shared<const Role_model>(train_role_model(labelled(shapes), training));
+    expected.push_back(find_correspondence(shapes[0].graph, shapes[2].graph, options[k]));
+  }
+  for (int repetition = 0; repetition < 5; ++repetition) {
+    const Prepared_shape source(shapes[0].graph), target(shapes[2].graph);
+    std::vector<Correspondence> found(4);
+    std::vector<std::thread> threads;
+    for (std::size_t k = 0; k < found.size(); ++k)
+      threads.emplace_back([&, k] { found[k] = Correspondence_finder(source, options[k % 2])(target); });
+    for (std::thread& thread : threads)
+      thread.join();
+    for (std::size_t k = 0; k < found.size(); ++k)
+      CHECK(found[k].pairs == expected[k % 2].pairs);
+  }
+}
+
 TEST_CASE("What geometry alone matches is as sure as such pairs of the nearest category are right")
 {
-  Role_model_data data = train_role_model(labelled(examples())).data();
+  Role_model_data data = Role_model_access::data(train_role_model(labelled(examples())));
   const std::size_t shelf = data.index("shelf");
   REQUIRE(shelf < data.categories.size());
   const Confidence_weights seldom_right{1, -2};
@@ -233,7 +258,7 @@ TEST_CASE("What geometry alone matches is as sure as such pairs of the nearest c
     Role_model_data one = data; // that knows this category only
     one.categories = {data.categories[category]};
     std::stringstream file;
-    Role_model(std::move(one)).write(file);
+    Role_model_access::model(std::move(one)).write(file);
     options.roles = std::make_shared<const Role_model>(Role_model::read(file, "file"));
     const Correspondence found = find_correspondence(odd.graph, odd.graph, options);
     REQUIRE(found.category.empty());

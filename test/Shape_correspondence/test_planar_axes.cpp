@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "abstraction/fit_sheet.h"
-#include "base/fixed_direction.h"
+#include "base/directions.h"
 #include "base/planar_hull.h"
 
 #include <catch2/catch.hpp>

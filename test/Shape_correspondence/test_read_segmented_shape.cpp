@@ -11,6 +11,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace CGAL::Shape_correspondence;
 using namespace std::string_literals;
 using namespace model_files;
@@ -377,4 +379,38 @@ TEST_CASE("In an OBJ of one object that is one piece materials are parts, in one
   CHECK(IO::read_segmented_shape(folder.write("named.obj", strip + squares + far + "o other\nf 7 8 9 10\n"))
             .parts()
             .size() == 2);
+}
+
+TEST_CASE("Polygons of many corners become triangles in their plane, without a corner that is in many of them")
+{
+  constexpr int corners = 20000;
+  for (const double inner : {1., 0.5}) { // convex, and a star
+    std::ostringstream obj;
+    obj.precision(17);
+    double area = 0;
+    for (int i = 0; i < corners; ++i) {
+      const double radius = i % 2 ? inner : 1, angle = 2 * EIGEN_PI * i / corners;
+      obj << "v " << radius * std::cos(angle) << ' ' << radius * std::sin(angle) << " 3\n";
+      area += inner * std::sin(2 * EIGEN_PI / corners) / 2;
+    }
+    obj << 'f';
+    for (int i = 1; i <= corners; ++i)
+      obj << ' ' << i;
+    const Temporary_folder folder;
+    const Part_mesh mesh = IO::read_segmented_shape(folder.write("a.obj", obj.str() + '\n')).parts()[0].mesh;
+    REQUIRE(mesh.triangles.cols() == corners - 2);
+    Eigen::VectorXi degrees = Eigen::VectorXi::Zero(corners);
+    double sum = 0, turned = 0;
+    for (const auto& t : mesh.triangles.colwise()) {
+      const Point a = mesh.points.col(t[0]), b = mesh.points.col(t[1]), c = mesh.points.col(t[2]);
+      const double twice = (b - a).cross(c - a).z();
+      sum += std::abs(twice) / 2;
+      turned += twice / 2;
+      for (int corner : t)
+        ++degrees[corner];
+    }
+    CHECK(sum == Approx(area));
+    CHECK(turned == Approx(area));
+    CHECK(degrees.maxCoeff() < 1000);
+  }
 }

@@ -97,3 +97,16 @@ TEST_CASE("Components without area are left out, and counted")
   CHECK(segmentation.pieces_left_out == 1);
   CHECK(whole.pieces_left_out == 0);
 }
+
+TEST_CASE("A closed surface without an inside, where the thickness cannot be measured, stays one part")
+{
+  Part_mesh both_sides;
+  both_sides.points.resize(3, 4);
+  both_sides.points << 0.5, 0.58, 0.5, 0.58, 0, 0, 1, 1, 200, 200, 200, 200;
+  both_sides.triangles.resize(3, 4);
+  both_sides.triangles << 0, 0, 1, 1, 1, 3, 0, 2, 3, 2, 2, 3;
+  const Mesh_segmentation segmentation = segment_mesh(both_sides);
+  CHECK(segmentation.shape.parts().size() == 1);
+  CHECK(segmentation.pieces_kept_whole == 1);
+  CHECK(segment_mesh(dumb_bell()).pieces_kept_whole == 0);
+}

@@ -402,3 +402,29 @@ TEST_CASE("Parts as a person wants them")
   CHECK_THROWS_AS(split_parts(table, parts), Invalid_input);
   CHECK_THROWS_AS(split_parts(Segmented_shape("empty")), Invalid_input);
 }
+
+TEST_CASE("A hundred thousand loose pieces are all parts, or are refused with what to do")
+{
+  constexpr int side = 317; // more than 100 000 pieces
+  Part_mesh dust;
+  dust.points.resize(3, 3 * side * side);
+  dust.triangles.resize(3, side * side);
+  for (int i = 0; i < side * side; ++i) {
+    const Point at(i % side, i / side, 0);
+    dust.points.col(3 * i) = at;
+    dust.points.col(3 * i + 1) = at + Point(0.1, 0, 0);
+    dust.points.col(3 * i + 2) = at + Point(0, 0.1, 0);
+    dust.triangles.col(i) << 3 * i, 3 * i + 1, 3 * i + 2;
+  }
+  const Segmented_shape one_object = model({{"dust", dust}});
+  try {
+    split_parts(one_object);
+    FAIL("they were grouped");
+  } catch (const Invalid_input& error) {
+    CHECK_THAT(error.what(), Contains("100489") && Contains("10000") && Contains("--parts file"));
+  }
+  Part_splitting_options options;
+  options.mode = Part_splitting::COMPONENTS;
+  CHECK(split_parts(one_object, options).shape.parts().size() == std::size_t(side * side));
+  CHECK(split_parts(model({{"dust", dust}, {"top", top()}})).decisions[0].find("kept whole") != std::string::npos);
+}

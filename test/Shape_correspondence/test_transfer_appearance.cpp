@@ -303,7 +303,7 @@ TEST_CASE("The program transfers a texture; what it writes reads back")
     CHECK(glb.error.empty());
     REQUIRE(glb.status == 0);
     Shape_appearance looks;
-    const Segmented_shape shape = IO::read_segmented_shape(folder.path(name), Point::UnitY(), nullptr, &looks);
+    const Segmented_shape shape = IO::read_shape_and_appearance(folder.path(name), looks);
     const auto json = nlohmann::json::parse(model_files::text_of(folder.path("t.json")));
     CHECK(json["format"] == "shape_correspondence/transfer");
     CHECK(json["parts"].size() == shape.parts().size());
@@ -319,7 +319,7 @@ TEST_CASE("The program transfers a texture; what it writes reads back")
   const std::string ply = model_files::text_of(folder.path("out.ply"));
   CHECK(ply.find("property int label") != std::string::npos);
   Shape_appearance looks;
-  IO::read_segmented_shape(folder.path("out.ply"), Point::UnitY(), nullptr, &looks);
+  IO::read_shape_and_appearance(folder.path("out.ply"), looks);
   CHECK_FALSE(looks.parts[0].colours.empty());
 }
 

@@ -56,13 +56,6 @@ inline std::vector<Part_label> labels_of(const Structural_graph& graph, const IO
   return labels;
 }
 
-/// What labels.json names as `source`.
-inline std::string family_of(const IO::Labelled_shape& shape)
-{
-  std::ifstream in(shape.file);
-  return nlohmann::json::parse(in).value("source", "");
-}
-
 /// The half of every shape of a category, 0 or 1: whole families, the largest first, each to the smaller half; by turns
 /// where there is but one family.
 inline std::vector<int> halves(const Category& category)
@@ -144,7 +137,7 @@ inline Dataset load_dataset(const std::string& folder, const std::string& cache,
     category.folders.push_back(parts);
     category.graphs.push_back(load_graph(IO::read_segmented_shape(parts, Point::UnitY()), cache));
     category.labels.push_back(labels_of(category.graphs.back(), shape));
-    category.families.push_back(family_of(shape));
+    category.families.push_back(shape.source);
   }
   Dataset dataset;
   for (auto& [name, category] : categories)

@@ -9,6 +9,7 @@
 
 #include "chart.h"
 #include "options.h"
+#include "role_validation.h"
 #include "tables.h"
 
 #include <memory>
@@ -18,70 +19,37 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace experiments {
 
-/// The same, and by halves of the shapes, on one of which constants were set.
-inline void compare_by_halves(const Dataset& dataset, const std::vector<std::pair<std::string, peers::Peer>>& methods,
-                              const std::string& what)
-{
-  write_run_heading(dataset, what, {"half A F1", "half B F1", "across F1"});
-  for (const auto& [name, method] : methods) {
-    const Run of_all = run(dataset, method);
-    write_run_row(name, of_all, f1_of_halves(dataset, of_all));
-  }
-}
-
+/// Also by halves of the shapes, on one of which constants were set.
 inline void ablation(const Dataset& dataset)
 {
   std::vector<std::pair<std::string, peers::Peer>> methods{{"all", ours(default_options())}};
-  const std::pair<const char*, double Part_cost_weights::*> weights[] = {
-      {"no overlap of boxes", &Part_cost_weights::overlap}, {"no extents", &Part_cost_weights::extent},
-      {"no ground contact", &Part_cost_weights::ground},    {"no place", &Part_cost_weights::place},
-      {"no orientation", &Part_cost_weights::orientation},  {"no chamfer distance", &Part_cost_weights::chamfer}};
-  for (const auto& [name, weight] : weights) {
+  const auto add = [&](const char* name, void (*change)(Part_matching_options&)) {
     Search_options options;
-    options.parts.weights.*weight = 0;
+    change(options.parts);
     methods.emplace_back(name, ours(options));
-  }
-  const std::tuple<const char*, double Part_matching_options::*, double> rules[] = {
-      {"best pairs of parts only", &Part_matching_options::excess, 0},
-      {"no confident pairs, so no blocks", &Part_matching_options::confident_excess, 0}};
-  for (const auto& [name, rule, value] : rules) {
-    Search_options options;
-    options.parts.*rule = value;
-    methods.emplace_back(name, ours(options));
-  }
-  const std::pair<const char*, bool Part_matching_options::*> wholes[] = {
-      {"no panels", &Part_matching_options::panels}, {"no support", &Part_matching_options::support}};
-  for (const auto& [name, whole] : wholes) {
-    Search_options options;
-    options.parts.*whole = false;
-    methods.emplace_back(name, ours(options));
-  }
+  };
+  using O = Part_matching_options;
+  add("no overlap of boxes", [](O& o) { o.weights.overlap = 0; });
+  add("no extents", [](O& o) { o.weights.extent = 0; });
+  add("no ground contact", [](O& o) { o.weights.ground = 0; });
+  add("no place", [](O& o) { o.weights.place = 0; });
+  add("no orientation", [](O& o) { o.weights.orientation = 0; });
+  add("no chamfer distance", [](O& o) { o.weights.chamfer = 0; });
+  add("best pairs of parts only", [](O& o) { o.excess = 0; });
+  add("no confident pairs, so no blocks", [](O& o) { o.confident_excess = 0; });
+  add("no panels", [](O& o) { o.panels = false; });
+  add("no support", [](O& o) { o.support = false; });
   Search_options plain;
   plain.parts.panels = plain.parts.support = false;
   methods.emplace_back("no panels or support", ours(plain));
   plain.parts.excess = 2;
   methods.emplace_back("nor their bound: excess 2", ours(plain));
   methods.emplace_back("no symmetry groups", without_symmetry(ours(default_options())));
-  compare_by_halves(dataset, methods, "costs and rules");
-}
-
-/// The graph turned about the up axis, as if its meshes had been.
-inline Structural_graph turned(const Structural_graph& graph, double angle)
-{
-  Structural_graph result = graph;
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Point::UnitY()).toRotationMatrix();
-  Shape_structure& shape = structure(result);
-  for (Part_abstraction& part : shape.parts) {
-    part.surface = (turn * part.surface).eval();
-    std::visit([&](auto& geometry) { geometry.points = (turn * geometry.points).eval(); }, part.geometry);
+  write_run_heading(dataset, "costs and rules", {"half A F1", "half B F1", "across F1"});
+  for (const auto& [name, method] : methods) {
+    const Run of_all = run(dataset, method);
+    write_run_row(name, of_all, f1_of_halves(dataset, of_all));
   }
-  shape.frame.axes = turn * shape.frame.axes;
-  shape.frame.origin = turn * shape.frame.origin;
-  for (std::size_t v = 0; v < num_vertices(result); ++v) {
-    result[v].symmetry.point = turn * result[v].symmetry.point;
-    result[v].symmetry.direction = turn * result[v].symmetry.direction;
-  }
-  return result;
 }
 
 /// A method on shapes that were turned: every source by an angle and every target by another.

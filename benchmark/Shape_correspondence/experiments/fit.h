@@ -8,11 +8,11 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_FIT_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_FIT_H
 
-#include "matching/cross_validate_roles.h"
 #include "matching/match_parts.h"
 #include "matching_constants.h"
 #include "methods.h"
 #include "options.h"
+#include "role_validation.h"
 
 #include <deque>
 #include <map>
@@ -184,32 +184,27 @@ inline std::vector<Variant> variants_of_constants()
 }
 
 /// P, R and F1: means of pairs by category, then of categories.
-inline std::array<double, 3> mean_scores_of(const std::vector<internal::Validated_pair>& pairs,
+inline std::array<double, 3> mean_scores_of(const std::vector<Validated_pair>& pairs,
                                             const std::vector<std::string>& categories,
-                                            Correspondence_score internal::Validated_pair::*score)
+                                            Correspondence_score Validated_pair::*score)
 {
-  std::map<std::string, std::pair<Eigen::Array3d, int>> sums;
-  for (const internal::Validated_pair& pair : pairs) {
-    const Correspondence_score& of_pair = pair.*score;
-    const auto [sum, is_new] = sums.try_emplace(categories[pair.shapes[0]], Eigen::Array3d::Zero(), 0);
-    sum->second.first += Eigen::Array3d(of_pair.precision(), of_pair.recall(), of_pair.f1());
-    ++sum->second.second;
-  }
-  Eigen::Array3d result = Eigen::Array3d::Zero();
-  for (const auto& [category, sum] : sums)
-    result += sum.first / sum.second / double(sums.size());
-  return {result[0], result[1], result[2]};
+  std::vector<Scored_correspondence> scores;
+  for (const Validated_pair& pair : pairs)
+    scores.push_back({categories[pair.shapes[0]], "", "", pair.*score});
+  Evaluation_options no_intervals;
+  no_intervals.resamples = 1;
+  const Mean_score mean = mean_scores(scores, no_intervals).mean;
+  return {mean.precision.mean, mean.recall.mean, mean.f1.mean};
 }
 
 /// `constants DATA [FURTHER_DATA...] [--generated FOLDER]`
 inline void constants(const Dataset& dataset, const Options& options)
 {
-  using namespace internal;
   std::vector<Dataset> datasets = all_datasets(dataset, options);
   const std::size_t labelled = datasets.size();
   if (!options.generated.empty()) datasets.push_back(load(options.generated, options));
   std::vector<Validation_shape> shapes;
-  std::vector<Validation_pair> pairs;
+  std::vector<Shape_pair> pairs;
   std::vector<std::string> categories;
   for (std::size_t d = 0; d < datasets.size(); ++d)
     for (const Category& category : datasets[d]) {

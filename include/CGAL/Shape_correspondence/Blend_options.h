@@ -21,9 +21,9 @@ namespace Shape_correspondence {
 /// The size of in-between shapes. The two models may be in different units.
 enum class Blend_size {
   BLEND,  ///< from the source's size to the target's, by equal factors in equal times
-  SOURCE, ///< the source's size; the target is scaled to its height, about the origin
-  TARGET, ///< the target's size; the source is scaled to its height, about the origin
-  SAME    ///< height 1; both are scaled, about the origin
+  SOURCE, ///< the source's size; the target is scaled to its height
+  TARGET, ///< the target's size; the source is scaled to its height
+  SAME    ///< height 1; both are scaled
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
@@ -33,7 +33,7 @@ struct Blend_options
   /// Largest gap between parts in contact in the source or target, as a fraction of the height, in [0, 1].
   double contact_tolerance = 0.02;
   int samples = 5; ///< number of in-between shapes by which a schedule is rated, 1 to 1000
-  /// Pairs of lower confidence, in [0, 1], are left out: their parts shrink and grow. By default, those that are more
+  /// Pairs of lower confidence, in [0, 1], are left out: their parts thin and thicken. By default, those that are more
   /// probably wrong than right.
   double min_confidence = 0.5;
   Blend_size size = Blend_size::BLEND; ///< size of the in-between shapes

@@ -21,19 +21,21 @@ namespace Shape_correspondence {
 /// \ingroup PkgShapeCorrespondenceMaps
 /// What may happen to a part during a blend.
 enum class Blend_task_type {
-  MORPH,  ///< a part becomes another
-  SPLIT,  ///< a piece of a part becomes another part
-  MERGE,  ///< a part, or a piece of it, becomes a piece of another
-  SHRINK, ///< a part without counterpart vanishes where it touches the others
-  GROW    ///< the inverse of `SHRINK`
+  MORPH,   ///< a part becomes another
+  SPLIT,   ///< a piece of a part becomes another part
+  MERGE,   ///< a part, or a piece of it, becomes a piece of another
+  SHRINK,  ///< a part without counterpart thins where it is until nothing is left
+  GROW,    ///< the inverse of `SHRINK`
+  EXCHANGE ///< of two parts without counterpart, alike in place and size, the one gives way to the other
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
 /// Why the surface of a part does not become that of its counterpart, but is *exchanged* for it on the way.
 enum class Blend_exchange {
-  NONE, ///< it is not
-  TORN, ///< it would be torn or folded
-  THIN  ///< it would be far thinner than at both ends
+  NONE,     ///< it is not
+  TORN,     ///< it would be torn or folded
+  THIN,     ///< it would be far thinner than at both ends
+  UNMATCHED ///< the two do not correspond; neither has a counterpart, and they are alike in place and size
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
@@ -51,21 +53,40 @@ struct Blend_task
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// Measures of an in-between shape against the ends of the blend, the source and the target; 0 is best. Lengths are
-/// fractions of the shape's height.
+/// Measures of an in-between shape; 0 is best. Lengths are fractions of the shape's height. What is *due* is the
+/// interpolation of the source and the target: linear for lengths, and for the cube roots of volumes.
 struct Blend_quality
 {
+  double height = 0;    ///< share by which the shape is higher or lower than is due
+  double hull = 0;      ///< share by which the volume of its convex hull is larger or smaller than is due
+  double volume = 0;    ///< share by which the volume of closed parts is larger or smaller than is due
+  double support = 0;   ///< share by which fewer parts stand on the ground than is due
+  double gone = 0;      ///< share by which a part that both ends have is smaller, across its box, than is due, at most
+  double rotation = 0;  ///< angle in radians by which a part turns beyond the least rotation between its boxes, at most
+  double travel = 0;    ///< how far the middle of a part that both ends have is from where it is due, at most
   double gap = 0;       ///< by how much a contact of parts that stay is wider than at the ends, at most
-  double apart = 0;     ///< how far connected components came apart, at most, before they were reconnected
+  double apart = 0;     ///< by how much wider gaps than at the ends it takes to join all parts
   double asymmetry = 0; ///< root mean square distance from the mirror image, if both ends have a mirror plane in common
   double ground = 0;    ///< how far a part that stands on the ground at both ends is off its height there, at most
   double thinning = 0;  ///< by what fraction a part is thinner than where it is thinnest at the ends, at most
   double area = 0;      ///< by what fraction the surface is larger than at the end where it is larger
-  double volume = 0;    ///< the same for the volume of closed parts
   double torn = 0;      ///< share of the surface that is folded over, or stretched far more than its part
   double overlap = 0;   ///< share of the surface that is inside closed parts, but not inside them at either end
-  double wobble = 0;    ///< how much farther a part that is the same at both ends moves than those it touches, at most
 };
+
+/// \ingroup PkgShapeCorrespondenceMaps
+/// One of the measures of `Blend_quality`.
+struct Blend_measure
+{
+  const char* name;             ///< as in `Blend_quality`
+  double Blend_quality::*value; ///< pointer to the member
+  double tolerance;             ///< more is a fault; of `asymmetry`, more beyond that of the ends
+  const char* meaning;          ///< in a few words
+};
+
+/// \ingroup PkgShapeCorrespondenceMaps
+/// All measures, in the order of `Blend_quality`, with the tolerances of `Shape_blend`.
+const std::vector<Blend_measure>& blend_measures();
 
 /// \ingroup PkgShapeCorrespondenceMaps
 /// Whether an in-between shape is within the tolerances of `Shape_blend`.

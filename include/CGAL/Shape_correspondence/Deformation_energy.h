@@ -11,13 +11,15 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_DEFORMATION_ENERGY_H
 #define CGAL_SHAPE_CORRESPONDENCE_DEFORMATION_ENERGY_H
 
+#include <CGAL/Shape_correspondence/Points.h>
+
 #include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// The three terms of the deformation energy (paper, Eq. 1), before weighting.
+/// The terms of the deformation energy (paper, Eq. 1), before weighting.
 struct Energy_terms
 {
   double distortion = 0;    ///< E_d, Eq. 2 and 3
@@ -42,9 +44,13 @@ struct Energy_weights
 double deformation_energy(const Energy_terms& terms, const Energy_weights& weights = {});
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// E_d of two connected parts (Eq. 3): 1 - ||D|| / ||J||; `mean_squared_cosine` is the mean of the squared entries of
-/// D. An entry of D (Eq. 2) is the cosine of the angle by which a structural rod, from a sample of the one part to a
-/// sample of the other, turns; 0 beyond a right angle.
+/// An entry of D (Eq. 2): the cosine of the angle by which a structural rod, the vector from a sample of one part to a
+/// sample of another, turns; 0 beyond a right angle. A rod of length zero keeps its direction whatever happens (1); one
+/// that becomes zero loses it (0).
+double rod_rotation(const Point& before, const Point& after);
+
+/// \ingroup PkgShapeCorrespondenceSearch
+/// E_d of two connected parts (Eq. 3): 1 - ||D|| / ||J||, from the mean of the squared entries of D.
 double distortion_energy(double mean_squared_cosine);
 
 /// \ingroup PkgShapeCorrespondenceSearch
@@ -61,6 +67,10 @@ double connectedness_energy(double shortest_before, double shortest_after, doubl
 /// It is 1 for groups not matched yet, for groups of equal size (the paper mentions only single parts, and charges
 /// "one-to-many and many-to-one" only), and for rotational groups.
 double split_energy(const std::vector<double>& solidity_ratios);
+
+/// \ingroup PkgShapeCorrespondenceSearch
+/// 1 - ||v|| / ||J||, from the mean of the squared entries of a vector v: what Eq. 3 and Eq. 5 have in common.
+double norm_loss(double mean_square);
 
 } // namespace Shape_correspondence
 } // namespace CGAL

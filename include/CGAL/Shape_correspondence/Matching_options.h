@@ -30,6 +30,14 @@ enum class Energy_norm {
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
+/// How a matched part takes the shape of its target part (paper, section 5, "Deform-to-fit").
+enum class Deform_to_fit {
+  SAMPLES,    ///< sample by sample: it becomes the target part
+  EXTREMITIES ///< ends or corners take their places, the displacements between them are interpolated linearly: it keeps
+              ///< its bow; closed curves sample by sample
+};
+
+/// \ingroup PkgShapeCorrespondenceOptions
 /// A part of the source and a part of the target, by their indices.
 struct Part_pair
 {
@@ -44,9 +52,13 @@ struct Matching_options
   /// An infinite cost, of what is not allowed.
   static constexpr double never = std::numeric_limits<double>::infinity();
 
-  Energy_weights weights;              ///< weights of the terms of the energy
-  Energy_norm norm = Energy_norm::SUM; ///< how E_d and E_c are computed
-  bool cut_curves = true;              ///< allow `Operation::CUT` and `Operation::JOIN`
+  Energy_weights weights;                     ///< weights of the terms of the energy
+  Energy_norm norm = Energy_norm::SUM;        ///< how E_d and E_c are computed
+  bool cut_curves = true;                     ///< allow `Operation::CUT` and `Operation::JOIN`
+  Deform_to_fit fit = Deform_to_fit::SAMPLES; ///< how matched parts are deformed
+  /// Contacts of parts that are not matched yet are hard constraints (paper, section 4.2): a part follows the points at
+  /// which it touches others wherever an affine map can. Otherwise it resists being stretched a little.
+  bool hard_proximity = false;
   /// Energy of an unmatched group, for each of its contacts (at least once), not negative; `never`: groups must be
   /// matched.
   double unmatched_cost = never;

@@ -39,7 +39,7 @@ struct Pairwise_energy
     Eigen::MatrixXd cost; ///< label of first × label of second
   };
 
-  /// w (1 - sqrt(Q / n)).
+  /// w (1 - sqrt(Q / n)), `norm_loss()` with a weight.
   /// \pre 0 <= Q <= n for every assignment
   struct Root_term
   {
@@ -47,6 +47,9 @@ struct Pairwise_energy
     double count = 1;                   ///< n
     std::vector<Eigen::VectorXd> unary; ///< share of Q by variable and label
     std::vector<Eigen::MatrixXd> edge;  ///< share of Q by edge and pair of labels; empty: none
+
+    /// The term for a value of Q.
+    double operator()(double sum) const;
   };
 
   std::vector<Eigen::VectorXd> unary; ///< for every variable, the cost of each of its labels

@@ -29,15 +29,16 @@ namespace Shape_correspondence {
 namespace internal {
 struct Role_model_data;
 class Role_distances;
+struct Role_model_access;
 }
 
 /// \ingroup PkgShapeCorrespondenceRoles
 /// The roles of parts, such as legs and seat of a chair, learned from labelled shapes. For each category, a model has a
-/// forest of extremely randomised trees (P. Geurts, D. Ernst, L. Wehenkel, *Extremely randomized trees*, 2006) that
-/// predicts the label of a part, its role and its fine label (a front leg), from its place, size and shape in the
-/// upright shape that faces +z; and the features of the labelled parts, by which shapes of unknown categories are
-/// detected. It also has the probability that a pair of parts corresponds, given their predicted labels and geometric
-/// match. Names and the order of parts are not used. Copies share their data; threads may share a model.
+/// forest of extremely randomised trees (P. Geurts, D. Ernst, L. Wehenkel, *Extremely randomized trees*, 2006), which
+/// predicts the role and the fine label (a front leg) of a part from its place, size and shape in the upright shape that
+/// faces +z; the features of the labelled parts, by which a shape's category is detected; and weights for the
+/// probability that a pair of parts corresponds, given predicted labels and the geometric match. Names and the order of
+/// parts are not used. Copies share their data; threads may share a model.
 class Role_model
 {
 public:
@@ -55,14 +56,10 @@ public:
   /// begins with `name`
   static Role_model read(std::istream& in, const std::string& name);
 
-  /// For the package's own use.
-  explicit Role_model(internal::Role_model_data data);
-  /// For the package's own use.
-  const internal::Role_model_data& data() const { return *data_; }
-  /// For the package's own use.
-  const internal::Role_distances& distances() const { return *distances_; }
-
 private:
+  friend struct internal::Role_model_access;
+  explicit Role_model(internal::Role_model_data data);
+
   std::shared_ptr<const internal::Role_model_data> data_;
   std::shared_ptr<const internal::Role_distances> distances_;
 };
@@ -110,8 +107,7 @@ struct Labelled_graph
   /// Of every part; `Part_label::coarse` is its role. Fine labels such as `leg_front_left` are learned where all parts
   /// of a role have one; `left` and `right` in them are replaced by the side on which a part lies.
   std::vector<Part_label> labels;
-  double weight =
-      1; ///< weight of the shape in the training, not negative; less for generated shapes than for real ones
+  double weight = 1; ///< in the training, above 0; less for generated shapes than for real ones
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
@@ -121,20 +117,6 @@ struct Role_training_options
   int trees = 100;        ///< number of trees in the forest of a category, from 1 to 1000
   std::uint64_t seed = 0; ///< seed of the random numbers
 };
-
-/// \ingroup PkgShapeCorrespondenceRoles
-/// Learns roles from labelled shapes. The same shapes, in any order, and the same seed give the same model, byte for
-/// byte, on any number of threads.
-/// \throw Invalid_input if a shape has no category, a part no role, or a number is out of its range
-Role_model train_role_model(const std::vector<Labelled_graph>& shapes, const Role_training_options& options = {});
-
-/// \ingroup PkgShapeCorrespondenceRoles
-/// Learns roles from labelled shapes in addition to those that a model was learned from, such as a few shapes of your
-/// own. A category that the model has is learned anew from the old and the new shapes together, whose labels must have
-/// the same meaning; other categories are added. The forests get as many trees as those of the model.
-/// \throw Invalid_input as `train_role_model()`
-Role_model extend_role_model(const Role_model& model, const std::vector<Labelled_graph>& shapes,
-                             const Role_training_options& options = {});
 
 } // namespace Shape_correspondence
 } // namespace CGAL

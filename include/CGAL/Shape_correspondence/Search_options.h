@@ -51,7 +51,10 @@ struct Search_options
   Exact_options exact;         ///< options of `Search_method::EXACT`
   Matching_options matching;   ///< options of the deformation energy
   bool both_directions = true; ///< deform either shape, and keep the lower energy per pair of connected parts
-  int maximum_parts = 0;       ///< coarse correspondence: match this number of largest parts; 0: all parts
+  /// Compare directions by their energies, as in the paper, not by the energies per pair of connected parts.
+  bool direction_by_energy = false;
+  /// Coarse correspondence: match this number of largest parts, whole groups as far as they fit; 0: all parts.
+  int maximum_parts = 0;
   /// Whether `maximum_parts` applies to both shapes. Otherwise it applies to the source only, which is deformed into
   /// the whole target (paper, section 6.1).
   bool coarse_target = true;

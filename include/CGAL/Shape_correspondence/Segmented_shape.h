@@ -16,6 +16,7 @@
 
 #include <map>
 #include <string>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -134,6 +135,7 @@ private:
   std::string name_;
   Point up_;
   std::vector<Shape_part> parts_;
+  std::unordered_set<std::string> names_; ///< of the parts
 };
 
 template <typename TriangleMesh, typename NamedParameters>

@@ -11,9 +11,9 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_SHAPE_APPEARANCE_H
 #define CGAL_SHAPE_CORRESPONDENCE_SHAPE_APPEARANCE_H
 
-#include <CGAL/Shape_correspondence/Segmented_shape.h>
-#include <CGAL/Shape_correspondence/split_parts.h>
+#include <CGAL/Shape_correspondence/Points.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -30,7 +30,7 @@ struct Image
   std::vector<std::uint8_t> pixels; ///< four bytes for each pixel
 
   /// Whether there is no pixel.
-  bool empty() const;
+  bool empty() const { return pixels.empty(); }
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
@@ -67,7 +67,7 @@ struct Part_appearance
   std::vector<Eigen::Vector3f> colours; ///< by corner, three per triangle: linear factors of the base colour, in [0, 1]
 
   /// Whether nothing is known.
-  bool empty() const;
+  bool empty() const { return materials.empty() && coordinates.empty() && colours.empty(); }
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
@@ -81,23 +81,14 @@ struct Shape_appearance
   std::vector<std::string> warnings;       ///< which files named by the model are missing or damaged, in sentences
 
   /// Whether no part has a material or colours.
-  bool empty() const;
+  bool empty() const
+  {
+    return std::all_of(parts.begin(), parts.end(), [](const Part_appearance& part) {
+      return part.colours.empty() &&
+             std::all_of(part.materials.begin(), part.materials.end(), [](int m) { return m < 0; });
+    });
+  }
 };
-
-/// \ingroup PkgShapeCorrespondenceAppearance
-/// Transfers the appearance of a mesh to another mesh on the same surface, such as a piece or a subdivision of it: a
-/// triangle gets the material of the triangle nearest to its centroid, whose texture coordinates and colours are
-/// interpolated. O(n log n).
-/// \param mesh, appearance the mesh and its appearance
-/// \param on_it the mesh on the same surface
-Part_appearance appearance_on(const Part_mesh& mesh, const Part_appearance& appearance, const Part_mesh& on_it);
-
-/// \ingroup PkgShapeCorrespondenceAppearance
-/// The appearance of the parts that `split_parts()` made of objects.
-/// \param objects, appearance the model and its appearance
-/// \param split its parts
-Shape_appearance appearance_of_parts(const Segmented_shape& objects, const Shape_appearance& appearance,
-                                     const Part_split& split);
 
 } // namespace Shape_correspondence
 } // namespace CGAL

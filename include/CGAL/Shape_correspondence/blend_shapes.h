@@ -45,21 +45,24 @@ struct Blend_surface
 /// al., Topology-Varying 3D Shape Creation via Structural Blending, 2014, whose terms are used: a *task* is what
 /// happens to a part, a *schedule* says when each task takes place, and an *in-between shape* is the shape at a time).
 ///
-/// - *Matched parts* morph into each other in coordinates along their curves and sheets, with rotation-minimising
-///   frames; their own surfaces are carried along. A part that corresponds to many is cut into closed pieces, one for
-///   each. Where a surface would be torn or crushed on the way, the two are *exchanged*: the one grows in the middle of
-///   the other, which then shrinks to there (`Blend_exchange`).
-/// - *Unmatched parts* shrink towards or grow out of what they are attached to: to a point or, between attachments far
-///   from each other, to a straight segment. Attachments that diverge are given up.
+/// - *Stage*: every shape stands on the ground with the middle of its box, or its mirror plane, above the origin, in the
+///   axes of the source; the source and the target are the inputs, moved there.
+/// - *Layout*: every matched part has a box at either end, and goes straight from the one to the other in place, size
+///   and rotation; the axes of boxes are paired for the least rotation. Then all parts are moved by the least affine
+///   motions that keep contacts; mirror images stay that, what stands on the ground stands, and the whole has the
+///   height, width and depth that are due between the ends.
+/// - *Matched parts* morph in their boxes: along their curves and sheets, with rotation-minimising frames, unless boxes
+///   change less. A part that corresponds to many is cut into closed pieces, one for each. Where a surface would be torn
+///   or crushed on the way, the two are *exchanged* in place: the one thickens in the middle of the other, which then
+///   thins (`Blend_exchange`). So are parts without counterpart that are alike in place and size.
+/// - *Unmatched parts* go with the box of the whole, and thin or thicken in place: rods and rings to their curves, plates
+///   to their middle planes; supports go last and come first.
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two, and both move alike.
-/// - *Contact constraints* of matched parts and feet on the ground are enforced by relaxation: all parts are moved at
-///   once by the least affine motions that satisfy them. *Connected components* that have still come apart are moved
-///   together.
 ///
 /// Closing gaps stretches parts by factors between 0.7 and 1.4 only; `check()` reports gaps that remain.
 ///
-/// Schedules have no idle time. The one with the best `Blend_quality` is used, that is the least sum of its measures,
+/// The schedule with the best `Blend_quality` is used, that is the least sum of its measures,
 /// each divided by its tolerance. `check()` returns which tolerances are exceeded. Deterministic.
 ///
 /// In-between shapes that were asked for are kept, up to 100 MB, so that asking again for the same time costs little.
@@ -71,8 +74,14 @@ public:
   static constexpr double contact_tolerance = 0.005;  ///< of `Blend_quality::gap`
   static constexpr double symmetry_tolerance = 0.005; ///< of `Blend_quality::asymmetry`, above that of the ends
   static constexpr double ground_tolerance = 0.005;   ///< of `Blend_quality::ground`
-  static constexpr double wobble_tolerance = 0.02;    ///< of `Blend_quality::wobble`
+  static constexpr double apart_tolerance = 0.02;     ///< of `Blend_quality::apart`
+  static constexpr double travel_tolerance = 0.1;     ///< of `Blend_quality::travel`
+  static constexpr double rotation_tolerance = 0.5;   ///< of `Blend_quality::rotation`, in radians
   // Shares
+  static constexpr double height_tolerance = 0.1;   ///< of `Blend_quality::height`
+  static constexpr double hull_tolerance = 0.2;     ///< of `Blend_quality::hull`
+  static constexpr double support_tolerance = 0.4;  ///< of `Blend_quality::support`
+  static constexpr double gone_tolerance = 0.4;     ///< of `Blend_quality::gone`
   static constexpr double thinning_tolerance = 0.5; ///< of `Blend_quality::thinning`
   static constexpr double area_tolerance = 0.3;     ///< of `Blend_quality::area`
   static constexpr double volume_tolerance = 0.3;   ///< of `Blend_quality::volume`
@@ -90,14 +99,21 @@ public:
               const Segmented_shape& target_shape, const Correspondence& correspondence,
               const Blend_options& options = {});
 
-  /// The shape at `t` in [0, 1]: the source at 0 and the target at 1, scaled as `Blend_options::size` asks; in between,
-  /// its parts are the surfaces that exist at `t`, and position, size and orientation change from those of the source
-  /// to those of the target. All motions start and stop gently.
+  /// The shape at `t` in [0, 1], on the stage: the source at 0 and the target at 1, of the sizes that
+  /// `Blend_options::size` asks for; in between, its parts are the surfaces that exist at `t`. All motions start and stop
+  /// gently.
   Segmented_shape operator()(double t) const;
 
   /// The schedules, the best first, which is the one of the blend. Unless `Blend_options::rank_all` is set, a schedule
   /// is not rated by further samples once it is worse by some than the best one by all.
   const std::vector<Blend_schedule>& schedules() const { return schedules_; }
+
+  /// The shape at `t` as one closed surface that looks outwards, for printing and Boolean operations: it is wrapped
+  /// (`CGAL::alpha_wrap_3()`).
+  /// \param detail size of the smallest hollows that the wrap goes into, as a fraction of the diagonal of the shape's
+  /// box, in [0.001, 1]
+  /// \throw Invalid_input if it is out of range
+  Part_mesh solid(double t, double detail = 0.01) const;
 
   /// The names of all schedules.
   static std::vector<std::string> schedule_names();

@@ -27,6 +27,8 @@ namespace Shape_correspondence {
 struct Contact_options
 {
   double tolerance = 0.02; ///< largest gap between parts in contact, as a fraction of the diagonal of the shape
+  /// Contacts are at a closest pair of points (paper, section 3), not in the middle of all that are nearly as close.
+  bool closest_points = false;
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph

@@ -32,8 +32,9 @@ namespace Shape_correspondence {
 class Exact_search
 {
 public:
-  /// Sets up the bound. The energy is kept by reference.
+  /// Sets up the bound. The energy is kept by reference, so that it may not be a temporary.
   explicit Exact_search(const Pairwise_energy& energy, const Exact_options& options = {});
+  explicit Exact_search(const Pairwise_energy&& energy, const Exact_options& options = {}) = delete;
   ~Exact_search();
 
   /// The assignment of least energy, and the next best ones.

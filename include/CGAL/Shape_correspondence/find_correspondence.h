@@ -120,12 +120,8 @@ Correspondence find_correspondence(const Structural_graph& source, const Structu
 /// \ingroup PkgShapeCorrespondenceFunctions
 /// Finds the best correspondences, at most `Search_options::solutions` of them, in ascending order of their energies:
 /// those of the direction and alignment of the best one. `Search_method::EXACT` proves that they are the best ones,
-/// `Search_method::BEAM` takes the last level of the beam, and `Search_method::PARTS` finds one only.
-/// \param source,target the structural graphs of the shapes
-/// \param options of the method, the search and the energy
-/// \pre both graphs are valid (`is_valid_structural_graph()`)
-/// \throw Invalid_input if an option is out of its range, pinned and forbidden pairs contradict each other, or a shape to
-/// be deformed has more than 150 groups of parts with `Search_method::BEAM` or 500 with `EXACT`
+/// `Search_method::BEAM` takes the last level of the beam, and `Search_method::PARTS` finds one only. Parameters,
+/// preconditions and errors are those of `find_correspondence()`.
 std::vector<Correspondence> find_correspondences(const Structural_graph& source, const Structural_graph& target,
                                                  const Search_options& options);
 

@@ -127,64 +127,15 @@ Options options_from(const NamedParameters& np)
 /// Builds the structural graph of a segmented shape; named parameters take the place of `Structure_options`.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is bitwise identical
 /// \param shape the shape
-/// \param np an optional sequence of named parameters among the ones listed below
+/// \param np named parameters, each of which sets a field, where its meaning, unit and default are
 ///
-/// \cgalNamedParamsBegin
-///   \cgalParamNBegin{edge_length}
-///     \cgalParamDescription{edge length of the remeshed part, as a fraction of the diagonal of the part's bounding
-///                           box}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`0.02`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{stop_volume}
-///     \cgalParamDescription{fraction of the volume at which the mean curvature flow is stopped to detect sheets and
-///                           hollow parts}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`0.02`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{time_limit}
-///     \cgalParamDescription{seconds for one part; a part that needs more is represented by its bounding box}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{none}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{progress}
-///     \cgalParamDescription{called after every part with the number of parts done and their total, by one thread at a
-///                           time}
-///     \cgalParamType{`std::function<void(std::size_t, std::size_t)>`}
-///     \cgalParamDefault{none}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{detect_symmetry}
-///     \cgalParamDescription{whether to look for symmetry groups; if `false`, every part is a group of its own}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{symmetry_tolerance}
-///     \cgalParamDescription{largest distance of a part from its image, as a fraction of the diagonal of the part}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`0.05`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{detect_reflections}
-///     \cgalParamDescription{whether to look for reflections}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{detect_rotations}
-///     \cgalParamDescription{whether to look for rotations}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{detect_translations}
-///     \cgalParamDescription{whether to look for translations}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{contact_tolerance}
-///     \cgalParamDescription{largest gap between parts in contact, as a fraction of the diagonal of the shape's
-///                           bounding box}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`0.02`}
-///   \cgalParamNEnd
-/// \cgalNamedParamsEnd
+/// | parameter | field |
+/// |---|---|
+/// | `edge_length`, `stop_volume`, `time_limit`, `progress` | of this name in `Abstraction_options` |
+/// | `detect_symmetry` | `Symmetry_options::enabled` |
+/// | `symmetry_tolerance` | `Symmetry_options::tolerance` |
+/// | `detect_reflections`, `detect_rotations`, `detect_translations` | `Symmetry_options::reflection`, `rotation`, `translation` |
+/// | `contact_tolerance` | `Contact_options::tolerance` |
 ///
 /// \throw Invalid_input if the shape has fewer than two parts or more than 2000
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename T, typename Tag, typename Base>
@@ -197,125 +148,16 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 /// \ingroup PkgShapeCorrespondenceFunctions
 /// Finds the part correspondence of two shapes; named parameters take the place of `Search_options`.
 /// \param source,target the structural graphs of the shapes
-/// \param np an optional sequence of named parameters among the ones listed below
+/// \param np named parameters, each of which sets a field, where its meaning, unit and default are
 ///
-/// \cgalNamedParamsBegin
-///   \cgalParamNBegin{search_method}
-///     \cgalParamDescription{how the correspondence is found}
-///     \cgalParamType{`Search_method`}
-///     \cgalParamDefault{`Search_method::PARTS`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{min_confidence}
-///     \cgalParamDescription{pairs of lower confidence are left out; for `Search_method::PARTS`}
-///     \cgalParamType{`double` in [0, 1]}
-///     \cgalParamDefault{`0`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{beam_width}
-///     \cgalParamDescription{K of the paper, the partial solutions kept at each level of the beam search}
-///     \cgalParamType{`int`}
-///     \cgalParamDefault{`20`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{expansions}
-///     \cgalParamDescription{k of the paper, the expansions kept of each partial solution}
-///     \cgalParamType{`int`}
-///     \cgalParamDefault{`4`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{distortion_weight}
-///     \cgalParamDescription{weight of E_d in Eq. 1}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`1`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{connectedness_weight}
-///     \cgalParamDescription{w_c, weight of E_c in Eq. 1}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`0.6`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{split_weight}
-///     \cgalParamDescription{w_s, weight of E_s in Eq. 1}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`0.4`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{role_weight}
-///     \cgalParamDescription{weight of the disagreement of roles in the energy}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`0`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{energy_norm}
-///     \cgalParamDescription{whether energies are summed over connected pairs of parts, or pooled in one norm over all
-///                           rods}
-///     \cgalParamType{`Energy_norm`}
-///     \cgalParamDefault{`Energy_norm::SUM`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{cut_curves}
-///     \cgalParamDescription{whether curves may be cut into segments and joined, in addition to splitting and merging}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{unmatched_cost}
-///     \cgalParamDescription{the energy of leaving a group unmatched, for each of its contacts}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`Matching_options::never`: every group is matched}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{pinned}
-///     \cgalParamDescription{pairs that must correspond, and to no other parts, see `Matching_options::pinned`}
-///     \cgalParamType{`std::vector<Part_pair>`}
-///     \cgalParamDefault{empty}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{forbidden}
-///     \cgalParamDescription{pairs that must not correspond}
-///     \cgalParamType{`std::vector<Part_pair>`}
-///     \cgalParamDefault{empty}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{both_directions}
-///     \cgalParamDescription{whether either shape is deformed into the other, and the one with the lower energy per
-///                           pair of connected parts is taken}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{maximum_parts}
-///     \cgalParamDescription{number of largest parts to match; `0`: all parts}
-///     \cgalParamType{`int`}
-///     \cgalParamDefault{`0`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{coarse_target}
-///     \cgalParamDescription{whether `maximum_parts` applies to both shapes, or to the source only, as in the paper}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{source_parts}
-///     \cgalParamDescription{only these parts of the source are matched, by their index; empty: all}
-///     \cgalParamType{`std::vector<std::size_t>`}
-///     \cgalParamDefault{empty}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{target_parts}
-///     \cgalParamDescription{only these parts of the target are matched, by their index; empty: all}
-///     \cgalParamType{`std::vector<std::size_t>`}
-///     \cgalParamDefault{empty}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{alignments}
-///     \cgalParamDescription{number of turns of the target about the up axis to try, the one nearest to the given
-///                           orientation first; `0`: all}
-///     \cgalParamType{`int`}
-///     \cgalParamDefault{`1`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{front_is_sure}
-///     \cgalParamDescription{whether the given orientation is right; otherwise a shape is turned by a multiple of 90° if
-///                           the roles of its parts clearly say that its front is another side}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{solutions}
-///     \cgalParamDescription{number of best solutions that the search ranks, see `find_correspondences()`; this
-///                           function returns the first}
-///     \cgalParamType{`int`}
-///     \cgalParamDefault{`1`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{min_marginals}
-///     \cgalParamDescription{whether `Group_match::min_marginal` is computed}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
-///   \cgalParamNEnd
-/// \cgalNamedParamsEnd
+/// | parameter | field |
+/// |---|---|
+/// | `search_method` | `Search_options::method` |
+/// | `min_confidence`, `both_directions`, `maximum_parts`, `coarse_target`, `source_parts`, `target_parts`, `alignments`, `front_is_sure`, `solutions`, `min_marginals` | of this name in `Search_options` |
+/// | `beam_width`, `expansions` | of this name in `Beam_options` |
+/// | `distortion_weight`, `connectedness_weight`, `split_weight`, `role_weight` | `Energy_weights::distortion`, `connectedness`, `split`, `roles` |
+/// | `energy_norm` | `Matching_options::norm` |
+/// | `cut_curves`, `unmatched_cost`, `pinned`, `forbidden` | of this name in `Matching_options` |
 ///
 /// \pre both graphs are valid (`is_valid_structural_graph()`)
 /// \throw Invalid_input if an option is out of its range

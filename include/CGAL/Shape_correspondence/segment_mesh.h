@@ -31,8 +31,9 @@ struct Segmentation_options
 /// What `segment_mesh()` makes.
 struct Mesh_segmentation
 {
-  Segmented_shape shape;           ///< the parts
-  std::size_t pieces_left_out = 0; ///< number of components and segments without area, which cannot be parts
+  Segmented_shape shape;             ///< the parts
+  std::size_t pieces_left_out = 0;   ///< number of components and segments without area, which cannot be parts
+  std::size_t pieces_kept_whole = 0; ///< number of closed components whose thickness cannot be measured: one part each
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes

@@ -15,6 +15,7 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Shape_appearance.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
+#include <CGAL/Shape_correspondence/split_parts.h>
 
 #include <cstddef>
 #include <string>
@@ -101,6 +102,21 @@ Transferred_appearance transfer_labels(const Structural_graph& source, const Seg
                                        const Structural_graph& target, const Segmented_shape& target_shape,
                                        const Shape_appearance& target_appearance, const Correspondence& correspondence,
                                        const Transfer_options& options = {});
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// Transfers the appearance of a mesh to another mesh on the same surface, such as a piece or a subdivision of it: a
+/// triangle gets the material of the triangle nearest to its centroid, whose texture coordinates and colours are
+/// interpolated. O(n log n).
+/// \param mesh, appearance the mesh and its appearance
+/// \param on_it the mesh on the same surface
+Part_appearance appearance_on(const Part_mesh& mesh, const Part_appearance& appearance, const Part_mesh& on_it);
+
+/// \ingroup PkgShapeCorrespondenceAppearance
+/// The appearance of the parts that `split_parts()` made of objects.
+/// \param objects, appearance the model and its appearance
+/// \param split its parts
+Shape_appearance appearance_of_parts(const Segmented_shape& objects, const Shape_appearance& appearance,
+                                     const Part_split& split);
 
 } // namespace Shape_correspondence
 } // namespace CGAL

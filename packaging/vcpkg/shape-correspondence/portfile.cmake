@@ -6,11 +6,11 @@ get_filename_component(SOURCE_PATH "${CURRENT_PORT_DIR}/../../.." ABSOLUTE)
 vcpkg_check_features(OUT_FEATURE_OPTIONS features FEATURES io SHAPE_CORRESPONDENCE_PROGRAM)
 vcpkg_cmake_configure(
   SOURCE_PATH "${SOURCE_PATH}"
-  OPTIONS ${features} -DBUILD_TESTING=OFF -DSHAPE_CORRESPONDENCE_EXAMPLES=OFF)
+  OPTIONS ${features} -DCMAKE_INSTALL_LIBEXECDIR=bin -DBUILD_TESTING=OFF -DSHAPE_CORRESPONDENCE_EXAMPLES=OFF)
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(PACKAGE_NAME Shape_correspondence CONFIG_PATH lib/cmake/Shape_correspondence)
 if("io" IN_LIST FEATURES)
-  vcpkg_copy_tools(TOOL_NAMES shape_correspondence AUTO_CLEAN)
+  vcpkg_copy_tools(TOOL_NAMES shape_correspondence shape_correspondence_import AUTO_CLEAN)
 endif()
 
 file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include" "${CURRENT_PACKAGES_DIR}/debug/share"

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/read/shipped_roles.h"
 #include "io/system/checked_file.h"
 #include "io/system/input_file.h"
-#include "io/read/shipped_roles.h"
 #include "roles/Role_model_data.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
@@ -45,7 +45,7 @@ Role_model read_role_model(const std::string& path)
     throw Invalid_input(path +
                         ": it is not a role model, or it is damaged; `shape_correspondence roles train` makes one");
   const auto bytes = std::make_shared<const std::string>(*content);
-  return Role_model(internal::read_role_model_data(bytes_of(*bytes, bytes), path));
+  return internal::Role_model_access::model(internal::read_role_model_data(bytes_of(*bytes, bytes), path));
 }
 
 std::shared_ptr<const Role_model> shipped_role_model()
@@ -54,7 +54,8 @@ std::shared_ptr<const Role_model> shipped_role_model()
     // It is part of the program: its digest, which takes as long as the rest, is not looked at
     std::string_view bytes(reinterpret_cast<const char*>(shipped_roles), shipped_roles_size);
     bytes.remove_prefix(bytes.find('\n') + 1);
-    return Role_model(internal::read_role_model_data(bytes_of(bytes, nullptr), "the role model of the package"));
+    return internal::Role_model_access::model(
+        internal::read_role_model_data(bytes_of(bytes, nullptr), "the role model of the package"));
   }());
   return model;
 }

@@ -14,8 +14,7 @@ namespace {
 // Corners that bend back by less than this, over the polygon's area, count as straight.
 constexpr double straight = 1e-12;
 
-// Corners of a concave polygon up to which its triangles are found, in time cubic in them at worst; those of a greater
-// one are a fan.
+// Corners of a polygon up to which ears are cut off, in time cubic in them at worst.
 constexpr std::size_t most_corners = 1000;
 
 /// Twice the area vector of a polygon (Newell).
@@ -90,8 +89,12 @@ std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
   std::iota(rest.begin(), rest.end(), std::size_t(0));
   const Point area = area_vector(polygon);
   const Point normal = area.normalized();
-  const bool is_fan =
-      polygon.size() < 4 || polygon.size() > most_corners || is_convex(polygon, normal, straight * area.norm());
+  const bool is_fan = polygon.size() < 4 || is_convex(polygon, normal, straight * area.norm());
+  if (polygon.size() > most_corners) {
+    if (!is_fan) result = triangles_in_plane(polygon, normal);
+    if (result.empty()) add_halves(0, polygon.size() - 1, result); // also of one that crosses itself: any triangles do
+    return result;
+  }
   while (!is_fan && rest.size() > 3) {
     std::size_t ear = 0;
     while (ear < rest.size() && !is_ear(polygon, rest, ear, normal))
@@ -103,12 +106,6 @@ std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
   }
   add_fan(rest, result);
   return result;
-}
-
-void add_polygon(const std::vector<Point>& polygon, std::vector<Point>& corners)
-{
-  for (std::size_t corner : triangles_of_polygon(polygon))
-    corners.push_back(polygon[corner]);
 }
 
 Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept)
@@ -137,6 +134,42 @@ Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept
   for (std::size_t i = 0; i < triangles.size(); ++i)
     mesh.triangles.col(i) = triangles[i];
   return mesh;
+}
+
+void add_mesh(const Part_mesh& more, Part_mesh& all)
+{
+  const Eigen::Index points = all.points.cols(), triangles = all.triangles.cols();
+  all.points.conservativeResize(3, points + more.points.cols());
+  all.points.rightCols(more.points.cols()) = more.points;
+  all.triangles.conservativeResize(3, triangles + more.triangles.cols());
+  all.triangles.rightCols(more.triangles.cols()) = more.triangles.array() + int(points);
+}
+
+Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles)
+{
+  const std::size_t needed = triangles.empty() ? 1 : triangles.back() + 1; // a file may tell of some triangles only
+  Part_appearance result;
+  for (std::size_t t : triangles) {
+    if (all.materials.size() >= needed) result.materials.push_back(all.materials[t]);
+    for (std::size_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
+      if (all.coordinates.size() >= 3 * needed) result.coordinates.push_back(all.coordinates[corner]);
+      if (all.colours.size() >= 3 * needed) result.colours.push_back(all.colours[corner]);
+    }
+  }
+  return result;
+}
+
+void add_looks(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles, Part_appearance& all)
+{
+  const auto append = [](auto& to, std::size_t before, const auto& from, std::size_t count, const auto& none) {
+    if (to.empty() && from.empty()) return;
+    to.resize(before, none);
+    to.insert(to.end(), from.begin(), from.end());
+    to.resize(before + count, none);
+  };
+  append(all.materials, triangles, more.materials, more_triangles, -1);
+  append(all.coordinates, 3 * triangles, more.coordinates, 3 * more_triangles, Eigen::Vector2f(0, 0));
+  append(all.colours, 3 * triangles, more.colours, 3 * more_triangles, Eigen::Vector3f(1, 1, 1));
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/Shape_appearance.h>
 
 #include <string>
@@ -17,7 +17,7 @@ struct Model_part
 {
   std::string name;
   std::vector<Point> corners;
-  Part_appearance appearance = {}; ///< of the triangles; materials are those of the model
+  Part_appearance appearance = {}; ///< of the triangles, as it is in the file; materials are those of the model
 };
 
 /// What a model file holds.
@@ -39,8 +39,8 @@ Model_content read_off_part(std::string_view text, const std::string& file);
 Model_content read_ply_part(std::string_view text, const std::string& file);
 Model_content read_stl_parts(std::string_view text, const std::string& file);
 
-/// The same for the formats that assimp knows, in a process of its own: a file that breaks it is an error.
-Model_content read_parts_with_assimp(const std::string& file);
+/// The same for the formats that assimp knows, by a program of its own: a file that breaks it is an error.
+Model_content import_parts(const std::string& file, const Reading_options& options);
 
 /// Whether there is a reader for files of a name like this, by its extension.
 bool is_model_file(const std::string& path);
@@ -49,13 +49,27 @@ bool is_model_file(const std::string& path);
 /// fewer than 3 corners.
 std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon);
 
-/// Adds the triangles of a polygon to `corners`.
-void add_polygon(const std::vector<Point>& polygon, std::vector<Point>& corners);
+/// Adds the triangles of the corners from `first` to `last` of a convex polygon by halving, so that no corner is in
+/// many of them as the first one of a fan is.
+void add_halves(std::size_t first, std::size_t last, std::vector<std::size_t>& triangles);
+
+/// The triangles of a polygon in the plane across `normal`, O(n log n) for n corners; none if it touches or crosses
+/// itself there.
+std::vector<std::size_t> triangles_in_plane(const std::vector<Point>& polygon, const Point& normal);
 
 /// The indexed mesh of triangles given by their corners: corners at the same place become one vertex, vertices are
 /// numbered as they first appear, triangles with two corners at the same place are left out.
 /// \param kept where not null, gets the numbers of the triangles that are left
 /// \pre all coordinates are finite
 Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept = nullptr);
+
+/// Adds the points and triangles of a mesh to those of another one.
+void add_mesh(const Part_mesh& more, Part_mesh& all);
+
+/// The looks of some triangles of a part.
+Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles);
+
+/// Adds the looks of more triangles to those of others; what only one of them has gets its default.
+void add_looks(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles, Part_appearance& all);
 
 } // namespace CGAL::Shape_correspondence::IO

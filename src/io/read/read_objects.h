@@ -3,26 +3,33 @@
 
 #pragma once
 
-#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include "io/read/model_parts.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The objects of a model, as its file has them.
+/// The objects of a model, as its files have them.
 struct Model_objects
 {
   Segmented_shape shape;
   /// By object and triangle, the number of the material, as in `Part_splitting_options`; empty if no object has
-  /// several.
+  /// several, and for a folder.
   std::vector<std::vector<int>> materials;
   std::vector<std::string> warnings; ///< of the reader
+  Shape_appearance appearance;       ///< as far as the model's own files tell, or as it was completed
 };
 
-/// The same as `read_segmented_shape()`, with the numbers of materials, but without looks. A folder has none.
-Model_objects read_objects(const std::string& path, const Point& up);
+/// Reads what a file names of its looks, and checks what it says of them.
+using Complete_looks =
+    std::function<void(const std::string& file, Model_content& content, std::vector<std::string>& warnings)>;
+
+/// The same as `read_segmented_shape()`, with what is known of materials. \param complete may be empty
+Model_objects read_objects(const std::string& path, const Point& up, const Reading_options& options = {},
+                           const Complete_looks& complete = {});
 
 /// A digest of all that `read_objects()` reads of a folder of part meshes: the names and the bytes of its files, and
 /// the name of the shape. None if it is no such folder, or has files that name other files.

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/system/colours.h"
 #include "io/read/model_parts.h"
 #include "io/read/text_words.h"
+#include "io/system/colours.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

@@ -2,35 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/read/Json_field.h"
+#include "io/read/model_parts.h"
+#include "io/system/input_file.h"
 
-#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
-#include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <filesystem>
 
 namespace CGAL::Shape_correspondence::IO {
-namespace {
 
-/// All of a file as one mesh.
-Part_mesh read_mesh(const std::string& path)
-{
-  const Segmented_shape file = read_segmented_shape(path);
-  Part_mesh result = file.parts()[0].mesh;
-  for (std::size_t i = 1; i < file.parts().size(); ++i) {
-    const Part_mesh& next = file.parts()[i].mesh;
-    const Eigen::Index points = result.points.cols(), triangles = result.triangles.cols();
-    result.points.conservativeResize(Eigen::NoChange, points + next.points.cols());
-    result.points.rightCols(next.points.cols()) = next.points;
-    result.triangles.conservativeResize(Eigen::NoChange, triangles + next.triangles.cols());
-    result.triangles.rightCols(next.triangles.cols()) = next.triangles.array() + int(points);
-  }
-  return result;
-}
-
-} // namespace
-
-std::optional<Segmented_shape> read_part_meshes(const std::string& graph_file, const Structural_graph& graph)
+std::optional<Segmented_shape> read_part_meshes(const std::string& graph_file, const Structural_graph& graph,
+                                                const Reading_options& options)
 {
   const std::vector<Json_field> parts = read_json_file(graph_file)["parts"].elements();
   std::size_t named = 0;
@@ -40,8 +22,15 @@ std::optional<Segmented_shape> read_part_meshes(const std::string& graph_file, c
   const Shape_structure& shape = structure(graph);
   Segmented_shape result(shape.name, shape.frame.axes.col(1));
   for (const Json_field& part : parts) {
-    const std::filesystem::path mesh = part["mesh"].text();
-    result.add_part(part["name"].text(), read_mesh((std::filesystem::path(graph_file).parent_path() / mesh).string()));
+    const std::filesystem::path folder = std::filesystem::path(graph_file).parent_path();
+    const std::string file = (folder / part["mesh"].text()).string();
+    if (!options.allow_outside_files && std::filesystem::exists(file) && !is_in_folder_of(graph_file, file))
+      part["mesh"].fail("names a file outside the folder of the graph; read it with --allow-outside-files");
+    Part_mesh mesh; // all of the file
+    const Segmented_shape shape_of_file = read_segmented_shape(file, Point::UnitY(), nullptr, options);
+    for (const Shape_part& of_file : shape_of_file.parts())
+      add_mesh(of_file.mesh, mesh);
+    result.add_part(part["name"].text(), mesh);
   }
   return result;
 }

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/system/colours.h"
 #include "io/read/model_parts.h"
 #include "io/read/text_words.h"
+#include "io/system/colours.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -254,10 +254,10 @@ private:
   bool read_list(const Ply_element& element, const Ply_property& property, Looks& looks)
   {
     const double count = next(property.count_type);
-    if (!(count >= 0) || count > double(text_.size()) || count != std::floor(count))
+    const std::size_t least = encoding_ == Ply_encoding::ASCII ? 2 : size_of(property.type);
+    if (!(count >= 0) || count * double(least) > double(text_.size() + 1) || count != std::floor(count))
       fail("it has a list of " + number_text(count) +
-           " numbers, which is more than the rest of the file holds; it is "
-           "cut off or damaged");
+           " numbers, which is more than the rest of the file holds; it is cut off or damaged");
     std::vector<double> list(static_cast<std::size_t>(count));
     for (double& number : list)
       number = next(property.type);

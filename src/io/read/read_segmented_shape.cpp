@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/limits.h"
+#include "io/read/read_objects.h"
 #include "io/system/digest.h"
 #include "io/system/input_file.h"
-#include "io/read/model_appearance.h"
-#include "io/read/model_parts.h"
 #include "io/system/quoting.h"
-#include "io/read/read_objects.h"
 #include "shape/has_area.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
@@ -24,6 +22,8 @@ namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::uintmax_t largest_model = std::uintmax_t(2) << 30; // bytes of a file
 
 const char* const known_formats = "OBJ, PLY, STL, OFF, glTF, GLB, COLLADA (dae), FBX, 3DS, DXF, AC3D (ac)";
 
@@ -51,13 +51,16 @@ std::string content_of(const std::string& file)
   if (!fs::is_regular_file(file)) throw Invalid_input(file + ": it is a device; copy the model into a file");
   const std::uintmax_t size = fs::file_size(file);
   if (size == 0) throw Invalid_input(file + ": the file is empty");
+  if (size > largest_model)
+    throw Invalid_input(file + ": it is larger than " + std::to_string(largest_model >> 30) +
+                        " GB; simplify the model, or cut it into parts");
   std::string text(size, '\0');
   in.read(text.data(), std::streamsize(size));
   text.resize(std::size_t(in.gcount()));
   return text;
 }
 
-Model_content read_parts(const std::string& file)
+Model_content read_parts(const std::string& file, const Reading_options& options)
 {
   const std::string extension = lower_extension(file);
   const Text_reader reader = text_reader_of(extension);
@@ -69,7 +72,7 @@ Model_content read_parts(const std::string& file)
   const bool is_wide = mark == "\xFF\xFE" || mark == "\xFE\xFF";
   if (is_wide && extension != ".stl") // a binary STL file may begin with any bytes
     throw Invalid_input(file + ": it is text in UTF-16; save it as UTF-8");
-  Model_content content = reader ? reader(text, file) : read_parts_with_assimp(file);
+  Model_content content = reader ? reader(text, file) : import_parts(file, options);
   for (Model_part& part : content.parts)
     part.name = utf8_text(part.name);
   return content;
@@ -95,24 +98,8 @@ void complete_names(const std::string& shape, std::vector<Model_part>& parts)
   }
 }
 
-/// The looks of some triangles of a part.
-Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles)
-{
-  Part_appearance result;
-  for (std::size_t t : triangles) {
-    if (!all.materials.empty()) result.materials.push_back(all.materials[t]);
-    for (std::size_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
-      if (!all.coordinates.empty()) result.coordinates.push_back(all.coordinates[corner]);
-      if (!all.colours.empty()) result.colours.push_back(all.colours[corner]);
-    }
-  }
-  return result;
-}
-
-/// Adds a part to a shape. \return whether it has a surface; else it is left out
-/// \param looks where not null, gets those of the part
-bool add_part(const std::string& file, const Model_part& part, Segmented_shape& shape,
-              std::vector<Part_appearance>* looks)
+/// Adds a part to the objects. \return whether it has a surface; else it is left out
+bool add_part(const std::string& file, const Model_part& part, Model_objects& objects)
 {
   for (const Point& corner : part.corners) {
     if (!(corner.array().abs() <= internal::largest_coordinate).all()) // nor is NaN
@@ -122,8 +109,8 @@ bool add_part(const std::string& file, const Model_part& part, Segmented_shape& 
   std::vector<std::size_t> kept;
   Part_mesh mesh = weld(part.corners, &kept);
   if (mesh.triangles.cols() == 0 || !internal::has_area(mesh)) return false;
-  shape.add_part(part.name, std::move(mesh));
-  if (looks) looks->push_back(looks_of(part.appearance, kept));
+  objects.shape.add_part(part.name, std::move(mesh));
+  objects.appearance.parts.push_back(looks_of(part.appearance, kept));
   return true;
 }
 
@@ -132,41 +119,9 @@ void check_number_of_parts(const std::string& path, std::size_t parts)
   if (parts > internal::most_parts) throw Invalid_input(path + ": it has " + internal::too_many_parts(parts));
 }
 
-void warn(std::size_t number, const std::string& of_what, std::vector<std::string>* warnings)
+void warn(std::size_t number, const std::string& of_what, std::vector<std::string>& warnings)
 {
-  if (warnings && number > 0) warnings->push_back(of_what + " were left out: " + std::to_string(number) + ".");
-}
-
-constexpr const char* poor_faces = "Faces of fewer than three corners";
-
-/// \param appearance where not null, gets that of the shape \param looks the same of parts alone
-Segmented_shape read_file(const fs::path& path, const Point& up, std::vector<std::string>* warnings,
-                          Shape_appearance* appearance, std::vector<Part_appearance>* looks)
-{
-  const std::string file = path.string(), name = utf8_text(path.stem().string());
-  Model_content content = read_parts(file);
-  check_number_of_parts(file, content.parts.size());
-  complete_names(name, content.parts);
-  if (appearance) {
-    *appearance = {};
-    looks = &appearance->parts;
-    complete_appearance(file, content, appearance->warnings);
-    appearance->materials = std::move(content.materials);
-    appearance->textures = std::move(content.textures);
-  }
-  Segmented_shape shape(name, up);
-  std::string left_out;
-  std::size_t number_left_out = 0;
-  for (const Model_part& part : content.parts) {
-    if (add_part(file, part, shape, looks)) continue;
-    left_out = part.name;
-    ++number_left_out;
-  }
-  if (shape.parts().empty())
-    throw Invalid_input(file + ": part '" + left_out + "': all triangles have zero area; give it a surface");
-  warn(content.faces_left_out, poor_faces, warnings);
-  warn(number_left_out, "Parts without a surface", warnings);
-  return shape;
+  if (number > 0) warnings.push_back(of_what + " were left out: " + std::to_string(number) + ".");
 }
 
 std::vector<fs::path> model_files(const fs::path& folder)
@@ -182,46 +137,30 @@ std::vector<fs::path> model_files(const fs::path& folder)
   return files;
 }
 
-/// Puts the looks of some triangles after those of others; what only one of them has gets its default.
-/// \param triangles how many there are of each \param material the number of the first material of the others
-void append_looks(const Part_appearance& more, std::size_t more_triangles, int material, std::size_t triangles,
-                  Part_appearance& all)
-{
-  const auto append = [](auto& to, std::size_t before, const auto& from, std::size_t count, const auto& none) {
-    if (to.empty() && from.empty()) return;
-    to.resize(before, none);
-    to.insert(to.end(), from.begin(), from.end());
-    to.resize(before + count, none);
-  };
-  std::vector<int> materials = more.materials;
-  for (int& number : materials)
-    if (number >= 0) number += material;
-  append(all.materials, triangles, materials, more_triangles, -1);
-  append(all.coordinates, 3 * triangles, more.coordinates, 3 * more_triangles, Eigen::Vector2f(0, 0));
-  append(all.colours, 3 * triangles, more.colours, 3 * more_triangles, Eigen::Vector3f(1, 1, 1));
-}
-
-/// One file, one part, whatever objects are in it.
-/// \param appearance where not null, gets the materials and textures
-Model_part read_part(const fs::path& file, std::size_t& faces_left_out, Shape_appearance* appearance)
+/// All objects of a file as one part.
+Model_part joined(const fs::path& file, const std::vector<Model_part>& objects)
 {
   Model_part part{utf8_text(file.stem().string()), {}};
-  Model_content content = read_parts(file.string());
-  if (appearance) complete_appearance(file.string(), content, appearance->warnings);
-  for (const Model_part& piece : content.parts) {
-    if (appearance)
-      append_looks(piece.appearance, piece.corners.size() / 3, int(appearance->materials.size()),
-                   part.corners.size() / 3, part.appearance);
-    part.corners.insert(part.corners.end(), piece.corners.begin(), piece.corners.end());
+  for (const Model_part& object : objects) {
+    add_looks(object.appearance, object.corners.size() / 3, part.corners.size() / 3, part.appearance);
+    part.corners.insert(part.corners.end(), object.corners.begin(), object.corners.end());
   }
-  faces_left_out += content.faces_left_out;
-  if (!appearance) return part;
-  for (Surface_material& material : content.materials) {
-    if (material.texture >= 0) material.texture += int(appearance->textures.size());
-    appearance->materials.push_back(std::move(material));
-  }
-  std::move(content.textures.begin(), content.textures.end(), std::back_inserter(appearance->textures));
   return part;
+}
+
+/// Adds what a file holds to what others hold, whose materials and textures come first.
+void add_content(Model_content more, Model_content& all)
+{
+  for (Surface_material& material : more.materials)
+    if (material.texture >= 0) material.texture += int(all.textures.size());
+  for (Model_part& part : more.parts)
+    for (int& material : part.appearance.materials)
+      if (material >= 0) material += int(all.materials.size());
+  const auto append = [](auto& from, auto& to) { std::move(from.begin(), from.end(), std::back_inserter(to)); };
+  append(more.materials, all.materials);
+  append(more.textures, all.textures);
+  append(more.parts, all.parts);
+  all.faces_left_out += more.faces_left_out;
 }
 
 /// The name of SHAPE, for SHAPE and SHAPE/parts alike.
@@ -236,27 +175,32 @@ std::string folder_name(const fs::path& folder)
 /// Where the part meshes of a folder are.
 fs::path folder_of_parts(const fs::path& path) { return fs::is_directory(path / "parts") ? path / "parts" : path; }
 
-Segmented_shape read_folder(const fs::path& path, const Point& up, std::vector<std::string>* warnings,
-                            Shape_appearance* appearance)
+/// The files of a model: one, or those of a folder of parts.
+std::vector<fs::path> files_of(const std::string& path)
 {
+  if (!fs::is_directory(path)) return {path};
   const fs::path folder = folder_of_parts(path);
-  const std::vector<fs::path> files = model_files(folder);
+  std::vector<fs::path> files = model_files(folder);
   if (files.empty())
     throw Invalid_input(folder.string() + ": there is no part in the folder; it needs a mesh file for every part (" +
                         known_formats + ")");
   check_number_of_parts(folder.string(), files.size());
-  std::vector<Model_part> parts;
-  std::size_t faces_left_out = 0;
-  if (appearance) *appearance = {};
-  for (const fs::path& file : files)
-    parts.push_back(read_part(file, faces_left_out, appearance));
-  complete_names(folder_name(path), parts);
-  Segmented_shape shape(folder_name(path), up);
-  for (std::size_t i = 0; i < files.size(); ++i)
-    if (!add_part(files[i].string(), parts[i], shape, appearance ? &appearance->parts : nullptr))
-      throw Invalid_input(files[i].string() + ": all triangles have zero area; remove the file or give it a surface");
-  warn(faces_left_out, poor_faces, warnings);
-  return shape;
+  return files;
+}
+
+/// By object and triangle the material's number; empty if no object has several.
+std::vector<std::vector<int>> materials_of(const Model_objects& objects)
+{
+  std::vector<std::vector<int>> result;
+  bool has_several = false;
+  for (std::size_t i = 0; i < objects.appearance.parts.size(); ++i) {
+    std::vector<int> materials = objects.appearance.parts[i].materials;
+    if (materials.size() != std::size_t(objects.shape.parts()[i].mesh.triangles.cols())) materials.clear();
+    has_several = has_several ||
+                  std::adjacent_find(materials.begin(), materials.end(), std::not_equal_to<int>()) != materials.end();
+    result.push_back(std::move(materials));
+  }
+  return has_several ? result : std::vector<std::vector<int>>();
 }
 
 } // namespace
@@ -267,12 +211,48 @@ bool is_model_file(const std::string& path)
   return text_reader_of(extension) || is_read_by_assimp(extension);
 }
 
-Segmented_shape read_segmented_shape(const std::string& path, const Point& up, std::vector<std::string>* warnings,
-                                     Shape_appearance* appearance)
+Model_objects read_objects(const std::string& path, const Point& up, const Reading_options& options,
+                           const Complete_looks& complete)
 {
   check_exists(path);
-  if (fs::is_directory(path)) return read_folder(path, up, warnings, appearance);
-  return read_file(path, up, warnings, appearance, nullptr);
+  const bool is_folder = fs::is_directory(path);
+  const std::vector<fs::path> files = files_of(path);
+  const std::string name = is_folder ? folder_name(path) : utf8_text(files[0].stem().string());
+  Model_objects result{Segmented_shape(name, up), {}, {}, {}};
+  Model_content content;
+  for (const fs::path& file : files) {
+    Model_content of_file = read_parts(file.string(), options);
+    check_number_of_parts(file.string(), is_folder ? 1 : of_file.parts.size());
+    if (complete) complete(file.string(), of_file, result.appearance.warnings);
+    if (is_folder) of_file.parts = {joined(file, of_file.parts)};
+    add_content(std::move(of_file), content);
+  }
+  complete_names(name, content.parts);
+  std::string left_out;
+  std::size_t number_left_out = 0;
+  for (std::size_t i = 0; i < content.parts.size(); ++i) {
+    const std::string file = files[is_folder ? i : 0].string();
+    if (add_part(file, content.parts[i], result)) continue;
+    if (is_folder) throw Invalid_input(file + ": all triangles have zero area; remove the file or give it a surface");
+    left_out = content.parts[i].name;
+    ++number_left_out;
+  }
+  if (result.shape.parts().empty())
+    throw Invalid_input(path + ": part '" + left_out + "': all triangles have zero area; give it a surface");
+  warn(content.faces_left_out, "Faces of fewer than three corners", result.warnings);
+  warn(number_left_out, "Parts without a surface", result.warnings);
+  result.appearance.materials = std::move(content.materials);
+  result.appearance.textures = std::move(content.textures);
+  if (!is_folder) result.materials = materials_of(result);
+  return result;
+}
+
+Segmented_shape read_segmented_shape(const std::string& path, const Point& up, std::vector<std::string>* warnings,
+                                     const Reading_options& options)
+{
+  Model_objects objects = read_objects(path, up, options);
+  if (warnings) warnings->insert(warnings->end(), objects.warnings.begin(), objects.warnings.end());
+  return std::move(objects.shape);
 }
 
 std::optional<std::string> digest_of_folder(const std::string& path)
@@ -284,28 +264,6 @@ std::optional<std::string> digest_of_folder(const std::string& path)
     all += digest(file.filename().string()) + digest(content_of(file.string()));
   }
   return digest(all);
-}
-
-Model_objects read_objects(const std::string& path, const Point& up)
-{
-  check_exists(path);
-  Model_objects result;
-  if (fs::is_directory(path)) {
-    result.shape = read_folder(path, up, &result.warnings, nullptr);
-    return result;
-  }
-  std::vector<Part_appearance> looks;
-  result.shape = read_file(path, up, &result.warnings, nullptr, &looks);
-  bool has_several = false;
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    std::vector<int>& materials = looks[i].materials;
-    if (materials.size() != std::size_t(result.shape.parts()[i].mesh.triangles.cols())) materials.clear();
-    has_several = has_several ||
-                  std::adjacent_find(materials.begin(), materials.end(), std::not_equal_to<int>()) != materials.end();
-    result.materials.push_back(std::move(materials));
-  }
-  if (!has_several) result.materials.clear();
-  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::IO

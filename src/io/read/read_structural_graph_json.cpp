@@ -4,6 +4,7 @@
 #include "base/limits.h"
 #include "io/read/Json_field.h"
 #include "io/read/frame_of_abstractions.h"
+#include "io/read/report_text.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 
@@ -58,9 +59,9 @@ Sheet read_sheet(const Json_field& part)
   return sheet;
 }
 
-/// Reads one of several words. \param words pairs of a word and its value
+/// Reads one of several words.
 template <typename Value>
-Value read_word(const Json_field& field, const std::vector<std::pair<const char*, Value>>& words)
+Value read_word(const Json_field& field, const Words<Value>& words)
 {
   const std::string text = field.text();
   std::string known;
@@ -73,14 +74,9 @@ Value read_word(const Json_field& field, const std::vector<std::pair<const char*
 
 void read_flags(const Json_field& field, Abstraction_report& report)
 {
-  for (const Json_field& element : field.elements()) {
-    const std::string flag = element.text();
-    report.tube = report.tube || flag == "tube";
-    report.blob = report.blob || flag == "blob";
-    report.branching = report.branching || flag == "branching";
-    report.several_components = report.several_components || flag == "several_components";
-    report.time_limit = report.time_limit || flag == "time_limit";
-  }
+  for (const std::string& text : field.texts())
+    for (const auto& [word, flag] : flag_words())
+      if (text == word) report.*flag = true;
 }
 
 Abstraction_report::Method read_method(const Json_field& abstraction)
@@ -90,25 +86,14 @@ Abstraction_report::Method read_method(const Json_field& abstraction)
   if (abstraction.has("fitted_to"))
     return read_word<Method>(abstraction["fitted_to"],
                              {{"medial_axis", Method::MEDIAL_AXIS}, {"revolution_axis", Method::AXIS}});
-  return read_word<Method>(abstraction["method"], {{"skeleton", Method::SKELETON},
-                                                   {"meso_skeleton", Method::MESO_SKELETON},
-                                                   {"medial_axis", Method::MEDIAL_AXIS},
-                                                   {"axis", Method::AXIS},
-                                                   {"prism", Method::PRISM},
-                                                   {"bounding_box", Method::BOUNDING_BOX},
-                                                   {"copy", Method::COPY},
-                                                   {"given", Method::GIVEN}});
+  return read_word(abstraction["method"], method_words());
 }
 
 Abstraction_report read_report(const Json_field& field)
 {
-  using Repair = Abstraction_report::Repair;
   Abstraction_report report;
   if (field.has("method") || field.has("fitted_to")) report.method = read_method(field);
-  if (field.has("repair"))
-    report.repair = read_word<Repair>(
-        field["repair"],
-        {{"none", Repair::NONE}, {"soup", Repair::SOUP}, {"holes", Repair::HOLES}, {"wrap", Repair::WRAP}});
+  if (field.has("repair")) report.repair = read_word(field["repair"], repair_words());
   if (field.has("residual")) report.residual = field["residual"].number_at_least_0();
   if (field.has("coverage")) report.coverage = field["coverage"].number_at_least_0();
   if (field.has("iterations")) report.iterations = field["iterations"].integer();
@@ -158,11 +143,7 @@ std::size_t part_index(const Json_field& name, const Part_indices& indices)
 Symmetry read_symmetry(const Json_field& group)
 {
   Symmetry symmetry;
-  if (group.has("symmetry"))
-    symmetry.type = read_word<Symmetry_type>(group["symmetry"], {{"self", Symmetry_type::SELF},
-                                                                 {"reflection", Symmetry_type::REFLECTION},
-                                                                 {"rotation", Symmetry_type::ROTATION},
-                                                                 {"translation", Symmetry_type::TRANSLATION}});
+  if (group.has("symmetry")) symmetry.type = read_word(group["symmetry"], symmetry_words());
   if (symmetry.type == Symmetry_type::SELF && !group.has("plane")) symmetry.type = Symmetry_type::NONE;
   if (symmetry.type == Symmetry_type::REFLECTION || symmetry.type == Symmetry_type::SELF) {
     symmetry.point = group["plane"]["point"].point();

@@ -5,6 +5,8 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <atomic>
 #include <cctype>
 #include <cerrno>
@@ -217,7 +219,11 @@ void write_folder_atomically(const std::string& path, const std::function<void(c
 {
   const fs::path folder = folder_path(path);
   Temporary temporary(path, make_folder_beside(folder, path));
-  write(temporary.name());
+  try {
+    write(temporary.name());
+  } catch (const Invalid_input& error) { // of a file in it, by the name that it was going to have
+    throw Invalid_input(boost::replace_all_copy(std::string(error.what()), temporary.name(), folder.string()));
+  }
   temporary.rename_to(folder);
 }
 

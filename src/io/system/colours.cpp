@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/system/colours.h"
-#include "base/srgb.h"
 
 #include <algorithm>
 #include <array>
@@ -101,10 +100,6 @@ std::vector<Seen_colour> candidates()
 }
 
 } // namespace
-
-Colour linear_colour(const Colour& srgb) { return srgb.unaryExpr(&internal::linear_of_srgb); }
-
-Colour srgb_colour(const Colour& linear) { return linear.unaryExpr(&internal::srgb_of_linear); }
 
 std::vector<Colour> distinct_colours(std::size_t n)
 {

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "base/srgb.h"
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -17,8 +19,8 @@ using Colour = Eigen::Vector3d;
 std::vector<Colour> distinct_colours(std::size_t n);
 
 /// Linear light of a colour as screens and files have it (sRGB), cut to [0, 1], and back.
-Colour linear_colour(const Colour& srgb);
-Colour srgb_colour(const Colour& linear);
+inline Colour linear_colour(const Colour& srgb) { return srgb.unaryExpr(&internal::linear_of_srgb); }
+inline Colour srgb_colour(const Colour& linear) { return linear.unaryExpr(&internal::srgb_of_linear); }
 
 /// The colour of what corresponds to nothing.
 inline Colour grey() { return Colour(0.45, 0.45, 0.45); }

@@ -7,6 +7,7 @@
 
 #include <boost/algorithm/string/case_conv.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <locale>
 
@@ -32,6 +33,13 @@ std::ifstream open_input(const std::string& path)
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Invalid_input(path + ": it cannot be opened for reading; check its permissions");
   return in;
+}
+
+bool is_in_folder_of(const std::string& file, const std::string& named)
+{
+  std::error_code error;
+  const fs::path folder = fs::canonical(fs::absolute(file).parent_path(), error), path = fs::canonical(named, error);
+  return !error && std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
 std::string lower_extension(const std::string& path)

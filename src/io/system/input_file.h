@@ -14,6 +14,10 @@ void check_exists(const std::string& path);
 /// A file, opened for reading. \throw Invalid_input if it is not there, a folder, a pipe, or cannot be opened; names it
 std::ifstream open_input(const std::string& path);
 
+/// Whether a file that `file` names is in the same folder as it, or in one of its sub-folders, also where links lead
+/// to.
+bool is_in_folder_of(const std::string& file, const std::string& named);
+
 /// The extension of a file's name with its dot, in small letters; empty: none.
 std::string lower_extension(const std::string& path);
 

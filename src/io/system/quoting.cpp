@@ -3,39 +3,34 @@
 
 #include "io/system/quoting.h"
 
+#include <boost/locale/utf.hpp>
+
 #include <cctype>
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <iterator>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr std::uint32_t no_character = 0xFFFFFFFF;
+using Utf8 = boost::locale::utf::utf_traits<char>;
+
+constexpr std::uint32_t no_character = boost::locale::utf::illegal;
 
 /// The character of UTF-8 that begins at `text[at]`, and its bytes; `no_character` if none does.
 struct Utf8_character
 {
-  std::uint32_t code = no_character;
-  std::size_t size = 1;
+  std::uint32_t code;
+  std::size_t size;
 };
 
 Utf8_character character_at(const std::string& text, std::size_t at)
 {
-  const auto byte = [&](std::size_t i) { return std::uint32_t(static_cast<unsigned char>(text[i])); };
-  const std::uint32_t first = byte(at);
-  if (first < 0x80) return {first, 1};
-  const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || at + size > text.size()) return {};
-  std::uint32_t code = first & (0xFFu >> (size + 1));
-  for (std::size_t i = 1; i < size; ++i) {
-    if ((byte(at + i) & 0xC0) != 0x80) return {};
-    code = code << 6 | (byte(at + i) & 0x3F);
-  }
-  const bool is_overlong = code < (size == 4 ? 0x10000u : size == 3 ? 0x800u : 0x80u);
-  const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
-  if (is_overlong || is_surrogate || code > 0x10FFFF) return {};
-  return {code, size};
+  const char *const begin = text.data() + at, *place = begin;
+  const std::uint32_t code = Utf8::decode(place, text.data() + text.size());
+  if (code == no_character || code == boost::locale::utf::incomplete) return {no_character, 1};
+  return {code, std::size_t(place - begin)};
 }
 
 bool is_utf8(const std::string& text)
@@ -108,15 +103,8 @@ std::string utf8_text(const std::string& bytes)
 {
   if (is_utf8(bytes)) return bytes;
   std::string result;
-  for (char byte : bytes) {
-    const auto code = static_cast<unsigned char>(byte);
-    if (code < 0x80) {
-      result += byte;
-    } else {
-      result += static_cast<char>(0xC0 | code >> 6);
-      result += static_cast<char>(0x80 | (code & 0x3F));
-    }
-  }
+  for (char byte : bytes)
+    Utf8::encode(static_cast<unsigned char>(byte), std::back_inserter(result));
   return result;
 }
 
@@ -154,6 +142,7 @@ std::string quote_graphml(const std::string& name)
 std::string quote_csv(const std::string& field)
 {
   std::string text = utf8_text(field);
+  if (!text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos) text.insert(0, "'");
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string result = "\"";
   for (char c : text)

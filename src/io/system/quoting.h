@@ -25,7 +25,7 @@ std::string quote_dot(const std::string& name);
 /// A name in GraphML: control characters, which XML cannot hold, are %XX. Boost's writer sees to markup.
 std::string quote_graphml(const std::string& name);
 
-/// A field of a table with commas (RFC 4180).
+/// A text in a table with commas (RFC 4180). One that a spreadsheet would take for a formula begins with '.
 std::string quote_csv(const std::string& field);
 
 /// Text for a terminal: control characters and those that turn the direction of writing are \xNN or \u{NNNN}.

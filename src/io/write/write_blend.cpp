@@ -3,9 +3,9 @@
 
 #include "base/for_each_index.h"
 #include "base/limits.h"
-#include "io/write/Json.h"
 #include "io/system/little_endian.h"
 #include "io/system/quoting.h"
+#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
@@ -20,22 +20,22 @@ namespace {
 
 const char* task_name(Blend_task_type type)
 {
-  static constexpr const char* names[] = {"morph", "split", "merge", "shrink", "grow"};
+  static constexpr const char* names[] = {"morph", "split", "merge", "shrink", "grow", "exchange"};
   return names[int(type)];
 }
 
 const char* exchange_name(Blend_exchange exchange)
 {
-  static constexpr const char* names[] = {"", "torn", "thin"};
+  static constexpr const char* names[] = {"", "torn", "thin", "unmatched"};
   return names[int(exchange)];
 }
 
 Json quality_json(const Blend_quality& quality)
 {
-  return {{"gap", quality.gap},       {"apart", quality.apart},       {"asymmetry", quality.asymmetry},
-          {"ground", quality.ground}, {"thinning", quality.thinning}, {"area", quality.area},
-          {"volume", quality.volume}, {"torn", quality.torn},         {"overlap", quality.overlap},
-          {"wobble", quality.wobble}};
+  Json result;
+  for (const Blend_measure& measure : blend_measures())
+    result[measure.name] = quality.*measure.value;
+  return result;
 }
 
 /// Numbers with as many digits as it takes to read the same ones again.
@@ -52,11 +52,10 @@ void append_line(std::string& lines, char keyword, const Numbers& numbers)
 /// \param asymmetry of the ends
 Json tolerances_json(double asymmetry)
 {
-  return {{"gap", Shape_blend::contact_tolerance},   {"asymmetry", asymmetry + Shape_blend::symmetry_tolerance},
-          {"ground", Shape_blend::ground_tolerance}, {"thinning", Shape_blend::thinning_tolerance},
-          {"area", Shape_blend::area_tolerance},     {"volume", Shape_blend::volume_tolerance},
-          {"torn", Shape_blend::torn_tolerance},     {"overlap", Shape_blend::overlap_tolerance},
-          {"wobble", Shape_blend::wobble_tolerance}};
+  Json result;
+  for (const Blend_measure& measure : blend_measures())
+    result[measure.name] = measure.tolerance + (measure.value == &Blend_quality::asymmetry ? asymmetry : 0);
+  return result;
 }
 
 } // namespace

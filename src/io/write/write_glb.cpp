@@ -1,131 +1,206 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/Disjoint_sets.h"
+#include "base/quarter_turn.h"
 #include "io/system/colours.h"
-#include "io/write/drawn_shape.h"
-#include "io/write/dressed_mesh.h"
-#include "io/write/picture_geometry.h"
+#include "io/write/pictures.h"
 
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
 
-#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr double glb_surface_alpha = 0.25;
+constexpr double gap = 0.25;          // between the shapes, over the wider one's width
+constexpr double tube_radius = 0.009; // over the shape's diagonal
+constexpr double surface_alpha = 0.25;
+const Eigen::Vector2d middle_parameter(0.5, 0.5);
 
-/// A node for each part. \param materials of the shape's parts, from here on
-int add_shape(Glb_builder& glb, const Drawn_shape& shape, const int* materials, const Point& translation,
-              Drawn_mesh (Drawn_shape::*mesh)(std::size_t) const)
+Drawn_mesh on_layer(const char* layer, Drawn_mesh mesh)
 {
-  std::vector<int> nodes;
-  for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
-    nodes.push_back(glb.add_node(shape.part(part).name, {{(shape.*mesh)(part), materials[part]}}));
-    glb.set_node_extras(nodes.back(), {{"part", part}});
-  }
-  return glb.add_node(shape.name(), nodes, translation);
+  mesh.layer = layer;
+  return mesh;
+}
+
+Drawn_mesh of_material(int material, Drawn_mesh mesh)
+{
+  mesh.material = material;
+  return mesh;
+}
+
+/// Where two shapes go so that they stand side by side.
+std::array<Point, 2> side_by_side(const Drawn_shape& left, const Drawn_shape& right)
+{
+  const double widths[] = {left.upper().x() - left.lower().x(), right.upper().x() - right.lower().x()};
+  const double half_gap = gap / 2 * std::max(widths[0], widths[1]);
+  return {Point(-half_gap - left.upper().x(), 0, 0), Point(half_gap - right.lower().x(), 0, 0)};
 }
 
 /// A node for all contacts.
-int add_contacts(Glb_builder& glb, const Drawn_shape& shape)
+int add_contacts(Glb_file& glb, const Drawn_shape& shape)
 {
-  return glb.add_node("contacts", {{shape.contacts(), glb.add_material("contacts", Colour(0.02, 0.02, 0.02))}});
+  const int black = glb.add_material("contacts", Colour(0.02, 0.02, 0.02));
+  return glb.add_node("contacts", {of_material(black, shape.contacts())});
 }
-
-/// The same with the shape's own materials.
-int add_dressed_shape(Glb_builder& glb, const Drawn_shape& shape, const Shape_appearance* appearance,
-                      const Point& translation)
-{
-  const Shape_appearance none;
-  const Shape_appearance& looks = appearance ? *appearance : none;
-  Glb_materials materials(glb, looks);
-  std::vector<int> nodes;
-  for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
-    const Part_appearance unknown;
-    const Part_appearance& of_part = part < looks.parts.size() ? looks.parts[part] : unknown;
-    Drawn_mesh mesh = shape.best_mesh(part);
-    mesh.layer = material_layer;
-    nodes.push_back(glb.add_node(shape.part(part).name, dressed(mesh, of_part, materials)));
-    glb.set_node_extras(nodes.back(), {{"part", part}});
-  }
-  return glb.add_node(shape.name(), nodes, translation);
-}
-
-bool is_dressed(const Shape_appearance* appearance) { return appearance && !appearance->empty(); }
 
 } // namespace
 
+Drawn_shape::Drawn_shape(const Structural_graph& graph, const Segmented_shape* model, int turns)
+    : structure_(structure(graph)), model_(model), turn_(internal::quarter_turn(turns))
+{
+  for (std::size_t part = 0; part < structure_.parts.size(); ++part) {
+    const Points points = model_ ? model_->parts()[part].mesh.points : structure_.parts[part].control_points();
+    const Points drawn = to_picture(points);
+    lower_ = lower_.cwiseMin(drawn.rowwise().minCoeff());
+    upper_ = upper_.cwiseMax(drawn.rowwise().maxCoeff());
+  }
+}
+
+Drawn_mesh Drawn_shape::surface(std::size_t part) const
+{
+  const Part_mesh& mesh = model_->parts()[part].mesh;
+  return on_layer(surface_layer, shaded(to_picture(mesh.points), mesh.triangles));
+}
+
+Drawn_mesh Drawn_shape::flat_surface(std::size_t part) const
+{
+  const Part_mesh& mesh = model_->parts()[part].mesh;
+  return on_layer(surface_layer, {to_picture(mesh.points), {}, mesh.triangles});
+}
+
+Drawn_mesh Drawn_shape::abstraction(std::size_t part) const
+{
+  const auto& geometry = structure_.parts[part].geometry;
+  if (const Sheet* sheet = std::get_if<Sheet>(&geometry))
+    return on_layer(abstraction_layer, patch(to_picture(sheet->points), sheet->rows, sheet->cols));
+  const Curve& curve = std::get<Curve>(geometry);
+  return on_layer(abstraction_layer,
+                  tube(to_picture(curve.points), curve.closed, tube_radius * (upper_ - lower_).norm()));
+}
+
+Drawn_mesh Drawn_shape::contacts() const
+{
+  constexpr int steps = 3; // of a line
+  const auto n = static_cast<Eigen::Index>(structure_.contacts.size());
+  Points ends(3, (steps + 1) * n);
+  Drawn_mesh result;
+  result.lines.resize(2, steps * n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Contact& contact = structure_.contacts[static_cast<std::size_t>(i)];
+    const Part_abstraction &first = structure_.parts[contact.parts[0]], &second = structure_.parts[contact.parts[1]];
+    ends.middleCols<steps + 1>((steps + 1) * i) << evaluate(first, middle_parameter),
+        evaluate(first, contact.parameters[0]), evaluate(second, contact.parameters[1]),
+        evaluate(second, middle_parameter);
+    for (int step = 0; step < steps; ++step)
+      result.lines.col(steps * i + step) =
+          Eigen::Vector2i::Constant(int((steps + 1) * i) + step) + Eigen::Vector2i(0, 1);
+  }
+  result.points = to_picture(ends);
+  return on_layer(contact_layer, result);
+}
+
+int Drawn_shape::add_to(Glb_file& glb, const Point& translation,
+                        const std::function<std::vector<Drawn_mesh>(std::size_t part)>& draw) const
+{
+  std::vector<int> nodes;
+  for (std::size_t part = 0; part < number_of_parts(); ++part) {
+    nodes.push_back(glb.add_node(name(part), draw(part)));
+    glb.set_node_extras(nodes.back(), {{"part", part}});
+  }
+  return glb.add_node(name(), nodes, translation);
+}
+
+std::vector<int> add_match_materials(Glb_file& glb, const Correspondence& correspondence, std::size_t sources,
+                                     std::size_t targets)
+{
+  internal::Disjoint_sets components(sources + targets);
+  std::vector<bool> is_matched(sources + targets, false);
+  for (const Part_correspondence& pair : correspondence.pairs) {
+    components.unite(pair.source, sources + pair.target);
+    is_matched[pair.source] = is_matched[sources + pair.target] = true;
+  }
+  std::map<std::size_t, int> numbers; // of components, in the order of their first parts
+  for (std::size_t part = 0; part < is_matched.size(); ++part)
+    if (is_matched[part]) numbers.emplace(components[part], int(numbers.size()));
+  int number = 0;
+  for (const Colour& colour : distinct_colours(numbers.size()))
+    glb.add_material("match_" + std::to_string(++number), colour);
+  const int unmatched = glb.add_material("unmatched", grey());
+  std::vector<int> result;
+  for (std::size_t part = 0; part < is_matched.size(); ++part)
+    result.push_back(is_matched[part] ? numbers[components[part]] : unmatched);
+  return result;
+}
+
 void write_correspondence_glb(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                               const Structural_graph& target, const Segmented_shape* source_shape,
-                              const Segmented_shape* target_shape, const Shape_appearance* source_appearance,
-                              const Shape_appearance* target_appearance)
+                              const Segmented_shape* target_shape, const Add_scenes& add_scenes)
 {
   const Drawn_shape left(source, source_shape, 0);
   const Drawn_shape right(target, target_shape, correspondence.target_quarter_turns);
-  Glb_builder glb;
+  const std::array<Point, 2> places = side_by_side(left, right);
+  const std::vector<Placed_shape> shapes = {{left, places[0]}, {right, places[1]}};
+  Glb_file glb;
   const std::vector<int> materials =
       add_match_materials(glb, correspondence, left.number_of_parts(), right.number_of_parts());
-  const std::array<Point, 2> places = side_by_side(left, right);
   const auto scene = [&](const char* name, Drawn_mesh (Drawn_shape::*mesh)(std::size_t) const) {
-    return Glb_scene{name,
-                     {add_shape(glb, left, materials.data(), places[0], mesh),
-                      add_shape(glb, right, materials.data() + left.number_of_parts(), places[1], mesh)}};
+    Glb_scene result{name, {}};
+    const int* material = materials.data();
+    for (const auto& [shape, place] : shapes) {
+      const auto draw = [&, &drawn = shape](std::size_t part) {
+        return std::vector<Drawn_mesh>{of_material(material[part], (drawn.*mesh)(part))};
+      };
+      result.roots.push_back(shape.add_to(glb, place, draw));
+      material += shape.number_of_parts();
+    }
+    return result;
   };
   std::vector<Glb_scene> scenes{scene("correspondence", &Drawn_shape::best_mesh)};
-  if (left.has_mesh() || right.has_mesh()) scenes.push_back(scene(abstraction_layer, &Drawn_shape::abstraction));
-  if (is_dressed(source_appearance) || is_dressed(target_appearance))
-    scenes.push_back({material_layer,
-                      {add_dressed_shape(glb, left, source_appearance, places[0]),
-                       add_dressed_shape(glb, right, target_appearance, places[1])}});
+  if (source_shape || target_shape) scenes.push_back(scene(abstraction_layer, &Drawn_shape::abstraction));
+  if (add_scenes) add_scenes(glb, shapes, scenes);
   scenes.push_back({contact_layer, {}});
-  for (const auto& [shape, place] : {std::pair(&left, places[0]), std::pair(&right, places[1])})
-    scenes.back().roots.push_back(glb.add_node(shape->name(), {add_contacts(glb, *shape)}, place));
+  for (const auto& [shape, place] : shapes)
+    scenes.back().roots.push_back(glb.add_node(shape.name(), {add_contacts(glb, shape)}, place));
   glb.write(out, scenes);
 }
 
 void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph, const Segmented_shape* shape,
-                                const Shape_appearance* appearance)
+                                const Add_scenes& add_scenes)
 {
   const Drawn_shape drawn(graph, shape, 0);
   const std::vector<std::size_t> group = group_of_parts(graph);
-  const std::vector<Colour> colours = distinct_colours(num_vertices(graph));
-  Glb_builder glb;
+  Glb_file glb;
   std::vector<int> solid, faint, nodes;
-  for (std::size_t v = 0; v < num_vertices(graph); ++v) {
-    const std::string name = "group_" + std::to_string(v + 1);
-    solid.push_back(glb.add_material(name, colours[v]));
-    if (drawn.has_mesh()) faint.push_back(glb.add_material(name + "_surface", colours[v], glb_surface_alpha));
+  for (const Colour& colour : distinct_colours(num_vertices(graph))) {
+    const std::string name = "group_" + std::to_string(solid.size() + 1);
+    solid.push_back(glb.add_material(name, colour));
+    if (shape) faint.push_back(glb.add_material(name + "_surface", colour, surface_alpha));
   }
   for (std::size_t part = 0; part < drawn.number_of_parts(); ++part) {
-    std::vector<std::pair<Drawn_mesh, int>> meshes{{drawn.abstraction(part), solid[group[part]]}};
-    if (drawn.has_mesh()) meshes.emplace_back(drawn.surface(part), faint[group[part]]);
-    nodes.push_back(glb.add_node(drawn.part(part).name, meshes));
+    std::vector<Drawn_mesh> meshes{of_material(solid[group[part]], drawn.abstraction(part))};
+    if (shape) meshes.push_back(of_material(faint[group[part]], drawn.surface(part)));
+    nodes.push_back(glb.add_node(drawn.name(part), meshes));
     glb.set_node_extras(nodes.back(), {{"part", part}});
   }
   if (!structure(graph).contacts.empty()) nodes.push_back(add_contacts(glb, drawn));
   std::vector<Glb_scene> scenes{{"structural graph", {glb.add_node(drawn.name(), nodes, Point::Zero())}}};
-  if (is_dressed(appearance))
-    scenes.push_back({material_layer, {add_dressed_shape(glb, drawn, appearance, Point::Zero())}});
+  if (add_scenes) add_scenes(glb, {{drawn}}, scenes);
   glb.write(out, scenes);
 }
 
-void write_segmented_shape_glb(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance)
+void write_correspondence_glb(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
+                              const Structural_graph& target, const Segmented_shape* source_shape,
+                              const Segmented_shape* target_shape)
 {
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); // glTF has y up
-  if (shape.up() != Point::UnitY())
-    turn = Eigen::Quaterniond::FromTwoVectors(shape.up(), Point::UnitY()).toRotationMatrix();
-  Glb_builder glb;
-  Glb_materials materials(glb, appearance);
-  std::vector<int> nodes;
-  for (std::size_t part = 0; part < shape.parts().size(); ++part) {
-    const Part_appearance unknown;
-    const Part_mesh& mesh = shape.parts()[part].mesh;
-    const Part_appearance& looks = part < appearance.parts.size() ? appearance.parts[part] : unknown;
-    const Points points = turn * mesh.points;
-    nodes.push_back(glb.add_node(shape.parts()[part].name, dressed(shaded(points, mesh.triangles), looks, materials)));
-  }
-  glb.write(out, {{shape.name(), {glb.add_node(shape.name(), nodes, Point::Zero())}}});
+  write_correspondence_glb(out, correspondence, source, target, source_shape, target_shape, Add_scenes());
+}
+
+void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph, const Segmented_shape* shape)
+{
+  write_structural_graph_glb(out, graph, shape, Add_scenes());
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/read/report_text.h"
 #include "io/system/quoting.h"
-#include "io/write/report_text.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 

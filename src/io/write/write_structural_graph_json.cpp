@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/read/report_text.h"
 #include "io/write/Json.h"
-#include "io/write/report_text.h"
 #include "structure/align_shapes.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -56,12 +56,15 @@ Json part(const Part_abstraction& part)
   if (part.surface.cols() > 0)
     result["surface"] = points(part.surface, 0, std::min<Eigen::Index>(part.surface.cols(), surface_samples));
   Json& abstraction = result["abstraction"];
-  abstraction["method"] = name_of(part.report.method);
-  abstraction["repair"] = name_of(part.report.repair);
+  abstraction["method"] = word_of(part.report.method, method_words());
+  abstraction["repair"] = word_of(part.report.repair, repair_words());
   abstraction["residual"] = part.report.residual;
   abstraction["coverage"] = part.report.coverage;
   abstraction["iterations"] = part.report.iterations;
-  abstraction["flags"] = flags_of(part.report);
+  Json& flags = abstraction["flags"] = Json::array();
+  for (const auto& [word, flag] : flag_words())
+    if (part.report.*flag) flags.push_back(word);
+  if (part.report.is_fallback()) flags.push_back("bounding_box");
   if (part.report.is_fallback()) abstraction["fallback"] = part.report.fallback;
   if (!part.report.copy_of.empty()) abstraction["copy_of"] = part.report.copy_of;
   return result;

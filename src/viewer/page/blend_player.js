@@ -50,8 +50,10 @@ export class BlendPlayer {
     tasks.prepend(element('summary', `${blend.tasks.length} tasks`, tasks));
     bars.className = 'bars';
     for (const task of blend.tasks) {
-      const kind = task.exchanged ? `${task.task}, exchanged` : task.task;
-      const reason = task.exchanged ? `, exchanged: one surface would be ${task.exchanged} on its way to the other` : '';
+      const isExchange = task.task === 'exchange';
+      const kind = task.exchanged && !isExchange ? `${task.task}, exchanged` : task.task;
+      const reason = isExchange ? ': neither has a counterpart, and they are alike in place and size'
+        : task.exchanged ? `, exchanged: one surface would be ${task.exchanged} on its way to the other` : '';
       element('span', `${kind}: ${taskName(task)}`, bars).title = taskName(task) + reason;
       const bar = element('b', '', element('span', '', bars));
       bar.className = task.task;

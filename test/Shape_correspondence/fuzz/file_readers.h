@@ -6,7 +6,7 @@
 #ifndef SHAPE_CORRESPONDENCE_TEST_FILE_READERS_H
 #define SHAPE_CORRESPONDENCE_TEST_FILE_READERS_H
 
-#include "io/system/image_file.h"
+#include "texture/image_file.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/parts_json.h>
@@ -72,7 +72,11 @@ inline void roles(const std::string& bytes)
   CGAL::Shape_correspondence::Role_model::read(in, "input");
 }
 
-inline void image(const std::string& bytes) { IO::decoded_image(bytes); }
+inline void image(const std::string& bytes)
+{
+  IO::Image_budget budget;
+  IO::decoded_image(bytes, budget);
+}
 
 } // namespace file_readers
 

@@ -12,7 +12,6 @@
 #define CGAL_SHAPE_CORRESPONDENCE_IO_READ_SEGMENTED_SHAPE_H
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
-#include <CGAL/Shape_correspondence/Shape_appearance.h>
 
 #include <string>
 #include <vector>
@@ -20,6 +19,16 @@
 namespace CGAL {
 namespace Shape_correspondence {
 namespace IO {
+
+/// \ingroup PkgShapeCorrespondenceIO
+/// Which files are read with a model.
+struct Reading_options
+{
+  /// Files that a model names (buffers, materials, textures, meshes of parts) may be anywhere. By default they must be
+  /// in the model's folder or below it, so that a model from somebody else cannot take anything from elsewhere. They
+  /// are regular files in any case.
+  bool allow_outside_files = false;
+};
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Reads a model file (OBJ, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D; every node that owns triangles is a
@@ -33,21 +42,19 @@ namespace IO {
 /// OBJ, OFF, PLY and STL keep double precision, the other formats are read in single precision. COLLADA files define
 /// the upright axis: they are turned to y up.
 ///
-/// Formats other than OBJ, OFF, PLY and STL are read by assimp in a process of its own, a `fork()` of the caller's. If
-/// it takes more than 2 GB of memory or 60 seconds of processor time, that is an error. Link
-/// `CGAL::Shape_correspondence_IO`.
+/// Formats other than OBJ, OFF, PLY and STL are read by assimp in a program of its own, `shape_correspondence_import`,
+/// which is installed with the package. If it takes more than 2 GB of memory, 60 seconds of processor time or 120
+/// seconds, that is an error. A program that is linked with the static library and moved to another machine says where
+/// it is by the environment variable `SHAPE_CORRESPONDENCE_IMPORT`. Link `CGAL::Shape_correspondence_IO`.
 /// \param path the file or folder
 /// \param up the upright direction
 /// \param warnings if not null, sentences on what was left out are appended
-/// \param appearance if not null, gets the materials (base colours of MTL libraries and of the formats of assimp),
-/// textures (PNG and JPEG of up to 64 MB, inside the model, relative to it or beside it), texture coordinates and
-/// colours of vertices and faces; what is missing or damaged of them is left out, with a warning
+/// \param options which files are read
 /// \throw Invalid_input if the file is missing, empty, of an unknown format, damaged or beyond the limits, if it has no
 /// parts or more than 2000, or a part that `Segmented_shape::add_part()` refuses; the message names the file and the
 /// part
 Segmented_shape read_segmented_shape(const std::string& path, const Point& up = Point(0, 1, 0),
-                                     std::vector<std::string>* warnings = nullptr,
-                                     Shape_appearance* appearance = nullptr);
+                                     std::vector<std::string>* warnings = nullptr, const Reading_options& options = {});
 
 } // namespace IO
 } // namespace Shape_correspondence

@@ -11,7 +11,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_IO_STRUCTURAL_GRAPH_JSON_H
 #define CGAL_SHAPE_CORRESPONDENCE_IO_STRUCTURAL_GRAPH_JSON_H
 
-#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 
 #include <iosfwd>
@@ -45,7 +45,8 @@ Structural_graph read_structural_graph_json(std::istream& in, const std::string&
 /// `mesh`, by its path relative to the folder of the graph file. None if no part names a mesh. Reads the graph file
 /// again.
 /// \throw Invalid_input if only some parts name a mesh, or one cannot be used
-std::optional<Segmented_shape> read_part_meshes(const std::string& graph_file, const Structural_graph& graph);
+std::optional<Segmented_shape> read_part_meshes(const std::string& graph_file, const Structural_graph& graph,
+                                                const Reading_options& options = {});
 
 } // namespace IO
 } // namespace Shape_correspondence

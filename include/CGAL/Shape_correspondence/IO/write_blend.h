@@ -11,7 +11,6 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_IO_WRITE_BLEND_H
 #define CGAL_SHAPE_CORRESPONDENCE_IO_WRITE_BLEND_H
 
-#include <CGAL/Shape_correspondence/Shape_appearance.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
 #include <iosfwd>
@@ -36,25 +35,6 @@ void write_segmented_shape_ply(std::ostream& out, const Segmented_shape& shape);
 /// Parts that correspond have one colour. Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
 /// \pre `frames >= 2`
 void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Correspondence& correspondence, int frames);
-
-/// \ingroup PkgShapeCorrespondenceIO
-/// What the two shapes of a blend look like.
-struct Blend_appearance
-{
-  Shape_appearance source; ///< of the source's parts
-  Shape_appearance target; ///< of the target's parts
-};
-
-/// \ingroup PkgShapeCorrespondenceIO
-/// The same with the shapes' own materials and textures. Where a part of one colour becomes one of another colour, the
-/// colour changes in five steps, since glTF cannot animate materials. Textures, colours of vertices, and several
-/// materials of a part do not fade: they stay on the part's surface until it is replaced by the target's.
-/// \pre `frames >= 2`
-void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Blend_appearance& appearance, int frames);
-
-/// \ingroup PkgShapeCorrespondenceIO
-/// Writes the shape at `t` as binary glTF 2.0 with materials and textures, as above; colours change continuously.
-void write_blend_frame_glb(std::ostream& out, const Shape_blend& blend, const Blend_appearance& appearance, double t);
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a description of a blend in the JSON format `shape_correspondence/blend`, version 1: schedules with their

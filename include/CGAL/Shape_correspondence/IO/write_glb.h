@@ -13,7 +13,6 @@
 
 #include <CGAL/Shape_correspondence/Correspondence.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
-#include <CGAL/Shape_correspondence/Shape_appearance.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <iosfwd>
@@ -26,26 +25,17 @@ namespace IO {
 /// Writes a picture of a correspondence as binary glTF 2.0: both shapes in their common frame side by side, source on
 /// the left, corresponding parts in one colour, unmatched parts grey, one node for each part with the part's name.
 /// Further scenes of the file hold the curves and sheets, and the contacts as lines. Shapes that have no meshes (read
-/// from a graph) are drawn by their curves and sheets: `source_shape`, `target_shape` are null. Where the looks of the
-/// shapes are given, a scene named `materials` shows them with their own materials and textures. Needs nlohmann-json:
-/// link `CGAL::Shape_correspondence_IO`.
+/// from a graph) are drawn by their curves and sheets: `source_shape`, `target_shape` are null. Link
+/// `CGAL::Shape_correspondence_IO`.
 void write_correspondence_glb(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                               const Structural_graph& target, const Segmented_shape* source_shape = nullptr,
-                              const Segmented_shape* target_shape = nullptr,
-                              const Shape_appearance* source_appearance = nullptr,
-                              const Shape_appearance* target_appearance = nullptr);
+                              const Segmented_shape* target_shape = nullptr);
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a picture of a structural graph: surfaces faint, curves as tubes and sheets as patches, one colour for each
-/// group, and a line for each contact. Where the looks of the shape are given, a further scene named `materials` shows
-/// it with its own materials and textures.
+/// group, and a line for each contact.
 void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph,
-                                const Segmented_shape* shape = nullptr, const Shape_appearance* appearance = nullptr);
-
-/// \ingroup PkgShapeCorrespondenceIO
-/// Writes a shape as binary glTF 2.0 with its materials, textures, texture coordinates and colours, turned to y up: a
-/// node for each part. Parts without material are grey.
-void write_segmented_shape_glb(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance);
+                                const Segmented_shape* shape = nullptr);
 
 } // namespace IO
 } // namespace Shape_correspondence

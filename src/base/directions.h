@@ -1,0 +1,57 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Points.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <initializer_list>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// A unit vector across a unit direction: towards y as far as it can, or towards x if the direction is near to y.
+/// Unlike Eigen's `unitOrthogonal()` it does not depend on the last digits of a direction along a coordinate axis.
+inline Point some_normal(const Point& direction)
+{
+  const double near = 0.8; // cosine
+  const Point towards = std::abs(direction.y()) < near ? Point::UnitY() : Point::UnitX();
+  return (towards - direction.dot(towards) * direction).normalized();
+}
+
+/// A unit vector or its opposite: the one whose y is positive, or x or z, the first of them that is not small.
+inline Point with_fixed_sign(const Point& direction)
+{
+  const double small = 0.1;
+  for (const int axis : {1, 0, 2})
+    if (std::abs(direction[axis]) > small) return direction[axis] > 0 ? direction : Point(-direction);
+  return direction;
+}
+
+/// The rotation by the least angle that turns one direction to another. For opposite ones it is the half turn about
+/// what the Householder reflection that maps `from` to the x axis maps the z axis to.
+///
+/// To the bits of Eigen::Quaterniond::FromTwoVectors(), but for opposite directions, for which that instantiates a
+/// singular value decomposition in every file.
+inline Eigen::Quaterniond least_rotation(const Point& from, const Point& to)
+{
+  constexpr double opposite = -1 + 1e-12; // cosine
+  const Point a = from.normalized(), b = to.normalized();
+  const double cosine = b.dot(a);
+  Eigen::Quaterniond result;
+  if (cosine < opposite) {
+    const Point normal = a + std::copysign(1., a.x()) * Point::UnitX(); // of the reflection
+    result.w() = 0;
+    result.vec() = Point::UnitZ() - normal * (a.z() / (1 + std::abs(a.x())));
+    return result;
+  }
+  const double doubled_w = std::sqrt((1 + cosine) * 2);
+  const Point axis = a.cross(b);
+  result.vec() = axis * (1 / doubled_w);
+  result.w() = doubled_w * 0.5;
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::internal

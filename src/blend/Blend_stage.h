@@ -1,0 +1,55 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "blend/mirror_images.h"
+
+#include <CGAL/Shape_correspondence/Blend_options.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// A shape that is blended, as it is given.
+struct Blend_input
+{
+  const Structural_graph& graph;
+  const Segmented_shape& shape;
+  int quarter_turns;
+};
+
+/// Both shapes on one stage, by end, 0 the source and 1 the target: they stand on the ground, y = 0, the middles of
+/// their boxes above the origin, of height 1, turned so that they look alike. A shape with a mirror plane has it at
+/// x = 0.
+struct Blend_stage
+{
+  explicit Blend_stage(const std::array<Blend_input, 2>& inputs);
+  Blend_stage(const Blend_stage&) = delete;
+  Blend_stage& operator=(const Blend_stage&) = delete;
+
+  bool are_symmetric = true;              ///< both have the mirror plane x = 0
+  std::array<Structural_graph, 2> graphs; ///< with the frames of the stage
+  std::array<std::vector<Part_mesh>, 2> meshes;
+  std::array<Charted_shape, 2> charted;
+  std::array<Mirror_images, 2> images; ///< none if the ends are not symmetric
+  std::array<contacts::Box, 2> boxes;  ///< of the shapes
+  std::array<double, 2> widest_gap;    ///< that it takes to join all parts
+
+  /// Points of a shape as it is given, on the stage.
+  Points to_stage(int end, const Points& given) const;
+  /// The shapes as they are given, but moved onto the stage: in the axes of the source, at sizes as asked for.
+  std::array<Segmented_shape, 2> moved_shapes(const std::array<Blend_input, 2>& inputs, Blend_size size) const;
+  /// The heights of the shapes in the world.
+  std::array<double, 2> heights(Blend_size size) const;
+
+private:
+  std::array<int, 2> quarter_turns_;
+
+  void add(const Blend_input& input, std::size_t end);
+};
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,118 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "blend/contacts_to_keep.h"
+
+#include "blend/Blend_stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+using Index_pair = std::array<std::size_t, 2>; // of parts, the smaller one first
+
+/// Two parts that touch at an end: where, and how wide the gap between them is.
+struct Touch
+{
+  Point at;
+  double gap;
+};
+
+class Contact_finder
+{
+public:
+  Contact_finder(const Blend_stage& stage, const std::vector<Blend_part>& parts, double tolerance)
+      : stage_(stage), parts_(parts), tolerance_(tolerance)
+  {}
+
+  std::vector<Kept_contact> contacts() const
+  {
+    std::array<std::map<Index_pair, Touch>, 2> touching = {touching_at(0), touching_at(1)};
+    std::vector<Kept_contact> result;
+    for (int end : {0, 1})
+      for (const auto& [pair, touch] : touching[std::size_t(end)]) {
+        const Blend_part &a = parts_[pair[0]], &b = parts_[pair[1]];
+        if (!a.is_at(1 - end) || !b.is_at(1 - end)) {
+          result.push_back({pair, {a.carried(end, touch.at), b.carried(end, touch.at)}, {touch.gap, touch.gap}});
+          continue;
+        }
+        if (end == 1) continue;
+        std::optional<Touch> other = touch_of(pair, 1);
+        if (const auto found = touching[1].find(pair); found != touching[1].end()) other = found->second;
+        if (other)
+          result.push_back(
+              {pair, {a.carried(touch.at, other->at), b.carried(touch.at, other->at)}, {touch.gap, other->gap}});
+      }
+    return result;
+  }
+
+private:
+  /// The parts whose given parts have a contact in the graph: if there are several pieces of one, those that touch.
+  std::map<Index_pair, Touch> touching_at(int end) const
+  {
+    std::map<Index_pair, Touch> result;
+    const Shape_structure& shape = structure(stage_.graphs[std::size_t(end)]);
+    for (const Contact& contact : shape.contacts) {
+      const auto first = parts_of(parts_, end, contact.parts[0]), second = parts_of(parts_, end, contact.parts[1]);
+      const bool are_whole = first.size() == 1 && second.size() == 1;
+      for (std::size_t a : first)
+        for (std::size_t b : second) {
+          if (a == b) continue;
+          const Index_pair pair = {std::min(a, b), std::max(a, b)};
+          std::optional<Touch> touch = touch_of(pair, end);
+          if (are_whole) touch = Touch{place_of(contact, end), touch ? touch->gap : gap_of(pair, end)};
+          if (touch) result.emplace(pair, *touch);
+        }
+    }
+    return result;
+  }
+
+  /// Between the places on the curves or sheets of both parts.
+  Point place_of(const Contact& contact, int end) const
+  {
+    Point sum = Point::Zero();
+    for (std::size_t i : {0u, 1u}) {
+      const Shape_structure& shape = structure(stage_.graphs[std::size_t(end)]);
+      const Point on_part = evaluate(shape.parts[contact.parts[i]], contact.parameters[i]);
+      sum += stage_.to_stage(end, on_part);
+    }
+    return sum / 2;
+  }
+
+  const contacts::Triangle_tree& tree(std::size_t part, int end) const
+  {
+    return *parts_[part].trees[std::size_t(parts_[part].end_surface(end))];
+  }
+
+  double gap_of(const Index_pair& pair, int end) const
+  {
+    return std::sqrt(tree(pair[0], end).nearly_closest(tree(pair[1], end)).squared);
+  }
+
+  /// If the surfaces are near.
+  std::optional<Touch> touch_of(const Index_pair& pair, int end) const
+  {
+    const contacts::Closest_pair closest = tree(pair[0], end).nearly_closest(tree(pair[1], end));
+    if (closest.squared > tolerance_ * tolerance_) return std::nullopt;
+    return Touch{(closest.first + closest.second) / 2, std::sqrt(closest.squared)};
+  }
+
+  const Blend_stage& stage_;
+  const std::vector<Blend_part>& parts_;
+  double tolerance_;
+};
+
+} // namespace
+
+std::vector<Kept_contact> contacts_to_keep(const Blend_stage& stage, const std::vector<Blend_part>& parts,
+                                           double tolerance)
+{
+  return Contact_finder(stage, parts, tolerance).contacts();
+}
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "blend/Blend_part.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// Two parts that touch at all ends that have both, and where.
+struct Kept_contact
+{
+  std::array<std::size_t, 2> parts;
+  std::array<Carried_point, 2> points; ///< by part: one place at every end
+  std::array<double, 2> gap = {0, 0};  ///< by end, between the surfaces
+
+  /// How wide the gap may be at `t`.
+  double allowed_gap(double t) const { return (1 - t) * gap[0] + t * gap[1]; }
+};
+
+/// The contacts of parts that are matched at both ends, and those of unmatched parts at their end.
+/// \param tolerance what is nearer than this touches
+std::vector<Kept_contact> contacts_to_keep(const Blend_stage& stage, const std::vector<Blend_part>& parts,
+                                           double tolerance);
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,278 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The program shape_correspondence_import FILE inside|outside: reads a model file with assimp, and writes what is in it
+// as io/read/model_stream.h says. It is a program of its own since assimp is not made for damaged files: some end it,
+// some make it take all memory.
+
+#include "io/read/model_stream.h"
+#include "io/system/colours.h"
+#include "io/system/input_file.h"
+
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/material.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <sys/resource.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <csignal>
+#include <sys/prctl.h>
+#endif
+
+#if defined(__SANITIZE_ADDRESS__)
+#define SHAPE_CORRESPONDENCE_SHADOW_MEMORY
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define SHAPE_CORRESPONDENCE_SHADOW_MEMORY
+#endif
+#endif
+
+// What is left as it is in the file: the tree of nodes with their names. Steps of assimp that merge nodes or meshes
+// would lose the parts. COLLADA files say which way is up; assimp's root node turns them to y up.
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+using Transform = Eigen::Matrix4d;
+
+Transform transform_of(const aiNode& node)
+{
+  const aiMatrix4x4& m = node.mTransformation;
+  Transform result;
+  result << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4;
+  return result;
+}
+
+class Scene_reader
+{
+public:
+  explicit Scene_reader(const aiScene& scene) : scene_(scene) {}
+
+  /// \param are_linear whether colours are linear light, not as screens have them
+  Model_content read(bool are_linear)
+  {
+    for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
+      add_material(*scene_.mMaterials[i], are_linear);
+    visit(*scene_.mRootNode, Transform::Identity());
+    if (!are_linear)
+      for (Model_part& part : content_.parts)
+        for (Eigen::Vector3f& colour : part.appearance.colours)
+          colour = linear_colour(colour.cast<double>()).cast<float>();
+    return std::move(content_);
+  }
+
+private:
+  void add_material(const aiMaterial& of_file, bool is_linear)
+  {
+    Surface_material material;
+    material.name = of_file.GetName().C_Str();
+    aiColor4D colour;
+    if (of_file.Get(AI_MATKEY_BASE_COLOR, colour) == AI_SUCCESS ||
+        of_file.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS) {
+      const Colour rgb(colour.r, colour.g, colour.b);
+      material.colour.head<3>() = is_linear ? rgb : linear_colour(rgb);
+      material.colour[3] = colour.a;
+    }
+    ai_real opacity = 1;
+    if (!is_linear && of_file.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS) material.colour[3] = opacity;
+    for (aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+      aiString path;
+      if (of_file.GetTexture(type, 0, &path) != AI_SUCCESS || path.length == 0) continue;
+      material.texture = add_texture(of_file, type, path);
+      if (!is_linear) material.colour.head<3>().setOnes(); // as programs for modelling take it
+      break;
+    }
+    content_.materials.push_back(material);
+  }
+
+  int add_texture(const aiMaterial& material, aiTextureType type, const aiString& path)
+  {
+    Texture texture{path.C_Str(), "", {}};
+    if (const aiTexture* inside = scene_.GetEmbeddedTexture(path.C_Str()); inside && inside->mHeight == 0)
+      texture.bytes.assign(reinterpret_cast<const char*>(inside->pcData), inside->mWidth);
+    const auto wrap = [&](const char* key) {
+      int mode = aiTextureMapMode_Wrap;
+      material.Get(key, type, 0, mode);
+      return mode == aiTextureMapMode_Mirror  ? Texture_wrap::MIRROR
+             : mode == aiTextureMapMode_Clamp ? Texture_wrap::CLAMP
+                                              : Texture_wrap::REPEAT;
+    };
+    texture.wrap_u = wrap(_AI_MATKEY_MAPPINGMODE_U_BASE);
+    texture.wrap_v = wrap(_AI_MATKEY_MAPPINGMODE_V_BASE);
+    const auto is_same = [&](const Texture& other) {
+      return other.name == texture.name && other.wrap_u == texture.wrap_u && other.wrap_v == texture.wrap_v;
+    };
+    const auto found = std::find_if(content_.textures.begin(), content_.textures.end(), is_same);
+    if (found != content_.textures.end()) return int(found - content_.textures.begin());
+    content_.textures.push_back(std::move(texture));
+    return int(content_.textures.size()) - 1;
+  }
+
+  void visit(const aiNode& node, const Transform& parent)
+  {
+    const Transform to_world = parent * transform_of(node);
+    Model_part part{node.mName.C_Str(), {}};
+    for (unsigned i = 0; i < node.mNumMeshes; ++i)
+      add_mesh(*scene_.mMeshes[node.mMeshes[i]], to_world, part);
+    if (!part.corners.empty()) content_.parts.push_back(std::move(part));
+    for (unsigned i = 0; i < node.mNumChildren; ++i)
+      visit(*node.mChildren[i], to_world);
+  }
+
+  void add_mesh(const aiMesh& mesh, const Transform& to_world, Model_part& part)
+  {
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      const aiFace& face = mesh.mFaces[f];
+      if (face.mNumIndices != 3) { // points and lines; polygons are triangles by now
+        ++content_.faces_left_out;
+        continue;
+      }
+      for (unsigned k = 0; k < 3; ++k)
+        part.corners.push_back(vertex(mesh, face.mIndices[k], to_world, part.name));
+      add_looks(mesh, face, part);
+    }
+  }
+
+  /// Of the last triangle; those before it that have none get some where it is the first that has.
+  void add_looks(const aiMesh& mesh, const aiFace& face, Model_part& part) const
+  {
+    Part_appearance& looks = part.appearance;
+    const std::size_t before = part.corners.size() - 3;
+    const bool has_material = mesh.mMaterialIndex < content_.materials.size() &&
+                              content_.materials[mesh.mMaterialIndex].name != AI_DEFAULT_MATERIAL_NAME;
+    looks.materials.push_back(has_material ? int(mesh.mMaterialIndex) : -1);
+    if (mesh.HasTextureCoords(0) || !looks.coordinates.empty()) {
+      looks.coordinates.resize(before, Eigen::Vector2f(0, 0));
+      for (unsigned k = 0; k < 3; ++k) {
+        const aiVector3D at = mesh.HasTextureCoords(0) ? mesh.mTextureCoords[0][face.mIndices[k]] : aiVector3D();
+        looks.coordinates.emplace_back(at.x, 1 - at.y);
+      }
+    }
+    if (mesh.HasVertexColors(0) || !looks.colours.empty()) {
+      looks.colours.resize(before, Eigen::Vector3f(1, 1, 1));
+      for (unsigned k = 0; k < 3; ++k) {
+        const aiColor4D colour = mesh.HasVertexColors(0) ? mesh.mColors[0][face.mIndices[k]] : aiColor4D(1, 1, 1, 1);
+        looks.colours.emplace_back(colour.r, colour.g, colour.b);
+      }
+    }
+  }
+
+  Point vertex(const aiMesh& mesh, unsigned index, const Transform& to_world, const std::string& name) const
+  {
+    if (index >= mesh.mNumVertices)
+      throw Invalid_input("part '" + name + "' has a face that uses vertex " + std::to_string(index) + ", but only " +
+                          std::to_string(mesh.mNumVertices) + " vertices");
+    const aiVector3D& v = mesh.mVertices[index];
+    return (to_world * Eigen::Vector4d(v.x, v.y, v.z, 1)).head<3>();
+  }
+
+  const aiScene& scene_;
+  Model_content content_;
+};
+
+/// Opens regular files only, since a pipe that a model names may never end; unless told otherwise, those of the model's
+/// folder only.
+class Model_files : public Assimp::DefaultIOSystem
+{
+public:
+  Model_files(const std::string& file, bool allows_outside) : file_(file), allows_outside_(allows_outside) {}
+
+  bool Exists(const char* path) const override { return is_allowed(path) && DefaultIOSystem::Exists(path); }
+
+  Assimp::IOStream* Open(const char* path, const char* mode) override
+  {
+    return is_allowed(path) && mode[0] == 'r' ? DefaultIOSystem::Open(path, mode) : nullptr;
+  }
+
+private:
+  bool is_allowed(const char* path) const
+  {
+    std::error_code error;
+    return std::filesystem::is_regular_file(path, error) &&
+           (allows_outside_ || path == file_ || is_in_folder_of(file_, path));
+  }
+
+  std::string file_;
+  bool allows_outside_;
+};
+
+Model_content read_scene(const std::string& file, bool allows_outside)
+{
+  Assimp::Importer importer;
+  importer.SetIOHandler(new Model_files(file, allows_outside)); // which the importer deletes
+  importer.SetPropertyInteger(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, 1);
+  importer.SetPropertyInteger(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0); // they would be nodes of their own
+  const aiScene* const scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_SortByPType);
+  if (!scene || !scene->mRootNode)
+    throw Invalid_input(std::string("it cannot be read as a model of the format that its extension says (") +
+                        importer.GetErrorString() + ")");
+  const std::string extension = lower_extension(file);
+  Model_content content = Scene_reader(*scene).read(extension == ".gltf" || extension == ".glb");
+  if (content.parts.empty()) throw Invalid_input("there is no triangle in it; a model needs a mesh for every part");
+  return content;
+}
+
+template <typename Resource>
+void set_limit(Resource resource, rlim_t limit)
+{
+  rlimit own;
+  getrlimit(resource, &own);
+  own.rlim_cur = std::min(limit, own.rlim_max);
+  setrlimit(resource, &own);
+}
+
+void set_limits()
+{
+  constexpr rlim_t bytes = rlim_t(2) << 30, seconds_of_processor = 60;
+#ifndef SHAPE_CORRESPONDENCE_SHADOW_MEMORY
+  set_limit(RLIMIT_DATA, bytes);
+#endif
+  set_limit(RLIMIT_CPU, seconds_of_processor);
+  set_limit(RLIMIT_CORE, 0);
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL); // of use to nobody but to who has started it
+#endif
+}
+
+void write(const Model_content& content)
+{
+  Content_writer writer;
+  exchange(writer, content);
+  std::cout << has_content << writer.text;
+}
+
+} // namespace
+} // namespace CGAL::Shape_correspondence::IO
+
+int main(int argc, char* argv[])
+{
+  using namespace CGAL::Shape_correspondence;
+  if (argc != 3) {
+    std::cerr << "shape_correspondence_import: a part of shape_correspondence, which reads model files with it\n";
+    return 2;
+  }
+  IO::set_limits();
+  try {
+    std::cout << IO::import_mark;
+    try {
+      IO::write(IO::read_scene(argv[1], argv[2] == std::string("outside")));
+    } catch (const Invalid_input& error) {
+      std::cout << IO::has_complaint << error.what();
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& error) {
+      std::cout << IO::has_complaint << "it cannot be read (" << error.what() << ")";
+    }
+  } catch (const std::bad_alloc&) {
+    return IO::out_of_memory_status;
+  }
+  return std::cout.flush() ? 0 : 1;
+}

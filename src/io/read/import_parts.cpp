@@ -1,0 +1,50 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/read/model_stream.h"
+#include "io/system/run_program.h"
+
+#include <csignal>
+#include <cstring>
+#include <sys/wait.h>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+constexpr std::chrono::seconds longest_import(120);
+
+/// How the program ended, if not well.
+std::string ending(const Program_run& run)
+{
+  if (run.took_too_long) return "takes more than 120 seconds to read";
+  if (WIFEXITED(run.status) && WEXITSTATUS(run.status) == out_of_memory_status) return "takes more than 2 GB of memory";
+  if (WIFSIGNALED(run.status) && WTERMSIG(run.status) == SIGXCPU) return "takes more than 60 seconds of processor time";
+  if (WIFSIGNALED(run.status)) return std::string("makes its reader crash (") + strsignal(WTERMSIG(run.status)) + ")";
+  return run.status != 0 ? "makes its reader crash" : "";
+}
+
+} // namespace
+
+Model_content import_parts(const std::string& file, const Reading_options& options)
+{
+  try {
+    const std::string program = own_program("shape_correspondence_import", "SHAPE_CORRESPONDENCE_IMPORT");
+    const Program_run run =
+        run_program(program, {file, options.allow_outside_files ? "outside" : "inside"}, longest_import);
+    if (const std::string how = ending(run); !how.empty())
+      throw Invalid_input("it " + how + "; it is damaged, or too large");
+    std::string_view text = run.output;
+    if (text.substr(0, import_mark.size()) != import_mark)
+      throw Invalid_input("the program " + program + " is of another version; install the package anew");
+    text.remove_prefix(import_mark.size());
+    if (text[0] == has_complaint) throw Invalid_input(std::string(text.substr(1)));
+    Content_reader reader(text.substr(1));
+    Model_content content;
+    exchange(reader, content);
+    return content;
+  } catch (const Invalid_input& error) {
+    throw Invalid_input(file + ": " + error.what());
+  }
+}
+
+} // namespace CGAL::Shape_correspondence::IO

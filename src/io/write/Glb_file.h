@@ -1,0 +1,85 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "io/write/Json.h"
+
+#include <CGAL/Shape_correspondence/Points.h>
+
+#include <Eigen/Core>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::IO {
+
+/// Triangles, or lines, ready to be drawn.
+struct Drawn_mesh
+{
+  Points points;
+  Points normals = {}; ///< unit vectors, one for each point; or empty: shaded flat
+  Eigen::Matrix3Xi triangles = {};
+  Eigen::Matrix2Xi lines = {};       ///< drawn where there are no triangles
+  std::string layer = {};            ///< what it shows: viewers may switch layers on and off; empty: no layer
+  int material = 0;                  ///< of the file
+  Eigen::Matrix2Xf coordinates = {}; ///< of a texture, one for each point; or empty
+  Eigen::Matrix3Xf colours = {};     ///< factors of the material's colour, one for each point; or empty
+  std::vector<Points> morphs = {};   ///< the points at later times; as many of all meshes of a node
+
+  bool empty() const { return triangles.cols() == 0 && lines.cols() == 0; }
+};
+
+/// Nodes that are shown together. Viewers without a choice show the first scene.
+struct Glb_scene
+{
+  std::string name;
+  std::vector<int> roots;
+};
+
+/// A binary glTF 2.0 file under construction. Everything is referred to by the index that its `add_` returned.
+class Glb_file
+{
+public:
+  Glb_file();
+
+  /// Adds an object to a list of the glTF document, such as "images".
+  int add(const char* list, Json object);
+
+  /// Adds bytes to the buffer. \param target what they are for, by glTF's number \return their buffer view
+  int add_bytes(const std::string& bytes, int target = 0);
+
+  /// \param colour linear red, green, blue in [0, 1] \param alpha below 1: see-through \param texture -1: none
+  int add_material(const std::string& name, const Eigen::Vector3d& colour, double alpha = 1, int texture = -1);
+
+  /// A node with meshes, of which empty ones are left out.
+  int add_node(const std::string& name, const std::vector<Drawn_mesh>& meshes);
+
+  /// A node with children, moved along by `translation`.
+  int add_node(const std::string& name, const std::vector<int>& children, const Point& translation);
+
+  /// Lets the meshes of a node go through their morphs, at these times in seconds; the first is that of their points.
+  void animate_morphs(int node, const std::vector<double>& times);
+
+  /// Lets a node be seen from `begin` to `end` only, in seconds.
+  void animate_visibility(int node, double begin, double end);
+
+  /// Data for viewers that know this package: an object, of a node or of the animation.
+  void set_node_extras(int node, Json extras);
+  void set_animation_extras(Json extras);
+
+  void write(std::ostream& out, const std::vector<Glb_scene>& scenes) const;
+
+private:
+  template <typename Scalar>
+  int add_accessor(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& elements, int target, bool has_bounds);
+  Json primitive(const Drawn_mesh& mesh);
+  void add_channel(int node, const char* path, const char* interpolation, const std::vector<double>& times,
+                   const Eigen::MatrixXf& values);
+
+  Json document_;
+  std::string buffer_;
+};
+
+} // namespace CGAL::Shape_correspondence::IO

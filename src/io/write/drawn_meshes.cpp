@@ -1,0 +1,200 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/write/pictures.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+constexpr double cosine_of_smooth_edge = 0.82; // 35°
+constexpr int tube_sides = 12;
+constexpr double two_pi = 6.283185307179586;
+
+Point unit(const Point& v)
+{
+  const double length = v.norm();
+  return length > 0 ? Point(v / length) : Point::UnitY(); // normals of faces without area
+}
+
+/// Normals of triangles; their lengths are twice the areas.
+Points face_normals(const Points& points, const Eigen::Matrix3Xi& triangles)
+{
+  Points normals(3, triangles.cols());
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    const Point a = points.col(triangles(0, t));
+    normals.col(t) = (points.col(triangles(1, t)) - a).cross(points.col(triangles(2, t)) - a);
+  }
+  return normals;
+}
+
+/// The mean normal of the faces around a vertex that are nearly parallel to one of them.
+Point smooth_normal(const std::vector<int>& faces, int face, const Points& normals)
+{
+  const Point own = unit(normals.col(face));
+  Point sum = Point::Zero();
+  for (int other : faces) {
+    if (unit(normals.col(other)).dot(own) > cosine_of_smooth_edge) sum += normals.col(other);
+  }
+  return unit(sum);
+}
+
+/// Collects vertices; the same point with nearly the same normal is one vertex.
+class Vertex_collector
+{
+public:
+  explicit Vertex_collector(Eigen::Index points) : copies_(points) {}
+
+  int add(int index, const Point& point, const Point& normal)
+  {
+    for (int copy : copies_[index]) {
+      if (normals_[copy].dot(normal) > 1 - 1e-6) return copy;
+    }
+    copies_[index].push_back(static_cast<int>(points_.size()));
+    points_.push_back(point);
+    normals_.push_back(normal);
+    return copies_[index].back();
+  }
+
+  void move_into(Drawn_mesh& mesh) const
+  {
+    mesh.points.resize(3, points_.size());
+    mesh.normals.resize(3, points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      mesh.points.col(i) = points_[i];
+      mesh.normals.col(i) = normals_[i];
+    }
+  }
+
+private:
+  std::vector<std::vector<int>> copies_;
+  std::vector<Point> points_;
+  std::vector<Point> normals_;
+};
+
+/// Triangles of a grid of vertices; the rows close up if `ring_rows`, the columns if `ring_cols`.
+Eigen::Matrix3Xi grid_triangles(int rows, int cols, bool ring_rows, bool ring_cols)
+{
+  const int row_steps = ring_rows ? rows : rows - 1, col_steps = ring_cols ? cols : cols - 1;
+  Eigen::Matrix3Xi triangles(3, 2 * row_steps * col_steps);
+  int t = 0;
+  for (int i = 0; i < row_steps; ++i) {
+    for (int j = 0; j < col_steps; ++j) {
+      const int i1 = (i + 1) % rows, j1 = (j + 1) % cols;
+      triangles.col(t++) << i * cols + j, i1 * cols + j1, i1 * cols + j;
+      triangles.col(t++) << i * cols + j, i * cols + j1, i1 * cols + j1;
+    }
+  }
+  return triangles;
+}
+
+/// Points in a row without repetitions.
+Points without_repetitions(const Points& polyline)
+{
+  Points result(3, polyline.cols());
+  Eigen::Index n = 0;
+  for (Eigen::Index i = 0; i < polyline.cols(); ++i) {
+    if (n == 0 || polyline.col(i) != result.col(n - 1)) result.col(n++) = polyline.col(i);
+  }
+  return result.leftCols(n);
+}
+
+/// A small sphere.
+Drawn_mesh sphere(const Point& centre, double radius)
+{
+  const int rows = 7, cols = tube_sides;
+  Drawn_mesh mesh;
+  mesh.normals.resize(3, Eigen::Index(rows) * cols);
+  for (int i = 0; i < rows; ++i) {
+    const double latitude = two_pi / 2 * i / (rows - 1);
+    for (int j = 0; j < cols; ++j) {
+      const double longitude = two_pi * j / cols;
+      mesh.normals.col(i * cols + j) << std::sin(latitude) * std::cos(longitude), std::cos(latitude),
+          std::sin(latitude) * std::sin(longitude);
+    }
+  }
+  mesh.points = (radius * mesh.normals).colwise() + centre;
+  mesh.triangles = grid_triangles(rows, cols, false, true);
+  return mesh;
+}
+
+/// Meshes of points and normals as one.
+Drawn_mesh joined(const std::vector<Drawn_mesh>& meshes)
+{
+  Eigen::Index points = 0, triangles = 0;
+  for (const Drawn_mesh& mesh : meshes) {
+    points += mesh.points.cols();
+    triangles += mesh.triangles.cols();
+  }
+  Drawn_mesh result{Points(3, points), Points(3, points), Eigen::Matrix3Xi(3, triangles)};
+  points = triangles = 0;
+  for (const Drawn_mesh& mesh : meshes) {
+    result.points.middleCols(points, mesh.points.cols()) = mesh.points;
+    result.normals.middleCols(points, mesh.points.cols()) = mesh.normals;
+    result.triangles.middleCols(triangles, mesh.triangles.cols()) = mesh.triangles.array() + static_cast<int>(points);
+    points += mesh.points.cols();
+    triangles += mesh.triangles.cols();
+  }
+  return result;
+}
+
+} // namespace
+
+Drawn_mesh shaded(const Points& points, const Eigen::Matrix3Xi& triangles)
+{
+  const Points normals = face_normals(points, triangles);
+  std::vector<std::vector<int>> faces(points.cols());
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    for (int k = 0; k < 3; ++k)
+      faces[triangles(k, t)].push_back(static_cast<int>(t));
+  }
+  Drawn_mesh mesh;
+  mesh.triangles.resize(3, triangles.cols());
+  Vertex_collector vertices(points.cols());
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int v = triangles(k, t);
+      mesh.triangles(k, t) = vertices.add(v, points.col(v), smooth_normal(faces[v], static_cast<int>(t), normals));
+    }
+  }
+  vertices.move_into(mesh);
+  return mesh;
+}
+
+Drawn_mesh tube(const Points& polyline, bool closed, double radius)
+{
+  const Points centres = without_repetitions(polyline);
+  const int n = static_cast<int>(centres.cols());
+  Drawn_mesh mesh;
+  if (n < 2) return mesh;
+  mesh.points.resize(3, Eigen::Index(n) * tube_sides);
+  mesh.normals.resize(3, Eigen::Index(n) * tube_sides);
+  Point across = unit(centres.col(1) - centres.col(0)).unitOrthogonal();
+  for (int i = 0; i < n; ++i) {
+    const int before = closed ? (i + n - 1) % n : std::max(i - 1, 0);
+    const int after = closed ? (i + 1) % n : std::min(i + 1, n - 1);
+    const Point along = unit(centres.col(after) - centres.col(before));
+    const Point projected = across - across.dot(along) * along;
+    across = projected.norm() > 1e-6 ? unit(projected) : along.unitOrthogonal(); // carried along, so no twist
+    for (int k = 0; k < tube_sides; ++k) {
+      const double angle = two_pi * k / tube_sides;
+      const Point normal = std::cos(angle) * across + std::sin(angle) * along.cross(across);
+      mesh.normals.col(i * tube_sides + k) = unit(normal);
+      mesh.points.col(i * tube_sides + k) = centres.col(i) + radius * normal;
+    }
+  }
+  mesh.triangles = grid_triangles(n, tube_sides, closed, true);
+  if (closed) return mesh;
+  const double round = radius * 1.05; // a little more than the tube, so that the ends look round
+  return joined({mesh, sphere(centres.col(0), round), sphere(centres.col(n - 1), round)});
+}
+
+Drawn_mesh patch(const Points& grid, int rows, int cols)
+{
+  return shaded(grid, grid_triangles(rows, cols, false, false));
+}
+
+} // namespace CGAL::Shape_correspondence::IO

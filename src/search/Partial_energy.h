@@ -1,0 +1,85 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "energy/Matching_problem.h"
+#include "energy/Structure_preservation.h"
+
+#include <array>
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+// The deformation that a partial solution was rated by.
+struct Rating
+{
+  std::vector<Part_motion> motions; // by part, of those that are not matched
+  std::vector<Rod_energy> energies; // by contact
+};
+
+// The energy of a partial solution: that of the whole shape, with the parts of unassigned groups moved by structure
+// preservation (paper, section 5). Contacts between assigned groups are looked up in the tables of the problem.
+// Solutions are rated as expansions of a parent: contacts whose parts stay where they are keep their energies.
+class Partial_energy
+{
+public:
+  explicit Partial_energy(const Matching_problem& problem);
+
+  // Of the solution rated last; at first of the empty one.
+  const Rating& rating() const { return rating_; }
+
+  // Sets the solution whose expansions are rated next.
+  void set_parent(const Assignment& assignment, const Rating& rating);
+
+  // The energy of the parent with a group assigned, without the contacts of unassigned groups.
+  double lower_bound(const Assignment& assignment, std::size_t group);
+
+  // The energy of the parent with a group assigned. If it is above `greatest`, any value above that: rating then stops
+  // early. `least` is its lower bound.
+  double operator()(const Assignment& assignment, std::size_t group, double least, double greatest);
+
+private:
+  // Rods from a piece of a matched part to a whole part.
+  struct Piece_rods
+  {
+    std::size_t side, piece; // side of the contact, index of the source piece
+    int repeats;
+    Structural_rods rods;
+  };
+
+  void assign(std::size_t group, const Assignment& assignment);
+  double rate(const Assignment& assignment, double least, double greatest);
+  Point contact_movement(std::size_t contact, std::size_t side, std::size_t label) const;
+  double cost(const Rod_energy& energy) const;
+  bool is_assigned(std::size_t contact, const Assignment& assignment) const;
+  const Sample_lanes& moved_samples(std::size_t part);
+  Rod_energy contact_energy(std::size_t contact, const Assignment& assignment);
+  const Structural_rods& rods(std::size_t contact, std::size_t side, const Fitted_piece& fitted);
+
+  const Matching_problem& problem_;
+  const Deformable_shape& shape_;
+  Structure_preservation preserve_structure_;
+  std::vector<std::vector<std::size_t>> contacts_of_; // by group
+  std::vector<std::vector<Point>> contact_movement_;  // of the contact point of a matched part, by side and label
+  std::vector<std::deque<Piece_rods>> piece_rods_;    // by contact
+
+  Assignment parent_;
+  Rating parent_rating_;
+  std::vector<Rod_energy> assigned_energies_; // by contact; 0 where a group is not assigned
+  std::vector<std::size_t> order_;            // of contacts, the ones with the highest energy in the parent first
+
+  // Of the solution that is being rated
+  Rating rating_;
+  std::vector<char> matched_; // by group
+  std::vector<std::array<Point, 2>> contact_displacement_;
+  std::vector<char> keeps_place_; // by part, whether it is where it is in the parent
+
+  // Samples of unmatched parts after a motion, kept since most motions repeat
+  std::vector<Sample_lanes> moved_;
+  std::vector<Part_motion> moved_by_;
+};
+
+} // namespace CGAL::Shape_correspondence::internal

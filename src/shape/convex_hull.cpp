@@ -1,0 +1,171 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "shape/convex_hull.h"
+#include "base/planar_hull.h"
+#include "shape/meshes.h"
+#include "shape/oriented_box.h"
+
+#include <CGAL/Convex_hull_traits_3.h>
+#include <CGAL/convex_hull_3.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// Makes the hull's traits, and so the triangulation inside the hull algorithm, types of our own.
+struct Hull_mesh_tag;
+
+using Hull_traits = CGAL::Convex_hull_traits_3<Mesh_kernel, Hull_mesh_tag, CGAL::Tag_true>;
+using Hull_triangulation =
+    CGAL::Triangulation_data_structure_2<CGAL::Convex_hull_vertex_base_2<CGAL::GT3_for_CH3<Hull_traits>>,
+                                         CGAL::Convex_hull_face_base_2<Hull_traits>>;
+
+} // namespace CGAL::Shape_correspondence::internal
+
+/// The hull algorithm walks the border of the faces that a point sees from the first vertex of a `std::map`, by default
+/// the one of the lowest address: the order of the hull's vertices and faces would differ from run to run.
+template <>
+struct std::less<CGAL::Shape_correspondence::internal::Hull_triangulation::Vertex_handle>
+{
+  using Vertex_handle = CGAL::Shape_correspondence::internal::Hull_triangulation::Vertex_handle;
+
+  bool operator()(const Vertex_handle& a, const Vertex_handle& b) const { return a->point() < b->point(); }
+};
+
+namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+/// The convex hull of points that do not lie in a plane, its faces triangles.
+Halfedge_mesh convex_hull_mesh(const Points& points)
+{
+  std::vector<Mesh_point> input;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    input.push_back(to_mesh_point(points.col(i)));
+  Halfedge_mesh result;
+  CGAL::convex_hull_3(input.begin(), input.end(), result, Hull_traits());
+  return result;
+}
+
+/// Hull vertices of points that lie in a plane: those of the rectangle or polygon in it.
+Convex_hull flat_hull(const Points& points, const Oriented_box& box)
+{
+  Planar_points flat;
+  const Points turned = box.axes.transpose() * (points.colwise() - box.centre);
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    flat.push_back(turned.col(i).head<2>());
+  const Planar_points outline = planar_hull(flat);
+  Convex_hull result;
+  result.vertices.resize(3, Eigen::Index(outline.size()));
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    result.vertices.col(Eigen::Index(i)) = box.centre + box.axes.leftCols<2>() * outline[i];
+  return result;
+}
+
+/// The box along the principal axes, the thinnest of which shows flat points: a hull of rounding noise has no volume.
+Oriented_box thinnest_box(const Points& points)
+{
+  const Points centred = points.colwise() - points.rowwise().mean();
+  return box_along(points, eigen_system(scatter_matrix(centred)).vectors);
+}
+
+/// The vertices of a hull and its volume, both from a sorted mesh: the algorithm's output is ordered by addresses.
+Convex_hull measured_hull(const Halfedge_mesh& mesh)
+{
+  using Key = std::array<double, 3>;
+  const auto key = [&](Halfedge_mesh::Vertex_index v) {
+    return Key{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
+  };
+  std::map<Key, int> order;
+  for (auto v : mesh.vertices())
+    order[key(v)] = 0;
+  Convex_hull result;
+  result.vertices.resize(3, Eigen::Index(order.size()));
+  int count = 0;
+  for (auto& [position, index] : order) {
+    result.vertices.col(count) << position[0], position[1], position[2];
+    index = count++;
+  }
+  std::vector<std::vector<int>> faces;
+  for (auto f : mesh.faces()) {
+    faces.emplace_back();
+    for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      faces.back().push_back(order.at(key(v)));
+    std::rotate(faces.back().begin(), std::min_element(faces.back().begin(), faces.back().end()), faces.back().end());
+  }
+  std::sort(faces.begin(), faces.end());
+  const Point apex = result.vertices.col(0);
+  for (const auto& face : faces) {
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      const Point a = result.vertices.col(face[0]) - apex, b = result.vertices.col(face[k - 1]) - apex,
+                  c = result.vertices.col(face[k]) - apex;
+      result.volume += a.dot(b.cross(c)) / 6;
+    }
+  }
+  result.volume = std::abs(result.volume);
+  return result;
+}
+
+constexpr double flat = 1e-6; // thickness over width of points of which the hull is rounding noise
+
+/// The points, and copies of them to both sides in every direction in which they are thinner than `thickness`.
+Points thickened(const Points& points, double thickness)
+{
+  const Point middle = points.rowwise().mean();
+  const Eigen::Matrix3d axes = eigen_system(scatter_matrix(points.colwise() - middle)).vectors;
+  Points result = points;
+  for (int k = 0; k < 3; ++k) {
+    const Point axis = axes.col(k);
+    const Eigen::RowVectorXd along = axis.transpose() * (points.colwise() - middle);
+    if (along.maxCoeff() - along.minCoeff() > flat * thickness) continue;
+    const Points thin = result;
+    result.resize(3, 2 * thin.cols());
+    result << thin.colwise() + thickness / 2 * axis, thin.colwise() - thickness / 2 * axis;
+  }
+  return result;
+}
+
+} // namespace
+
+Convex_hull convex_hull(const Points& points)
+{
+  const double thinnest = 1e-6;
+  if (points.cols() == 0) return {};
+  const Oriented_box box = thinnest_box(points);
+  if (box.extents[2] <= thinnest * box.extents[0]) return flat_hull(points, box);
+  return measured_hull(convex_hull_mesh(points));
+}
+
+Hull_planes::Hull_planes(const Points& points, double thickness)
+{
+  const Halfedge_mesh hull = convex_hull_mesh(thickened(points, thickness));
+  const auto faces = Eigen::Index(hull.number_of_faces());
+  normals_.resize(3, faces);
+  offsets_.resize(faces);
+  Eigen::Index k = 0;
+  for (const auto face : hull.faces()) {
+    const auto h = hull.halfedge(face);
+    const Point a = to_point(hull.point(hull.source(h))), b = to_point(hull.point(hull.target(h))),
+                c = to_point(hull.point(hull.target(hull.next(h))));
+    normals_.col(k) = (b - a).cross(c - a).normalized();
+    offsets_[k] = normals_.col(k).dot(a);
+    ++k;
+  }
+}
+
+double Hull_planes::share_inside(const Points& points, double tolerance) const
+{
+  Eigen::Index inside = 0;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    inside += ((normals_.transpose() * points.col(i) - offsets_).array() <= tolerance).all();
+  return double(inside) / double(points.cols());
+}
+
+} // namespace CGAL::Shape_correspondence::internal

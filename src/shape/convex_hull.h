@@ -1,0 +1,34 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Points.h>
+#include <CGAL/Shape_correspondence/version.h>
+
+namespace CGAL::Shape_correspondence::internal {
+
+struct Convex_hull
+{
+  Points vertices;
+  double volume = 0; ///< 0 of points that lie in a plane
+};
+
+Convex_hull convex_hull(const Points& points);
+
+/// The convex hull of points as half-spaces.
+class Hull_planes
+{
+public:
+  /// \param thickness of the hull of points that lie in a plane or on a line
+  Hull_planes(const Points& points, double thickness);
+
+  /// Which share of some points is in the hull, or no farther than `tolerance` outside of one of its planes.
+  double share_inside(const Points& points, double tolerance) const;
+
+private:
+  Points normals_; ///< outwards, of length 1
+  Eigen::VectorXd offsets_;
+};
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,158 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "texture/dressed_meshes.h"
+#include "io/system/colours.h"
+#include "texture/image_file.h"
+
+#include <CGAL/Shape_correspondence/transfer_appearance.h>
+
+#include <array>
+#include <tuple>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+constexpr int wrap_numbers[] = {10497, 33648, 33071}; // of Texture_wrap, in glTF
+
+/// What a model looks like as it is drawn; nothing where that is not known.
+Shape_appearance drawn_appearance(const Segmented_shape* model, const Shape_appearance& looks,
+                                  const Segmented_shape* drawn, std::size_t most_bytes)
+{
+  std::size_t bytes = 0;
+  for (const Texture& texture : looks.textures)
+    bytes += texture.bytes.size();
+  if (!model || looks.empty() || bytes > most_bytes) return {};
+  if (model == drawn) return looks;
+  Shape_appearance result{looks.materials, looks.textures, {}, {}};
+  for (std::size_t part = 0; part < model->parts().size(); ++part)
+    result.parts.push_back(appearance_on(model->parts()[part].mesh, looks.parts[part], drawn->parts()[part].mesh));
+  return result;
+}
+
+} // namespace
+
+bool Glb_materials::has_texture(int material) const
+{
+  if (material < 0) return false;
+  const int number = appearance_.materials[std::size_t(material)].texture;
+  return number >= 0 && !appearance_.textures[std::size_t(number)].bytes.empty();
+}
+
+Eigen::Vector4d Glb_materials::colour_of(int material, bool has_colours) const
+{
+  if (material >= 0) return appearance_.materials[std::size_t(material)].colour;
+  Eigen::Vector4d result = Eigen::Vector4d::Ones();
+  if (!has_colours) result.head<3>() = grey();
+  return result;
+}
+
+const Part_appearance& Glb_materials::of_part(std::size_t part) const
+{
+  static const Part_appearance unknown;
+  return part < appearance_.parts.size() ? appearance_.parts[part] : unknown;
+}
+
+int Glb_materials::texture(int number)
+{
+  const auto [known, is_new] = textures_.emplace(number, 0);
+  if (!is_new) return known->second;
+  const Texture& texture = appearance_.textures[std::size_t(number)];
+  const char* const type = is_png(texture.bytes) ? "image/png" : "image/jpeg";
+  const int view = glb_.add_bytes(texture.bytes);
+  const int image = glb_.add("images", {{"name", texture.name}, {"mimeType", type}, {"bufferView", view}});
+  const int sampler = glb_.add(
+      "samplers", {{"wrapS", wrap_numbers[int(texture.wrap_u)]}, {"wrapT", wrap_numbers[int(texture.wrap_v)]}});
+  return known->second = glb_.add("textures", {{"source", image}, {"sampler", sampler}});
+}
+
+int Glb_materials::operator()(int material, bool has_colours)
+{
+  const auto [known, is_new] = materials_.emplace(std::pair(material, material < 0 && has_colours), 0);
+  if (!is_new) return known->second;
+  const Surface_material* const own = material < 0 ? nullptr : &appearance_.materials[std::size_t(material)];
+  const Eigen::Vector4d colour = colour_of(material, has_colours);
+  const int number = has_texture(material) ? texture(own->texture) : -1;
+  return known->second = glb_.add_material(own ? own->name : "no material", colour.head<3>(), colour[3], number);
+}
+
+std::vector<Blend_painter::Painted_mesh> dressed_meshes(const Eigen::Matrix3Xi& triangles, const Part_appearance& looks,
+                                                        const Glb_materials& materials,
+                                                        const std::function<int(int, bool)>& material_of)
+{
+  struct Collector
+  {
+    std::map<std::tuple<int, std::array<float, 2>, std::array<float, 3>>, int> known;
+    std::vector<int> points, triangles;
+    std::vector<float> coordinates, colours;
+  };
+  const bool has_coordinates = !looks.coordinates.empty(), has_colours = !looks.colours.empty();
+  std::map<int, Collector> by_material;
+  for (Eigen::Index i = 0; i < triangles.size(); ++i) {
+    const auto corner = std::size_t(i);
+    Collector& all = by_material[looks.materials.empty() ? -1 : looks.materials[corner / 3]];
+    const int point = triangles.data()[i];
+    std::array<float, 2> at{};
+    std::array<float, 3> colour{};
+    if (has_coordinates) std::copy_n(looks.coordinates[corner].data(), 2, at.data());
+    if (has_colours) std::copy_n(looks.colours[corner].data(), 3, colour.data());
+    const auto [known, is_new] = all.known.emplace(std::tuple(point, at, colour), int(all.points.size()));
+    all.triangles.push_back(known->second);
+    if (!is_new) continue;
+    all.points.push_back(point);
+    if (has_coordinates) all.coordinates.insert(all.coordinates.end(), at.begin(), at.end());
+    if (has_colours) all.colours.insert(all.colours.end(), colour.begin(), colour.end());
+  }
+  std::vector<Blend_painter::Painted_mesh> result;
+  for (auto& [material, all] : by_material) {
+    const auto points = Eigen::Index(all.points.size());
+    Blend_painter::Painted_mesh painted;
+    painted.mesh.triangles =
+        Eigen::Map<Eigen::Matrix3Xi>(all.triangles.data(), 3, Eigen::Index(all.triangles.size()) / 3);
+    if (has_coordinates && materials.has_texture(material))
+      painted.mesh.coordinates = Eigen::Map<Eigen::Matrix2Xf>(all.coordinates.data(), 2, points);
+    if (has_colours) painted.mesh.colours = Eigen::Map<Eigen::Matrix3Xf>(all.colours.data(), 3, points);
+    painted.mesh.material = material_of(material, has_colours);
+    painted.points = std::move(all.points);
+    result.push_back(std::move(painted));
+  }
+  return result;
+}
+
+std::vector<Drawn_mesh> dressed(const Drawn_mesh& mesh, const Part_appearance& looks, Glb_materials& materials)
+{
+  std::vector<Drawn_mesh> result;
+  for (auto& [drawn, points] : dressed_meshes(mesh.triangles, looks, materials, std::ref(materials))) {
+    drawn.layer = mesh.layer;
+    drawn.points = mesh.points(Eigen::all, points);
+    if (mesh.normals.cols() > 0) drawn.normals = mesh.normals(Eigen::all, points);
+    result.push_back(std::move(drawn));
+  }
+  return result;
+}
+
+Add_scenes dressed_scenes(std::vector<std::pair<const Segmented_shape*, const Shape_appearance*>> models,
+                          std::size_t most_bytes)
+{
+  return [=](Glb_file& glb, const std::vector<Placed_shape>& shapes, std::vector<Glb_scene>& scenes) {
+    std::vector<Shape_appearance> looks;
+    bool are_known = false;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      looks.push_back(drawn_appearance(models[i].first, *models[i].second, shapes[i].shape.model(), most_bytes));
+      are_known = are_known || !looks.back().empty();
+    }
+    if (!are_known) return;
+    scenes.push_back({material_layer, {}});
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      Glb_materials materials(glb, looks[i]);
+      const auto draw = [&](std::size_t part) {
+        Drawn_mesh mesh = shapes[i].shape.best_mesh(part);
+        mesh.layer = material_layer;
+        return dressed(mesh, materials.of_part(part), materials);
+      };
+      scenes.back().roots.push_back(shapes[i].shape.add_to(glb, shapes[i].place, draw));
+    }
+  };
+}
+
+} // namespace CGAL::Shape_correspondence::IO

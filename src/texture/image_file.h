@@ -1,0 +1,36 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Shape_appearance.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace CGAL::Shape_correspondence::IO {
+
+/// What is wrong with the bytes of an image file, as the end of a sentence; empty if they begin like a PNG or JPEG.
+std::string fault_of_image(std::string_view bytes);
+
+bool is_png(std::string_view bytes);
+
+/// What the images of a model may take in all, once they are decoded: a few bytes may be an image of any size.
+struct Image_budget
+{
+  std::size_t pixels = std::size_t(1) << 26; ///< four bytes each
+  std::size_t scanned =
+      std::size_t(1) << 30; ///< pixels, times the scans of a progressive JPEG, each of which takes its time
+
+  /// Takes an image off. \throw Invalid_input if it is too large; the message ends a sentence
+  void take(std::size_t width, std::size_t height, std::size_t scans);
+};
+
+/// Decodes a PNG or JPEG of at most 8192 pixels in each direction. \throw Invalid_input; the message ends a sentence
+Image decoded_image(const std::string& bytes, Image_budget& budget);
+
+/// A picture as a PNG file.
+std::string png_of(const Image& image);
+
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,0 +1,293 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/read/read_objects.h"
+#include "io/read/text_words.h"
+#include "io/system/colours.h"
+#include "io/system/input_file.h"
+#include "texture/image_file.h"
+
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20; // bytes, of a library or a texture
+constexpr std::size_t most_bytes = std::size_t(256) << 20;        // of all of a model
+constexpr float largest_coordinate_of_texture = 1e4f;             // repetitions; beyond, single precision is too coarse
+
+/// The bytes of a file that a model names, or why there are none.
+struct Named_file
+{
+  std::string bytes, fault;
+};
+
+std::string with_slashes(std::string name)
+{
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
+}
+
+/// The same with %20 and the like as characters.
+std::string without_percents(const std::string& name)
+{
+  std::string result;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    int code = 0;
+    const char* const digits = name.data() + i + 1;
+    if (name[i] == '%' && i + 2 < name.size() && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
+      result += char(code);
+      i += 2;
+    } else
+      result += name[i];
+  }
+  return result;
+}
+
+/// Reads the files that a model names: from its folder or, where they are not there by the path that it gives, beside
+/// it.
+class Named_files
+{
+public:
+  Named_files(const std::string& model, const Reading_options& options, std::size_t& rest)
+      : model_(model), options_(options), rest_(rest)
+  {}
+
+  Named_file read(const std::string& given) const
+  {
+    const fs::path folder = fs::path(model_).parent_path();
+    const std::string name = with_slashes(given);
+    std::error_code error;
+    std::string fault = "is not there";
+    for (const fs::path candidate : {name, without_percents(name)})
+      for (const fs::path& path : {folder / candidate.relative_path(), folder / candidate.filename()}) {
+        if (!fs::is_regular_file(path, error)) continue;
+        if (!options_.allow_outside_files && !is_in_folder_of(model_, path.string())) {
+          fault = "is outside the model's folder, and not read without --allow-outside-files";
+          continue;
+        }
+        const std::uintmax_t size = fs::file_size(path, error);
+        if (size > largest_file) return {"", "is larger than 64 MB"};
+        if (size > rest_) return {"", "is more than the 256 MB that the textures of a model may have"};
+        std::ifstream in(path, std::ios::binary);
+        Named_file result{{std::istreambuf_iterator<char>(in), {}}, in ? "" : "cannot be read"};
+        rest_ -= std::min(rest_, result.bytes.size());
+        return result;
+      }
+    return {"", fault};
+  }
+
+private:
+  const std::string& model_;
+  const Reading_options& options_;
+  std::size_t& rest_; ///< bytes of files that may be read for the model
+};
+
+/// A material of a library, with the name of its texture.
+struct Library_material
+{
+  Surface_material material;
+  Texture texture;
+};
+
+/// Reads a library of materials; statements that are not understood are left out.
+class Mtl_reader
+{
+public:
+  explicit Mtl_reader(std::string_view text) : text_(text) {}
+
+  std::map<std::string, Library_material> read()
+  {
+    while (!text_.empty()) {
+      std::string_view line = trimmed(next_line(text_));
+      const std::string_view keyword = next_word(line);
+      if (keyword == "newmtl")
+        material_ = &materials_[std::string(trimmed(line))];
+      else if (material_)
+        read_statement(keyword, line);
+    }
+    return std::move(materials_);
+  }
+
+  std::size_t damaged_statements() const { return damaged_; }
+
+private:
+  void read_statement(std::string_view keyword, std::string_view line)
+  {
+    Eigen::Vector4d& colour = material_->material.colour;
+    if (keyword == "Kd") {
+      Colour given;
+      for (double& value : given)
+        if (!parse(next_word(line), value)) return void(++damaged_);
+      colour.head<3>() = linear_colour(given);
+    } else if (keyword == "d" || keyword == "Tr") {
+      double value = 1;
+      if (!parse(next_word(line), value)) return void(++damaged_);
+      colour[3] = keyword == "d" ? value : 1 - value;
+    } else if (keyword == "map_Kd")
+      read_texture(line);
+  }
+
+  /// Options come before the name, which may have blanks.
+  void read_texture(std::string_view line)
+  {
+    Texture texture;
+    for (std::string_view rest = trimmed(line); !rest.empty() && rest[0] == '-';) {
+      const std::string_view option = next_word(rest);
+      const bool takes_numbers = option == "-s" || option == "-o" || option == "-t" || option == "-mm";
+      if (!takes_numbers) {
+        const bool is_on = next_word(rest) == "on";
+        if (option == "-clamp" && is_on) texture.wrap_u = texture.wrap_v = Texture_wrap::CLAMP;
+      }
+      for (double number = 0; takes_numbers;) {
+        std::string_view after = rest;
+        if (!parse(next_word(after), number)) break;
+        rest = after;
+      }
+      line = rest = trimmed(rest);
+    }
+    texture.name = trimmed(line);
+    if (texture.name.empty()) return void(++damaged_);
+    material_->texture = texture;
+  }
+
+  std::string_view text_;
+  std::map<std::string, Library_material> materials_;
+  Library_material* material_ = nullptr;
+  std::size_t damaged_ = 0;
+};
+
+int index_of_texture(const Texture& texture, std::vector<Texture>& textures)
+{
+  const auto is_same = [&](const Texture& other) {
+    return other.name == texture.name && other.wrap_u == texture.wrap_u && other.wrap_v == texture.wrap_v;
+  };
+  const auto found = std::find_if(textures.begin(), textures.end(), is_same);
+  if (found != textures.end()) return int(found - textures.begin());
+  textures.push_back(texture);
+  return int(textures.size()) - 1;
+}
+
+/// Materials by name, of all libraries of an OBJ file; the first of a name counts.
+std::map<std::string, Library_material>
+read_libraries(const Named_files& files, const std::vector<std::string>& statements, std::vector<std::string>& warnings)
+{
+  std::map<std::string, Library_material> result;
+  for (const std::string& statement : statements) {
+    // One name with blanks, or several
+    std::vector<std::pair<std::string, Named_file>> libraries{{statement, files.read(statement)}};
+    if (!libraries[0].second.fault.empty()) {
+      libraries.clear();
+      std::string_view rest = statement;
+      for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest))
+        libraries.emplace_back(word, files.read(std::string(word)));
+    }
+    for (const auto& [name, file] : libraries) {
+      if (!file.fault.empty())
+        warnings.push_back("The materials of '" + name + "' were left out: it " + file.fault + ".");
+      Mtl_reader reader(file.bytes);
+      result.merge(reader.read());
+      if (reader.damaged_statements() > 0)
+        warnings.push_back("Statements of '" + name +
+                           "' that cannot be read were left out: " + std::to_string(reader.damaged_statements()) + ".");
+    }
+  }
+  return result;
+}
+
+/// Looks up the materials of a file that has their names only. \return whether each is known
+std::vector<bool> look_up_materials(const Named_files& files, Model_content& content,
+                                    std::vector<std::string>& warnings)
+{
+  std::vector<bool> known(content.materials.size(), !content.materials_are_names);
+  if (!content.materials_are_names) return known;
+  const std::map<std::string, Library_material> library = read_libraries(files, content.libraries, warnings);
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    Surface_material& material = content.materials[i];
+    const auto found = library.find(material.name);
+    if (found == library.end()) continue;
+    known[i] = true;
+    material.colour = found->second.material.colour;
+    if (found->second.texture.name.empty()) continue;
+    material.texture = index_of_texture(found->second.texture, content.textures);
+    material.colour.head<3>().setOnes(); // the texture stands for the colour
+  }
+  return known;
+}
+
+void load_textures(const Named_files& files, Model_content& content, std::vector<std::string>& warnings)
+{
+  for (Texture& texture : content.textures) {
+    std::string fault;
+    if (texture.bytes.empty()) {
+      Named_file file = files.read(texture.name);
+      texture.bytes = std::move(file.bytes);
+      fault = file.fault;
+    }
+    if (fault.empty() && texture.bytes.size() > largest_file) fault = "is larger than 64 MB";
+    if (fault.empty()) fault = fault_of_image(texture.bytes);
+    if (fault.empty()) continue;
+    texture.bytes.clear();
+    warnings.push_back("The texture '" + texture.name + "' was left out: it " + fault + ".");
+  }
+  for (Surface_material& material : content.materials)
+    if (material.texture >= 0 && (std::size_t(material.texture) >= content.textures.size() ||
+                                  content.textures[std::size_t(material.texture)].bytes.empty()))
+      material.texture = -1;
+}
+
+void bound(Model_part& part, std::size_t materials)
+{
+  Part_appearance& looks = part.appearance;
+  if (looks.materials.size() != part.corners.size() / 3) looks.materials.clear();
+  if (looks.coordinates.size() != part.corners.size()) looks.coordinates.clear();
+  if (looks.colours.size() != part.corners.size()) looks.colours.clear();
+  for (int& material : looks.materials)
+    if (material < 0 || std::size_t(material) >= materials) material = -1;
+  for (Eigen::Vector2f& at : looks.coordinates)
+    if (!(at.array().abs() <= largest_coordinate_of_texture).all()) at.setZero(); // nor is NaN
+  for (Eigen::Vector3f& colour : looks.colours)
+    for (float& value : colour)
+      value = value > 0 ? std::min(value, 1.f) : 0.f;
+}
+
+void complete_appearance(const Named_files& files, Model_content& content, std::vector<std::string>& warnings)
+{
+  const std::vector<bool> known = look_up_materials(files, content, warnings);
+  load_textures(files, content, warnings);
+  for (Surface_material& material : content.materials) {
+    for (double& value : material.colour)
+      value = value > 0 ? std::min(value, 1.) : 0;
+    if (material.colour[3] == 0) material.colour[3] = 1; // of exporters that mix the two ways to say it
+  }
+  for (Model_part& part : content.parts) {
+    bound(part, content.materials.size());
+    for (int& material : part.appearance.materials)
+      if (material >= 0 && !known[std::size_t(material)]) material = -1;
+  }
+}
+
+} // namespace
+
+Segmented_shape read_shape_and_appearance(const std::string& path, Shape_appearance& appearance, const Point& up,
+                                          std::vector<std::string>* warnings, const Reading_options& options)
+{
+  std::size_t rest = most_bytes;
+  Model_objects objects =
+      read_objects(path, up, options, [&](const std::string& file, Model_content& content, auto& found) {
+        complete_appearance({file, options, rest}, content, found);
+      });
+  if (warnings) warnings->insert(warnings->end(), objects.warnings.begin(), objects.warnings.end());
+  appearance = std::move(objects.appearance);
+  return std::move(objects.shape);
+}
+
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,0 +1,153 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Training with pairs, and correspondences of shapes that it does not see.
+#include "experiments/role_validation.h"
+#include "labelled_furniture.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace CGAL::Shape_correspondence;
+using namespace labelled_furniture;
+using namespace CGAL::Shape_correspondence::experiments;
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::vector<Validation_shape> validation_shapes(const std::deque<Furniture>& shapes)
+{
+  std::vector<Validation_shape> result;
+  for (const Furniture& shape : shapes) {
+    result.push_back({{&shape.graph, shape.category, shape.labels, 1}, shape.category + " maker"});
+  }
+  return result;
+}
+
+// All pairs of shapes of a category among the first ones.
+std::vector<Shape_pair> pairs_of_category(const std::deque<Furniture>& shapes, std::size_t count)
+{
+  std::vector<Shape_pair> result;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j)
+      if (shapes[i].category == shapes[j].category) result.push_back({i, j});
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("Weights are fitted to pairs of shapes, each matched as by a model that has seen neither")
+{
+  const std::vector<Labelled_graph> shapes = labelled(examples());
+  std::vector<Shape_pair> pairs = pairs_of_category(examples(), shapes.size());
+  const Role_model_data usual = Role_model_access::data(train_role_model(shapes)),
+                        fitted = Role_model_access::data(train_role_model(shapes, {}, pairs));
+  for (std::size_t c = 0; c < usual.categories.size(); ++c) {
+    CHECK(fitted.categories[c].examples.size() == usual.categories[c].examples.size());
+    // Nothing speaks against the labels, so they count for no less than usual
+    CHECK(fitted.categories[c].weights[SAME_LABEL] >= usual_pair_weights()[SAME_LABEL]);
+    CHECK(fitted.categories[c].weights != usual.categories[c].weights);
+  }
+  for (const Shape_pair& wrong : {Shape_pair{0, 1}, Shape_pair{2, 2}, Shape_pair{0, shapes.size()}})
+    CHECK_THROWS_WITH(train_role_model(shapes, {}, {wrong}), Contains("is not of two shapes of a category"));
+}
+
+TEST_CASE("Pairs of shapes that the training did not see")
+{
+  const std::vector<Validation_shape> shapes = validation_shapes(examples());
+  const std::vector<Shape_pair> all = pairs_of_category(examples(), shapes.size());
+  const Role_validation validation(shapes, all, {}, {});
+  REQUIRE(validation.pairs().size() == all.size());
+  for (const Validated_pair& pair : validation.pairs()) {
+    const std::string& category = examples()[pair.shapes[0]].category;
+    CHECK((pair.category.empty() || pair.category == category));
+    // Labels of what the training has seen the like of are right
+    if (!pair.category.empty()) CHECK(pair.joined.f1() == 1);
+    CHECK(pair.judged.size() == pair.joined.matched);
+    const auto count = [&](bool Judged_pair::*what) {
+      return std::size_t(std::count_if(pair.judged.begin(), pair.judged.end(),
+                                       [&](const Judged_pair& judged) { return judged.*what; }));
+    };
+    CHECK(count(&Judged_pair::is_right) == pair.joined.right);
+    CHECK(count(&Judged_pair::has_one_role) == pair.joined.right_coarse);
+  }
+}
+
+TEST_CASE("Shapes that are turned by any angle are matched as those that face the front")
+{
+  const std::vector<Validation_shape> shapes = validation_shapes(examples());
+  std::vector<Shape_pair> chairs;
+  for (const Shape_pair& pair : pairs_of_category(examples(), shapes.size()))
+    if (shapes[pair[0]].labelled.category == "chair") chairs.push_back(pair);
+  Validation_options options;
+  options.turns = Validation_turns::ANY;
+  options.fronts = Validation_fronts::AUTO;
+  SECTION("of which any front is as likely") {}
+  SECTION("by multiples of 90°, of which the given front is the likeliest")
+  {
+    options.turns = Validation_turns::QUARTERS;
+    options.fronts = Validation_fronts::LIKELY;
+    options.category_known = true;
+  }
+  const Role_validation validation(shapes, chairs, options, {});
+  int known = 0;
+  for (const Validated_pair& pair : validation.pairs())
+    if (!pair.category.empty()) {
+      ++known;
+      CHECK(pair.category == "chair");
+      CHECK(pair.joined.f1() == 1);
+    }
+  CHECK(known > 0);
+}
+
+TEST_CASE("What was left out of the training is not known")
+{
+  const std::vector<Validation_shape> shapes = validation_shapes(examples());
+  const std::vector<Shape_pair> pairs{{0, 2}, {1, 3}};
+  for (const Left_out left_out : {Left_out::SOURCES, Left_out::CATEGORY}) { // each category is of one source
+    Validation_options options;
+    options.left_out = left_out;
+    const Role_validation validation(shapes, pairs, options, {});
+    for (const Validated_pair& pair : validation.pairs()) {
+      CHECK(pair.category.empty());
+      CHECK(pair.joined.right == pair.geometric.right);
+      CHECK(pair.joined.matched == pair.geometric.matched);
+    }
+  }
+}
+
+TEST_CASE("Few examples: the training sees so many shapes of the category, and neither of the pair")
+{
+  const std::vector<Validation_shape> shapes = validation_shapes(examples());
+  const std::vector<Shape_pair> pairs{{0, 2}, {1, 3}};
+  Validation_options options;
+  options.left_out = Left_out::CATEGORY;
+  options.category_known = true;
+  for (const std::size_t count : {1u, 3u, 100u}) {
+    options.examples = count;
+    const Role_validation validation(shapes, pairs, options, {});
+    for (const Validated_pair& pair : validation.pairs()) {
+      CHECK(pair.category == shapes[pair.shapes[0]].labelled.category);
+      CHECK(pair.labels_joined == 1);
+    }
+  }
+  options.examples.reset();
+  const Role_validation unseen(shapes, pairs, options, {});
+  for (const Validated_pair& pair : unseen.pairs())
+    CHECK(pair.category.empty());
+  // As many as there are: the same as with the shapes left out alone
+  options.left_out = Left_out::SHAPES;
+  options.examples = 3;
+  const Role_validation few(shapes, pairs, options, {});
+  options.examples.reset();
+  const Role_validation all(shapes, pairs, options, {});
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    CHECK(few.pairs()[i].joined.right == all.pairs()[i].joined.right);
+}
