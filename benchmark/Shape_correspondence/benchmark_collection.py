@@ -3,10 +3,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks and times the command collection on a folder of shapes, graphs best.
 
-  benchmark_collection.py PROGRAM FOLDER [--kills 20] [--threads 1,2] [--ranks 2,4] [--options "--tile-size 8"]
+  benchmark_collection.py PROGRAM FOLDER [--kills 20] [--threads 1,2] [--ranks 2,4] [--options "--roles none"]
 
 Every run must write the same bytes. Kills: a run is killed (SIGKILL) at random moments and started again until it ends; no finished
-tile may be done again, so that a kill costs at most the tile that was being done. Ranks need a program built with MPI. Prints
+tile may be done again, so that a kill costs at most the tile that was being done. Ranks need PROGRAM_mpi, built with MPI, beside it. Prints
 seconds on the wall and of CPU. Ends with exit status 1 if a run differs.
 """
 import argparse
@@ -26,8 +26,8 @@ class Runs:
         self.args, self.scratch, self.expected, self.failed = args, scratch, None, False
         self.output = os.path.join(scratch, "collection.json")
 
-    def command(self, *more):
-        return [os.path.abspath(self.args.program), "collection", self.args.folder, "--quiet", "--json", self.output,
+    def command(self, *more, program=""):
+        return [os.path.abspath(self.args.program) + program, "collection", self.args.folder, "--quiet", "--json", self.output,
                 *shlex.split(self.args.options), *more]
 
     def timed(self, name, command):
@@ -93,7 +93,7 @@ def main():
         for n in numbers(args.ranks):
             mpirun = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(n)]
             store = os.path.join(scratch, f"ranks{n}")
-            runs.timed(f"{n} ranks", mpirun + runs.command("--store", store, "--threads", "1"))
+            runs.timed(f"{n} ranks", mpirun + runs.command("--store", store, "--threads", "1", program="_mpi"))
         if args.kills:
             chance = random.Random(1)
             runs.kill([chance.uniform(0, 1) / 5 for _ in range(args.kills)], max(seconds, default=1))

@@ -4,9 +4,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "command_line.h"
-#include "io/write/Json.h"
 #include "io/read/read_objects.h"
 #include "io/read/split_by_roles.h"
+#include "io/write/Json.h"
 #include "shape/Triangle_tree.h"
 #include "shape/sample_triangles.h"
 

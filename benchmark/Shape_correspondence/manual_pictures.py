@@ -5,7 +5,7 @@
 
   manual_pictures.py PROGRAM GENERATOR DATA OUT [--browser chromium] [--only NAME,NAME]
 
-GENERATOR is generate_models. Makes OUT/NAME.png: match, the shapes of the tutorials, and the gallery. `graph` is a screenshot of the
+GENERATOR is generate_models. Makes OUT/NAME.png or .svg: the picture of README.md, the figures of the manual, the shapes of the tutorials, and the gallery. `graph` is a screenshot of the
 page of `graph --html`; it is made only with --browser.
 """
 import argparse
@@ -16,7 +16,7 @@ import tempfile
 
 import blend_figure
 from contact_sheet import screenshot
-from picture import GREY, Picture, colours_of_match, numbered_colour, read_model
+from picture import GREY, Picture, colours_of_match, connected_blocks, numbered_colour, read_model
 
 DEMO = "chair_four_legged", "chair_swivel"
 CHAIRS = ["chair_four_legged", "chair_slatted", "chair_spindle", "chair_swivel", "stool"]
@@ -24,6 +24,27 @@ CHAIRS = ["chair_four_legged", "chair_slatted", "chair_spindle", "chair_swivel",
 GALLERY = [("airplane", "biplane", "biplane_twin"), ("chair", "office_slats", "windsor_arms"), ("lamp", "desk_clamp", "desk_three_rods"),
            ("table", "leaves_up", "writing"), ("velocipede", "tandem", "tandem_step_through"), ("bed", "cot_bars", "slats")]
 WIDTH, HEIGHT = 1000, 520  # of a screenshot
+
+
+def line(a, b, colour, width):
+    return f'<line x1="{a[0]:.0f}" y1="{a[1]:.0f}" x2="{b[0]:.0f}" y2="{b[1]:.0f}" stroke="{colour}" stroke-width="{width}" stroke-linecap="round"/>'
+
+
+def sheet(grid):
+    """The triangles of a grid of points."""
+    corners = [[grid[i + k][j + m] for k, m in ((0, 0), (0, 1), (1, 1), (1, 0))] for i in range(len(grid) - 1) for j in range(len(grid[0]) - 1)]
+    return [[a, b, c] for quad in corners for a, b, c in (quad[:3], quad[2:] + quad[:1])]
+
+
+def tube(points, radius=0.006):
+    """The triangles of a thin tube with four sides along a polyline; crossed ribbons, so that it is seen from all sides."""
+    triangles = []
+    for a, b in zip(points, points[1:]):
+        for axis in range(3):
+            side = [radius * (k == axis) for k in range(3)]
+            low, high = ([[p[k] + sign * side[k] for k in range(3)] for p in (a, b)] for sign in (-1, 1))
+            triangles += [[low[0], low[1], high[1]], [high[1], high[0], low[0]]]
+    return triangles
 
 
 class Pictures:
@@ -53,7 +74,7 @@ class Pictures:
             return json.load(result)
 
     def draw_pair(self, picture, source, target, options=(), column=0, row=0):
-        colours = colours_of_match(self.result("match", source, target, *options)["pairs"])
+        colours = colours_of_match(self.result("match", source, target, *options)["blocks"])
         for side, model in enumerate((source, target)):
             picture.draw(read_model(model), colours[side], column + side, row)
 
@@ -61,6 +82,102 @@ class Pictures:
         picture = Picture(2)
         self.draw_pair(picture, *map(self.data, DEMO))
         picture.write(self.out("match"))
+
+    def readme(self):
+        """Two pairs of chairs, and the blend of the first one in the same colours."""
+        source, target = map(self.data, DEMO)
+        picture = Picture(5, 2)
+        self.draw_pair(picture, source, target)
+        self.draw_pair(picture, self.data("chair_slatted"), self.data("chair_spindle"), column=3)
+        self.draw_blend(picture, source, target, 5, row=1)
+        picture.write(self.out("readme"))
+
+    def draw_blend(self, picture, source, target, frames, row=0):
+        """A blend from left to right, in the colours of the match."""
+        colours = colours_of_match(self.result("match", source, target)["blocks"])
+        folder = os.path.join(tempfile.mkdtemp(dir=self.scratch), "frames")
+        self.run("blend", source, target, "-o", folder, "--frames", str(frames))
+
+        def in_between(name):
+            a, _, b = name.partition("~")
+            return colours[0](a) if a else colours[1](b)
+        for column, name in enumerate(sorted(os.listdir(folder))):
+            ends = {0: colours[0], frames - 1: colours[1]}
+            picture.draw(read_model(os.path.join(folder, name)), ends.get(column, in_between), column, row)
+
+    def abstraction(self):
+        """A chair: its surfaces, its curves and sheets, and these in the colours of symmetry groups."""
+        shape, file = self.data("chair_slatted"), os.path.join(self.scratch, "graph.json")
+        self.run("graph", shape, "-o", file)
+        with open(file) as graph:
+            graph = json.load(graph)
+        drawn = [(part["name"], sheet(part["grid"]) if part["type"] == "sheet" else tube(part["points"])) for part in graph["parts"]]
+        names = [part["name"] for part in graph["parts"]]
+        group = {name: i for i, g in enumerate(graph["groups"]) for name in g["parts"]}
+        picture = Picture(3)
+        picture.draw(read_model(shape), lambda name: numbered_colour(names.index(name)), 0)
+        picture.draw(drawn, lambda name: numbered_colour(names.index(name)), 1)
+        picture.draw(drawn, lambda name: numbered_colour(group[name]), 2)
+        picture.write(self.out("abstraction"))
+
+    def energy(self):
+        """Rods of one contact, as they are, turned, and longer: a schematic picture."""
+        seat, leg = [(10, 30), (60, 30), (110, 30)], [(20, 40), (20, 80), (20, 120)]
+        turned, apart = [(32, 40), (52, 76), (72, 112)], [(20, 62), (20, 102), (20, 142)]
+        panels = [("before", leg), ("the leg turns: E_d", turned), ("they part: E_c", apart)]
+        body = ""
+        for i, (title, leg) in enumerate(panels):
+            rods = "".join(line(a, b, "#999", 1) for a in seat for b in leg)
+            body += (f'<g transform="translate({10 + 190 * i},0)">{rods}{line(seat[0], seat[-1], "#2f91f2", 6)}{line(leg[0], leg[-1], "#dc5b90", 6)}'
+                     f'<text x="60" y="170">{title}</text></g>')
+        self.write_svg("energy", 570, 180, body)
+
+    def search(self):
+        """A beam search that keeps three states of each level, each with two expansions: a schematic picture."""
+        levels, kept, body = [[400]], [0], ""
+        for level, keep in enumerate(([0, 1], [0, 1, 3], [1, 2, 4])):
+            parents = [levels[-1][i] for i in kept]
+            at = [80 + 640 * (i + 0.5) / (2 * len(parents)) for i in range(2 * len(parents))]
+            body += "".join(line((parents[i // 2], 20 + 60 * level), (x, 80 + 60 * level), "#2f91f2" if i in keep else "#bbb", 2)
+                            for i, x in enumerate(at))
+            levels.append(at)
+            kept = keep
+        for level, (at, keep) in enumerate(zip(levels, ([0], [0, 1], [0, 1, 3], [1, 2, 4]))):
+            body += "".join(f'<circle cx="{x:.0f}" cy="{20 + 60 * level}" r="9" fill="{"#2f91f2" if i in keep else "#ccc"}"/>' for i, x in enumerate(at))
+            body += f'<text x="30" y="{25 + 60 * level}">{level} groups</text>'
+        self.write_svg("search", 760, 220, body)
+
+    def write_svg(self, name, width, height, body):
+        with open(os.path.join(self.args.out, name + ".svg"), "w") as file:
+            file.write(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}" font-family="sans-serif" '
+                       f'font-size="13" text-anchor="middle" fill="#555">{body}</svg>\n')
+
+    def roles(self):
+        """Parts in the colours of their roles."""
+        shapes, order = ["chair_slatted", "chair_swivel", "table_trestle", "airplane_propeller"], {}
+        picture = Picture(len(shapes))
+        for column, shape in enumerate(shapes):
+            with open(os.path.join(self.data(shape), "labels.json")) as labels:
+                role = {part["name"]: part["coarse"] for part in json.load(labels)["parts"]}
+            picture.draw(read_model(self.data(shape)), lambda name: numbered_colour(order.setdefault(role[name], len(order))), column)
+        picture.write(self.out("roles"))
+
+    def blocks(self):
+        """The parts of two chairs, one colour for each, and the blocks of their match."""
+        pair = self.data("chair_slatted"), self.data("chair_spindle")
+        picture = Picture(4)
+        for column, shape in enumerate(pair):
+            parts = read_model(shape)
+            names = [name for name, _ in parts]
+            picture.draw(parts, lambda name: numbered_colour(names.index(name)), column)
+        self.draw_pair(picture, *pair, column=2)
+        picture.write(self.out("blocks"))
+
+    def split(self):
+        """Splits, step by step: a solid back becomes slats."""
+        picture = Picture(6)
+        self.draw_blend(picture, self.data("chair_four_legged"), self.data("chair_slatted"), 6)
+        picture.write(self.out("split"))
 
     def tutorial_match(self):
         picture = Picture(4)
@@ -112,7 +229,7 @@ class Pictures:
         chain = [path[name] for name in best["chain"]]
         picture = Picture(2 + len(chain))
         self.draw_pair(picture, chain[0], chain[-1], options=["--paper"])
-        colours = colours_of_match(best["pairs"])
+        colours = colours_of_match(connected_blocks(best["pairs"]))
         for i, shape in enumerate(chain):
             ends = {0: colours[0], len(chain) - 1: colours[1]}
             picture.draw(read_model(shape), ends.get(i, lambda name: GREY), 2 + i)
@@ -137,7 +254,7 @@ class Pictures:
         screenshot(self.args.browser, page, self.out("graph"), WIDTH, HEIGHT)
 
 
-NAMES = ["match", "tutorial_parts", "tutorial_match", "tutorial_collection", "gallery_figure1", "gallery_figure12", "gallery_figure13",
+NAMES = ["readme", "match", "abstraction", "energy", "search", "roles", "blocks", "split", "tutorial_parts", "tutorial_match", "tutorial_collection", "gallery_figure1", "gallery_figure12", "gallery_figure13",
          "gallery_figure14"]
 
 

@@ -10,6 +10,8 @@ import zlib
 WIDTH, HEIGHT = 200, 240  # pixels of a shape
 TURN, TILT = math.radians(32), math.radians(18)  # of the eye
 GREY = 0.72, 0.72, 0.72
+COLOURS = ("2f91f2 dc5b90 b7cb30 203aa1 af2e0b 7e0360 b68629 46d6d2 734f9a 7c2621 a879c4 a82964 4cdd8b 1e5dc2 cfaafc 50367f ce7066 "
+           "297538 ff9cb4 772548 8b467e f8a96e").split()
 GOLDEN_RATIO = 0.618034  # far hues for subsequent numbers
 
 
@@ -40,7 +42,9 @@ def read_model(path):
 
 
 def numbered_colour(number):
-    """Hues of numbers five apart are close, so every other five are darker."""
+    """The colours of web pages, as distinct_colours() makes them; further ones by hue, every other five darker."""
+    if number < len(COLOURS):
+        return tuple(int(COLOURS[number][2 * i:2 * i + 2], 16) / 255 for i in range(3))
     darker = number // 5 % 2
     return colorsys.hsv_to_rgb(number * GOLDEN_RATIO % 1, 0.55 + 0.2 * darker, 0.95 - 0.25 * darker)
 
@@ -115,26 +119,20 @@ class Picture:
                       chunk(b"IDAT", zlib.compress(b"".join(b"\0" + row for row in rows), 9)) + chunk(b"IEND", b""))
 
 
-def blocks_of(pairs):
-    """Numbers of connected sets of pairs: of every source part and of every target part."""
-    source, target, number = {}, {}, 0
+def connected_blocks(pairs):
+    """The sets of parts that pairs connect, as `match` writes blocks."""
+    blocks = []
     for a, b in pairs:
-        if a in source and b in target:
-            old, new = target[b], source[a]
-            for of_side in (source, target):
-                of_side.update({part: new for part, block in of_side.items() if block == old})
-        elif a in source or b in target:
-            source[a] = target[b] = source.get(a, target.get(b))
-        else:
-            source[a] = target[b] = number
-            number += 1
-    return source, target
+        touched = [block for block in blocks if a in block["source"] or b in block["target"]]
+        blocks = [block for block in blocks if block not in touched]
+        blocks.append({"source": {a}.union(*(block["source"] for block in touched)),
+                       "target": {b}.union(*(block["target"] for block in touched))})
+    return blocks
 
 
-def colours_of_match(pairs):
-    """Colours of source parts and of target parts: one for each set of parts that correspond, grey for the others."""
-    order = {}
-
-    def by_block(block):
-        return lambda name: numbered_colour(order.setdefault(block[name], len(order))) if name in block else GREY
-    return [by_block(block) for block in blocks_of(pairs)]
+def colours_of_match(blocks):
+    """Colours of source parts and of target parts: one for each block, grey for the others."""
+    def of_side(side):
+        number = {part: i for i, block in enumerate(blocks) for part in block[side]}
+        return lambda name: numbered_colour(number[name]) if name in number else GREY
+    return [of_side("source"), of_side("target")]

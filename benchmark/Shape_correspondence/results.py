@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs all experiments and writes their tables into one file, RESULTS.md.
+"""Runs all experiments and writes their tables into one file, RESULTS.md, and their figures into the manual's page on the paper.
 
   results.py BUILD WORK RESULTS.md [--only peers,table3] [--further NAME=DATA] [--labelled DATA]
 
@@ -205,6 +205,10 @@ def main():
                    "chosen with the shapes of seed 102, and the last removal of rules was checked on those of seed 101. Constants of the other methods were set on\n"
                    "the development set. Halves are by source family. Times are wall-clock times on two cores that had other work: compare them within a table\n"
                    "only; the manual's page on performance has times of an idle machine. WORST.md discusses the worst results and what was tried.\n\n" + "\n".join(sections))
+    if not only:
+        here = os.path.dirname(os.path.abspath(__file__))
+        page = os.path.join(here, "..", "..", "doc", "Shape_correspondence", "The_paper.txt")
+        subprocess.run([os.path.join(here, "paper_figures.py"), args.results, page], check=True)
 
 
 if __name__ == "__main__":

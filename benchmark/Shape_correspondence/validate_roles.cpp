@@ -6,7 +6,7 @@
 // By how much roles improve the matching of shapes that were left out of the training.
 
 #include "cli/labelled_models.h"
-#include "cli/text_table.h"
+#include "cli/text.h"
 #include "command_line.h"
 #include "experiments/role_validation.h"
 #include "matching/mean_differences.h"

@@ -37,6 +37,7 @@ from ._collections import (
 )
 from ._core import InvalidInput, __version__
 from ._matches import (
+    Block,
     ContactEnergy,
     EnergyTerms,
     GroupMatch,
@@ -55,7 +56,7 @@ from ._matches import (
 from ._shapes import Graph, Part, PartAbstraction, PartGroup, Shape, build_graph, read
 
 __all__ = [
-    "Blend", "BlendTask", "Bridge", "Cluster", "CoAnalysis", "Collection", "CollectionShape", "ContactEnergy",
+    "Blend", "BlendTask", "Block", "Bridge", "Cluster", "CoAnalysis", "Collection", "CollectionShape", "ContactEnergy",
     "EnergyTerms", "Estimate", "Evaluation", "Graph", "GroupMatch", "InvalidInput", "Match", "MeanScore", "Medoid",
     "Nearest", "NearShape", "PairMatch", "PairRoles", "Part", "PartAbstraction", "PartGroup", "Score",
     "SearchSummary", "Seconds", "Shape", "Solution", "TransferredLooks",

@@ -12,8 +12,9 @@ from typing import Any, ClassVar, Dict, List, Optional, Union
 
 from . import _core
 from ._matches import Match, match
+from ._options import defaults, with_options
 from ._records import Record
-from ._shapes import Input, Path, Progress, Shape, _graphs, _reading_options
+from ._shapes import Input, Path, Progress, Shape, _graphs
 
 
 @dataclass
@@ -86,50 +87,37 @@ def schedule_names() -> List[str]:
     return _core.schedule_names()
 
 
+@with_options
 def blend(
     source: Input,
     target: Input,
     correspondence: Union[None, Match, Path] = None,
     *,
-    contact_tolerance: float = 0.02,
-    samples: int = 5,
-    min_confidence: float = 0.5,
-    size: str = "blend",
-    schedule: str = "",
-    rank_all: bool = False,
     cache: Optional[Path] = None,
     threads: int = 0,
     progress: Progress = None,
-    **options: Any,
+    **further: Any,
 ) -> Blend:
     """Prepares the blend of two shapes, also of different topology.
 
     :param source: the source shape; ignored where `correspondence` is a `Match`
     :param target: the target shape; the same
     :param correspondence: a `Match`, a file of ``match --json``, or None: it is searched for
-    :param contact_tolerance: largest gap between parts in contact, as a fraction of the shape's height
-    :param samples: number of in-between shapes by which a schedule is rated
-    :param min_confidence: pairs of lower confidence, in [0, 1], are left out: their parts thin and thicken
-    :param size: of the in-between shapes: ``"blend"`` (from the source's to the target's), ``"source"``, ``"target"``, or
-        ``"same"`` (height 1)
-    :param schedule: one of `schedule_names()`; empty: the best
-    :param rank_all: rate all schedules by all samples, also those that can no longer be the best
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
     :param progress: see `build_graph()`
-    :param options: of `match()`, if the correspondence is searched for
+    :param further: options of `match()`, if the correspondence is searched for
     :raises InvalidInput: if a shape cannot be used, or has no surface
     """
-    common = {"cache": cache, "threads": threads, "progress": progress}
-    if correspondence is not None and options:
-        raise TypeError(f"the correspondence is given; leave {', '.join(options)} out")
+    own = {name: further.pop(name) for name in defaults("blend") if name in further}
+    common = {"cache": cache, "threads": threads}
+    if correspondence is not None and further:
+        raise TypeError(f"the correspondence is given; leave {', '.join(further)} out")
     if correspondence is None:
-        correspondence = match(source, target, **common, **options)
+        correspondence = match(source, target, progress=progress, **common, **further)
     if isinstance(correspondence, Match):
         handle = correspondence._handle
     else:
-        pair = _graphs([source, target], True, {"threads": threads, **_reading_options(cache=cache)}, progress)
+        pair = _graphs([source, target], True, common, progress)
         handle = _core.read_match(os.fspath(correspondence), pair[0]._handle, pair[1]._handle)
-    values = {"contact_tolerance": contact_tolerance, "samples": samples, "min_confidence": min_confidence, "size": size,
-              "schedule": schedule, "rank_all": rank_all}
-    return Blend(_core.blend(handle, threads, values, progress))
+    return Blend(_core.blend(handle, threads, own, progress))

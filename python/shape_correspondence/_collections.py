@@ -12,9 +12,10 @@ from typing import Any, ClassVar, Dict, List, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _core
-from ._matches import Match, _checked_search_options
+from ._matches import Match
+from ._options import defaults, with_options
 from ._records import Record
-from ._shapes import Graph, Input, Path, Progress, _graphs, _reading_options
+from ._shapes import Graph, Input, Path, Progress, _graphs
 from .roles import LabelledShape, PartRole, PartRoles, _examples, _model_of
 
 
@@ -128,54 +129,32 @@ class Nearest(Record):
     warnings: List[str]  #: what was approximated, in whole sentences
 
 
+@with_options
 def collection(
     shapes: Union[Path, Sequence[Input]],
     *,
-    unmatched_energy: float = 0.5,
-    inflation: float = 2,
-    least_cycle_support: float = 0.5,
-    neighbours: int = 0,
-    matches: bool = False,
-    agreeing: bool = False,
     html: Optional[Path] = None,
-    store: Optional[Path] = None,
     roles: Any = "auto",
     cache: Optional[Path] = None,
     threads: int = 0,
     progress: Progress = None,
-    **options: Any,
+    **further: Any,
 ) -> Collection:
     """Matches all ordered pairs of a set of shapes.
 
     :param shapes: the shapes, or a folder of them
-    :param unmatched_energy: energy of a pair of connected parts of which one has no counterpart
-    :param inflation: inflation of Markov clustering, more than 1; larger values make smaller clusters of parts
-    :param least_cycle_support: a pair of parts is clustered if at least this share of the third shapes that could confirm
-        it do so, in [0, 1]
-    :param neighbours: cluster the part maps of every shape with only this number of its nearest shapes; 0: with all of
-        up to 100 shapes, with 32 of more
-    :param matches: whether the result has the corresponding parts of all pairs of shapes (of more than 100 shapes: of
-        near ones)
-    :param agreeing: keep only pairs of parts that are in one cluster, in the matches and on the page: fewer pairs,
-        which are right more often
     :param html: a web page to write
-    :param store: a folder in which finished matches are kept: an interrupted call continues where it was, and a call with
-        more shapes matches only the new ones
     :param roles: see `match()`
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
     :param progress: see `build_graph()`
-    :param options: further ones of `match()`
+    :param further: options of `match()`
     :raises InvalidInput: if a shape cannot be used, or there are fewer than two
     """
-    search = _checked_search_options("collection", options)
+    own = {name: further.pop(name) for name in defaults("collection") if name in further}
     graphs = _collection_graphs(shapes, cache, threads, progress)
-    analysis = {"inflation": inflation, "least_cycle_support": least_cycle_support}
-    page = "" if html is None else os.fspath(html)
-    model = _model_of(roles, options.get("search_method", "parts"), options.get("role_weight", 0))
-    text = _core.collection([graph._handle for graph in graphs], model, threads, search,
-                            {"unmatched_energy": unmatched_energy}, analysis, neighbours, matches, agreeing, page,
-                            "" if store is None else os.fspath(store), progress)
+    text = _core.collection([graph._handle for graph in graphs], _model_of(roles, further), threads, further, own,
+                            "" if html is None else os.fspath(html), progress)
     return Collection.from_dict(json.loads(text))
 
 
@@ -204,12 +183,10 @@ def nearest(
     :param options: further ones of `match()`
     :raises InvalidInput: if a shape cannot be used
     """
-    search = _checked_search_options("nearest", options)
-    model = _model_of(roles, options.get("search_method", "parts"), options.get("role_weight", 0))
     graphs = _collection_graphs(shapes, cache, threads, progress)
-    graph = _graphs([query], False, {"threads": threads, **_reading_options(cache=cache)}, progress)[0]
-    text = _core.nearest(graph._handle, [graph._handle for graph in graphs], count, model, threads, search,
-                         {"unmatched_energy": unmatched_energy}, progress)
+    graph = _graphs([query], False, {"cache": cache, "threads": threads}, progress)[0]
+    text = _core.nearest(graph._handle, [graph._handle for graph in graphs], count, _model_of(roles, options), threads,
+                         options, {"unmatched_energy": unmatched_energy}, progress)
     return Nearest.from_dict(json.loads(text))
 
 
@@ -235,12 +212,10 @@ def transfer_labels(
     :param options: further ones of `match()`
     :raises InvalidInput: if a shape cannot be used, or a part of the source has no label
     """
-    search = _checked_search_options("transfer_labels", options)
-    model = _model_of(roles, options.get("search_method", "parts"), options.get("role_weight", 0))
     (graph, _, labels, _), = _examples([source], cache, threads, progress)
     targets = _collection_graphs(shapes, cache, threads, progress)
-    found = _core.transfer_labels(graph, labels, [target._handle for target in targets], model, threads, search,
-                                  progress)
+    found = _core.transfer_labels(graph, labels, [target._handle for target in targets], _model_of(roles, options),
+                                  threads, options, progress)
     return [PartRoles(source.category, [PartRole(name, coarse, fine or None, probability)
                                         for name, (coarse, fine, probability) in zip(target.part_names, parts)
                                         if coarse])
@@ -251,7 +226,7 @@ def _collection_graphs(shapes: Union[Path, Sequence[Input]], cache: Optional[Pat
                        progress: Progress) -> List[Graph]:
     if isinstance(shapes, (str, os.PathLike)):
         shapes = _core.collection_paths([os.fspath(shapes)])
-    return _graphs(shapes, False, {"threads": threads, **_reading_options(cache=cache)}, progress)
+    return _graphs(shapes, False, {"cache": cache, "threads": threads}, progress)
 
 
 @dataclass
@@ -307,13 +282,11 @@ class Evaluation(Record):
     results: List[Score]  #: by result
 
 
+@with_options
 def evaluate(
     results: Union[Match, Path, Sequence[Union[Match, Path]]],
     ground_truth: Union[Path, Sequence[Path]],
-    *,
-    resamples: int = 1000,
-    confidence: float = 0.95,
-    seed: int = 0,
+    **options: Any,
 ) -> Evaluation:
     """Scores results against labelled parts: precision, recall, F1.
 
@@ -322,14 +295,10 @@ def evaluate(
 
     :param results: matches, files of ``match --json``, or folders of them
     :param ground_truth: files ``labels.json``, or folders of them
-    :param resamples: number of bootstrap samples for the confidence intervals
-    :param confidence: confidence level of the intervals, in (0, 1)
-    :param seed: seed of the random numbers
     :raises InvalidInput: if a result is of shapes that have no labels
     """
     every = [results] if isinstance(results, (Match, str, os.PathLike)) else list(results)
     labels = [ground_truth] if isinstance(ground_truth, (str, os.PathLike)) else list(ground_truth)
     matches = [result._handle for result in every if isinstance(result, Match)]
     files = [os.fspath(result) for result in every if not isinstance(result, Match)]
-    options = {"resamples": resamples, "confidence": confidence, "seed": seed}
     return Evaluation.from_dict(json.loads(_core.evaluate(files, matches, [os.fspath(l) for l in labels], options)))

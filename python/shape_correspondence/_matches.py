@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import inspect
 import json
 import os
 from dataclasses import dataclass, field
@@ -13,8 +12,9 @@ from typing import Any, ClassVar, Dict, List, Mapping, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _core
+from ._options import defaults, with_options
 from ._records import Record
-from ._shapes import Graph, Input, Path, Progress, _graphs, _reading_options
+from ._shapes import Graph, Input, Path, Progress, _graphs
 from .roles import RoleModel, _model_of
 
 Names = Sequence[Union[str, int]]
@@ -57,8 +57,19 @@ class ContactEnergy(Record):
 class PairRoles(Record):
     """The roles of the parts of both shapes."""
 
-    source: List[str]  #: the most probable role of every source part
-    target: List[str]  #: the same for the target parts
+    source: Dict[str, str]  #: the most probable role of every source part, by its name
+    target: Dict[str, str]  #: the same for the target parts
+
+
+@dataclass
+class Block(Record):
+    """A set of source parts and a set of target parts that correspond as wholes."""
+
+    source: List[str]  #: parts of the source
+    target: List[str]  #: parts of the target
+    role: Optional[str] = None  #: role of most of its parts; None if roles are not known
+    operation: str = "match"  #: match, split, duplicate, merge, cut or join
+    confidence: Optional[float] = None  #: mean probability of its pairs; None if the method does not compute it
 
 
 @dataclass
@@ -111,6 +122,7 @@ class Match(Record):
     confidences: Optional[List[float]] = None  #: probability of each pair; None if the method does not compute it
     category: Optional[str] = None  #: category whose roles were used; None: no roles were used
     roles: Optional[PairRoles] = None  #: roles of the parts, if there is a category
+    blocks: List[Block] = field(default_factory=list)  #: parts that correspond as wholes, each part in one block
     groups: List[GroupMatch] = field(default_factory=list)  #: by group of the deformed shape
     contacts: List[ContactEnergy] = field(default_factory=list)  #: by contact of the deformed shape
     unmatched_source: List[str] = field(default_factory=list)  #: source parts without counterpart
@@ -140,38 +152,21 @@ class Match(Record):
         self._handle.save(os.fspath(path))
 
 
+@with_options
 def match(
     source: Input,
     target: Input,
     *,
-    search_method: str = "parts",
     part_matching: Optional[Mapping[str, Any]] = None,
     roles: Union[None, str, "os.PathLike[str]", RoleModel] = "auto",
-    category: str = "",
-    min_confidence: float = 0,
-    beam_width: int = 20,
-    expansions: int = 4,
-    distortion_weight: float = 1,
-    connectedness_weight: float = 0.6,
-    split_weight: float = 0.4,
-    role_weight: float = 0,
-    energy_norm: str = "sum",
-    cut_curves: bool = True,
-    unmatched_cost: float = float("inf"),
     pinned: Pairs = (),
     forbidden: Pairs = (),
-    both_directions: bool = True,
-    maximum_parts: int = 0,
-    coarse_target: bool = True,
     source_parts: Names = (),
     target_parts: Names = (),
-    alignments: int = 1,
-    front_is_sure: bool = False,
-    solutions: int = 1,
-    min_marginals: bool = False,
     cache: Optional[Path] = None,
     threads: int = 0,
     progress: Progress = None,
+    **options: Any,
 ) -> Match:
     """Finds which parts of two shapes correspond. A part may correspond to several, or to none.
 
@@ -180,8 +175,6 @@ def match(
 
     :param source: the source shape
     :param target: the target shape
-    :param search_method: ``"parts"`` (least cost of substituting parts), ``"beam"`` (least deformation energy by the
-        paper's beam search) or ``"exact"`` (least deformation energy, with a proof)
     :param part_matching: options of ``"parts"`` other than the defaults: weights of the terms in the cost of a pair of
         parts (``overlap``, ``extent``, ``ground``, ``place``, ``orientation``, ``chamfer``), other costs (``whole``,
         ``excess``, ``confident_excess``), lengths in the unit box (``tolerance``, ``warp_width``,
@@ -190,51 +183,29 @@ def match(
         parts are matched as a whole (``panels``, ``support``); see `Part_matching_options` of the library
     :param roles: role model for ``"parts"``, and for a `role_weight`; shapes must be upright and face +z: ``"auto"`` (the
         model that comes with the package), None (no roles), a model, or its file
-    :param category: category of both shapes, for their roles; empty: the most similar one
-    :param min_confidence: pairs of lower confidence, in [0, 1], are left out; for ``"parts"``
-    :param beam_width: K of the paper, the partial solutions kept at each level of the beam search
-    :param expansions: k of the paper, the expansions kept of each partial solution
-    :param distortion_weight: weight of E_d in Eq. 1
-    :param connectedness_weight: w_c, weight of E_c
-    :param split_weight: w_s, weight of E_s
-    :param role_weight: weight of the disagreement of roles in the energy, by ``"beam"`` and ``"exact"``; 0: as in the paper
-    :param energy_norm: ``"sum"`` adds the energies of connected pairs of parts, ``"pooled"`` takes one norm over all rods
-    :param cut_curves: whether curves may be cut into segments and joined
-    :param unmatched_cost: energy of an unmatched group, for each of its contacts; infinite: groups must be matched
     :param pinned: pairs of parts (source, target), by name or index, that must correspond, and to no other parts
     :param forbidden: pairs of parts that must not correspond
-    :param both_directions: deform either shape into the other, and keep the lower energy per pair of connected parts
-    :param maximum_parts: number of largest parts to match; 0: all parts
-    :param coarse_target: whether `maximum_parts` applies to both shapes, or to the source only
     :param source_parts: only these parts of the source, by name or index; empty: all
     :param target_parts: the same for the target
-    :param alignments: number of turns of the target about the up axis to try, nearest to the given one first; 0: all
-    :param front_is_sure: whether the given orientation is right; otherwise ``"parts"`` turns a shape by a multiple of 90°
-        if the roles of its parts clearly say that its front is another side
-    :param solutions: number of best correspondences in `Match.solutions`
-    :param min_marginals: whether `GroupMatch.min_marginal` is computed
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
     :param progress: see `build_graph()`; if it returns False, the search ends with what it has found
     :raises InvalidInput: if a shape cannot be used, or an option is out of its range
     """
-    options = dict(locals())
-    graphs = _graphs([source, target], True, {"threads": threads, **_reading_options(cache=cache)}, progress)
-    model = _model_of(roles, search_method, role_weight)
-    search = _search_options(options)
-    for name, graph in zip(("source_parts", "target_parts"), graphs):
-        search[name] = _part_indices(search[name], graph)
-    for name in ("pinned", "forbidden"):
-        search[name] = [tuple(_part_indices([part], graph)[0] for part, graph in zip(pair, graphs))
-                        for pair in search[name]]
-    handle = _core.match(graphs[0]._handle, graphs[1]._handle, model, threads, search, progress)
+    graphs = _graphs([source, target], True, {"cache": cache, "threads": threads}, progress)
+    search: Dict[str, Any] = {**options, "part_matching": part_matching}
+    for name, parts, graph in zip(("source_parts", "target_parts"), (source_parts, target_parts), graphs):
+        search[name] = _part_indices(parts, graph)
+    for name, pairs in (("pinned", pinned), ("forbidden", forbidden)):
+        search[name] = [tuple(_part_indices([part], graph)[0] for part, graph in zip(pair, graphs)) for pair in pairs]
+    handle = _core.match(graphs[0]._handle, graphs[1]._handle, _model_of(roles, options), threads, search, progress)
     return Match.from_dict(json.loads(handle.json()), _handle=handle)
 
 
 def paper_options() -> Dict[str, Any]:
     """Options of `match()` for the paper's method: beam search of all alignments, in both directions."""
-    paper, usual = _core.default_options()["paper"], _core.default_options()["match"]
-    return {name: value for name, value in paper.items() if value != usual[name]}
+    usual = defaults("match")
+    return {name: value for name, value in defaults("paper").items() if value != usual[name]}
 
 
 def transfer(
@@ -342,10 +313,6 @@ def _arrays_by_part(match: Match, values: Union[Mapping[str, Any], Sequence[Any]
     return arrays
 
 
-def _search_options(values: Mapping[str, Any]) -> Dict[str, Any]:
-    return {name: values[name] for name in _core.default_options()["match"] if values.get(name) is not None}
-
-
 def _part_indices(parts: Names, graph: Graph) -> List[int]:
     names = graph.part_names
     result = []
@@ -358,15 +325,3 @@ def _part_indices(parts: Names, graph: Graph) -> List[int]:
             raise _core.InvalidInput(f"{graph.file}: there is no part {index} to choose; it has {len(names)} parts")
         result.append(index)
     return result
-
-
-def _checked_search_options(function: str, options: Mapping[str, Any]) -> Dict[str, Any]:
-    """Options of `match()` that another function takes."""
-    known = inspect.signature(match).parameters
-    for name in options:
-        if name not in known or name in ("source", "target"):
-            raise TypeError(f"{function}() got an unexpected keyword argument '{name}'")
-    for name in ("solutions", "min_marginals", "source_parts", "target_parts", "pinned", "forbidden"):
-        if name in options:
-            raise TypeError(f"{name} is for a pair of shapes, not for {function}()")
-    return _search_options(options)

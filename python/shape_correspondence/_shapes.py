@@ -12,6 +12,7 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, NamedTuple, Opt
 import numpy as np
 
 from . import _core
+from ._options import with_options
 from ._records import Record
 
 Path = Union[str, "os.PathLike[str]"]
@@ -171,89 +172,25 @@ class Graph:
 Input = Union[Graph, Shape, Path, Parts]
 
 
-def read(path: Path, *, up: Optional[str] = None, parts: str = "auto", parts_from: Optional[Path] = None) -> Shape:
+@with_options
+def read(path: Path, **options: Any) -> Shape:
     """Reads a segmented shape.
 
     :param path: an OBJ (``o`` and ``g`` are parts), PLY, STL, OFF, glTF, COLLADA, FBX, 3DS, DXF or AC3D file with one
         object or node for each part; or a folder of part meshes, one file for each part
-    :param up: the upright axis: ``"x"``, ``"y"``, ``"z"`` or ``"auto"``, the one along which the shape stands most stably;
-        None: the one given by the file; y for a folder; otherwise y unless the shape clearly stands along another axis
-    :param parts: how parts are made of a file: ``"file"``, its objects; ``"components"``, its loose pieces;
-        ``"segments"``, loose pieces divided by thickness; ``"auto"``, its objects, but objects of unrelated loose pieces
-        are split
-    :param parts_from: a list of pieces and their parts, as ``shape_correspondence graph --parts-json`` writes it
     :raises InvalidInput: if the file cannot be read
     """
-    options = _reading_options(up=up, parts=parts, parts_from=parts_from)
     return Shape._of(_core.read(os.fspath(path), options))
 
 
-def build_graph(
-    shape: Input,
-    *,
-    kind: str = "auto",
-    part_kinds: Mapping[str, str] = {},
-    edge_length: float = 0.02,
-    triangles: int = 1500,
-    stop_volume: float = 0.02,
-    maximum_iterations: int = 300,
-    time_limit: float = float("inf"),
-    curve_points: int = 16,
-    sheet_points: int = 8,
-    detect_symmetry: bool = True,
-    symmetry_tolerance: float = 0.05,
-    detect_reflections: bool = True,
-    detect_rotations: bool = True,
-    detect_translations: bool = True,
-    contact_tolerance: float = 0.02,
-    cache: Optional[Path] = None,
-    threads: int = 0,
-    progress: Progress = None,
-) -> Graph:
+@with_options
+def build_graph(shape: Input, *, progress: Progress = None, **options: Any) -> Graph:
     """Builds the structural graph of a shape: a curve or sheet for every part, symmetry groups and contacts.
 
     :param shape: a `Shape`, triples (name, V, F), a model file, or a saved graph (``.json``, ``.xml``)
-    :param kind: what parts become: ``"auto"`` (a sheet if a part is wide for its length and thin for its width, else a
-        curve), ``"curve"`` or ``"sheet"``
-    :param part_kinds: the same for single parts, by name
-    :param edge_length: edge length of the remeshed part, as a fraction of its diagonal
-    :param triangles: approximate maximum of triangles of a remeshed part
-    :param stop_volume: fraction of the volume at which the mean curvature flow is stopped to detect sheets and hollow parts
-    :param maximum_iterations: maximum of iterations of the flow; a part that needs more is represented by its bounding
-        box
-    :param time_limit: seconds for one part, with the same effect; makes results depend on the speed of the machine
-    :param curve_points: control points of a curve; as many more for every full turn
-    :param sheet_points: control points of a sheet along each side
-    :param detect_symmetry: if False, every part is a group of its own
-    :param symmetry_tolerance: largest distance of a part from its image, as a fraction of the part's diagonal
-    :param detect_reflections: whether to look for reflections
-    :param detect_rotations: whether to look for rotations
-    :param detect_translations: whether to look for translations
-    :param contact_tolerance: largest gap between parts in contact, as a fraction of the diagonal of the shape
-    :param cache: a folder in which graphs are kept, so that each shape is abstracted once; None: none
-    :param threads: number of threads; 0: all of the machine. The result does not depend on it
     :param progress: called with the fraction done, in [0, 1], and the name of the current step
     :raises InvalidInput: if the shape has fewer than two parts or more than 2000, or an option is out of its range
     """
-    options = {
-        "kind": kind,
-        "part_kinds": dict(part_kinds),
-        "edge_length": edge_length,
-        "triangles": triangles,
-        "stop_volume": stop_volume,
-        "maximum_iterations": maximum_iterations,
-        "time_limit": time_limit,
-        "curve_points": curve_points,
-        "sheet_points": sheet_points,
-        "detect_symmetry": detect_symmetry,
-        "symmetry_tolerance": symmetry_tolerance,
-        "detect_reflections": detect_reflections,
-        "detect_rotations": detect_rotations,
-        "detect_translations": detect_translations,
-        "contact_tolerance": contact_tolerance,
-        "threads": threads,
-        **_reading_options(cache=cache),
-    }
     return _graphs([shape], False, options, progress)[0]
 
 
@@ -272,10 +209,6 @@ def _graphs(shapes: Sequence[Input], is_pair: bool, options: Dict[str, Any], pro
             shape = shape if isinstance(shape, Shape) else Shape(shape)
             result.append(Graph(_core.build_graph(shape._handle, options, progress)))
     return result
-
-
-def _reading_options(**values: Any) -> Dict[str, Any]:
-    return {name: os.fspath(value) for name, value in values.items() if value is not None}
 
 
 def _direction(up: Union[str, Sequence[float]]) -> Optional[Tuple[float, float, float]]:

@@ -11,7 +11,7 @@ from typing import Any, ClassVar, Dict, List, Mapping, NamedTuple, Optional, Seq
 
 from . import _core
 from ._records import Record
-from ._shapes import Graph, Input, Path, Progress, _graphs, _reading_options
+from ._shapes import Graph, Input, Path, Progress, _graphs
 
 RoleModel = _core.RoleModel
 Model = Union[str, "os.PathLike[str]", RoleModel]
@@ -66,7 +66,7 @@ def predict(shape: Input, model: Optional[Model] = None, *, category: str = "", 
     :param progress: see `build_graph()`
     :raises InvalidInput: if the shape is of no category that the model knows
     """
-    graph = _graphs([shape], False, {"threads": threads, **_reading_options(cache=cache)}, progress)[0]
+    graph = _graphs([shape], False, {"cache": cache, "threads": threads}, progress)[0]
     known = model if isinstance(model, RoleModel) else load(model)
     return PartRoles.from_dict(json.loads(_core.predict_roles(graph._handle, known, category)))
 
@@ -86,7 +86,7 @@ def train(shapes: Union[Path, Sequence[Union[Path, LabelledShape]]], *, trees: i
     """
     every = [shapes] if isinstance(shapes, (str, os.PathLike)) else list(shapes)
     if all(isinstance(shape, (str, os.PathLike)) for shape in every):
-        options = {"threads": threads, **_reading_options(cache=cache)}
+        options = {"cache": cache, "threads": threads}
         return _core.train_roles_of_folders([os.fspath(shape) for shape in every], trees, seed, options, progress)
     return _core.train_roles(_examples(every, cache, threads, progress), trees, seed, progress)
 
@@ -109,7 +109,7 @@ def extend(model: Optional[Model], shapes: Sequence[LabelledShape], *, seed: int
 
 def _examples(shapes: Sequence[LabelledShape], cache: Optional[Path], threads: int, progress: Progress) -> List[Any]:
     examples = []
-    options = {"threads": threads, **_reading_options(cache=cache)}
+    options = {"cache": cache, "threads": threads}
     for labelled in shapes:
         graph = _graphs([labelled.shape], False, options, progress)[0]
         labels = [_label(labelled.labels, part, graph) for part in graph.part_names]
@@ -124,9 +124,9 @@ def _label(labels: Mapping[str, Union[str, Tuple[str, str]]], part: str, graph: 
     return (label, "") if isinstance(label, str) else (label[0], label[1] or "")
 
 
-def _model_of(roles: Optional[Model], search_method: str, role_weight: float = 0) -> Optional[RoleModel]:
+def _model_of(roles: Optional[Model], search: Mapping[str, Any]) -> Optional[RoleModel]:
     """The model that a search takes: roles are for matching by parts, or have a weight in the energy."""
-    has_roles = search_method == "parts" or role_weight > 0
+    has_roles = search.get("search_method", "parts") == "parts" or search.get("role_weight", 0) > 0
     if not has_roles and not (roles is None or roles == "auto"):
         raise _core.InvalidInput('roles need search_method="parts", or a role_weight')
     if roles is None or not has_roles:

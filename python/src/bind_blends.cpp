@@ -7,7 +7,7 @@
 #include "work.h"
 
 #include "cli/blend_warnings.h"
-#include "cli/thread_limit.h"
+#include "cli/run.h"
 #include "io/system/atomic_file.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>

@@ -7,14 +7,12 @@
 #include "work.h"
 
 #include "cli/collection_analysis.h"
-#include "cli/collection_options.h"
 #include "cli/evaluate_results.h"
-#include "cli/thread_limit.h"
+#include "cli/run.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 #include <CGAL/Shape_correspondence/IO/write_collection_html.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
-#include <CGAL/Shape_correspondence/nearest_shapes.h>
 
 #include "io/system/atomic_file.h"
 
@@ -40,10 +38,11 @@ SC::cli::Collection_shapes shapes_of(const Graphs& graphs)
 }
 
 SC::Energy_matrix_options matching_options(const std::optional<Role_model>& roles, const py::dict& search,
-                                           const py::dict& values)
+                                           double unmatched_energy = SC::Energy_matrix_options().unmatched_energy)
 {
-  SC::Energy_matrix_options options = energy_matrix_options(values);
-  options.search = search_options(search);
+  SC::Energy_matrix_options options;
+  options.unmatched_energy = unmatched_energy;
+  options.search = search_options(search, /* is_for_pair = */ false);
   if (roles) options.search.roles = roles->model;
   return options;
 }
@@ -60,21 +59,14 @@ std::string key_of(const py::dict& search, const SC::Energy_matrix_options& matc
   return SC::cli::key_of(text, matching.search, matching.unmatched_energy);
 }
 
-/// The JSON of a collection. \param page where its page goes; empty: nowhere \param store a folder for finished work;
-/// empty: none
+/// The JSON of a collection. \param page where its page goes; empty: nowhere
 std::string collection(const Graphs& graphs, const std::optional<Role_model>& roles, int threads,
-                       const py::dict& search, const py::dict& matching_values, const py::dict& analysis_values,
-                       std::size_t neighbours, bool matches, bool agreeing, const std::string& page,
-                       const std::string& store, const py::object& progress)
+                       const py::dict& search, const py::dict& values, const std::string& page,
+                       const py::object& progress)
 {
-  const SC::Energy_matrix_options matching = matching_options(roles, search, matching_values);
-  const std::string key = store.empty() ? "" : key_of(search, matching);
-  SC::cli::Collection_options options;
-  options.store = store;
-  options.co_analysis = co_analysis_options(analysis_values);
-  options.neighbours = neighbours;
-  options.matches = matches;
-  options.agreeing = agreeing;
+  const SC::cli::Collection_options options = collection_options(values);
+  const SC::Energy_matrix_options matching = matching_options(roles, search, options.unmatched_energy);
+  const std::string key = options.store.empty() ? "" : key_of(search, matching);
   Work work;
   return work.run(progress, [&](Work& work) {
     const SC::cli::Thread_limit limit(threads);
@@ -84,9 +76,8 @@ std::string collection(const Graphs& graphs, const std::optional<Role_model>& ro
       work.report(what, done, total);
     };
     SC::cli::Team team;
-    SC::cli::Tile_store tiles(store.empty() ? "" : store + "/tiles");
     const SC::cli::Collection_shapes shapes = shapes_of(graphs);
-    SC::cli::Collection_work pairs(shapes, tiles, key, options, matching, common);
+    SC::cli::Collection_work pairs(shapes, options.store.empty() ? "" : options.store + "/tiles", key, matching, common);
     pairs.run(team);
     const SC::cli::Analysis analysis = SC::cli::analysed(shapes, options, pairs);
     if (!page.empty())
@@ -101,9 +92,9 @@ std::string collection(const Graphs& graphs, const std::optional<Role_model>& ro
 
 std::string nearest(const std::shared_ptr<Graph>& query, const Graphs& graphs, std::size_t count,
                     const std::optional<Role_model>& roles, int threads, const py::dict& search,
-                    const py::dict& matching_values, const py::object& progress)
+                    const py::dict& values, const py::object& progress)
 {
-  SC::Energy_matrix_options matching = matching_options(roles, search, matching_values);
+  SC::Energy_matrix_options matching = matching_options(roles, search, collection_options(values).unmatched_energy);
   Work work;
   return work.run(progress, [&](Work& work) {
     const SC::cli::Thread_limit limit(threads);
@@ -111,13 +102,8 @@ std::string nearest(const std::shared_ptr<Graph>& query, const Graphs& graphs, s
       work.report("matching", done, total);
       return true;
     };
-    const SC::cli::Collection_shapes shapes = shapes_of(graphs);
-    SC::IO::Nearest_in_collection found;
-    found.query = {structure(query->shape.graph).name, query->file, SC::cli::part_names(query->shape.graph)};
-    for (const SC::cli::Collection_shape& shape : shapes.shapes())
-      found.shapes.push_back({shape.name, shape.path, shape.parts});
-    found.nearest = SC::nearest_shapes<CGAL::Parallel_if_available_tag>(
-        query->shape.graph, shapes.size(), [&](std::size_t i) { return shapes.graph(i); }, count, matching);
+    const SC::IO::Nearest_in_collection found =
+        SC::cli::nearest_in_collection(query->shape.graph, query->file, shapes_of(graphs), count, matching);
     return text([&](std::ostream& out) { SC::IO::write_nearest_json(out, found); });
   });
 }
@@ -130,7 +116,7 @@ std::vector<std::vector<Label>> transfer_labels(const std::shared_ptr<Graph>& so
                                                 const Graphs& targets, const std::optional<Role_model>& roles,
                                                 int threads, const py::dict& search, const py::object& progress)
 {
-  const SC::Energy_matrix_options matching = matching_options(roles, search, py::dict());
+  const SC::Energy_matrix_options matching = matching_options(roles, search);
   std::vector<SC::Part_label> part_labels;
   for (const auto& [coarse, fine] : labels)
     part_labels.push_back({coarse, fine});

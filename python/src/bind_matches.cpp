@@ -6,7 +6,7 @@
 #include "options.h"
 #include "work.h"
 
-#include "cli/thread_limit.h"
+#include "cli/run.h"
 #include "cli/transfer_looks.h"
 #include "io/system/atomic_file.h"
 #include "io/system/input_file.h"

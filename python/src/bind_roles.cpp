@@ -8,7 +8,7 @@
 
 #include "cli/labelled_models.h"
 #include "cli/predicted_labels.h"
-#include "cli/thread_limit.h"
+#include "cli/run.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>

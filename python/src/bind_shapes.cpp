@@ -6,7 +6,7 @@
 #include "options.h"
 #include "work.h"
 
-#include "cli/thread_limit.h"
+#include "cli/run.h"
 #include "io/system/atomic_file.h"
 #include "io/system/input_file.h"
 
@@ -121,14 +121,6 @@ std::vector<std::shared_ptr<Graph>> load_graphs(const std::vector<std::string>& 
   });
 }
 
-std::vector<std::string> part_names(const Graph& graph)
-{
-  std::vector<std::string> names;
-  for (const SC::Part_abstraction& part : structure(graph.shape.graph).parts)
-    names.push_back(part.name);
-  return names;
-}
-
 std::string json_of(const Graph& graph)
 {
   return text([&](std::ostream& out) { SC::IO::write_structural_graph_json(out, graph.shape.graph); });
@@ -188,7 +180,7 @@ void bind_shapes(py::module_& module)
       .def_readonly("file", &Graph::file)
       .def_property_readonly("name", [](const Graph& graph) { return structure(graph.shape.graph).name; })
       .def_property_readonly("warnings", [](const Graph& graph) { return structure(graph.shape.graph).warnings; })
-      .def("part_names", part_names)
+      .def("part_names", [](const Graph& graph) { return SC::cli::part_names(graph.shape.graph); })
       .def("shape",
            [](const Graph& graph) {
              std::optional<Shape> result;

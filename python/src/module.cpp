@@ -45,7 +45,7 @@ PYBIND11_MODULE(_core, module)
   bind_blends(module);
   bind_collections(module);
   bind_roles(module);
-  module.def("default_options", default_options);
+  module.def("options_of", options_of);
 }
 
 } // namespace shape_correspondence_python

@@ -3,367 +3,326 @@
 
 #include "options.h"
 
-#include <CGAL/Shape_correspondence/Invalid_input.h>
-#include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include "cli/blend_output.h"
+#include "cli/evaluate_results.h"
+#include "cli/text.h"
 
 #include <pybind11/stl.h>
 
-#include <cmath>
-#include <initializer_list>
+#include <functional>
 #include <map>
-#include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace shape_correspondence_python {
 
 namespace {
 
-/// The words of Python for the values of an enumeration.
-template <typename Value>
-struct Words;
+using SC::cli::Option;
+using SC::cli::Option_table;
 
-template <>
-struct Words<SC::Search_method>
+/// The options of the program that a function has, and those of its own.
+struct Keywords
 {
-  static constexpr std::pair<const char*, SC::Search_method> words[] = {
-      {"parts", SC::Search_method::PARTS}, {"beam", SC::Search_method::BEAM}, {"exact", SC::Search_method::EXACT}};
-};
+  Option_table table;
 
-template <>
-struct Words<SC::Energy_norm>
-{
-  static constexpr std::pair<const char*, SC::Energy_norm> words[] = {{"sum", SC::Energy_norm::SUM},
-                                                                      {"pooled", SC::Energy_norm::POOLED}};
-};
+  Keywords() = default;
+  virtual ~Keywords() = default;
 
-template <>
-struct Words<SC::Abstraction_kind>
-{
-  static constexpr std::pair<const char*, SC::Abstraction_kind> words[] = {{"auto", SC::Abstraction_kind::AUTOMATIC},
-                                                                           {"curve", SC::Abstraction_kind::CURVE},
-                                                                           {"sheet", SC::Abstraction_kind::SHEET}};
-};
-
-template <>
-struct Words<SC::Blend_size>
-{
-  static constexpr std::pair<const char*, SC::Blend_size> words[] = {{"blend", SC::Blend_size::BLEND},
-                                                                     {"source", SC::Blend_size::SOURCE},
-                                                                     {"target", SC::Blend_size::TARGET},
-                                                                     {"same", SC::Blend_size::SAME}};
-};
-
-template <typename Value>
-Value value_of(const std::string& option, const std::string& word)
-{
-  std::string known;
-  for (const auto& [name, value] : Words<Value>::words) {
-    if (word == name) return value;
-    known += (known.empty() ? "" : ", ") + std::string(name);
-  }
-  throw SC::Invalid_input(option + " cannot be '" + word + "'; known are: " + known);
-}
-
-template <typename Value>
-const char* word_of(Value value)
-{
-  for (const auto& [name, known] : Words<Value>::words)
-    if (known == value) return name;
-  return "";
-}
-
-template <typename Visitor>
-void visit(SC::Part_matching_options& options, Visitor& option)
-{
-  option("overlap", options.weights.overlap);
-  option("extent", options.weights.extent);
-  option("ground", options.weights.ground);
-  option("place", options.weights.place);
-  option("orientation", options.weights.orientation);
-  option("chamfer", options.weights.chamfer);
-  option("whole", options.whole);
-  option("tolerance", options.tolerance);
-  option("anchor", options.anchor);
-  option("warp_width", options.warp_width);
-  option("excess", options.excess);
-  option("confident_excess", options.confident_excess);
-  option("main_surface", options.main_surface);
-  option("side_depth", options.side_depth);
-  option("wall_width", options.wall_width);
-  option("repetition", options.repetition);
-  option("category_ratio", options.category_ratio);
-  option("category_distance", options.category_distance);
-  option("clearly_better", options.clearly_better);
-  option("panels", options.panels);
-  option("support", options.support);
-}
-
-/// Takes the values of options from keyword arguments.
-class Reader
-{
-public:
-  explicit Reader(const py::dict& values) : values_(values) {}
-
+  /// Adds an option that the program does not have, or not in this form.
   template <typename Field>
-  void operator()(const char* name, Field& field)
+  void add(const char* name, Field& field, const char* help = "")
   {
-    if (!values_.contains(name)) return;
-    ++used_;
-    const py::object value = values_[name];
+    table.group("Python")(name, "VALUE", &field, help).in_python();
+  }
+
+  /// \throw TypeError of another name
+  void read(const py::dict& values)
+  {
+    for (const auto& [key, value] : values)
+      if (!value.is_none() && !value.equal(py::str(""))) // texts that are none
+        read(key.cast<std::string>(), py::reinterpret_borrow<py::object>(value));
+  }
+
+private:
+  void read(const std::string& name, const py::object& value);
+};
+
+/// The value of an option. Texts that are empty are none.
+py::object value_of(const Option& option)
+{
+  return std::visit(
+      [&](const auto& field) -> py::object {
+        using Field = std::decay_t<decltype(field)>;
+        if constexpr (std::is_same_v<Field, bool*> || std::is_same_v<Field, int*> || std::is_same_v<Field, long*> ||
+                      std::is_same_v<Field, std::size_t*> || std::is_same_v<Field, double*>)
+          return py::cast(*field);
+        else if (const std::string text = option.text(); !text.empty())
+          return py::cast(text);
+        else
+          return py::none();
+      },
+      option.field);
+}
+
+std::string text_of(const py::object& value)
+{
+  return py::module_::import("os").attr("fspath")(value).cast<std::string>();
+}
+
+/// \throw cast_error if the value is of another type
+void set(const std::string& name, const py::object& value, Option& option)
+{
+  std::visit(
+      [&](auto& field) {
+        using Field = std::decay_t<decltype(field)>;
+        if constexpr (std::is_same_v<Field, SC::cli::Text_field>) {
+          if (!field.is_repeated) return option.set_text(name, value.cast<std::string>());
+          for (const auto& [part, word] : value.cast<std::map<std::string, std::string>>())
+            option.set_text(name, part + '=' + word);
+        } else if constexpr (std::is_same_v<Field, std::string*>) {
+          *field = text_of(value);
+        } else if constexpr (std::is_pointer_v<Field>) {
+          *field = value.cast<std::decay_t<decltype(*field)>>();
+        }
+      },
+      option.field);
+}
+
+void Keywords::read(const std::string& name, const py::object& value)
+{
+  std::vector<std::string> names;
+  for (Option& option : table.options()) {
+    if (option.keyword.empty()) continue;
+    names.push_back(option.keyword);
+    if (option.keyword != name) continue;
     try {
-      read(name, value, field);
+      if (value.equal(value_of(option))) return; // also where the default stands for none
+      set(name, value, option);
+      option.is_given = true;
     } catch (const py::cast_error&) {
-      throw py::type_error(std::string(name) + " cannot be " + py::repr(value).cast<std::string>());
+      throw py::type_error(name + " cannot be " + py::repr(value).cast<std::string>());
     }
+    return option.check(name);
   }
+  throw py::type_error("there is no option '" + name + "'" + SC::cli::suggestion(name, names));
+}
 
-  void check_all_used() const
+struct Part_matching_keywords : Keywords
+{
+  explicit Part_matching_keywords(SC::Part_matching_options& options)
   {
-    if (used_ != values_.size()) throw py::type_error("there is an option that is not known");
+    add("overlap", options.weights.overlap);
+    add("extent", options.weights.extent);
+    add("ground", options.weights.ground);
+    add("place", options.weights.place);
+    add("orientation", options.weights.orientation);
+    add("chamfer", options.weights.chamfer);
+    add("whole", options.whole);
+    add("tolerance", options.tolerance);
+    add("anchor", options.anchor);
+    add("warp_width", options.warp_width);
+    add("excess", options.excess);
+    add("confident_excess", options.confident_excess);
+    add("main_surface", options.main_surface);
+    add("side_depth", options.side_depth);
+    add("wall_width", options.wall_width);
+    add("repetition", options.repetition);
+    add("category_ratio", options.category_ratio);
+    add("category_distance", options.category_distance);
+    add("clearly_better", options.clearly_better);
+    add("panels", options.panels);
+    add("support", options.support);
   }
-
-private:
-  template <typename Field>
-  static void read(const char* name, const py::object& value, Field& field)
-  {
-    if constexpr (std::is_enum_v<Field>)
-      field = value_of<Field>(name, value.cast<std::string>());
-    else
-      field = value.cast<Field>();
-  }
-  static void read(const char* name, const py::object& value, std::map<std::string, SC::Abstraction_kind>& field)
-  {
-    for (const auto& [part, word] : value.cast<std::map<std::string, std::string>>())
-      field[part] = value_of<SC::Abstraction_kind>(name, word);
-  }
-
-  static void read(const char*, const py::object& value, SC::Part_matching_options& field)
-  {
-    const py::dict values = value.cast<py::dict>();
-    Reader reader(values);
-    visit(field, reader);
-    reader.check_all_used();
-  }
-
-  static void read(const char*, const py::object& value, std::vector<SC::Part_pair>& field)
-  {
-    for (const auto& [source, target] : value.cast<std::vector<std::pair<std::size_t, std::size_t>>>())
-      field.push_back({source, target});
-  }
-
-  const py::dict& values_;
-  std::size_t used_ = 0;
 };
 
-/// Lists options and their defaults.
-class Lister
+struct Search_keywords : Keywords
 {
-public:
-  template <typename Field>
-  void operator()(const char* name, const Field& field)
-  {
-    if constexpr (std::is_enum_v<Field>)
-      list_[name] = word_of(field);
-    else
-      list_[name] = py::cast(field);
-  }
-  void operator()(const char* name, const std::map<std::string, SC::Abstraction_kind>&) { list_[name] = py::dict(); }
-  void operator()(const char* name, const std::vector<SC::Part_pair>&) { list_[name] = py::list(); }
-  void operator()(const char* name, SC::Part_matching_options& field)
-  {
-    Lister inner;
-    visit(field, inner);
-    list_[name] = inner.list();
-  }
+  SC::cli::Match_options match;
 
-  const py::dict& list() const { return list_; }
-
-private:
-  py::dict list_;
+  explicit Search_keywords(const SC::Search_options& search = {})
+  {
+    match.search = search;
+    table.group("Python")("search_method", "METHOD", SC::cli::choice(match.search.method, SC::cli::search_methods),
+                          "parts (least cost of substituting parts), beam (least deformation energy by the paper's "
+                          "beam search) or exact (least deformation energy, with a proof)")
+        .in_python();
+    add_match_options(table, match);
+    SC::Energy_weights& weights = match.search.matching.weights;
+    add("distortion_weight", weights.distortion, "weight of E_d in Eq. 1");
+    add("connectedness_weight", weights.connectedness, "w_c, weight of E_c");
+    add("split_weight", weights.split, "w_s, weight of E_s");
+    add("cut_curves", match.search.matching.cut_curves, "whether curves may be cut into segments and joined");
+    add("both_directions", match.search.both_directions,
+        "deform either shape into the other, and keep the lower energy per pair of connected parts");
+    add("coarse_target", match.search.coarse_target,
+        "whether `maximum_parts` applies to both shapes, or to the source only");
+    add("alignments", match.search.alignments,
+        "number of turns of the target about the up axis to try, nearest to the given one first; 0: all");
+    add("front_is_sure", match.search.front_is_sure,
+        "whether the given orientation is right; otherwise matching by parts turns a shape by a multiple of 90° if the "
+        "roles of its parts clearly say that its front is another side");
+  }
 };
 
-template <typename Visitor>
-void visit(SC::Search_options& options, Visitor& option)
+struct Model_keywords : Keywords
 {
-  option("search_method", options.method);
-  option("part_matching", options.parts);
-  option("category", options.category);
-  option("min_confidence", options.min_confidence);
-  option("beam_width", options.beam.beam_width);
-  option("expansions", options.beam.expansions);
-  option("distortion_weight", options.matching.weights.distortion);
-  option("connectedness_weight", options.matching.weights.connectedness);
-  option("split_weight", options.matching.weights.split);
-  option("role_weight", options.matching.weights.roles);
-  option("energy_norm", options.matching.norm);
-  option("cut_curves", options.matching.cut_curves);
-  option("unmatched_cost", options.matching.unmatched_cost);
-  option("pinned", options.matching.pinned);
-  option("forbidden", options.matching.forbidden);
-  option("both_directions", options.both_directions);
-  option("maximum_parts", options.maximum_parts);
-  option("coarse_target", options.coarse_target);
-  option("source_parts", options.source_parts);
-  option("target_parts", options.target_parts);
-  option("alignments", options.alignments);
-  option("front_is_sure", options.front_is_sure);
-  option("solutions", options.solutions);
-  option("min_marginals", options.min_marginals);
+  SC::cli::Common_options common;
+
+  Model_keywords()
+  {
+    common.quiet = true;
+    add_model_options(table, common);
+    add_common_options(table, common);
+    SC::Symmetry_options& symmetry = common.structure.symmetry;
+    add("detect_symmetry", symmetry.enabled, "if False, every part is a group of its own");
+    add("detect_reflections", symmetry.reflection, "whether to look for reflections");
+    add("detect_rotations", symmetry.rotation, "whether to look for rotations");
+    add("detect_translations", symmetry.translation, "whether to look for translations");
+    add("parts_from", common.parts_from,
+        "a list of pieces and their parts, as `graph --parts-json` of the program writes it");
+  }
+};
+
+struct Blend_keywords : Keywords
+{
+  SC::Blend_options options;
+  SC::cli::Blend_output output;
+
+  Blend_keywords()
+  {
+    add("contact_tolerance", options.contact_tolerance,
+        "largest gap between parts in contact, as a fraction of the shape's height");
+    add("samples", options.samples, "number of in-between shapes by which a schedule is rated");
+    add("min_confidence", options.min_confidence,
+        "pairs of lower confidence, in [0, 1], are left out: their parts thin and thicken");
+    SC::cli::Option_table::Group group = table.group("Output");
+    add_output_options(group, output);
+    add("schedule", options.schedule, "one of `schedule_names()`; None: the best");
+    add("rank_all", options.rank_all, "rate all schedules by all samples, also those that can no longer be the best");
+  }
+};
+
+struct Collection_keywords : Keywords
+{
+  SC::cli::Common_options common;
+  SC::cli::Collection_options options;
+
+  Collection_keywords() { add_collection_options(table, common, options); }
+};
+
+struct Evaluation_keywords : Keywords
+{
+  SC::cli::Common_options common;
+  SC::cli::Evaluate_options options;
+
+  Evaluation_keywords()
+  {
+    add_evaluate_options(table, options, common);
+    add("seed", options.evaluation.seed, "seed of the random numbers");
+  }
+};
+
+py::list listed(const Option_table& table, const std::function<bool(const Option&)>& is_wanted = {})
+{
+  py::list result;
+  for (const Option& option : table.options())
+    if (!option.keyword.empty() && (!is_wanted || is_wanted(option)))
+      result.append(py::make_tuple(option.keyword, value_of(option), option.help));
+  return result;
 }
 
-template <typename Visitor>
-void visit(SC::Structure_options& options, Visitor& option)
+std::vector<SC::Part_pair> pairs_of(const py::object& value)
 {
-  option("kind", options.abstraction.kind);
-  option("part_kinds", options.abstraction.part_kinds);
-  option("edge_length", options.abstraction.edge_length);
-  option("triangles", options.abstraction.triangles);
-  option("stop_volume", options.abstraction.stop_volume);
-  option("maximum_iterations", options.abstraction.maximum_iterations);
-  option("time_limit", options.abstraction.time_limit);
-  option("curve_points", options.abstraction.curve_points);
-  option("sheet_points", options.abstraction.sheet_points);
-  option("detect_symmetry", options.symmetry.enabled);
-  option("symmetry_tolerance", options.symmetry.tolerance);
-  option("detect_reflections", options.symmetry.reflection);
-  option("detect_rotations", options.symmetry.rotation);
-  option("detect_translations", options.symmetry.translation);
-  option("contact_tolerance", options.contacts.tolerance);
-}
-
-/// Options that say how a file is read and which machine works, beside those of `Structure_options`.
-template <typename Visitor>
-void visit(SC::cli::Common_options& options, Visitor& option)
-{
-  option("up", options.up);
-  option("parts", options.parts);
-  option("parts_from", options.parts_from);
-  option("cache", options.cache);
-  option("threads", options.threads);
-}
-
-template <typename Visitor>
-void visit(SC::Blend_options& options, Visitor& option)
-{
-  option("contact_tolerance", options.contact_tolerance);
-  option("samples", options.samples);
-  option("min_confidence", options.min_confidence);
-  option("size", options.size);
-  option("schedule", options.schedule);
-  option("rank_all", options.rank_all);
-}
-
-template <typename Visitor>
-void visit(SC::Energy_matrix_options& options, Visitor& option)
-{
-  option("unmatched_energy", options.unmatched_energy);
-}
-
-template <typename Visitor>
-void visit(SC::Co_analysis_options& options, Visitor& option)
-{
-  option("inflation", options.clustering.inflation);
-  option("least_cycle_support", options.least_cycle_support);
-}
-
-template <typename Visitor>
-void visit(SC::Evaluation_options& options, Visitor& option)
-{
-  option("resamples", options.resamples);
-  option("confidence", options.confidence);
-  option("seed", options.seed);
-}
-
-template <typename... Options>
-void read(const py::dict& values, Options&... options)
-{
-  Reader reader(values);
-  (visit(options, reader), ...);
-  reader.check_all_used();
-}
-
-template <typename... Options>
-py::dict defaults(Options... options)
-{
-  Lister lister;
-  (visit(options, lister), ...);
-  return lister.list();
+  std::vector<SC::Part_pair> result;
+  for (const auto& [source, target] : value.cast<std::vector<std::pair<std::size_t, std::size_t>>>())
+    result.push_back({source, target});
+  return result;
 }
 
 } // namespace
 
-SC::Search_options search_options(const py::dict& values)
+SC::Search_options search_options(const py::dict& values, bool is_for_pair)
 {
-  SC::Search_options options;
-  read(values, options);
-  return options;
+  Search_keywords keywords;
+  py::dict rest;
+  const auto refuse = [](const std::string& name) {
+    throw py::type_error(name + " is for a pair of shapes, not for a set");
+  };
+  for (const auto& [key, borrowed] : values) {
+    const std::string name = key.cast<std::string>();
+    const py::object value = py::reinterpret_borrow<py::object>(borrowed);
+    SC::Search_options& search = keywords.match.search;
+    const bool chooses_parts = name == "source_parts" || name == "target_parts" || name == "pinned" || name == "forbidden";
+    if (chooses_parts && !is_for_pair) refuse(name);
+    if (name == "part_matching" && !value.is_none())
+      Part_matching_keywords(search.parts).read(value);
+    else if (name == "source_parts")
+      search.source_parts = value.cast<std::vector<std::size_t>>();
+    else if (name == "target_parts")
+      search.target_parts = value.cast<std::vector<std::size_t>>();
+    else if (name == "pinned")
+      search.matching.pinned = pairs_of(value);
+    else if (name == "forbidden")
+      search.matching.forbidden = pairs_of(value);
+    else
+      rest[key] = value;
+  }
+  keywords.read(rest);
+  for (const Option& option : keywords.table.options())
+    if (option.is_given && option.is_for_pairs && !is_for_pair) refuse(option.keyword);
+  return keywords.match.search;
 }
 
 SC::cli::Common_options model_options(const py::dict& values)
 {
-  SC::cli::Common_options options;
-  SC::Structure_options structure;
-  read(values, options, structure);
-  options.abstraction = structure.abstraction;
-  options.no_symmetry = !structure.symmetry.enabled;
-  options.symmetry_tolerance = structure.symmetry.tolerance;
-  options.symmetries.clear();
-  for (const auto& [is_wanted, kind] :
-       {std::pair(structure.symmetry.reflection, "reflection"), std::pair(structure.symmetry.rotation, "rotation"),
-        std::pair(structure.symmetry.translation, "translation")})
-    if (is_wanted) options.symmetries += (options.symmetries.empty() ? "" : ",") + std::string(kind);
-  options.contact_tolerance = structure.contacts.tolerance;
-  options.quiet = true;
-  check(options);
-  return options;
+  Model_keywords keywords;
+  keywords.read(values);
+  return keywords.common;
 }
 
 SC::Blend_options blend_options(const py::dict& values)
 {
-  SC::Blend_options options;
-  read(values, options);
-  return options;
+  Blend_keywords keywords;
+  keywords.read(values);
+  keywords.options.size = keywords.output.size;
+  return keywords.options;
 }
 
-SC::Energy_matrix_options energy_matrix_options(const py::dict& values)
+SC::cli::Collection_options collection_options(const py::dict& values)
 {
-  SC::Energy_matrix_options options;
-  read(values, options);
-  if (!(options.unmatched_energy >= 0)) throw SC::Invalid_input("unmatched_energy must not be negative");
-  return options;
-}
-
-SC::Co_analysis_options co_analysis_options(const py::dict& values)
-{
-  SC::Co_analysis_options options;
-  read(values, options);
-  if (!(options.clustering.inflation > 1)) throw SC::Invalid_input("inflation must be more than 1");
-  if (!(options.least_cycle_support >= 0 && options.least_cycle_support <= 1))
-    throw SC::Invalid_input("least_cycle_support must be between 0 and 1");
-  return options;
+  Collection_keywords keywords;
+  keywords.read(values);
+  return keywords.options;
 }
 
 SC::Evaluation_options evaluation_options(const py::dict& values)
 {
-  SC::Evaluation_options options;
-  read(values, options);
-  if (options.resamples < 1) throw SC::Invalid_input("resamples must be at least 1");
-  if (!(options.confidence > 0 && options.confidence < 1))
-    throw SC::Invalid_input("confidence must be between 0 and 1");
-  return options;
+  Evaluation_keywords keywords;
+  keywords.read(values);
+  return keywords.options.evaluation;
 }
 
-py::dict default_options()
+py::list options_of(const std::string& function)
 {
-  py::dict result;
-  result["match"] = defaults(SC::Search_options());
-  result["build_graph"] = defaults(SC::Structure_options());
-  result["read"] = defaults(SC::cli::Common_options());
-  result["blend"] = defaults(SC::Blend_options());
-  result["collection"] = defaults(SC::Energy_matrix_options(), SC::Co_analysis_options());
-  result["evaluate"] = defaults(SC::Evaluation_options());
-  result["paper"] = defaults(SC::paper_options());
-  return result;
+  const auto is_of_reading = [](const Option& option) {
+    return option.group == SC::cli::reading_group || option.keyword == "parts_from";
+  };
+  if (function == "read") return listed(Model_keywords().table, is_of_reading);
+  const auto is_of_graphs = [&](const Option& option) {
+    return !is_of_reading(option) || option.keyword == "allow_outside_files"; // for meshes that a saved graph names
+  };
+  if (function == "build_graph") return listed(Model_keywords().table, is_of_graphs);
+  if (function == "blend") return listed(Blend_keywords().table);
+  if (function == "collection") return listed(Collection_keywords().table);
+  if (function == "evaluate") return listed(Evaluation_keywords().table);
+  if (function == "paper") return listed(Search_keywords(SC::paper_options()).table);
+  if (function == "part_matching") {
+    SC::Part_matching_options options;
+    return listed(Part_matching_keywords(options).table);
+  }
+  return listed(Search_keywords().table);
 }
 
 } // namespace shape_correspondence_python

@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include "cli/Common_options.h"
+#include "cli/Collection_options.h"
+#include "cli/Match_options.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
-#include <CGAL/Shape_correspondence/co_analysis.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 #include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
@@ -18,15 +18,16 @@ namespace shape_correspondence_python {
 namespace py = pybind11;
 namespace SC = CGAL::Shape_correspondence;
 
-/// Options from keyword arguments, by the names that `default_options()` lists. \throw TypeError of another name
-SC::Search_options search_options(const py::dict& options);
-SC::cli::Common_options model_options(const py::dict& options);
-SC::Blend_options blend_options(const py::dict& options);
-SC::Energy_matrix_options energy_matrix_options(const py::dict& options);
-SC::Co_analysis_options co_analysis_options(const py::dict& options);
-SC::Evaluation_options evaluation_options(const py::dict& options);
+/// Options from keyword arguments, of which None is none. \throw TypeError of a name that `options_of()` does not list
+SC::Search_options search_options(const py::dict& values, bool is_for_pair = true);
+SC::cli::Common_options model_options(const py::dict& values);
+SC::Blend_options blend_options(const py::dict& values);
+SC::cli::Collection_options collection_options(const py::dict& values);
+SC::Evaluation_options evaluation_options(const py::dict& values);
 
-/// The names of all options and their defaults in the library, by function.
-py::dict default_options();
+/// The options of a function: tuples of name, default and help. \param function `match`, `read`, `build_graph`,
+/// `blend`, `collection`, `evaluate`; `paper` has the values of the paper's method, `part_matching` those of a part
+/// of `match`
+py::list options_of(const std::string& function);
 
 } // namespace shape_correspondence_python

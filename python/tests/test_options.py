@@ -10,41 +10,37 @@ import pytest
 import shape_correspondence as sc
 from shape_correspondence import _core
 
-LIBRARY = _core.default_options()
 
 
 def defaults(function):
-    return {name: list(p.default) if p.default == () else p.default
-            for name, p in inspect.signature(function).parameters.items() if p.default is not p.empty}
+    return {name: p.default for name, p in inspect.signature(function).parameters.items() if p.default is not p.empty}
 
 
-@pytest.mark.parametrize("function", [sc.match, sc.build_graph, sc.blend, sc.evaluate])
-def test_defaults_are_those_of_the_library(function):
+@pytest.mark.parametrize("function", [sc.match, sc.read, sc.build_graph, sc.blend, sc.collection, sc.evaluate])
+def test_options_are_those_of_the_table(function):
     python = defaults(function)
-    for name, value in LIBRARY[function.__name__].items():
-        if name == "part_matching":  # None stands for the library's
-            assert python[name] is None
-            continue
+    options = _core.options_of(function.__name__)
+    assert options
+    for name, value, text in options:
         assert python[name] == value, name
+        assert text and f":param {name}: " in function.__doc__, name
+
+
+def test_options_and_defaults_of_a_match():
+    assert list(defaults(sc.match))[:5] == ["part_matching", "roles", "pinned", "forbidden", "source_parts"]
+    expected = {"search_method": "parts", "category": None, "min_confidence": 0, "beam_width": 20, "expansions": 4,
+                "distortion_weight": 1, "connectedness_weight": 0.6, "split_weight": 0.4, "role_weight": 0,
+                "energy_norm": "sum", "cut_curves": True, "unmatched_cost": float("inf"), "both_directions": True,
+                "maximum_parts": 0, "coarse_target": True, "alignments": 1, "front_is_sure": False, "solutions": 1,
+                "min_marginals": False}
+    assert {name: value for name, value, _ in _core.options_of("match")} == expected
 
 
 def test_part_matching():
-    assert LIBRARY["match"]["part_matching"]["overlap"] == 2
-    for name in LIBRARY["match"]["part_matching"]:
+    library = {name: value for name, value, _ in _core.options_of("part_matching")}
+    assert library["overlap"] == 2
+    for name in library:
         assert f"``{name}``" in sc.match.__doc__, name
-
-
-def test_defaults_of_a_collection():
-    python = defaults(sc.collection)
-    for name, value in LIBRARY["collection"].items():
-        assert python[name] == value, name
-
-
-def test_defaults_of_reading():
-    python = defaults(sc.read)
-    assert python["parts"] == LIBRARY["read"]["parts"]
-    assert LIBRARY["read"]["up"] == LIBRARY["read"]["parts_from"] == LIBRARY["read"]["cache"] == ""  # None in Python
-    assert defaults(sc.match)["threads"] == LIBRARY["read"]["threads"]
 
 
 def test_names_are_those_of_named_parameters(data):
@@ -79,7 +75,7 @@ def test_all_that_is_public_is_documented(name):
 
 
 def test_unknown_options_are_refused(table):
-    with pytest.raises(TypeError):
+    with pytest.raises(TypeError, match="beam_width"):
         sc.match(table(), table(), beam_widht=3)
     with pytest.raises(TypeError):
         sc.match(table(), table(), part_matching={"ovrlap": 3})

@@ -48,7 +48,7 @@ Affine_motion Affine_motion::bounded(double least_stretch, double most_stretch) 
 Affine_motion_solver::Affine_motion_solver(std::vector<Moving_body> bodies)
     : bodies_(std::move(bodies)), right_(Points::Zero(3, Eigen::Index(unknowns * bodies_.size())))
 {
-  constexpr double inertia = 0.01, stiffness = 0.1; // against 1, the weight of a contact
+  constexpr double inertia = 0.005, stiffness = 0.02; // against 1, the weight of a contact
   for (std::size_t body = 0; body < bodies_.size(); ++body)
     add(body, body, Eigen::Vector4d(inertia, stiffness, stiffness, stiffness).asDiagonal());
 }

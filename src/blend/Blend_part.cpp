@@ -98,9 +98,9 @@ void add_unmatched_parts(const Blend_stage& stage, std::vector<Blend_part>& part
       }
       Part_mesh mesh = stage.meshes[e][part];
       if (result.is_reflected) mesh.points = mirrored(std::move(mesh.points));
-      result.thinning = std::make_shared<Thinning_part>(
-          shape.parts[charted], stage.to_stage(end, shape.parts[charted].control_points()),
-          stage.charted[e].charts[charted], mesh);
+      result.thinning = std::make_shared<Thinning_part>(shape.parts[charted],
+                                                        stage.to_stage(end, shape.parts[charted].control_points()),
+                                                        stage.charted[e].charts[charted], mesh);
       result.set_ends();
       parts.push_back(std::move(result));
     }

@@ -78,8 +78,8 @@ struct Blend_part
 /// What becomes of a part of an end, or of pieces of it.
 std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end, std::size_t given);
 
-/// The parts of a blend that become each other: one for every two parts, or pieces of parts, that correspond or are left
-/// over alike and, if the ends are symmetric, for their mirror images.
+/// The parts of a blend that become each other: one for every two parts, or pieces of parts, that correspond or are
+/// left over alike and, if the ends are symmetric, for their mirror images.
 std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence);
 
 /// Adds the parts of both ends that become no part.

@@ -103,7 +103,8 @@ std::array<double, 2> Blend_stage::heights(Blend_size size) const
   }
 }
 
-std::array<Segmented_shape, 2> Blend_stage::moved_shapes(const std::array<Blend_input, 2>& inputs, Blend_size size) const
+std::array<Segmented_shape, 2> Blend_stage::moved_shapes(const std::array<Blend_input, 2>& inputs,
+                                                         Blend_size size) const
 {
   const Shape_frame &from = structure(graphs[0]).frame, &to = structure(graphs[1]).frame;
   const std::array<double, 2> asked = heights(size);

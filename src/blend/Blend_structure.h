@@ -24,11 +24,11 @@ public:
   std::array<Segmented_shape, 2> shapes; ///< in the world, moved onto the stage
   std::vector<Blend_part> parts;
   std::vector<Kept_contact> contacts;
-  bool is_symmetric = false;                   ///< both shapes have the mirror plane x = 0
-  std::array<contacts::Box, 2> boxes;          ///< of the shapes
+  bool is_symmetric = false;                    ///< both shapes have the mirror plane x = 0
+  std::array<contacts::Box, 2> boxes;           ///< of the shapes
   std::array<double, 2> end_asymmetry = {0, 0}; ///< `Blend_quality::asymmetry`
-  std::array<double, 2> widest_gap;            ///< that it takes to join all parts
-  std::vector<End_look> looks;                 ///< by end
+  std::array<double, 2> widest_gap;             ///< that it takes to join all parts
+  std::vector<End_look> looks;                  ///< by end
 
   /// From the stage to the world when a share of the change of size is done: sizes change by equal factors in equal
   /// times.

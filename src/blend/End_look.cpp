@@ -79,7 +79,8 @@ double hull_volume(const std::vector<const Points*>& surfaces)
   constexpr double flat = 1e-3; // of the height
   Eigen::Matrix<double, directions, 3> towards;
   for (int i = 0; i < directions; ++i) { // along a spiral from pole to pole
-    const double z = (2. * i + 1) / directions - 1, r = std::sqrt(1 - z * z), angle = i * double(EIGEN_PI) * (3 - std::sqrt(5.));
+    const double z = (2. * i + 1) / directions - 1, r = std::sqrt(1 - z * z),
+                 angle = i * double(EIGEN_PI) * (3 - std::sqrt(5.));
     towards.row(i) << r * std::cos(angle), z, r * std::sin(angle);
   }
   Points farthest(3, directions);
@@ -111,8 +112,8 @@ End_look::End_look(const std::vector<Blend_part>& parts, int end)
     if (rest.is_closed()) volume += std::abs(rest.extent().volume);
     supports += parts[i].foot[std::size_t(end)] <= Blend_part::on_ground;
     points.push_back(parts[i].end_points(end));
-    seen.push_back({i, rest.samples(points.back()), &*parts[i].trees[surface], rest.is_closed(),
-                    rest.extent().volume > 0});
+    seen.push_back(
+        {i, rest.samples(points.back()), &*parts[i].trees[surface], rest.is_closed(), rest.extent().volume > 0});
   }
   overlaps = overlaps_of(seen);
   std::vector<const Points*> surfaces;

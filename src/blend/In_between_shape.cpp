@@ -127,11 +127,11 @@ void In_between_shape::close_contacts()
   for (const Kept_contact& contact : blend_.contacts) {
     const auto [a, b] = contact.parts;
     if (!is_there(a) || !is_there(b)) continue;
-    const auto at = [&](std::size_t i) -> Point {
-      const std::size_t part = contact.parts[i];
-      return placements_[part] * blend_.parts[part].place(contact.points[i], progress_[part], remaining_[part]);
+    const auto at = [&](std::size_t part, const Carried_point& p) -> Point {
+      return placements_[part] * blend_.parts[part].place(p, progress_[part], remaining_[part]);
     };
-    solver.add_contact(a, at(0), b, at(1), std::min(remaining_[a], remaining_[b]));
+    for (const auto& [first, second] : contact.points)
+      solver.add_contact(a, at(a, first), b, at(b, second), std::min(remaining_[a], remaining_[b]));
   }
   const std::vector<Affine_motion> motions = solver.solve();
   for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -192,8 +192,12 @@ void In_between_shape::fill_the_box()
     due.max().x() = half;
   }
   const Eigen::Affine3d map = box_map(all, due);
-  for (std::size_t i = 0; i < points_.size(); ++i)
+  for (std::size_t i = 0; i < points_.size(); ++i) {
     place(i, map);
+    if (!is_there(i) || blend_.parts[i].morph) continue;
+    const contacts::Box own = box_of(points_[i]); // what counts less may have been stretched beyond
+    if (!due.contains(own) && due.intersects(own)) place(i, box_map(own, own.intersection(due)));
+  }
 }
 
 } // namespace CGAL::Shape_correspondence::internal

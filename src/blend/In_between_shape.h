@@ -19,9 +19,9 @@ using Task_times = std::vector<std::array<double, 2>>;
 /// The surfaces of the parts of a blend at a time strictly between its ends. Parts and surfaces are named by index.
 /// Every task starts and stops gently, and so does what both shapes have at large.
 ///
-/// *Layout*: matched parts go straight from where they are at the one end to where they are at the other, unmatched ones
-/// with the box around the whole. Then all parts move a little so that contacts hold, mirror images stay that, what
-/// stands on the ground stands, and the whole fills the box that is due.
+/// *Layout*: matched parts go straight from where they are at the one end to where they are at the other, unmatched
+/// ones with the box around the whole. Then all parts move a little so that contacts hold, mirror images stay that,
+/// what stands on the ground stands, and the whole fills the box that is due.
 class In_between_shape
 {
 public:

@@ -9,8 +9,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A part without counterpart, which thins where it is, or thickens in reverse: a rod or a ring to its curve, a plate to
-/// its middle plane and then, across, to a line; a block shrinks to its middle.
+/// A part without counterpart, which thins where it is, or thickens in reverse: a rod or a ring to its curve, a plate
+/// to its middle plane and then, across, to a line; a block shrinks to its middle.
 class Thinning_part
 {
 public:

@@ -23,8 +23,10 @@ const std::vector<Blend_measure>& blend_measures()
 {
   static const std::vector<Blend_measure> measures = {
       {"height", &Blend_quality::height, Shape_blend::height_tolerance, "share by which the shape is too high or low"},
-      {"hull", &Blend_quality::hull, Shape_blend::hull_tolerance, "share by which its convex hull is too large or small"},
-      {"volume", &Blend_quality::volume, Shape_blend::volume_tolerance, "share by which its volume is too large or small"},
+      {"hull", &Blend_quality::hull, Shape_blend::hull_tolerance,
+       "share by which its convex hull is too large or small"},
+      {"volume", &Blend_quality::volume, Shape_blend::volume_tolerance,
+       "share by which its volume is too large or small"},
       {"support", &Blend_quality::support, Shape_blend::support_tolerance,
        "share of the parts on the ground that is missing"},
       {"gone", &Blend_quality::gone, Shape_blend::gone_tolerance, "share by which a part that stays is too small"},
@@ -67,10 +69,7 @@ struct Worst_parts
 double off_due(double value, double due) { return due > 0 ? std::abs(value / due - 1) : 0; }
 
 /// Between volumes, as if lengths were between.
-double due_volume(double a, double b, double t)
-{
-  return std::pow((1 - t) * std::cbrt(a) + t * std::cbrt(b), 3);
-}
+double due_volume(double a, double b, double t) { return std::pow((1 - t) * std::cbrt(a) + t * std::cbrt(b), 3); }
 
 /// Measures a shape part by part.
 class Shape_measure
@@ -310,7 +309,8 @@ private:
     std::vector<Seen_surface> seen;
     for (std::size_t i = 0; i < extents_.size(); ++i)
       if (part(i).morph)
-        seen.push_back({i, rest(i).samples(shape_.points(i)), &*trees_[i], rest(i).is_closed(), extents_[i].volume > 0});
+        seen.push_back(
+            {i, rest(i).samples(shape_.points(i)), &*trees_[i], rest(i).is_closed(), extents_[i].volume > 0});
     Worst_parts worst;
     double sum = 0;
     for (const auto& [pair, share] : overlaps_of(seen)) {
@@ -379,7 +379,8 @@ std::vector<std::string> Shape_measure::faults(const Blend_quality& quality) con
     return quality.*value > most;
   };
   const auto add = [&](const std::string& fault) { result.push_back(fault); };
-  if (is_over(&Blend_quality::height)) add("The shape is higher or lower than is due by " + percent(quality.height) + '.');
+  if (is_over(&Blend_quality::height))
+    add("The shape is higher or lower than is due by " + percent(quality.height) + '.');
   if (is_over(&Blend_quality::hull))
     add("The convex hull is larger or smaller than is due by " + percent(quality.hull) + '.');
   if (is_over(&Blend_quality::volume))

@@ -3,12 +3,15 @@
 
 #include "blend/contacts_to_keep.h"
 
+#include "base/quantized.h"
 #include "blend/Blend_stage.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -16,12 +19,17 @@ namespace {
 
 using Index_pair = std::array<std::size_t, 2>; // of parts, the smaller one first
 
-/// Two parts that touch at an end: where, and how wide the gap between them is.
+/// Two parts that touch at an end: where, in order along the axes, and how wide the gap between them is.
 struct Touch
 {
-  Point at;
+  std::vector<Point> at;
   double gap;
 };
+
+Point mean(const std::vector<Point>& points)
+{
+  return std::accumulate(points.begin(), points.end(), Point(Point::Zero())) / double(points.size());
+}
 
 class Contact_finder
 {
@@ -38,15 +46,21 @@ public:
       for (const auto& [pair, touch] : touching[std::size_t(end)]) {
         const Blend_part &a = parts_[pair[0]], &b = parts_[pair[1]];
         if (!a.is_at(1 - end) || !b.is_at(1 - end)) {
-          result.push_back({pair, {a.carried(end, touch.at), b.carried(end, touch.at)}, {touch.gap, touch.gap}});
+          result.push_back({pair, {}, {touch.gap, touch.gap}});
+          for (const Point& p : touch.at)
+            result.back().points.push_back({a.carried(end, p), b.carried(end, p)});
           continue;
         }
         if (end == 1) continue;
         std::optional<Touch> other = touch_of(pair, 1);
         if (const auto found = touching[1].find(pair); found != touching[1].end()) other = found->second;
-        if (other)
-          result.push_back(
-              {pair, {a.carried(touch.at, other->at), b.carried(touch.at, other->at)}, {touch.gap, other->gap}});
+        if (!other) continue;
+        result.push_back({pair, {}, {touch.gap, other->gap}});
+        const bool are_paired = touch.at.size() == other->at.size();
+        const std::vector<Point> from = are_paired ? touch.at : std::vector<Point>{mean(touch.at)};
+        const std::vector<Point> to = are_paired ? other->at : std::vector<Point>{mean(other->at)};
+        for (std::size_t i = 0; i < from.size(); ++i)
+          result.back().points.push_back({a.carried(from[i], to[i]), b.carried(from[i], to[i])});
       }
     return result;
   }
@@ -65,23 +79,32 @@ private:
           if (a == b) continue;
           const Index_pair pair = {std::min(a, b), std::max(a, b)};
           std::optional<Touch> touch = touch_of(pair, end);
-          if (are_whole) touch = Touch{place_of(contact, end), touch ? touch->gap : gap_of(pair, end)};
+          if (are_whole) touch = Touch{places_of(contact, end), touch ? touch->gap : gap_of(pair, end)};
           if (touch) result.emplace(pair, *touch);
         }
     }
     return result;
   }
 
-  /// Between the places on the curves or sheets of both parts.
-  Point place_of(const Contact& contact, int end) const
+  /// Between the places on the curves or sheets of both parts, of all regions where they touch.
+  std::vector<Point> places_of(const Contact& contact, int end) const
   {
-    Point sum = Point::Zero();
-    for (std::size_t i : {0u, 1u}) {
-      const Shape_structure& shape = structure(stage_.graphs[std::size_t(end)]);
-      const Point on_part = evaluate(shape.parts[contact.parts[i]], contact.parameters[i]);
-      sum += stage_.to_stage(end, on_part);
-    }
-    return sum / 2;
+    const Shape_structure& shape = structure(stage_.graphs[std::size_t(end)]);
+    std::vector<Point> result;
+    const auto add = [&](const Contact::Parameters& parameters) {
+      Point sum = Point::Zero();
+      for (std::size_t i : {0u, 1u}) {
+        const Point on_part = evaluate(shape.parts[contact.parts[i]], parameters[i]);
+        sum += stage_.to_stage(end, on_part);
+      }
+      result.push_back(sum / 2);
+    };
+    add(contact.parameters);
+    for (const Contact::Parameters& further : contact.further)
+      add(further);
+    const auto key = [](const Point& p) { return std::tuple(quantized(p.x()), quantized(p.y()), quantized(p.z())); };
+    std::sort(result.begin(), result.end(), [&](const Point& p, const Point& q) { return key(p) < key(q); });
+    return result;
   }
 
   const contacts::Triangle_tree& tree(std::size_t part, int end) const
@@ -99,7 +122,7 @@ private:
   {
     const contacts::Closest_pair closest = tree(pair[0], end).nearly_closest(tree(pair[1], end));
     if (closest.squared > tolerance_ * tolerance_) return std::nullopt;
-    return Touch{(closest.first + closest.second) / 2, std::sqrt(closest.squared)};
+    return Touch{{(closest.first + closest.second) / 2}, std::sqrt(closest.squared)};
   }
 
   const Blend_stage& stage_;

@@ -15,8 +15,9 @@ namespace CGAL::Shape_correspondence::internal {
 struct Kept_contact
 {
   std::array<std::size_t, 2> parts;
-  std::array<Carried_point, 2> points; ///< by part: one place at every end
-  std::array<double, 2> gap = {0, 0};  ///< by end, between the surfaces
+  /// Of the places where they touch: one place of both parts at every end.
+  std::vector<std::array<Carried_point, 2>> points;
+  std::array<double, 2> gap = {0, 0}; ///< by end, between the surfaces
 
   /// How wide the gap may be at `t`.
   double allowed_gap(double t) const { return (1 - t) * gap[0] + t * gap[1]; }

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/quantized.h"
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
 #include "blend/like_leftovers.h"
 #include "blend/pair_boxes.h"
-#include "base/quantized.h"
 #include "map/piece_of.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
@@ -293,8 +293,8 @@ private:
   Part_mesh piece(std::size_t end, std::size_t part, std::size_t charted, const Chart_box& box, bool in_mirror) const
   {
     const Part_mesh& mesh = stage_.meshes[end][part];
-    return piece_of(in_mirror ? mirrored(mesh.points) : mesh.points, mesh.triangles, stage_.charted[end].charts[charted],
-                    box);
+    return piece_of(in_mirror ? mirrored(mesh.points) : mesh.points, mesh.triangles,
+                    stage_.charted[end].charts[charted], box);
   }
 
   const Blend_stage& stage_;

@@ -30,10 +30,7 @@ Eigen::Matrix3d box_axes(const Points& surface, const Eigen::Matrix3d& own_axes)
   return volume(own_axes) < much * volume(world) ? own_axes : world;
 }
 
-double angle_of(const Eigen::Matrix3d& rotation)
-{
-  return std::acos(std::clamp((rotation.trace() - 1) / 2, -1., 1.));
-}
+double angle_of(const Eigen::Matrix3d& rotation) { return std::acos(std::clamp((rotation.trace() - 1) / 2, -1., 1.)); }
 
 /// Charts with the longest axis of both boxes as the first and the shortest as the last one.
 Pair_charts charts_along(const std::array<const Points*, 2>& surfaces, std::array<Eigen::Matrix3d, 2> axes)

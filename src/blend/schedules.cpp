@@ -71,6 +71,7 @@ public:
   const std::vector<long>& costs() const { return costs_; }
 
 private:
+  static constexpr double alike = 0.25; // of costs: among schedules as good, the first one, which has no idle time
   static constexpr long not_judged = std::numeric_limits<long>::max();
 
   /// \param done samples
@@ -88,7 +89,7 @@ private:
     });
     Blend_quality& result = schedules_[schedule].quality;
     result = std::accumulate(qualities.begin(), qualities.end(), result, worst);
-    costs_[schedule] = quantized(cost_of(result, blend_));
+    costs_[schedule] = std::lround(cost_of(result, blend_) / alike);
   }
 
   const Blend_structure& blend_;
@@ -123,8 +124,8 @@ std::vector<Blend_schedule> plausible_schedules(const std::vector<Blend_part>& p
 {
   static constexpr Schedule_plan plans[] = {{"all at once", {0, 1}, {0, 1}, {0, 1}, 0},
                                             {"shrink, then grow", {0, 1}, {0, 0.65}, {0.35, 1}, 0},
-                                            {"one after the other", {0.15, 0.85}, {0, 0.65}, {0.35, 1}, 0},
-                                            {"shrink, morph, grow", {0.25, 0.75}, {0, 0.55}, {0.45, 1}, 0},
+                                            {"one after the other", {0.1, 0.9}, {0, 0.65}, {0.35, 1}, 0},
+                                            {"shrink, morph, grow", {0.15, 0.85}, {0, 0.55}, {0.45, 1}, 0},
                                             {"from the ground up", {0, 0.7}, {0, 0.7}, {0.3, 1}, 0.3}};
   std::vector<Blend_schedule> result;
   for (const Schedule_plan& plan : plans) {
@@ -133,9 +134,9 @@ std::vector<Blend_schedule> plausible_schedules(const std::vector<Blend_part>& p
     for (const Blend_part& part : parts) {
       Blend_task task = part.task;
       const double delay = part.morph ? plan.from_the_ground * std::clamp(part.height, 0., 1.) : 0;
-      std::array<double, 2> times = part.morph                            ? plan.morph
+      std::array<double, 2> times = part.morph                             ? plan.morph
                                     : task.type == Blend_task_type::SHRINK ? plan.shrink
-                                                                          : plan.grow;
+                                                                           : plan.grow;
       if (!part.morph && part.stands) times = reversed(times);
       task.begin = times[0] + delay;
       task.end = times[1] + delay;

@@ -3,8 +3,6 @@
 
 #include "cli/Common_options.h"
 
-#include <boost/algorithm/string/join.hpp>
-
 #include <algorithm>
 #include <sstream>
 
@@ -12,32 +10,126 @@ namespace CGAL::Shape_correspondence::cli {
 
 namespace {
 
+constexpr int most_threads = 4096; // each needs memory of its own
 // More than any shape needs, and little memory
 constexpr int most_curve_points = 1000;
 constexpr int most_sheet_points = 200; // along a side
 
-void check_between(const std::string& option, double value, double least, double most)
+const std::vector<std::string> axes{"x", "y", "z", "auto"};
+
+const std::vector<std::pair<const char*, Abstraction_kind>> abstraction_kinds{
+    {"auto", Abstraction_kind::AUTOMATIC}, {"curve", Abstraction_kind::CURVE}, {"sheet", Abstraction_kind::SHEET}};
+
+/// PART=KIND
+Text_field part_kind(std::map<std::string, Abstraction_kind>& kinds)
 {
-  if (value >= least && value <= most) return;
-  std::ostringstream message;
-  message << "--" << option << " must be between " << least << " and " << most << ", not " << value;
-  throw Usage_error(message.str());
+  Text_field result;
+  result.is_repeated = true;
+  result.set = [&kinds](const std::string& label, const std::string& text) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string::npos || equals == 0)
+      throw Usage_error(label + " takes the name of a part, = and its kind, not '" + text + "'");
+    Abstraction_kind kind{};
+    choice(kind, abstraction_kinds).set(label, text.substr(equals + 1));
+    kinds.insert({text.substr(0, equals), kind});
+  };
+  return result;
 }
 
-void check_positive(const std::string& option, double value)
+/// Names of kinds, with commas in between.
+Text_field symmetry_kinds(Symmetry_options& options)
 {
-  if (!(value > 0)) throw Usage_error("--" + option + " must be more than 0");
+  const std::vector<std::pair<std::string, bool*>> kinds{
+      {"reflection", &options.reflection}, {"rotation", &options.rotation}, {"translation", &options.translation}};
+  Text_field result;
+  result.get = [kinds] {
+    std::string text;
+    for (const auto& [word, is_wanted] : kinds)
+      if (*is_wanted) text += (text.empty() ? "" : ",") + word;
+    return text;
+  };
+  result.known = {"reflection", "rotation", "translation"};
+  result.set = [kinds, known = result.known](const std::string& label, const std::string& text) {
+    const std::vector<std::string> words = words_of(text);
+    for (const std::string& word : words)
+      check_word(label, word, known);
+    for (const auto& [word, is_wanted] : kinds)
+      *is_wanted = std::find(words.begin(), words.end(), word) != words.end();
+  };
+  return result;
 }
 
-void check_abstraction(const Abstraction_options& options)
+Text_field abstraction_method(Abstraction_options& options)
 {
-  check_positive("edge-length", options.edge_length);
-  check_positive("stop-volume", options.stop_volume);
-  check_positive("time-limit", options.time_limit);
-  check_at_least("triangles", options.triangles, 100);
-  check_at_least("max-iterations", options.maximum_iterations, 1);
-  check_from_to("curve-points", options.curve_points, 2, most_curve_points);
-  check_from_to("sheet-points", options.sheet_points, 2, most_sheet_points);
+  Text_field result;
+  result.known = {"flow", "fitted", "boxes"};
+  result.get = [] { return "fitted"; };
+  result.set = [&options, known = result.known](const std::string& label, const std::string& word) {
+    check_word(label, word, known);
+    if (word == "flow") options.abstractor = Mean_curvature_abstraction();
+    if (word == "boxes") options.abstractor = Bounding_box_abstraction();
+  };
+  return result;
+}
+
+void add_structure_options(Option_table& table, Common_options& options)
+{
+  Option_table::Group add = table.group("Options on structural graphs");
+  Symmetry_options& symmetry = options.structure.symmetry;
+  add("no-symmetry", Switched_off{&symmetry.enabled}, "make every part a group of its own");
+  add("symmetries", "KINDS", symmetry_kinds(symmetry), "kinds of symmetry groups to detect");
+  add("symmetry-tolerance", "T", &symmetry.tolerance,
+      "largest distance of a part from its image, as a fraction of the diagonal of the part")
+      .between(0, 0.5)
+      .in_python();
+  add("contact-tolerance", "T", &options.structure.contacts.tolerance,
+      "largest gap between parts in contact, as a fraction of the diagonal of the shape")
+      .between(0, 0.5)
+      .in_python();
+  add("cache", "FOLDER", &options.cache,
+      "keep structural graphs in this folder and reuse them when model and options are the same")
+      .in_python();
+}
+
+void add_abstraction_options(Option_table& table, Abstraction_options& abstraction)
+{
+  Option_table::Group add = table.group(abstraction_group);
+  add("abstraction", "METHOD", abstraction_method(abstraction),
+      "method of part abstraction: fitted (sheets on the medial axis, curves by mean curvature flow, axes of round "
+      "parts and blocks), flow (mean curvature flow alone, as in the paper) or boxes (axes of bounding boxes: fast and "
+      "rough)");
+  add("kind", "KIND", choice(abstraction.kind, abstraction_kinds),
+      "abstract parts by curve, sheet, or auto (what fits each part)")
+      .in_python();
+  add("part-kind", "PART=KIND", part_kind(abstraction.part_kinds), "the same for one part; can be repeated")
+      .in_python("part_kinds");
+  add("edge-length", "X", &abstraction.edge_length, "edge length of the remeshed part, as a fraction of its diagonal")
+      .more_than(0)
+      .in_python();
+  add("triangles", "N", &abstraction.triangles,
+      "approximate maximum of triangles of the remeshed part; edges are longer where needed")
+      .at_least(100)
+      .in_python();
+  add("stop-volume", "X", &abstraction.stop_volume,
+      "fraction of the volume at which the flow is stopped to detect sheets and hollow parts")
+      .more_than(0)
+      .in_python();
+  add("max-iterations", "N", &abstraction.maximum_iterations,
+      "maximum of iterations of the flow; a part that needs more is represented by its bounding box")
+      .at_least(1)
+      .in_python("maximum_iterations");
+  add("time-limit", "SECONDS", &abstraction.time_limit,
+      "time limit for one part; a part that needs more is represented by its bounding box, with a warning. Default: no "
+      "limit, so that results do not depend on the speed of the machine")
+      .more_than(0)
+      .without_default()
+      .in_python();
+  add("curve-points", "N", &abstraction.curve_points, "control points of a curve, and as many more for each full turn")
+      .between(2, most_curve_points)
+      .in_python();
+  add("sheet-points", "N", &abstraction.sheet_points, "control points along each side of a sheet")
+      .between(2, most_sheet_points)
+      .in_python();
 }
 
 } // namespace
@@ -56,20 +148,6 @@ Point Common_options::up_vector() const
   return up == "x" ? Point::UnitX() : up == "z" ? Point::UnitZ() : Point::UnitY();
 }
 
-Symmetry_options Common_options::symmetry_options() const
-{
-  Symmetry_options result;
-  result.enabled = !no_symmetry;
-  result.tolerance = symmetry_tolerance;
-  const auto allows = [words = words_of(symmetries)](const char* kind) {
-    return std::find(words.begin(), words.end(), kind) != words.end();
-  };
-  result.reflection = allows("reflection");
-  result.rotation = allows("rotation");
-  result.translation = allows("translation");
-  return result;
-}
-
 std::vector<std::string> words_of(const std::string& list)
 {
   std::vector<std::string> words;
@@ -79,38 +157,66 @@ std::vector<std::string> words_of(const std::string& list)
   return words;
 }
 
-void check(const Common_options& options)
+void add_common_options(Option_table& table, Common_options& options)
 {
-  const std::vector<std::string> axes{"x", "y", "z", "auto"};
-  if (!options.up.empty()) check_word("up", options.up, axes);
-  for (std::size_t i : {0, 1})
-    if (!options.of_pair[i].up.empty()) check_word(i == 0 ? "source-up" : "target-up", options.of_pair[i].up, axes);
-  check_word("parts", options.parts, {"auto", "file", "components", "segments"});
-  for (const std::string& kind : words_of(options.symmetries))
-    check_word("symmetries", kind, {"reflection", "rotation", "translation"});
-  check_between("symmetry-tolerance", options.symmetry_tolerance, 0, 0.5);
-  check_between("contact-tolerance", options.contact_tolerance, 0, 0.5);
-  check_word("progress", options.progress, {"auto", "always", "never"});
-  check_abstraction(options.abstraction);
+  Option_table::Group add = table.group("Options of all commands");
+  add("threads", "N", &options.threads,
+      "number of threads; default: all of the machine. The result does not depend on it")
+      .between(1, most_threads)
+      .without_default()
+      .in_python();
+  add("seed", "N", &options.seed,
+      "seed of random choices, which evaluate and roles make; default: 0. Results are reproducible")
+      .without_default();
+  add("quiet,q", &options.quiet, "print errors only");
+  add("verbose,v", &options.verbose,
+      "print more: time and memory on standard error; match also prints the energy of every symmetry group, blend the "
+      "correspondence");
+  add("progress", "WHEN", &options.progress,
+      "show a progress bar on standard error: auto (if it is a terminal), always, never")
+      .words({"auto", "always", "never"});
+  add("help,h", &options.help, "print this text");
 }
 
-void check_word(const std::string& option, const std::string& value, const std::vector<std::string>& known)
+void add_reading_options(Option_table& table, Common_options& options)
 {
-  if (std::find(known.begin(), known.end(), value) != known.end()) return;
-  throw Usage_error("--" + option + " cannot be '" + value + "'; known are: " + boost::algorithm::join(known, ", "));
+  Option_table::Group add = table.group(reading_group);
+  add("up", "AXIS", &options.up,
+      "upright axis of the model: x, y, z, or auto (the axis along which the model stands most stably). Default: the "
+      "one given by the file (glTF, COLLADA, graphs); y for a folder of part meshes; otherwise y unless the model "
+      "clearly stands along another axis, or its parts are more like labelled ones with another axis up, with a "
+      "warning")
+      .words(axes)
+      .in_python();
+  add("parts", "MODE", &options.parts,
+      "how parts are made of a model file: file (its objects), components (its loose pieces), segments (loose pieces "
+      "divided by thickness) or auto (its objects, but objects of unrelated loose pieces are split). "
+      "`shape_correspondence parts MODEL` shows the result. Files in a folder are always parts as they are")
+      .words({"auto", "file", "components", "segments"})
+      .in_python();
+  add("segment", Switched_to{&options.parts, "segments"}, "the same as --parts segments");
+  add("allow-outside-files", &options.reading.allow_outside_files,
+      "read also files that a model or a graph names outside its own folder: buffers, materials, textures, meshes of "
+      "parts")
+      .in_python();
 }
 
-void check_from_to(const std::string& option, int value, int least, int most)
+void add_model_options(Option_table& table, Common_options& options)
 {
-  check_at_least(option, value, least);
-  if (value > most)
-    throw Usage_error("--" + option + " must be at most " + std::to_string(most) + ", not " + std::to_string(value));
+  add_reading_options(table, options);
+  add_structure_options(table, options);
+  add_abstraction_options(table, options.structure.abstraction);
 }
 
-void check_at_least(const std::string& option, int value, int least)
+void add_pair_options(Option_table& table, Common_options& options)
 {
-  if (value < least)
-    throw Usage_error("--" + option + " must be at least " + std::to_string(least) + ", not " + std::to_string(value));
+  Option_table::Group add = table.group("Options on one of two models");
+  Common_options::Of_input &source = options.of_pair[0], &target = options.of_pair[1];
+  add("source-up", "AXIS", &source.up, "upright axis of the source, as --up").words(axes);
+  add("target-up", "AXIS", &target.up, "the same for the target").words(axes);
+  add("source-parts-from", "FILE", &source.parts_from,
+      "read the parts of the source from a list of its pieces and their parts, as `graph --parts-json` writes it");
+  add("target-parts-from", "FILE", &target.parts_from, "the same for the target");
 }
 
 } // namespace CGAL::Shape_correspondence::cli

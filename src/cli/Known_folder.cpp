@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Known_folder.h"
+#include "io/read/read_objects.h"
 #include "io/system/checked_file.h"
 #include "io/system/digest.h"
-#include "io/read/read_objects.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>

@@ -1,28 +1,17 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/Pair_command.h"
 #include "cli/blend_output.h"
 #include "cli/blend_warnings.h"
-#include "cli/choose_parts.h"
-#include "cli/command_line.h"
-#include "cli/commands.h"
-#include "cli/load_shape.h"
-#include "cli/match_options.h"
-#include "cli/match_table.h"
-#include "cli/outputs.h"
+#include "cli/match_shapes.h"
 #include "cli/progress_bar.h"
-#include "cli/run_report.h"
-#include "cli/text_table.h"
-#include "cli/thread_limit.h"
-#include "io/system/quoting.h"
+#include "cli/run.h"
+#include "cli/text.h"
 #include "matching/unlikely_pairs.h"
 #include "viewer/match_page.h"
 
-#include <CGAL/Shape_correspondence/IO/correspondence_json.h>
-#include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
-#include <CGAL/Shape_correspondence/Invalid_input.h>
-#include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <algorithm>
 #include <iomanip>
@@ -30,12 +19,9 @@
 #include <sstream>
 
 namespace CGAL::Shape_correspondence::cli {
-
-namespace po = boost::program_options;
-
 namespace {
 
-const char* const help_text =
+const char* const blend_help =
     R"(Usage: shape_correspondence blend SOURCE TARGET -o FOLDER|FILE.glb|FILE.html [options]
 
 Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. All stand on one
@@ -45,8 +31,8 @@ place; parts in contact stay in contact. The first frame is the source, the last
 
 With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
 plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb, with --solid as one closed surface.
-Otherwise FOLDER is made, with one file for each frame: frame_000 and so on. A part of a frame is named s~t where source part s becomes t, s~ where s vanishes, and
-~t where t grows.
+Otherwise FOLDER is made, with one file for each frame: frame_000 and so on. A part of a frame is named s~t where
+source part s becomes t, s~ where s vanishes, and ~t where t grows.
 
 SOURCE and TARGET are each one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D. Its objects or nodes are the
@@ -109,24 +95,94 @@ void print_schedules(const Shape_blend& blend)
     std::cout << "  " << std::left << std::setw(width) << measure.name << measure.meaning << '\n';
 }
 
-struct Variables
+class Blend_command : public Pair_command
 {
-  Common_options common;
-  Match_options match;
-  Blend_output output;
-};
+public:
+  Blend_command() : Pair_command(blend_help)
+  {
+    match.search.min_confidence = Blend_options().min_confidence;
+    Option_table::Group add = table.group("Output");
+    add_output_options(add, output_);
+    add_result_option(add);
+    add("json", "FILE", &common.json,
+        "write the schedule of the parts and the quality of every frame as JSON; - is standard output");
+    add_shared_options();
+  }
 
-po::options_description all_options(Variables& v)
-{
-  po::options_description result;
-  v.match.search.min_confidence = Blend_options().min_confidence;
-  result.add(output_options(v.output, v.common))
-      .add(match_options(v.match))
-      .add(pair_options(v.common))
-      .add(model_options(v.common))
-      .add(common_options(v.common));
-  return result;
-}
+private:
+  void check() override
+  {
+    Pair_command::check();
+    search.min_confidence = 0; // what is less probable is left out here, and told
+    check_output(output_);
+  }
+
+  std::vector<std::string> output_files() const override
+  {
+    return {common.json, output_.is_file() ? output_.path : ""};
+  }
+
+  void read_looks()
+  {
+    if (!output_.may_show_materials() || output_.colours == "match") return;
+    for (std::size_t i : {0u, 1u}) {
+      read_appearance(inputs[i], shapes[i]);
+      for (const std::string& warning : shapes[i].appearance.warnings)
+        warnings.push_back(inputs[i] + ": " + warning);
+    }
+  }
+
+  void write_page(const Shape_blend& blend, const Correspondence& pairs,
+                  const std::function<void(std::ostream&)>& write_json) const
+  {
+    IO::Page page = IO::match_page({pairs}, source().graph, target().graph, source().model_pointer(),
+                                   target().model_pointer(), inputs[0], inputs[1], {});
+    std::ostringstream json, glb;
+    write_json(json);
+    IO::write_blend_glb(glb, blend, pairs, output_.frames);
+    page.json.push_back({"blend", json.str()});
+    page.glb.push_back({"blend.glb", glb.str()});
+    write_output(output_.path, [&](std::ostream& out) { IO::write_page(out, page); });
+  }
+
+  void work() override
+  {
+    load();
+    for (std::size_t i : {0u, 1u})
+      complete_surfaces(inputs[i], shapes[i]);
+    Correspondence pairs = correspondence();
+    const std::vector<std::string> unlikely = remove_unlikely(pairs, match.search.min_confidence, source(), target());
+
+    Progress_bar bar(common, "blend");
+    Blend_options options = blend_options(output_);
+    options.min_confidence = 0; // unlikely pairs are out already
+    const Shape_blend blend(source().graph, *source().model, target().graph, *target().model, pairs,
+                            with_progress(options, bar));
+    read_looks();
+    const IO::Blend_appearance appearance{source().appearance, target().appearance};
+    const bool has_materials = !appearance.source.empty() || !appearance.target.empty();
+    write_blend(output_, blend, pairs, output_.colours == "materials" || has_materials ? &appearance : nullptr);
+    for (const std::vector<std::string>& more : {pairs.warnings, unlikely})
+      warnings.insert(warnings.end(), more.begin(), more.end());
+    warn_of_sizes(options.size, source(), target(), warnings);
+    warn_of_exchanges(blend, source(), target(), warnings);
+    const auto write_json = [&](std::ostream& out) {
+      IO::write_blend_json(out, blend, source().graph, target().graph, inputs[0], inputs[1], output_.path,
+                           output_.frames, warnings);
+    };
+    write_output(common.json, write_json);
+    if (output_.is_page()) write_page(blend, pairs, write_json);
+    if (!common.prints_table()) return;
+    if (common.verbose) {
+      write_match_table(std::cout, pairs, source().graph, target().graph, true);
+      std::cout << '\n';
+      print_schedules(blend);
+    }
+    write_notes(std::cout, warnings, common.verbose);
+  }
+
+  Blend_output output_;
+};
 
 } // namespace
 
@@ -156,92 +212,6 @@ void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, con
   }
 }
 
-Command_help help_of_blend()
-{
-  static Variables unused;
-  return {help_text, all_options(unused)};
-}
-
-void run_blend(const std::vector<std::string>& arguments)
-{
-  Variables variables;
-  Common_options& common = variables.common;
-  Match_options& match = variables.match;
-  Blend_output& output = variables.output;
-  const Arguments parsed = parse(arguments, all_options(variables), 2, 2);
-  if (parsed.help) return write_help(std::cout, command_of("blend"));
-  const Run_report report(common);
-  refuse_abstraction_of_graphs(parsed);
-  Search_options search = search_options(match, parsed.values);
-  search.min_confidence = 0; // what is less probable is left out here, and told
-  if (!output.match.empty()) refuse_search_options(parsed.values);
-  check(common);
-  check(output);
-  std::vector<std::string> inputs = parsed.inputs;
-  inputs.push_back(output.match);
-  check_outputs({common.json, output.is_file() ? output.path : ""}, inputs);
-  const Thread_limit limit(common.threads);
-  const std::vector<std::string>& paths = parsed.inputs;
-  common.roles = search.roles;
-  std::vector<std::string> warnings_of_up;
-  std::vector<Loaded_shape> shapes = load_pair(paths, common, warnings_of_up);
-  for (std::size_t i : {0u, 1u})
-    complete_surfaces(paths[i], shapes[i]);
-  const Loaded_shape &source = shapes[0], &target = shapes[1];
-  add_examples(match, common, search);
-  choose_parts(match, {source.graph, paths[0]}, {target.graph, paths[1]}, search);
-  Correspondence correspondence =
-      output.match.empty()
-          ? find_correspondence(source.graph, target.graph, search)
-          : IO::correspondence_of(IO::read_correspondence_json(output.match), source.graph, target.graph, output.match);
-
-  const std::vector<std::string> unlikely =
-      remove_unlikely(correspondence, match.search.min_confidence, source, target);
-
-  Progress_bar bar(common, "blend");
-  Blend_options options = blend_options(output);
-  options.min_confidence = 0; // unlikely pairs are out already
-  const Shape_blend blend(source.graph, *source.model, target.graph, *target.model, correspondence,
-                          with_progress(options, bar));
-  std::vector<std::string> warnings = warnings_of(paths, shapes);
-  if (output.may_show_materials() && output.colours != "match")
-    for (std::size_t i : {0u, 1u}) {
-      read_appearance(paths[i], shapes[i]);
-      for (const std::string& warning : shapes[i].appearance.warnings)
-        warnings.push_back(paths[i] + ": " + warning);
-    }
-  const IO::Blend_appearance appearance{source.appearance, target.appearance};
-  const bool has_materials = !appearance.source.empty() || !appearance.target.empty();
-  write_blend(output, blend, correspondence, output.colours == "materials" || has_materials ? &appearance : nullptr);
-  warnings.insert(warnings.begin(), warnings_of_up.begin(), warnings_of_up.end());
-  warnings.insert(warnings.end(), correspondence.warnings.begin(), correspondence.warnings.end());
-  warnings.insert(warnings.end(), unlikely.begin(), unlikely.end());
-  warn_of_sizes(blend_options(output).size, source, target, warnings);
-  warn_of_exchanges(blend, source, target, warnings);
-  const auto write_json = [&](std::ostream& out) {
-    IO::write_blend_json(out, blend, source.graph, target.graph, paths[0], paths[1], output.path, output.frames,
-                         warnings);
-  };
-  write_output(common.json, write_json);
-  if (output.is_page()) {
-    IO::Page page = IO::match_page({correspondence}, source.graph, target.graph, source.model_pointer(),
-                                   target.model_pointer(), paths[0], paths[1], {});
-    std::ostringstream json, glb;
-    write_json(json);
-    IO::write_blend_glb(glb, blend, correspondence, output.frames);
-    page.json.push_back({"blend", json.str()});
-    page.glb.push_back({"blend.glb", glb.str()});
-    write_output(output.path, [&](std::ostream& out) { IO::write_page(out, page); });
-  }
-  if (common.prints_table()) {
-    if (common.verbose) {
-      write_match_table(std::cout, correspondence, source.graph, target.graph);
-      std::cout << '\n';
-    }
-    print_schedules(blend);
-    for (const std::string& warning : warnings)
-      std::cout << "warning: " << IO::quote_terminal(warning) << '\n';
-  }
-}
+std::unique_ptr<Command> blend_command() { return std::make_unique<Blend_command>(); }
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -13,8 +13,6 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-namespace po = boost::program_options;
-
 namespace {
 
 /// A schedule's name as it is written on the command line.
@@ -72,11 +70,59 @@ std::string file_format(const Blend_output& output)
   return ending == ".ply" ? "ply" : ending == ".glb" ? "glb" : "obj";
 }
 
-void check_path(const Blend_output& output)
+} // namespace
+
+bool Blend_output::is_page() const { return ends_with(path, ".html"); }
+
+bool Blend_output::may_show_materials() const
+{
+  if (const std::string one = file_format(*this); !one.empty()) return one == "glb";
+  return is_glb(path) || (!is_page() && format == "glb");
+}
+
+bool Blend_output::is_file() const { return is_glb(path) || is_page() || !file_format(*this).empty(); }
+
+void add_output_options(Option_table::Group& add, Blend_output& output)
+{
+  add("output,o", "PATH", &output.path,
+      "an animation, FILE.glb, a web page, FILE.html, or a new folder for one file per frame");
+  add("frames", "N", &output.frames, "number of frames at equal time steps, including source and target")
+      .between(2, internal::most_frames);
+  add("format", "FORMAT", &output.format,
+      "format of the frames in a folder: obj (one object per part), ply (binary, with the part of each face) or glb "
+      "(with materials and textures)")
+      .words({"obj", "ply", "glb"});
+  add("schedule", "NAME", &output.schedule,
+      "order of the tasks: " + alternatives(schedule_words()) +
+          "; best takes the one in which shapes hold together best, all makes a folder for each one that differs from "
+          "better ones")
+      .words(schedule_words());
+  add("at", "T", &output.at,
+      "make one shape only, that at time T between 0, the source, and 1, the target. Default: the whole blend")
+      .between(0, 1);
+  add("solid", &output.solid,
+      "with --at: wrap the shape into one closed surface, for printing and Boolean operations (.obj or .ply)");
+  add("size", "SIZE",
+      choice<Blend_size>(output.size, {{"blend", Blend_size::BLEND},
+                                       {"source", Blend_size::SOURCE},
+                                       {"target", Blend_size::TARGET},
+                                       {"same", Blend_size::SAME}}),
+      "size of the frames: blend (from the source's to the target's), source, target, or same (height 1)")
+      .in_python();
+  add("colours", "COLOURS", &output.colours,
+      "colours of a .glb animation: materials (those of the models, with textures), match (one for corresponding "
+      "parts) or auto (materials if a model has them)")
+      .words({"auto", "materials", "match"});
+}
+
+void check_output(const Blend_output& output)
 {
   if (output.path.empty())
     throw Usage_error("-o is missing: a folder for the frames, an animation FILE.glb, or a web page FILE.html");
+  if (output.solid && !output.is_one_shape()) throw Usage_error("--solid makes one shape: --at T says which");
   const std::string ending = std::filesystem::path(output.path).extension().string();
+  if (output.solid && (output.format == "glb" || file_format(output) == "glb"))
+    throw Usage_error("--solid writes a surface without materials: .obj or .ply");
   if (!file_format(output).empty()) {
     if (ending != ".obj" && ending != ".ply" && ending != ".glb")
       throw Usage_error("with --at, one shape is written: -o must name a file that ends in .obj, .ply or .glb");
@@ -90,72 +136,10 @@ void check_path(const Blend_output& output)
   IO::check_new_folder(output.path);
 }
 
-} // namespace
-
-bool Blend_output::is_page() const { return ends_with(path, ".html"); }
-
-bool Blend_output::may_show_materials() const
-{
-  if (const std::string one = file_format(*this); !one.empty()) return one == "glb";
-  return is_glb(path) || (!is_page() && format == "glb");
-}
-
-bool Blend_output::is_file() const { return is_glb(path) || is_page() || !file_format(*this).empty(); }
-
-po::options_description output_options(Blend_output& output, Common_options& common)
-{
-  po::options_description result = option_group("Output");
-  auto add = result.add_options();
-  add("output,o", po::value(&output.path)->value_name("PATH"),
-      "an animation, FILE.glb, a web page, FILE.html, or a new folder for one file per frame");
-  add("frames", number(output.frames)->value_name("N"),
-      "number of frames at equal time steps, including source and target");
-  add("format", po::value(&output.format)->value_name("FORMAT")->default_value(output.format),
-      "format of the frames in a folder: obj (one object per part), ply (binary, with the part of each face) or glb "
-      "(with materials and textures)");
-  add("match", po::value(&output.match)->value_name("R.json"),
-      "read the correspondence from a result that `match --json` wrote for these shapes");
-  add("schedule", po::value(&output.schedule)->value_name("NAME")->default_value(output.schedule),
-      ("order of the tasks: " + alternatives(schedule_words()) +
-       "; best takes the one in which shapes hold together best, all makes a folder for each one that differs from "
-       "better ones")
-          .c_str());
-  add("at", po::value<double>()->value_name("T")->notifier([&output](double t) { output.at = t; }),
-      "make one shape only, that at time T between 0, the source, and 1, the target. Default: the whole blend");
-  add("solid", po::bool_switch(&output.solid),
-      "with --at: wrap the shape into one closed surface, for printing and Boolean operations (.obj or .ply)");
-  add("size", po::value(&output.size)->value_name("SIZE")->default_value(output.size),
-      "size of the frames: blend (from the source's to the target's), source, target, or same (height 1)");
-  add("colours", po::value(&output.colours)->value_name("COLOURS")->default_value(output.colours),
-      "colours of a .glb animation: materials (those of the models, with textures), match (one for corresponding "
-      "parts) "
-      "or auto (materials if a model has them)");
-  add("json", po::value(&common.json)->value_name("FILE"),
-      "write the schedule of the parts and the quality of every frame as JSON; - is standard output");
-  return result;
-}
-
-void check(const Blend_output& output)
-{
-  check_from_to("frames", output.frames, 2, internal::most_frames);
-  check_word("format", output.format, {"obj", "ply", "glb"});
-  check_word("colours", output.colours, {"auto", "materials", "match"});
-  check_word("size", output.size, {"blend", "source", "target", "same"});
-  check_word("schedule", output.schedule, schedule_words());
-  if (output.is_one_shape() && !(*output.at >= 0 && *output.at <= 1)) throw Usage_error("--at must be between 0 and 1");
-  if (output.solid && !output.is_one_shape()) throw Usage_error("--solid makes one shape: --at T says which");
-  check_path(output);
-  if (output.solid && (output.format == "glb" || file_format(output) == "glb"))
-    throw Usage_error("--solid writes a surface without materials: .obj or .ply");
-}
-
 Blend_options blend_options(const Blend_output& output)
 {
   Blend_options result;
-  result.size = output.size == "source"   ? Blend_size::SOURCE
-                : output.size == "target" ? Blend_size::TARGET
-                : output.size == "same"   ? Blend_size::SAME
-                                          : Blend_size::BLEND;
+  result.size = output.size;
   result.rank_all = output.schedule == "all";
   for (const std::string& name : Shape_blend::schedule_names())
     if (schedule_word(name) == output.schedule) result.schedule = name;

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "cli/command_line.h"
+#include "cli/Option_table.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
@@ -19,9 +19,8 @@ struct Blend_output
 {
   std::string path;
   std::string format = "obj";
-  std::string match; ///< a result file, or empty
   std::string schedule = "best";
-  std::string size = "blend";
+  Blend_size size = Blend_size::BLEND;
   std::string colours = "auto"; ///< auto, materials or match
   int frames = 25;
   std::optional<double> at; ///< the time of the one shape that is made; empty: the whole blend
@@ -35,10 +34,10 @@ struct Blend_output
   bool may_show_materials() const;
 };
 
-boost::program_options::options_description output_options(Blend_output& output, Common_options& common);
+void add_output_options(Option_table::Group& add, Blend_output& output);
 
-/// \throw Usage_error if an option has no such value, or the output cannot be what it is named
-void check(const Blend_output& output);
+/// \throw Usage_error if the output cannot be what it is named
+void check_output(const Blend_output& output);
 
 Blend_options blend_options(const Blend_output& output);
 

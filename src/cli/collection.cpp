@@ -1,17 +1,15 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/Collection_options.h"
+#include "cli/Command.h"
+#include "cli/Match_options.h"
 #include "cli/collection_analysis.h"
-#include "cli/collection_options.h"
 #include "cli/collection_shapes.h"
 #include "cli/collection_work.h"
-#include "cli/command_line.h"
-#include "cli/commands.h"
 #include "cli/load_shape.h"
-#include "cli/outputs.h"
-#include "cli/run_report.h"
-#include "cli/text_table.h"
-#include "cli/thread_limit.h"
+#include "cli/run.h"
+#include "cli/text.h"
 #include "cli/transfer_labels.h"
 #include "io/system/quoting.h"
 
@@ -26,13 +24,11 @@
 #include <thread>
 
 namespace CGAL::Shape_correspondence::cli {
-
-namespace po = boost::program_options;
-namespace fs = std::filesystem;
-
 namespace {
 
-const char* const help_text =
+namespace fs = std::filesystem;
+
+const char* const collection_help =
     R"(Usage: shape_correspondence collection FOLDER [options]
        shape_correspondence collection SHAPE SHAPE... [options]
 
@@ -48,14 +44,10 @@ The entries of FOLDER are the shapes: model files, folders of part meshes, and s
 With --labels-from, the labels of one shape are transferred to all shapes of the set instead, by matching it with each.
 
 With --store, finished work is kept in a folder. A run that was stopped or killed continues where it was when the same
-command is run again; what depends on a changed shape or option is computed again. Several machines can share the work:
+command is run again; what depends on a changed shape or option is computed again. Several processes and machines share
+the work if the package was built with MPI; all of them need the folder:
 
-  shape_correspondence collection FOLDER --store S --tile 1/3     and 2/3, 3/3: one job each, in any order
-  shape_correspondence collection FOLDER --store S --merge --json C.json
-
-or, if the program was built with MPI:
-
-  mpirun -n 8 shape_correspondence collection FOLDER --store S --json C.json
+  mpirun -n 8 shape_correspondence_mpi collection FOLDER --store S --json C.json
 
 Examples: shape_correspondence collection chairs --json chairs.json --npy distances.npy
           shape_correspondence collection chairs --store work --html chairs.html --search exact
@@ -64,7 +56,7 @@ Examples: shape_correspondence collection chairs --json chairs.json --npy distan
 
 )";
 
-void print_collection(const Analysis& analysis)
+void print_collection(const Analysis& analysis, bool verbose)
 {
   const IO::Collection& collection = analysis.collection;
   std::vector<std::vector<std::string>> rows{{"shape", "parts", "mean distance", "nearest", "distance"}};
@@ -79,127 +71,191 @@ void print_collection(const Analysis& analysis)
             << "\nclusters of parts: " << collection.co_analysis.number_of_labels << " over "
             << collection.co_analysis.part_pairs << " pairs of parts, " << collection.co_analysis.rejected_pairs
             << " rejected\nordered pairs of shapes with a bridge: " << collection.bridge_count << '\n';
-  for (const std::string& warning : collection.warnings)
-    std::cout << "warning: " << IO::quote_terminal(warning) << '\n';
+  write_notes(std::cout, collection.warnings, verbose);
 }
 
-void write_outputs(const Analysis& analysis, const Collection_shapes& shapes, const Common_options& common,
-                   const Collection_options& options)
-{
-  const IO::Collection& collection = analysis.collection;
-  std::vector<std::string> names;
-  for (const IO::Collection::Shape& shape : collection.shapes)
-    names.push_back(shape.name);
-  write_output(common.json, [&](std::ostream& out) { IO::write_collection_json(out, collection); });
-  write_output(common.html, [&](std::ostream& out) {
-    IO::write_collection_html(
-        out, collection, [&](std::size_t i) { return shapes.graph(i); }, analysis.maps,
-        [&](std::size_t i) { return shapes.model(i, common); });
-  });
-  write_output(options.npy, [&](std::ostream& out) { IO::write_npy(out, *analysis.energies); });
-  write_output(options.csv, [&](std::ostream& out) { IO::write_csv(out, *analysis.energies, names); });
-  if (!common.prints_table()) return;
-  print_collection(analysis);
-  if (!common.html.empty() && collection.shapes.size() > IO::largest_pictured)
-    std::cout << IO::quote_terminal(common.html) << ": shows " << IO::largest_pictured << " of the "
-              << collection.shapes.size() << " shapes; the file of --json has all\n";
-}
-
-/// The shapes nearest to a query instead of all pairs.
-void find_nearest(const Collection_shapes& shapes, const Collection_options& options,
-                  const Energy_matrix_options& matching, const Common_options& common)
-{
-  const Structural_graph query = load_shape(options.nearest, common).graph;
-  IO::Nearest_in_collection found;
-  found.query = {structure(query).name, options.nearest, part_names(query)};
-  for (const Collection_shape& shape : shapes.shapes())
-    found.shapes.push_back({shape.name, shape.path, shape.parts});
-  found.warnings = shapes.skipped();
-  found.nearest = nearest_shapes<CGAL::Parallel_if_available_tag>(
-      query, shapes.size(), [&](std::size_t i) { return shapes.graph(i); }, options.nearest_count, matching);
-  write_output(common.json, [&](std::ostream& out) { IO::write_nearest_json(out, found); });
-  if (!common.prints_table()) return;
-  std::vector<std::vector<std::string>> rows{{"nearest", "distance", "pairs of parts"}};
-  for (const Near_shape& near : found.nearest.shapes)
-    rows.push_back({found.shapes[near.shape].name, short_number(near.distance), std::to_string(near.map.pairs.size())});
-  write_table(std::cout, rows);
-  std::cout << "\nmatched with " << found.nearest.evaluations << " of " << shapes.size() << " shapes\n";
-}
-
-/// Processes on one machine share its processors.
-int number_of_threads(const Common_options& common, const Team& team)
+/// Processes on one machine share its processors. \return 0: no limit
+int threads_of_process(const Common_options& common, const Team& team)
 {
   const std::size_t processes = team.size_here();
-  if (common.threads > 0 || processes == 1) return common.threads;
+  if (common.threads > 0 || processes == 1) return 0;
   return int(std::max<std::size_t>(1, std::thread::hardware_concurrency() / processes));
 }
 
-struct Variables
+class Collection_command : public Command
 {
-  Common_options common;
-  Match_options match;
-  Collection_options options;
-};
+public:
+  Collection_command() : Command(collection_help, 1, any_number)
+  {
+    add_collection_options(table, common, options_);
+    add_match_options(table, match_);
+    add_model_options(table, common);
+    add_common_options(table, common);
+  }
 
-po::options_description all_options(Variables& v)
-{
-  po::options_description result;
-  result.add(collection_options(v.common, v.options))
-      .add(match_options(v.match))
-      .add(model_options(v.common))
-      .add(common_options(v.common));
-  return result;
-}
+private:
+  /// Whether files of all pairs are asked for, besides --json.
+  bool has_files() const { return !(common.html + options_.npy + options_.csv).empty(); }
+
+  void check() override
+  {
+    for (const Option& option : table.options())
+      if (option.is_given && option.is_for_pairs) refuse_option(option.name, "on a set of shapes");
+    matching_.search = search_options(match_, table);
+    matching_.unmatched_energy = options_.unmatched_energy;
+    if (table.is_given("count") && options_.nearest.empty()) throw Usage_error("-k has no effect without --nearest");
+    if (!options_.nearest.empty() && (has_files() || options_.matches))
+      throw Usage_error("--nearest goes with --json and --store, not with files of all pairs");
+    if (!options_.labels_to.empty() && options_.labels_from.empty())
+      refuse_option("labels-to", "without --labels-from");
+    if (!options_.labels_from.empty() &&
+        (has_files() || options_.matches || options_.agreeing || !options_.nearest.empty()))
+      throw Usage_error("--labels-from goes with --labels-to, --json and --store, not with --nearest or files of all "
+                        "pairs");
+    if (options_.matches && common.json.empty()) refuse_option("matches", "without --json");
+    if (options_.agreeing && !options_.matches && common.html.empty())
+      refuse_option("agreeing", "without --matches or --html");
+    paths_ = collection_paths(inputs);
+  }
+
+  std::vector<std::string> input_files() const override
+  {
+    std::vector<std::string> result = paths_;
+    result.push_back(options_.nearest);
+    return result;
+  }
+
+  /// A folder in the store; empty: in memory.
+  std::string stored(const char* name) const
+  {
+    return options_.store.empty() ? "" : (fs::path(options_.store) / name).string();
+  }
+
+  void work() override
+  {
+    const std::unique_ptr<Team> made = make_team();
+    Team& team = *made;
+    if (team.size() > 1 && options_.store.empty())
+      throw Usage_error("several processes need --store, a folder that all of them can use");
+    const Thread_limit limit(threads_of_process(common, team));
+    add_examples(match_, common, matching_.search);
+    common.roles = matching_.search.roles;
+    if (common.cache.empty()) common.cache = stored("cache");
+    const Collection_shapes shapes(paths_, stored("graphs"), options_.skip_bad, common, team);
+    if (!options_.nearest.empty()) {
+      if (team.is_first()) find_nearest(shapes);
+    } else if (!options_.labels_from.empty()) {
+      if (team.is_first()) transfer_labels(shapes, options_, matching_.search, common);
+    } else {
+      Collection_work work(shapes, stored("tiles"), key(), matching_, common);
+      work.run(team);
+      if (team.is_first()) write_outputs(analysed(shapes, options_, work), shapes);
+    }
+  }
+
+  /// All that energies and pairs depend on besides the shapes.
+  std::string key() const
+  {
+    const Search_options& search = matching_.search;
+    const std::string category = match_.examples.empty() ? "" : "category=" + search.category;
+    return key_of(table.values_of(match_group), search, matching_.unmatched_energy) + category;
+  }
+
+  /// The shapes nearest to a query instead of all pairs.
+  void find_nearest(const Collection_shapes& shapes) const
+  {
+    const IO::Nearest_in_collection found = nearest_in_collection(
+        load_shape(options_.nearest, common).graph, options_.nearest, shapes, options_.nearest_count, matching_);
+    write_output(common.json, [&](std::ostream& out) { IO::write_nearest_json(out, found); });
+    if (!common.prints_table()) return;
+    std::vector<std::vector<std::string>> rows{{"nearest", "distance", "pairs of parts"}};
+    for (const Near_shape& near : found.nearest.shapes)
+      rows.push_back(
+          {found.shapes[near.shape].name, short_number(near.distance), std::to_string(near.map.pairs.size())});
+    write_table(std::cout, rows);
+    std::cout << "\nmatched with " << found.nearest.evaluations << " of " << shapes.size() << " shapes\n";
+  }
+
+  void write_outputs(const Analysis& analysis, const Collection_shapes& shapes) const
+  {
+    const IO::Collection& collection = analysis.collection;
+    std::vector<std::string> names;
+    for (const IO::Collection::Shape& shape : collection.shapes)
+      names.push_back(shape.name);
+    write_output(common.json, [&](std::ostream& out) { IO::write_collection_json(out, collection); });
+    write_output(common.html, [&](std::ostream& out) {
+      IO::write_collection_html(
+          out, collection, [&](std::size_t i) { return shapes.graph(i); }, analysis.maps,
+          [&](std::size_t i) { return shapes.model(i, common); });
+    });
+    write_output(options_.npy, [&](std::ostream& out) { IO::write_npy(out, *analysis.energies); });
+    write_output(options_.csv, [&](std::ostream& out) { IO::write_csv(out, *analysis.energies, names); });
+    if (!common.prints_table()) return;
+    print_collection(analysis, common.verbose);
+    if (!common.html.empty() && names.size() > IO::largest_pictured)
+      std::cout << IO::quote_terminal(common.html) << ": shows " << IO::largest_pictured << " of the " << names.size()
+                << " shapes; the file of --json has all\n";
+  }
+
+  Match_options match_;
+  Collection_options options_;
+  Energy_matrix_options matching_;
+  std::vector<std::string> paths_; // of the shapes
+};
 
 } // namespace
 
-Command_help help_of_collection()
+void add_collection_options(Option_table& table, Common_options& common, Collection_options& options)
 {
-  static Variables unused;
-  return {help_text, all_options(unused)};
+  Option_table::Group add = table.group("Options of collection");
+  add("json", "FILE", &common.json, "write the result as JSON; - is standard output").output();
+  add("npy", "FILE", &options.npy, "write the distances, source by target, as a NumPy array of doubles").output();
+  add("csv", "FILE", &options.csv, "write the distances as a table with the names of the shapes").output();
+  add("html", "FILE", &common.html,
+      "write a web page with the shapes, the medoid, the spanning tree, and the match of any two shapes that are "
+      "clicked (of more than 100 shapes: of near ones; of more than 1000 shapes it shows 1000); it needs no network")
+      .output();
+  add("matches", &options.matches,
+      "write the corresponding parts of all pairs of shapes to --json, too (of more than 100 shapes: of near ones)")
+      .in_python();
+  add("agreeing", &options.agreeing,
+      "keep only pairs of parts that are in one cluster, in --matches and on the page of --html: fewer pairs, which "
+      "are right more often")
+      .in_python();
+  add("store", "FOLDER", &options.store,
+      "keep graphs and finished pairs in this folder and reuse them; recommended for large sets, of which graphs, "
+      "pairs and distances then need not fit into memory")
+      .in_python();
+  add("nearest", "QUERY", &options.nearest,
+      "find the shapes of the set that are nearest to this one instead, without matching all pairs");
+  add("count,k", "K", &options.nearest_count, "how many shapes --nearest finds").at_least(1);
+  add("labels-from", "SHAPE", &options.labels_from,
+      "transfer the labels of this shape to the set instead: a folder with labels.json and parts, one mesh file for "
+      "each part. Each part gets the label of the part to which it corresponds most probably");
+  add("labels-to", "FOLDER", &options.labels_to,
+      "write FOLDER/NAME/labels.json for each shape of --labels-from, with the probability of each label");
+  add("skip-bad", &options.skip_bad, "leave out inputs that cannot be used, with a warning");
+  add("unmatched-energy", "E", &options.unmatched_energy,
+      "energy of a pair of connected parts of which one has no counterpart")
+      .at_least(0)
+      .in_python();
+  add("inflation", "R", &options.co_analysis.clustering.inflation,
+      "inflation of Markov clustering, more than 1; larger values make smaller clusters of parts")
+      .more_than(1)
+      .in_python();
+  add("cycle-support", "S", &options.co_analysis.least_cycle_support,
+      "use a pair of parts for clustering if at least this share of third shapes confirm it, between 0 and 1; 0: use "
+      "all")
+      .between(0, 1)
+      .in_python("least_cycle_support");
+  add("neighbours", "K", &options.neighbours,
+      "cluster with the part maps of each shape to its K nearest ones only; default: all for up to 100 shapes, else "
+      "32")
+      .at_least(1)
+      .without_default()
+      .in_python();
 }
 
-void run_collection(const std::vector<std::string>& arguments)
-{
-  Variables variables;
-  Common_options& common = variables.common;
-  Match_options& match = variables.match;
-  Collection_options& options = variables.options;
-  const Arguments parsed = parse(arguments, all_options(variables), 1, any_number);
-  if (parsed.help) return write_help(std::cout, command_of("collection"));
-  const Run_report report(common);
-  Energy_matrix_options matching;
-  matching.search = search_options(match, parsed.values);
-  matching.unmatched_energy = options.unmatched_energy;
-  check(common);
-  check(options, common, parsed.values);
-  const std::vector<std::string> paths = collection_paths(parsed.inputs);
-  std::vector<std::string> inputs = paths;
-  inputs.push_back(options.nearest);
-  check_outputs({common.json, common.html, options.npy, options.csv}, inputs);
-  Team team;
-  if (team.size() > 1 && options.store.empty())
-    throw Usage_error("several processes need --store, a folder that all of them can use");
-  const Thread_limit limit(number_of_threads(common, team));
-  add_examples(match, common, matching.search);
-  common.roles = matching.search.roles;
-  const std::string store_folder = options.store;
-  Tile_store store(store_folder.empty() ? "" : (fs::path(store_folder) / "tiles").string());
-  if (common.cache.empty() && !store_folder.empty()) common.cache = (fs::path(store_folder) / "cache").string();
-  const Collection_shapes shapes(paths, store_folder.empty() ? "" : (fs::path(store_folder) / "graphs").string(),
-                                 options.skip_bad, common, team);
-  if (!options.nearest.empty()) {
-    if (team.is_first()) find_nearest(shapes, options, matching, common);
-    return;
-  }
-  if (!options.labels_from.empty()) {
-    if (team.is_first()) transfer_labels(shapes, options, matching.search, common);
-    return;
-  }
-  Collection_work work(shapes, store, key_of(match, matching.search, options, parsed.values), options, matching,
-                       common);
-  work.run(team);
-  if (options.tile.empty() && team.is_first()) write_outputs(analysed(shapes, options, work), shapes, common, options);
-}
+std::unique_ptr<Command> collection_command() { return std::make_unique<Collection_command>(); }
 
 } // namespace CGAL::Shape_correspondence::cli

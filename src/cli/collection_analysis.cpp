@@ -3,6 +3,7 @@
 
 #include "cli/collection_analysis.h"
 
+#include <CGAL/Shape_correspondence/nearest_shapes.h>
 #include <CGAL/Shape_correspondence/topological_medoid.h>
 #include <CGAL/Shape_correspondence/transitive_correspondence.h>
 
@@ -152,6 +153,20 @@ Analysis analysed(const Collection_shapes& shapes, const Collection_options& opt
   if (options.agreeing) analysis.maps = agreeing_maps(std::move(analysis.maps), result.co_analysis);
   if (options.matches) result.matches = analysis.maps;
   return analysis;
+}
+
+IO::Nearest_in_collection nearest_in_collection(const Structural_graph& query, const std::string& file,
+                                                const Collection_shapes& shapes, std::size_t count,
+                                                const Energy_matrix_options& matching)
+{
+  IO::Nearest_in_collection result;
+  result.query = {structure(query).name, file, part_names(query)};
+  for (const Collection_shape& shape : shapes.shapes())
+    result.shapes.push_back({shape.name, shape.path, shape.parts});
+  result.warnings = shapes.skipped();
+  result.nearest = nearest_shapes<CGAL::Parallel_if_available_tag>(
+      query, shapes.size(), [&](std::size_t i) { return shapes.graph(i); }, count, matching);
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "cli/collection_options.h"
+#include "cli/Collection_options.h"
 #include "cli/collection_shapes.h"
 #include "cli/collection_work.h"
 #include "io/system/Mapped_matrix.h"
@@ -36,5 +36,10 @@ struct Analysis
 /// bytes for energies and distances are in a file of the store, if there is one, else in memory; then memory is needed,
 /// for each of 64 n maps at most, of some hundred bytes, and that of `co_analysis()`.
 Analysis analysed(const Collection_shapes& shapes, const Collection_options& options, Collection_work& work);
+
+/// The shapes nearest to a query. \param file names it in the result
+IO::Nearest_in_collection nearest_in_collection(const Structural_graph& query, const std::string& file,
+                                                const Collection_shapes& shapes, std::size_t count,
+                                                const Energy_matrix_options& matching);
 
 } // namespace CGAL::Shape_correspondence::cli

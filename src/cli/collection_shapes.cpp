@@ -4,15 +4,15 @@
 #include "cli/collection_shapes.h"
 #include "base/for_each_index.h"
 #include "cli/load_shape.h"
-#include "cli/outputs.h"
 #include "cli/progress_bar.h"
 #include "cli/read_model.h"
-#include "io/write/Json.h"
+#include "cli/run.h"
 #include "io/read/Json_field.h"
+#include "io/read/model_parts.h"
 #include "io/system/atomic_file.h"
 #include "io/system/digest.h"
 #include "io/system/input_file.h"
-#include "io/read/model_parts.h"
+#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -184,14 +184,6 @@ void make_names_unique(std::vector<Collection_shape>& shapes)
 }
 
 } // namespace
-
-std::vector<std::string> part_names(const Structural_graph& graph)
-{
-  std::vector<std::string> names;
-  for (const Part_abstraction& part : structure(graph).parts)
-    names.push_back(part.name);
-  return names;
-}
 
 std::vector<std::string> collection_paths(const std::vector<std::string>& inputs)
 {

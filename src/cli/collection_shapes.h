@@ -26,8 +26,6 @@ struct Collection_shape
   std::vector<std::string> warnings;
 };
 
-std::vector<std::string> part_names(const Structural_graph& graph);
-
 /// The shapes that inputs name: each an input, or the entries of a single folder, by name. Of a folder these are model
 /// files, structural graphs, and folders of part meshes. \throw Invalid_input if they are less than two
 std::vector<std::string> collection_paths(const std::vector<std::string>& inputs);

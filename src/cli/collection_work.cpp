@@ -3,38 +3,145 @@
 
 #include "cli/collection_work.h"
 #include "cli/progress_bar.h"
+#include "cli/run.h"
+#include "io/system/digest.h"
 
-#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/Role_model.h>
+#include <CGAL/Shape_correspondence/version.h>
+
+#include <algorithm>
+#include <sstream>
 
 namespace CGAL::Shape_correspondence::cli {
+namespace {
+
+/// To be raised with every change that makes other energies or pairs of the same graphs and options.
+constexpr int matching_version = 8;
+
+// Shapes on a side of a tile
+constexpr std::size_t least_block = 4, largest_block = 128;
+constexpr std::size_t usual_blocks = 8; // of a collection
+
+std::size_t block_size(std::size_t shapes)
+{
+  return std::clamp((shapes + usual_blocks - 1) / usual_blocks, least_block, largest_block);
+}
+
+} // namespace
+
+std::string key_of(const std::string& match_options, const Search_options& search, double unmatched_energy)
+{
+  std::ostringstream key;
+  key << CGAL_SHAPE_CORRESPONDENCE_VERSION << '/' << matching_version << '\n'
+      << match_options << std::hexfloat << "unmatched-energy=" << unmatched_energy;
+  if (search.roles) {
+    std::ostringstream roles;
+    search.roles->write(roles);
+    key << "roles=" << IO::digest(roles.str());
+  }
+  return key.str();
+}
+
+Collection_work::Collection_work(const Collection_shapes& shapes, const std::string& store, const std::string& key,
+                                 const Energy_matrix_options& matching, const Common_options& common)
+    : shapes_(shapes), store_(store), matching_(matching), common_(common)
+{
+  const std::size_t size = block_size(shapes.size());
+  std::vector<Range> blocks;
+  std::vector<std::string> contents;
+  for (std::size_t begin = 0; begin < shapes.size(); begin += size) {
+    blocks.push_back({begin, std::min(begin + size, shapes.size())});
+    contents.emplace_back();
+    for (std::size_t i = begin; i < blocks.back().end; ++i)
+      contents.back() += shapes.shapes()[i].content + '\n';
+  }
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    for (std::size_t j = i; j < blocks.size(); ++j)
+      tiles_.push_back({blocks[i], blocks[j], IO::digest(key + '\n' + contents[i] + '\n' + contents[j])});
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> Collection_work::Tile::pairs() const
+{
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  for (std::size_t i = rows.begin; i < rows.end; ++i)
+    for (std::size_t j = is_diagonal() ? i + 1 : columns.begin; j < columns.end; ++j) {
+      result.emplace_back(i, j);
+      result.emplace_back(j, i);
+    }
+  return result;
+}
 
 void Collection_work::run(Team& team)
 {
   std::vector<std::size_t> missing;
   for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-    if (is_mine(tile) && !store_.has(tiles_.name(tile))) missing.push_back(tile);
+    if (!store_.has(tiles_[tile].name)) missing.push_back(tile);
   missing = team.from_first(std::move(missing)); // others may have begun
-  std::vector<std::size_t> before;               // pairs, by place in the list
-  std::size_t total = 0;
-  for (std::size_t tile : missing) {
-    before.push_back(total);
-    total += tiles_.number_of_pairs(tile);
-  }
-  if (options_.merge && !missing.empty())
-    throw Invalid_input(
-        options_.store + ": " + std::to_string(total) +
-        " pairs of shapes are missing; run the shares (--tile) that are not done, or leave --merge out");
+  std::vector<std::size_t> before{0};            // pairs, by place in the list
+  for (std::size_t tile : missing)
+    before.push_back(before.back() + tiles_[tile].pairs().size());
   Common_options shown = common_;
   shown.quiet = common_.quiet || !team.is_first();
   Progress_bar bar(shown, "matching", "pair");
   team.for_each(missing.size(), [&](std::size_t k) {
     Energy_matrix_options matching = matching_;
     matching.progress = [&](std::size_t done, std::size_t) {
-      bar.show(before[k] + done, total);
+      bar.show(before[k] + done, before.back());
       return true;
     };
-    store_.insert(tiles_.name(missing[k]), tiles_.computed(missing[k], matching));
+    match(tiles_[missing[k]], matching);
   });
+}
+
+void Collection_work::for_each_pair(const std::function<void(std::size_t, std::size_t, const Rated_map&)>& take)
+{
+  for (const Tile& tile : tiles_) {
+    const std::vector<std::pair<std::size_t, std::size_t>> pairs = tile.pairs();
+    std::optional<std::vector<Rated_map>> rated = store_.find(tile.name);
+    if (!rated || rated->size() != pairs.size()) {
+      warn(common_, "a tile of the store is damaged; it is made again");
+      match(tile, matching_);
+      rated = store_.find(tile.name);
+    }
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+      take(pairs[k].first, pairs[k].second, (*rated)[k]);
+  }
+}
+
+Collection_work::Shared_block Collection_work::block(const Range& shapes) const
+{
+  for (const Shared_block& kept : kept_)
+    if (kept->begin == shapes.begin) return kept;
+  auto result = std::make_shared<Block>();
+  result->begin = shapes.begin;
+  for (std::size_t i = shapes.begin; i < shapes.end; ++i)
+    result->graphs.push_back(shapes_.graph(i));
+  for (const Structural_graph& graph : result->graphs)
+    result->prepared.emplace_back(graph);
+  return result;
+}
+
+void Collection_work::match(const Tile& tile, const Energy_matrix_options& options)
+{
+  std::vector<Shared_block> blocks{block(tile.rows)};
+  kept_.erase(std::remove_if(kept_.begin(), kept_.end(),
+                             [&](const Shared_block& kept) { return kept->begin != tile.columns.begin; }),
+              kept_.end()); // no more than two are in memory
+  if (!tile.is_diagonal()) blocks.push_back(block(tile.columns));
+  kept_ = blocks;
+
+  std::vector<Prepared_shape> shapes;
+  for (const Shared_block& block : blocks)
+    for (const Prepared_shape& shape : block->prepared)
+      shapes.push_back(shape);
+  const auto local = [&](std::size_t shape) {
+    const bool is_row = shape >= tile.rows.begin && shape < tile.rows.end;
+    return is_row ? shape - tile.rows.begin : shape - tile.columns.begin + (tile.rows.end - tile.rows.begin);
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (const auto& [i, j] : tile.pairs())
+    pairs.emplace_back(local(i), local(j));
+  store_.insert(tile.name, match_pairs<CGAL::Parallel_if_available_tag>(shapes, pairs, options));
 }
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -3,63 +3,74 @@
 
 #pragma once
 
-#include "cli/collection_options.h"
 #include "cli/collection_shapes.h"
-#include "cli/outputs.h"
 #include "cli/team.h"
 #include "cli/tile_store.h"
-#include "cli/tiles.h"
 
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
-#include <optional>
+#include <cstddef>
+#include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// The pairs of a collection, from the store or matched.
+/// All that the matches of a collection depend on besides the shapes.
+/// \param match_options as a text \param search what has the roles
+std::string key_of(const std::string& match_options, const Search_options& search, double unmatched_energy);
+
+/// All ordered pairs of a collection, matched or from a store. They are cut into tiles, the pairs of two blocks of
+/// shapes, either way: the smallest units of work. Every tile is named by all that its result depends on, so that one
+/// whose shapes or options changed is another tile.
 class Collection_work
 {
 public:
-  Collection_work(const Collection_shapes& shapes, Tile_store& store, const std::string& key,
-                  const Collection_options& options, const Energy_matrix_options& matching,
-                  const Common_options& common)
-      : store_(store), tiles_(shapes, key, options.block_size), options_(options), matching_(matching), common_(common)
-  {}
+  /// \param store a folder; empty: in memory \param key see `key_of()`
+  Collection_work(const Collection_shapes& shapes, const std::string& store, const std::string& key,
+                  const Energy_matrix_options& matching, const Common_options& common);
 
-  /// Matches what is missing of this share.
+  /// Matches what is missing, all processes of the team together.
   void run(Team& team);
 
   /// Calls `take` with every ordered pair and what it is.
-  template <typename Take>
-  void for_each_pair(const Take& take)
-  {
-    for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
-      const std::vector<std::pair<std::size_t, std::size_t>> pairs = tiles_.pairs(tile);
-      std::optional<std::vector<Rated_map>> rated = store_.find(tiles_.name(tile));
-      if (!rated || rated->size() != pairs.size()) {
-        warn(common_, "a tile of the store is damaged; it is made again");
-        store_.insert(tiles_.name(tile), tiles_.computed(tile, matching_));
-        rated = store_.find(tiles_.name(tile));
-      }
-      for (std::size_t k = 0; k < pairs.size(); ++k)
-        take(pairs[k].first, pairs[k].second, (*rated)[k]);
-    }
-  }
+  void for_each_pair(const std::function<void(std::size_t, std::size_t, const Rated_map&)>& take);
 
 private:
-  bool is_mine(std::size_t tile) const
+  struct Range
   {
-    return options_.tile.empty() || tile % options_.tile_count + 1 == options_.tile_number;
-  }
+    std::size_t begin, end;
+  };
+  struct Tile
+  {
+    Range rows, columns; // shapes
+    std::string name;
 
-  Tile_store& store_;
-  Tiles tiles_;
-  const Collection_options& options_;
+    bool is_diagonal() const { return rows.begin == columns.begin; }
+    /// The pairs in their order.
+    std::vector<std::pair<std::size_t, std::size_t>> pairs() const;
+  };
+  /// Shapes that are read and prepared; these refer to the graphs.
+  struct Block
+  {
+    std::size_t begin;
+    std::vector<Structural_graph> graphs;
+    std::vector<Prepared_shape> prepared;
+  };
+  using Shared_block = std::shared_ptr<const Block>;
+
+  Shared_block block(const Range& shapes) const;
+  /// Matches the pairs of a tile and stores them.
+  void match(const Tile& tile, const Energy_matrix_options& options);
+
+  const Collection_shapes& shapes_;
+  Tile_store store_;
   const Energy_matrix_options& matching_;
   const Common_options& common_;
+  std::vector<Tile> tiles_;
+  std::vector<Shared_block> kept_; // of the last tile, of which the next one mostly has a block
 };
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -1,12 +1,10 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/command_line.h"
-#include "cli/commands.h"
+#include "cli/Command.h"
 #include "cli/evaluate_results.h"
-#include "cli/outputs.h"
-#include "cli/run_report.h"
-#include "cli/text_table.h"
+#include "cli/run.h"
+#include "cli/text.h"
 #include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
@@ -24,13 +22,12 @@
 namespace CGAL::Shape_correspondence::cli {
 
 namespace fs = std::filesystem;
-namespace po = boost::program_options;
 
 namespace {
 
 constexpr int most_resamples = 1'000'000; // all are kept
 
-const char* const help_text =
+const char* const evaluate_help =
     R"(Usage: shape_correspondence evaluate RESULT... --ground-truth LABELS [options]
 
 Scores the correspondences that `match --json` wrote against labelled parts: precision, recall, F1, and coarse precision
@@ -50,13 +47,6 @@ Example: shape_correspondence match shapes/chair/a/parts shapes/chair/b/parts --
 
 )";
 
-struct Evaluate_options
-{
-  std::vector<std::string> labels;
-  std::size_t worst = 0;
-  Evaluation_options evaluation;
-};
-
 /// A result file, and what is known of it.
 struct Judged_result
 {
@@ -66,29 +56,6 @@ struct Judged_result
   Ground_truth truth;
   Correspondence_score score;
 };
-
-po::options_description evaluate_options(Evaluate_options& evaluate, Common_options& common)
-{
-  po::options_description result = option_group("Options of evaluate");
-  auto add = result.add_options();
-  add("ground-truth", po::value(&evaluate.labels)->value_name("LABELS")->required(),
-      "labels of the parts; can be repeated");
-  add("json", po::value(&common.json)->value_name("FILE"),
-      "write all scores as JSON, with the right, wrong and missed pairs of every result; - is standard output");
-  add("worst", number(evaluate.worst)->value_name("N"), "also list the N results of lowest F1");
-  add("resamples", number(evaluate.evaluation.resamples)->value_name("N"),
-      "bootstrap samples for the confidence intervals");
-  add("confidence", number(evaluate.evaluation.confidence)->value_name("P"),
-      "confidence level of the intervals, between 0 and 1");
-  return result;
-}
-
-void check(const Evaluate_options& options)
-{
-  check_from_to("resamples", options.evaluation.resamples, 1, most_resamples);
-  if (!(options.evaluation.confidence > 0 && options.evaluation.confidence < 1))
-    throw Usage_error("--confidence must be between 0 and 1");
-}
 
 /// The files themselves, and the results in folders; other JSON in folders is none of this command's.
 std::vector<std::string> result_files(const std::vector<std::string>& inputs)
@@ -197,16 +164,20 @@ std::string fixed(double number)
   return text;
 }
 
-std::string text_of(const Estimate& e) { return fixed(e.mean) + " [" + fixed(e.low) + ", " + fixed(e.high) + "]"; }
+/// A mean with its interval, which a single result does not have.
+std::string text_of(const Estimate& e, std::size_t results)
+{
+  return fixed(e.mean) + (results > 1 ? " [" + fixed(e.low) + ", " + fixed(e.high) + "]" : "");
+}
 
 std::vector<std::string> row(const std::string& name, const Mean_score& score)
 {
   return {name,
           std::to_string(score.correspondences),
-          text_of(score.precision),
-          text_of(score.recall),
-          text_of(score.f1),
-          text_of(score.coarse_precision),
+          text_of(score.precision, score.correspondences),
+          text_of(score.recall, score.correspondences),
+          text_of(score.f1, score.correspondences),
+          text_of(score.coarse_precision, score.correspondences),
           std::to_string(score.empty)};
 }
 
@@ -316,46 +287,49 @@ void write_evaluation_json(std::ostream& out, const std::vector<Named_result>& r
   write_evaluation_json(out, mean_scores(judged, options), judged);
 }
 
+void add_evaluate_options(Option_table& table, Evaluate_options& options, Common_options& common)
+{
+  Option_table::Group add = table.group("Options of evaluate");
+  add("ground-truth", "LABELS", &options.labels, "labels of the parts; can be repeated").required();
+  add("json", "FILE", &common.json,
+      "write all scores as JSON, with the right, wrong and missed pairs of every result; - is standard output")
+      .output();
+  add("worst", "N", &options.worst, "also list the N results of lowest F1");
+  add("resamples", "N", &options.evaluation.resamples, "bootstrap samples for the confidence intervals")
+      .between(1, most_resamples)
+      .in_python();
+  add("confidence", "P", &options.evaluation.confidence, "confidence level of the intervals, between 0 and 1")
+      .strictly_between(0, 1)
+      .in_python();
+}
+
 namespace {
 
-struct Variables
+class Evaluate_command : public Command
 {
-  Common_options common;
-  Evaluate_options evaluate;
-};
+public:
+  Evaluate_command() : Command(evaluate_help, 1, any_number)
+  {
+    add_evaluate_options(table, options_, common);
+    add_common_options(table, common);
+  }
 
-po::options_description all_options(Variables& v)
-{
-  po::options_description result;
-  result.add(evaluate_options(v.evaluate, v.common)).add(common_options(v.common));
-  return result;
-}
+private:
+  void work() override
+  {
+    options_.evaluation.seed = std::uint64_t(common.seed);
+    const std::vector<IO::Labelled_shape> shapes = read_labels(options_.labels);
+    const std::vector<Judged_result> results = judge(read_results(inputs), shapes);
+    const Evaluation evaluation = mean_scores(results, options_.evaluation);
+    write_output(common.json, [&](std::ostream& out) { write_evaluation_json(out, evaluation, results); });
+    if (common.prints_table()) print(evaluation, results, options_.worst);
+  }
+
+  Evaluate_options options_;
+};
 
 } // namespace
 
-Command_help help_of_evaluate()
-{
-  static Variables unused;
-  return {help_text, all_options(unused)};
-}
-
-void run_evaluate(const std::vector<std::string>& arguments)
-{
-  Variables variables;
-  Common_options& common = variables.common;
-  Evaluate_options& evaluate = variables.evaluate;
-  const Arguments parsed = parse(arguments, all_options(variables), 1, any_number);
-  if (parsed.help) return write_help(std::cout, command_of("evaluate"));
-  const Run_report report(common);
-  check(common);
-  check(evaluate);
-  check_outputs({common.json}, parsed.inputs);
-  evaluate.evaluation.seed = std::uint64_t(common.seed);
-  const std::vector<IO::Labelled_shape> shapes = read_labels(evaluate.labels);
-  const std::vector<Judged_result> results = judge(read_results(parsed.inputs), shapes);
-  const Evaluation evaluation = mean_scores(results, evaluate.evaluation);
-  write_output(common.json, [&](std::ostream& out) { write_evaluation_json(out, evaluation, results); });
-  if (common.prints_table()) print(evaluation, results, evaluate.worst);
-}
+std::unique_ptr<Command> evaluate_command() { return std::make_unique<Evaluate_command>(); }
 
 } // namespace CGAL::Shape_correspondence::cli

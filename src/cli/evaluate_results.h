@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "cli/Common_options.h"
+
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
 #include <CGAL/Shape_correspondence/evaluate_correspondence.h>
@@ -12,6 +14,16 @@
 #include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
+
+struct Evaluate_options
+{
+  std::vector<std::string> labels; ///< files and folders
+  std::size_t worst = 0;           ///< results that are listed
+  Evaluation_options evaluation;
+};
+
+/// Adds those of the command `evaluate`.
+void add_evaluate_options(Option_table& table, Evaluate_options& options, Common_options& common);
 
 /// A result, and the file that messages and reports name it by.
 struct Named_result

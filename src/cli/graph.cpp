@@ -1,16 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/collection_shapes.h"
-#include "cli/command_line.h"
-#include "cli/commands.h"
+#include "cli/Command.h"
 #include "cli/load_shape.h"
-#include "cli/outputs.h"
-#include "cli/run_report.h"
-#include "cli/text_table.h"
-#include "cli/thread_limit.h"
-#include "io/system/quoting.h"
+#include "cli/run.h"
+#include "cli/text.h"
 #include "io/read/report_text.h"
+#include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/parts_json.h>
@@ -22,12 +18,9 @@
 #include <iostream>
 
 namespace CGAL::Shape_correspondence::cli {
-
-namespace po = boost::program_options;
-
 namespace {
 
-const char* const help_text =
+const char* const graph_help =
     R"(Usage: shape_correspondence graph MODEL [options]
 
 Builds the structural graph of a segmented shape: a curve or a sheet for every part, groups of symmetric parts, and
@@ -43,32 +36,6 @@ Example: shape_correspondence graph chair.obj -o chair.json --html chair.html
 
 )";
 
-/// Files for other tools and for people; empty: none.
-struct Graph_files
-{
-  std::string graphml, dot, parts;
-};
-
-po::options_description graph_options(Common_options& common, Graph_files& files)
-{
-  po::options_description result = option_group("Options of graph");
-  auto add = result.add_options();
-  add("json,o", po::value(&common.json)->value_name("FILE"),
-      "write the graph as JSON, which `match` reads in place of the model; - is standard output");
-  add("glb", po::value(&common.glb)->value_name("FILE"),
-      "write a picture as binary glTF: transparent surfaces, curves as tubes, sheets as patches, one colour for "
-      "each group, contacts as lines");
-  add("html", po::value(&common.html)->value_name("FILE"),
-      "write the same as a web page with a table of the parts; it needs no network");
-  add("graphml", po::value(&files.graphml)->value_name("FILE"),
-      "write groups and contacts as GraphML: names, symmetries and solidities, no geometry");
-  add("dot", po::value(&files.dot)->value_name("FILE"), "write the same for Graphviz");
-  add("parts-json", po::value(&files.parts)->value_name("FILE"),
-      "write which loose piece of the model is in which part, to be edited and read by --parts-from");
-  add("parts-from", po::value(&common.parts_from)->value_name("FILE"), "read the parts of the model from such a list");
-  return result;
-}
-
 std::string touched_parts(const Shape_structure& shape, std::size_t part)
 {
   std::vector<std::string> names;
@@ -80,7 +47,7 @@ std::string touched_parts(const Shape_structure& shape, std::size_t part)
   return listed(names);
 }
 
-void print_graph(const std::string& path, const Structural_graph& graph)
+void print_graph(const std::string& path, const Structural_graph& graph, bool verbose)
 {
   const Shape_structure& shape = structure(graph);
   std::vector<std::vector<std::string>> rows{{"group", "symmetry", "part", "type", "solidity", "touches"}};
@@ -95,63 +62,71 @@ void print_graph(const std::string& path, const Structural_graph& graph)
   std::cout << IO::quote_terminal(path) << ": " << shape.parts.size() << " parts, " << num_vertices(graph)
             << " groups, " << shape.contacts.size() << " contacts\n\n";
   write_table(std::cout, rows);
-  for (const std::string& warning : shape.warnings)
-    std::cout << "\nwarning: " << IO::quote_terminal(warning) << '\n';
+  if (!shape.warnings.empty()) std::cout << '\n';
+  write_notes(std::cout, shape.warnings, verbose);
 }
 
-struct Variables
+class Graph_command : public Command
 {
-  Common_options common;
-  Graph_files files;
+public:
+  Graph_command() : Command(graph_help, 1, 1)
+  {
+    Option_table::Group add = table.group("Options of graph");
+    add("json,o", "FILE", &common.json,
+        "write the graph as JSON, which `match` reads in place of the model; - is standard output")
+        .output();
+    add("glb", "FILE", &common.glb,
+        "write a picture as binary glTF: transparent surfaces, curves as tubes, sheets as patches, one colour for each "
+        "group, contacts as lines")
+        .output();
+    add("html", "FILE", &common.html, "write the same as a web page with a table of the parts; it needs no network")
+        .output();
+    add("graphml", "FILE", &graphml_,
+        "write groups and contacts as GraphML: names, symmetries and solidities, no geometry")
+        .output();
+    add("dot", "FILE", &dot_, "write the same for Graphviz").output();
+    add("parts-json", "FILE", &pieces_,
+        "write which loose piece of the model is in which part, to be edited and read by --parts-from")
+        .output();
+    add("parts-from", "FILE", &common.parts_from, "read the parts of the model from such a list").input();
+    add_model_options(table, common);
+    add_common_options(table, common);
+  }
+
+private:
+  void check() override
+  {
+    refuse_abstraction_of_graphs();
+    if (!pieces_.empty() && is_graph_file(inputs[0]))
+      throw Usage_error("--parts-json is for models; a graph has no pieces");
+  }
+
+  void work() override
+  {
+    common.roles = IO::shipped_role_model();
+    Loaded_shape shape = load_shape(inputs[0], common);
+    check_part_kinds(common, part_names(shape.graph));
+    if (!common.glb.empty()) {
+      read_appearance(inputs[0], shape);
+      warn_of_appearance(inputs[0], shape, common);
+    }
+    write_output(common.json, [&](std::ostream& out) { IO::write_structural_graph_json(out, shape.graph); });
+    write_output(common.glb, [&](std::ostream& out) {
+      IO::write_structural_graph_glb(out, shape.graph, shape.model_pointer(), shape.appearance);
+    });
+    write_output(common.html,
+                 [&](std::ostream& out) { IO::write_structural_graph_html(out, shape.graph, shape.model_pointer()); });
+    write_output(graphml_, [&](std::ostream& out) { IO::write_structural_graph_graphml(out, shape.graph); });
+    write_output(pieces_, [&](std::ostream& out) { IO::write_parts_json(out, shape.split); });
+    write_output(dot_, [&](std::ostream& out) { IO::write_structural_graph_dot(out, shape.graph); });
+    if (common.prints_table()) print_graph(inputs[0], shape.graph, common.verbose);
+  }
+
+  std::string graphml_, dot_, pieces_; // files; empty: none
 };
-
-po::options_description all_options(Variables& v)
-{
-  po::options_description result;
-  result.add(graph_options(v.common, v.files)).add(model_options(v.common)).add(common_options(v.common));
-  return result;
-}
 
 } // namespace
 
-Command_help help_of_graph()
-{
-  static Variables unused;
-  return {help_text, all_options(unused)};
-}
-
-void run_graph(const std::vector<std::string>& arguments)
-{
-  Variables variables;
-  Common_options& common = variables.common;
-  Graph_files& files = variables.files;
-  const Arguments parsed = parse(arguments, all_options(variables), 1, 1);
-  if (parsed.help) return write_help(std::cout, command_of("graph"));
-  const Run_report report(common);
-  refuse_abstraction_of_graphs(parsed);
-  check(common);
-  check_outputs({common.json, common.glb, common.html, files.graphml, files.dot, files.parts},
-                {parsed.inputs[0], common.parts_from});
-  const Thread_limit limit(common.threads);
-  common.roles = IO::shipped_role_model();
-  if (!files.parts.empty() && is_graph_file(parsed.inputs[0]))
-    throw Usage_error("--parts-json is for models; a graph has no pieces");
-  Loaded_shape shape = load_shape(parsed.inputs[0], common);
-  check_part_kinds(common, part_names(shape.graph));
-  if (!common.glb.empty()) {
-    read_appearance(parsed.inputs[0], shape);
-    warn_of_appearance(parsed.inputs[0], shape, common);
-  }
-  write_output(common.json, [&](std::ostream& out) { IO::write_structural_graph_json(out, shape.graph); });
-  write_output(common.glb, [&](std::ostream& out) {
-    IO::write_structural_graph_glb(out, shape.graph, shape.model_pointer(), shape.appearance);
-  });
-  write_output(common.html,
-               [&](std::ostream& out) { IO::write_structural_graph_html(out, shape.graph, shape.model_pointer()); });
-  write_output(files.graphml, [&](std::ostream& out) { IO::write_structural_graph_graphml(out, shape.graph); });
-  write_output(files.parts, [&](std::ostream& out) { IO::write_parts_json(out, shape.split); });
-  write_output(files.dot, [&](std::ostream& out) { IO::write_structural_graph_dot(out, shape.graph); });
-  if (common.prints_table()) print_graph(parsed.inputs[0], shape.graph);
-}
+std::unique_ptr<Command> graph_command() { return std::make_unique<Graph_command>(); }
 
 } // namespace CGAL::Shape_correspondence::cli

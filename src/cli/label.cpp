@@ -1,34 +1,28 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/Command.h"
 #include "cli/collection_shapes.h"
-#include "cli/command_line.h"
-#include "cli/commands.h"
 #include "cli/labelled_models.h"
 #include "cli/labels_json.h"
 #include "cli/load_shape.h"
-#include "cli/outputs.h"
 #include "cli/predicted_labels.h"
-#include "cli/run_report.h"
-#include "cli/text_table.h"
-#include "cli/thread_limit.h"
+#include "cli/run.h"
+#include "cli/text.h"
 #include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
 
-namespace po = boost::program_options;
-
 namespace {
 
-const char* const help_text =
+const char* const label_help =
     R"(Usage: shape_correspondence label SHAPE [--output labels.json] [options]
 
 Labels the parts of a shape: predicts the role of each, such as leg or seat, by a role model, and prints it with its
@@ -40,29 +34,6 @@ Examples: shape_correspondence label chair.obj --output labels.json
 
 )";
 
-struct Variables
-{
-  Common_options common;
-  Label_options label;
-  std::string output;
-};
-
-po::options_description all_options(Variables& v)
-{
-  po::options_description own = option_group("Options of label");
-  auto add = own.add_options();
-  add("output,o", po::value(&v.output)->value_name("FILE"), "write the labels as JSON; - is standard output");
-  add("roles", po::value(&v.label.roles)->value_name("MODEL"),
-      "role model, which `roles train` wrote; default: the one that comes with the program");
-  add("examples", po::value(&v.label.examples)->value_name("FOLDER"),
-      "labelled shapes of your own that are learned in addition, as of `match`");
-  add("category", po::value(&v.label.category)->value_name("NAME"),
-      "category of the shape, such as chair; default: the one whose labelled parts are most similar to its parts");
-  po::options_description result;
-  result.add(own).add(model_options(v.common)).add(common_options(v.common));
-  return result;
-}
-
 // The likeliest label of every part, with the probability of its role.
 std::vector<Transferred_label> likeliest_labels(const Part_roles& found)
 {
@@ -70,13 +41,6 @@ std::vector<Transferred_label> likeliest_labels(const Part_roles& found)
   for (std::size_t part = 0; part < found.labels.size(); ++part)
     result.push_back({found.labels[part], found.probabilities.row(Eigen::Index(part)).maxCoeff()});
   return result;
-}
-
-std::string percentage(double probability)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0f %%", 100 * probability);
-  return text;
 }
 
 } // namespace
@@ -99,7 +63,6 @@ void write_labels_json(std::ostream& out, const Structural_graph& graph, const P
 void label_shape(const std::string& path, const Label_options& options, const std::string& output,
                  const Common_options& common)
 {
-  check_outputs({output}, {path, options.roles, options.examples});
   auto model = options.roles.empty() ? IO::shipped_role_model()
                                      : std::make_shared<const Role_model>(IO::read_role_model(options.roles));
   Common_options with_roles = common;
@@ -121,22 +84,36 @@ void label_shape(const std::string& path, const Label_options& options, const st
   write_table(std::cout, rows);
 }
 
-Command_help help_of_label()
-{
-  static Variables unused;
-  return {help_text, all_options(unused)};
-}
+namespace {
 
-void run_label(const std::vector<std::string>& arguments)
+class Label_command : public Command
 {
-  Variables variables;
-  Common_options& common = variables.common;
-  const Arguments parsed = parse(arguments, all_options(variables), 1, 1);
-  if (parsed.help) return write_help(std::cout, command_of("label"));
-  const Run_report report(common);
-  check(common);
-  const Thread_limit limit(common.threads);
-  label_shape(parsed.inputs[0], variables.label, variables.output, common);
-}
+public:
+  Label_command() : Command(label_help, 1, 1)
+  {
+    Option_table::Group add = table.group("Options of label");
+    add("output,o", "FILE", &output_, "write the labels as JSON; - is standard output").output();
+    add("roles", "MODEL", &label_.roles,
+        "role model, which `roles train` wrote; default: the one that comes with the program")
+        .input();
+    add("examples", "FOLDER", &label_.examples,
+        "labelled shapes of your own that are learned in addition, as of `match`")
+        .input();
+    add("category", "NAME", &label_.category,
+        "category of the shape, such as chair; default: the one whose labelled parts are most similar to its parts");
+    add_model_options(table, common);
+    add_common_options(table, common);
+  }
+
+private:
+  void work() override { label_shape(inputs[0], label_, output_, common); }
+
+  Label_options label_;
+  std::string output_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> label_command() { return std::make_unique<Label_command>(); }
 
 } // namespace CGAL::Shape_correspondence::cli

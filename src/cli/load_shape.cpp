@@ -4,12 +4,10 @@
 #include "cli/load_shape.h"
 #include "base/for_each_index.h"
 #include "cli/Known_folder.h"
-#include "cli/clock.h"
-#include "cli/collection_shapes.h"
-#include "cli/outputs.h"
 #include "cli/progress_bar.h"
 #include "cli/read_model.h"
-#include "cli/suggestion.h"
+#include "cli/run.h"
+#include "cli/text.h"
 #include "io/system/input_file.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
@@ -149,24 +147,16 @@ auto with_path(const std::string& path, const Read& read)
   }
 }
 
-Structure_options structure_options(const Common_options& common)
-{
-  Structure_options options;
-  options.abstraction = common.abstraction;
-  options.symmetry = common.symmetry_options();
-  options.contacts.tolerance = common.contact_tolerance;
-  return options;
-}
-
 /// Calls `load` with options and the shape to fill in; errors name `path`.
 template <typename Load>
 Loaded_shape loaded(const std::string& path, const Common_options& common, const Load& load)
 {
   Progress_bar bar(common, path);
-  Structure_options options = structure_options(common);
+  Structure_options options = common.structure;
   options.abstraction.progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
   return with_path(path, [&] {
     Loaded_shape shape;
+    shape.reading = common.reading;
     load(options, shape);
     return shape;
   });
@@ -177,8 +167,9 @@ std::optional<Loaded_shape> find_graph(const std::string& path, const Common_opt
                                        std::optional<Known_folder>& folder)
 {
   return with_path(path, [&]() -> std::optional<Loaded_shape> {
-    const Structure_options options = structure_options(common);
+    const Structure_options& options = common.structure;
     std::optional<Loaded_shape> shape(std::in_place);
+    shape->reading = common.reading;
     if (is_graph_file(path)) {
       load_graph(path, common, options, *shape);
       return shape;
@@ -300,7 +291,7 @@ std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Commo
 
 void check_part_kinds(const Common_options& options, const std::vector<std::string>& parts)
 {
-  for (const auto& [part, kind] : options.abstraction.part_kinds)
+  for (const auto& [part, kind] : options.structure.abstraction.part_kinds)
     if (std::find(parts.begin(), parts.end(), part) == parts.end())
       throw Usage_error("--part-kind: there is no part '" + part + "'" + suggestion(part, parts) +
                         "; `shape_correspondence graph` lists the parts");
@@ -308,7 +299,7 @@ void check_part_kinds(const Common_options& options, const std::vector<std::stri
 
 void complete_surfaces(const std::string& path, Loaded_shape& shape)
 {
-  if (!shape.model && is_json_file(path)) shape.model = IO::read_part_meshes(path, shape.graph);
+  if (!shape.model && is_json_file(path)) shape.model = IO::read_part_meshes(path, shape.graph, shape.reading);
   if (!shape.model)
     throw Invalid_input(path + ": it is a structural graph without surfaces, which a blend is made of; give the model "
                                "that it was built from, or name the parts' meshes in it (key \"mesh\")");
@@ -319,7 +310,8 @@ void read_appearance(const std::string& path, Loaded_shape& shape)
   shape.appearance = {};
   if (!shape.model || is_graph_file(path) || shape.split.pieces.empty() || !fs::exists(path)) return;
   Shape_appearance of_objects;
-  const Segmented_shape objects = IO::read_shape_and_appearance(path, of_objects);
+  const Segmented_shape objects =
+      IO::read_shape_and_appearance(path, of_objects, Point::UnitY(), nullptr, shape.reading);
   for (const Model_piece& piece : shape.split.pieces)
     if (piece.object >= objects.parts().size())
       throw Invalid_input(path + ": the file has changed since it was read; try again");
@@ -339,6 +331,14 @@ std::vector<std::string> warnings_of(const std::vector<std::string>& paths, cons
     for (const std::string& warning : structure(shapes[i].graph).warnings)
       result.push_back(paths[i] + ": " + warning);
   return result;
+}
+
+std::vector<std::string> part_names(const Structural_graph& graph)
+{
+  std::vector<std::string> names;
+  for (const Part_abstraction& part : structure(graph).parts)
+    names.push_back(part.name);
+  return names;
 }
 
 } // namespace CGAL::Shape_correspondence::cli

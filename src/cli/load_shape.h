@@ -23,6 +23,7 @@ struct Loaded_shape
   std::optional<Segmented_shape> model;
   Part_split split;                 ///< how the model got its parts; of a graph file empty
   Shape_appearance appearance = {}; ///< of the model's parts, where it was read
+  IO::Reading_options reading;      ///< with which the model was read, and files that it names are
   double read_seconds = 0;
   double abstraction_seconds = 0;
   double structure_seconds = 0;
@@ -61,6 +62,9 @@ void warn_of_appearance(const std::string& path, const Loaded_shape& shape, cons
 
 /// What the graphs of inputs warn of; every line names its input.
 std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes);
+
+/// By index.
+std::vector<std::string> part_names(const Structural_graph& graph);
 
 /// Whether a path is that of a file that ends in `.json`, and whether it is that of a structural graph.
 bool is_json_file(const std::string& path);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/Command.h"
 #include "cli/Common_options.h"
-#include "cli/commands.h"
 #include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -36,9 +36,9 @@ int flushed()
 
 int run_command(const std::string& name, const std::vector<std::string>& arguments)
 {
-  const Command* command = nullptr;
+  std::unique_ptr<Command> command;
   try {
-    command = &command_of(name);
+    command = command_of(name);
     command->run(arguments);
     return flushed();
   } catch (const Usage_error& error) {

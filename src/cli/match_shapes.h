@@ -8,6 +8,7 @@
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
+#include <iosfwd>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -20,5 +21,16 @@ struct Matched_shapes
 };
 
 Matched_shapes match_shapes(const Loaded_shape& source, const Loaded_shape& target, const Search_options& options);
+
+/// Writes a correspondence for people, in lines of 80 characters where names allow: a row for each block
+/// (`correspondence_blocks()`) with role, operation and confidence, then the unmatched parts, the energy and the
+/// distance.
+/// \param verbose whether all parts of large blocks are listed
+void write_match_table(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
+                       const Structural_graph& target, bool verbose);
+
+/// Writes what became of each symmetry group of the deformed shape, with its share of the energy.
+void write_group_table(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
+                       const Structural_graph& target);
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -1,12 +1,10 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/command_line.h"
-#include "cli/commands.h"
-#include "cli/outputs.h"
+#include "cli/Command.h"
 #include "cli/read_model.h"
-#include "cli/run_report.h"
-#include "cli/text_table.h"
+#include "cli/run.h"
+#include "cli/text.h"
 #include "io/read/model_parts.h"
 #include "io/system/quoting.h"
 #include "viewer/parts_sheet.h"
@@ -20,13 +18,11 @@
 #include <iostream>
 
 namespace CGAL::Shape_correspondence::cli {
-
-namespace po = boost::program_options;
-namespace fs = std::filesystem;
-
 namespace {
 
-const char* const help_text =
+namespace fs = std::filesystem;
+
+const char* const parts_help =
     R"(Usage: shape_correspondence parts MODEL... [options]
        shape_correspondence parts FOLDER --all [options]
 
@@ -44,17 +40,6 @@ Examples: shape_correspondence parts chair.obj
           shape_correspondence parts furniture --all --html furniture.html --quiet
 
 )";
-
-po::options_description parts_options(Common_options& common)
-{
-  po::options_description result = option_group("Options of parts");
-  auto add = result.add_options();
-  add("html", po::value(&common.html)->value_name("FILE"), "write a page with a picture of every model");
-  add("parts-from", po::value(&common.parts_from)->value_name("FILE"),
-      "read the parts from a list of pieces and their parts, as `graph --parts-json` writes it");
-  add("all", po::bool_switch(), "the input is a folder of model files, not of part meshes");
-  return result;
-}
 
 std::vector<std::string> models_in(const std::string& folder)
 {
@@ -93,7 +78,7 @@ std::string summary(const Read_model& model)
   return result;
 }
 
-void print_model(const std::string& path, const Read_model& model)
+void print_model(const std::string& path, const Read_model& model, bool verbose)
 {
   std::cout << IO::quote_terminal(path) << ": " << summary(model) << "\n\n";
   std::vector<std::vector<std::string>> objects{{"object", "triangles", "open pieces", "largest piece", "result"}};
@@ -113,52 +98,56 @@ void print_model(const std::string& path, const Read_model& model)
   std::cout << '\n';
   write_table(std::cout, std::move(pieces));
   std::cout << "\nSizes are fractions of the size of the model.\n";
-  for (const std::string& warning : model.warnings)
-    std::cout << "warning: " << IO::quote_terminal(warning) << '\n';
+  write_notes(std::cout, model.warnings, verbose);
   std::cout << '\n';
 }
 
-po::options_description all_options(Common_options& common)
+class Parts_command : public Command
 {
-  po::options_description result;
-  result.add(parts_options(common)).add(reading_options(common)).add(common_options(common));
-  return result;
-}
+public:
+  Parts_command() : Command(parts_help, 1, any_number)
+  {
+    Option_table::Group add = table.group("Options of parts");
+    add("html", "FILE", &common.html, "write a page with a picture of every model").output();
+    add("parts-from", "FILE", &common.parts_from,
+        "read the parts from a list of pieces and their parts, as `graph --parts-json` writes it");
+    add("all", &is_folder_of_models_, "the input is a folder of model files, not of part meshes");
+    add_reading_options(table, common);
+    add_common_options(table, common);
+  }
+
+private:
+  void check() override
+  {
+    if (is_folder_of_models_ && inputs.size() != 1) throw Usage_error("--all takes one folder");
+  }
+
+  void work() override
+  {
+    common.roles = IO::shipped_role_model();
+    const std::vector<std::string> paths = is_folder_of_models_ ? models_in(inputs[0]) : inputs;
+    IO::Parts_sheet sheet(paths.size());
+    std::string complaints;
+    for (const std::string& path : paths) {
+      const std::string title = fs::path(path).stem().string();
+      try {
+        const Read_model model = read_model(path, common);
+        if (common.prints_table()) print_model(path, model, common.verbose);
+        if (!common.html.empty()) sheet.add(title, model.objects, model.split, summary(model));
+      } catch (const Invalid_input& error) {
+        complaints += (complaints.empty() ? "" : "\n") + std::string(error.what());
+        sheet.add(title, error.what());
+      }
+    }
+    write_output(common.html, [&](std::ostream& out) { sheet.write(out); });
+    if (!complaints.empty()) throw Invalid_input(complaints);
+  }
+
+  bool is_folder_of_models_ = false;
+};
 
 } // namespace
 
-Command_help help_of_parts()
-{
-  static Common_options unused;
-  return {help_text, all_options(unused)};
-}
-
-void run_parts(const std::vector<std::string>& arguments)
-{
-  Common_options common;
-  const Arguments parsed = parse(arguments, all_options(common), 1, any_number);
-  if (parsed.help) return write_help(std::cout, command_of("parts"));
-  const Run_report report(common);
-  check(common);
-  common.roles = IO::shipped_role_model();
-  check_outputs({common.html}, parsed.inputs);
-  const bool all = parsed.values["all"].as<bool>();
-  if (all && parsed.inputs.size() != 1) throw Usage_error("--all takes one folder");
-  const std::vector<std::string> paths = all ? models_in(parsed.inputs[0]) : parsed.inputs;
-  IO::Parts_sheet sheet(paths.size());
-  std::string complaints;
-  for (const std::string& path : paths) {
-    try {
-      const Read_model model = read_model(path, common);
-      if (common.prints_table()) print_model(path, model);
-      if (!common.html.empty()) sheet.add(fs::path(path).stem().string(), model.objects, model.split, summary(model));
-    } catch (const Invalid_input& error) {
-      complaints += (complaints.empty() ? "" : "\n") + std::string(error.what());
-      sheet.add(fs::path(path).stem().string(), error.what());
-    }
-  }
-  write_output(common.html, [&](std::ostream& out) { sheet.write(out); });
-  if (!complaints.empty()) throw Invalid_input(complaints);
-}
+std::unique_ptr<Command> parts_command() { return std::make_unique<Parts_command>(); }
 
 } // namespace CGAL::Shape_correspondence::cli

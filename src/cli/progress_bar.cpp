@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/progress_bar.h"
-#include "cli/clock.h"
+#include "cli/run.h"
 #include "io/system/quoting.h"
 
 #include <cmath>

@@ -169,7 +169,7 @@ void turn_by_roles(const Point& up, Read_model& model)
 
 Model_objects read_objects(const std::string& path, const Common_options& options)
 {
-  return IO::read_objects(path, options.up_vector());
+  return IO::read_objects(path, options.up_vector(), options.reading);
 }
 
 Read_model read_model(const std::string& path, const Common_options& options)

@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
-#include "cli/command_line.h"
-#include "cli/commands.h"
+#include "cli/Command.h"
 #include "cli/labelled_models.h"
-#include "cli/outputs.h"
 #include "cli/predicted_labels.h"
-#include "cli/run_report.h"
-#include "cli/text_table.h"
-#include "cli/thread_limit.h"
+#include "cli/run.h"
+#include "cli/text.h"
 #include "io/write/Json.h"
 #include "matching/mean_differences.h"
 #include "roles/Role_model_data.h"
@@ -24,12 +21,11 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-namespace po = boost::program_options;
 using namespace internal;
 
 namespace {
 
-const char* const help_text =
+const char* const roles_help =
     R"(Usage: shape_correspondence roles train FOLDER... --output MODEL [options]
        shape_correspondence roles evaluate FOLDER... [options]
        shape_correspondence roles predict SHAPE [options]
@@ -60,34 +56,7 @@ struct Roles_options
   Role_training training;
   std::string output, manifest, date;
   Label_options label; // predict, evaluate: the model
-  int pairs = 45;
 };
-
-po::options_description roles_options(Roles_options& roles, Common_options& common)
-{
-  po::options_description result = option_group("Options of roles");
-  auto add = result.add_options();
-  add("output,o", po::value(&roles.output)->value_name("MODEL"), "train: write the model to this file");
-  add("manifest", po::value(&roles.manifest)->value_name("FILE"),
-      "train: write the training shapes and the weights of the model as JSON; - is standard output");
-  add("date", po::value(&roles.date)->value_name("DATE"), "train: date to put into the manifest");
-  add("generated", po::value(&roles.training.generated)->value_name("FOLDER"),
-      "train: further labelled shapes that are generated; they have a third of the weight of real ones and are in no "
-      "pair. Can be repeated");
-  add("pairs", number(roles.pairs)->value_name("N"),
-      "train, evaluate: match at most N pairs of a category and folder, unless the folder has a pairs.json: "
-      "[[CATEGORY, SOURCE, TARGET], ...]");
-  add("trees", number(roles.training.options.trees)->value_name("N"), "train: trees in the forest of a category");
-  add("roles", po::value(&roles.label.roles)->value_name("MODEL"),
-      "evaluate, predict: the role model; default: the one that comes with the program");
-  add("examples", po::value(&roles.label.examples)->value_name("FOLDER"),
-      "predict: labelled shapes that the model learns in addition, as of `match`");
-  add("category", po::value(&roles.label.category)->value_name("NAME"),
-      "predict: the category of the shape; default: the one whose labelled parts are most similar to its parts");
-  add("json", po::value(&common.json)->value_name("FILE"),
-      "evaluate, predict: write the result as JSON; - is standard output");
-  return result;
-}
 
 void add_weights(const Match_weights& weights, IO::Json& result)
 {
@@ -134,8 +103,6 @@ IO::Json manifest_json(const Trained_roles& trained, const Roles_options& roles)
 
 void train(const Roles_options& roles, const Common_options& common)
 {
-  if (roles.output.empty()) throw Usage_error("'roles train' needs --output MODEL");
-  check_outputs({roles.output, roles.manifest}, {});
   const Trained_roles trained = train_roles(roles.training, common);
   IO::write_role_model(roles.output, trained.model);
   write_output(roles.manifest, [&](std::ostream& out) { manifest_json(trained, roles).write(out); });
@@ -205,7 +172,7 @@ std::string decimals(double number)
   return text;
 }
 
-std::string interval(const Estimate& estimate) { return decimals(estimate.low) + ".." + decimals(estimate.high); }
+std::string interval_text(const Estimate& estimate) { return decimals(estimate.low) + ".." + decimals(estimate.high); }
 
 void write_evaluation_table(std::ostream& out, const Evaluated_roles& found)
 {
@@ -217,7 +184,7 @@ void write_evaluation_table(std::ostream& out, const Evaluated_roles& found)
     for (const Mean_score* score : {&geometry, &with_roles})
       for (const Estimate* estimate : {&score->precision, &score->recall, &score->f1})
         rows.back().push_back(decimals(estimate->mean));
-    for (const std::string& text : {interval(with_roles.f1), decimals(gain.f1.mean), interval(gain.f1)})
+    for (const std::string& text : {interval_text(with_roles.f1), decimals(gain.f1.mean), interval_text(gain.f1)})
       rows.back().push_back(text);
   });
   write_table(out, rows);
@@ -264,7 +231,6 @@ IO::Json evaluation_json(const Evaluated_roles& found)
 
 void evaluate(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
 {
-  check_outputs({common.json}, {});
   const auto model = roles.label.roles.empty()
                          ? IO::shipped_role_model()
                          : std::make_shared<const Role_model>(IO::read_role_model(roles.label.roles));
@@ -279,74 +245,80 @@ void evaluate(const std::vector<std::string>& folders, const Roles_options& role
   if (common.prints_table()) write_evaluation_table(std::cout, found);
 }
 
-/// Options that only some of the actions have.
-void refuse_options_of_other_actions(const std::string& action, const po::variables_map& values)
+class Roles_command : public Command
 {
-  const std::pair<const char*, std::vector<std::string>> actions_of[] = {{"output", {"train"}},
-                                                                         {"manifest", {"train"}},
-                                                                         {"date", {"train"}},
-                                                                         {"generated", {"train"}},
-                                                                         {"trees", {"train"}},
-                                                                         {"pairs", {"train", "evaluate"}},
-                                                                         {"roles", {"evaluate", "predict"}},
-                                                                         {"examples", {"predict"}},
-                                                                         {"category", {"predict"}},
-                                                                         {"json", {"evaluate", "predict"}}};
-  for (const auto& [option, actions] : actions_of)
-    if (is_given(values, option) && std::find(actions.begin(), actions.end(), action) == actions.end())
-      throw Usage_error("--" + std::string(option) + " has no effect on 'roles " + action + "'");
-}
+public:
+  Roles_command() : Command(roles_help, 2, any_number)
+  {
+    Option_table::Group add = table.group("Options of roles");
+    const std::vector<std::string> train{"train"}, predict{"predict"};
+    add("output,o", "MODEL", &roles_.output, "train: write the model to this file").output().only_for(train);
+    add("manifest", "FILE", &roles_.manifest,
+        "train: write the training shapes and the weights of the model as JSON; - is standard output")
+        .output()
+        .only_for(train);
+    add("date", "DATE", &roles_.date, "train: date to put into the manifest").only_for(train);
+    add("generated", "FOLDER", &roles_.training.generated,
+        "train: further labelled shapes that are generated; they have a third of the weight of real ones and are in no "
+        "pair. Can be repeated")
+        .only_for(train);
+    add("pairs", "N", &roles_.training.most_pairs,
+        "train, evaluate: match at most N pairs of a category and folder, unless the folder has a pairs.json: "
+        "[[CATEGORY, SOURCE, TARGET], ...]")
+        .at_least(1)
+        .only_for({"train", "evaluate"});
+    add("trees", "N", &roles_.training.options.trees, "train: trees in the forest of a category")
+        .at_least(1)
+        .only_for(train);
+    add("roles", "MODEL", &roles_.label.roles,
+        "evaluate, predict: the role model; default: the one that comes with the program")
+        .input()
+        .only_for({"evaluate", "predict"});
+    add("examples", "FOLDER", &roles_.label.examples,
+        "predict: labelled shapes that the model learns in addition, as of `match`")
+        .input()
+        .only_for(predict);
+    add("category", "NAME", &roles_.label.category,
+        "predict: the category of the shape; default: the one whose labelled parts are most similar to its parts")
+        .only_for(predict);
+    add("json", "FILE", &common.json, "evaluate, predict: write the result as JSON; - is standard output")
+        .output()
+        .only_for({"evaluate", "predict"});
+    add_model_options(table, common);
+    add_common_options(table, common);
+  }
 
-struct Variables
-{
-  Common_options common;
-  Roles_options roles;
+private:
+  void check() override
+  {
+    action_ = inputs[0];
+    inputs.erase(inputs.begin());
+    const std::vector<std::string> known{"train", "evaluate", "predict"};
+    if (std::find(known.begin(), known.end(), action_) == known.end())
+      throw Usage_error("there is no 'roles " + action_ + "'; known are: train, evaluate, predict");
+    table.refuse_other_modes(action_, "on 'roles " + action_ + "'");
+    if (action_ == "train" && roles_.output.empty()) throw Usage_error("'roles train' needs --output MODEL");
+    if (action_ == "predict" && inputs.size() != 1) throw Usage_error("'roles predict' takes one shape");
+    roles_.training.folders = inputs;
+    roles_.training.options.seed = std::uint64_t(common.seed);
+  }
+
+  void work() override
+  {
+    if (action_ == "train")
+      train(roles_, common);
+    else if (action_ == "evaluate")
+      evaluate(inputs, roles_, common);
+    else
+      label_shape(inputs[0], roles_.label, common.json, common);
+  }
+
+  Roles_options roles_;
+  std::string action_;
 };
-
-po::options_description all_options(Variables& v)
-{
-  po::options_description result;
-  result.add(roles_options(v.roles, v.common)).add(model_options(v.common)).add(common_options(v.common));
-  return result;
-}
 
 } // namespace
 
-Command_help help_of_roles()
-{
-  static Variables unused;
-  return {help_text, all_options(unused)};
-}
-
-void run_roles(const std::vector<std::string>& arguments)
-{
-  Variables variables;
-  Common_options& common = variables.common;
-  Roles_options& roles = variables.roles;
-  const Arguments parsed = parse(arguments, all_options(variables), 2, any_number);
-  if (parsed.help) return write_help(std::cout, command_of("roles"));
-  const Run_report report(common);
-  check(common);
-  check_at_least("trees", roles.training.options.trees, 1);
-  check_at_least("pairs", roles.pairs, 1);
-  roles.training.most_pairs = std::size_t(roles.pairs);
-  roles.training.options.seed = std::uint64_t(common.seed);
-  const Thread_limit limit(common.threads);
-  const std::string action = parsed.inputs[0];
-  const std::vector<std::string> inputs(parsed.inputs.begin() + 1, parsed.inputs.end());
-  const std::vector<std::string> known{"train", "evaluate", "predict"};
-  if (std::find(known.begin(), known.end(), action) == known.end())
-    throw Usage_error("there is no 'roles " + action + "'; known are: train, evaluate, predict");
-  refuse_options_of_other_actions(action, parsed.values);
-  roles.training.folders = inputs;
-  if (action == "train")
-    train(roles, common);
-  else if (action == "evaluate")
-    evaluate(inputs, roles, common);
-  else if (inputs.size() == 1)
-    label_shape(inputs[0], roles.label, common.json, common);
-  else
-    throw Usage_error("'roles predict' takes one shape");
-}
+std::unique_ptr<Command> roles_command() { return std::make_unique<Roles_command>(); }
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -5,8 +5,8 @@
 #include "base/for_each_index.h"
 #include "cli/labelled_models.h"
 #include "cli/labels_json.h"
-#include "cli/outputs.h"
-#include "cli/text_table.h"
+#include "cli/run.h"
+#include "cli/text.h"
 #include "io/system/atomic_file.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>

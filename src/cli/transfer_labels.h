@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "cli/collection_options.h"
+#include "cli/Collection_options.h"
 #include "cli/collection_shapes.h"
 
 #include <CGAL/Shape_correspondence/Search_options.h>

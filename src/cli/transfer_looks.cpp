@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/transfer_looks.h"
-#include "cli/text_table.h"
-#include "io/write/Json.h"
+#include "cli/text.h"
 #include "io/system/colours.h"
+#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>

@@ -34,7 +34,7 @@ struct Counterpart_range
   const Counterpart* end() const { return last; }
 };
 
-// The counterparts of all parts, in one list: 32 bytes for every pair of parts of a map.
+// The counterparts of all parts in one list, which takes 32 bytes for every pair of parts of a map.
 class Counterparts
 {
 public:

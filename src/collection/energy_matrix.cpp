@@ -45,7 +45,7 @@ double distance_energy(const Correspondence& correspondence, double unmatched_en
 
 namespace internal {
 
-// A pair of shapes, and where the pair and the same two in the other order are in a list.
+// A pair of shapes, with the indices of the pair and of the reversed pair in a list.
 struct Both_orders
 {
   static constexpr std::size_t none = std::size_t(-1);
@@ -57,7 +57,7 @@ struct Both_orders
 
 namespace {
 
-// The pairs of a list, those of the same two shapes as one.
+// The pairs of a list; a pair and its reversed pair are one entry.
 std::vector<Both_orders> both_orders(const std::vector<std::pair<std::size_t, std::size_t>>& pairs)
 {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> open; // pairs without the reversed one, by place in result

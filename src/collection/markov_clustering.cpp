@@ -33,7 +33,7 @@ void check(const Eigen::SparseMatrix<double>& weights, const Markov_clustering_o
         throw Invalid_input("markov_clustering: a weight is negative or not finite");
 }
 
-// The entries of a column in their order.
+// The entries of a column, by row.
 using Column = std::vector<std::pair<Eigen::Index, double>>;
 
 double sum_of(const Column& column)
@@ -93,8 +93,8 @@ void prune(const Markov_clustering_options& options, std::size_t column_limit, C
   std::sort(column.begin(), column.end());
 }
 
-/// Squares, prunes and inflates, some columns at a time: before they are pruned, columns may have very many entries.
-/// \return how far columns are from being all alike where they are not 0
+/// Squares, prunes and inflates a flow. By blocks of columns, since columns that are not yet pruned have many entries.
+/// \return 0 if in every column the entries that are not 0 are equal, else more, at most 1
 double step(const Markov_clustering_options& options, Flow_matrix& flow)
 {
   constexpr Eigen::Index columns_at_a_time = 256;

@@ -125,7 +125,8 @@ private:
     return live;
   }
 
-  // Adds distances until the sum is more than the least one, beyond doubt of rounding; false if it never is.
+  // Whether the sum of a shape's distances exceeds the least sum by more than rounding; stops adding as soon as it
+  // does.
   bool is_refuted(std::size_t i)
   {
     constexpr double rounding = 1e-9;

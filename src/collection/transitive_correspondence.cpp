@@ -54,7 +54,7 @@ namespace {
 
 constexpr std::size_t no_shape = std::size_t(-1);
 
-// Of every shape, the next one on its way to the root; the root's is itself, `no_shape` that of shapes elsewhere.
+// For each shape, its parent in the tree: for the root itself, for shapes outside of the tree `no_shape`.
 std::vector<std::size_t> towards(std::size_t root, const std::vector<Shape_pair>& tree)
 {
   std::vector<std::vector<std::size_t>> neighbours(tree.size() + 1);
@@ -82,7 +82,7 @@ std::vector<std::size_t> way(std::size_t from, const std::vector<std::size_t>& n
   return path;
 }
 
-// The cheapest of a direct chain and others.
+// The cheapest of the direct chain and the other chains.
 Shape_chain cheapest(Shape_chain best, const std::vector<Shape_chain>& others)
 {
   for (const Shape_chain& chain : others)

@@ -35,7 +35,7 @@
 #endif
 #endif
 
-// What is left as it is in the file: the tree of nodes with their names. Steps of assimp that merge nodes or meshes
+// The tree of nodes and their names stay as they are in the file. Steps of assimp that merge nodes or meshes
 // would lose the parts. COLLADA files say which way is up; assimp's root node turns them to y up.
 
 namespace CGAL::Shape_correspondence::IO {
@@ -87,7 +87,7 @@ private:
       aiString path;
       if (of_file.GetTexture(type, 0, &path) != AI_SUCCESS || path.length == 0) continue;
       material.texture = add_texture(of_file, type, path);
-      if (!is_linear) material.colour.head<3>().setOnes(); // as programs for modelling take it
+      if (!is_linear) material.colour.head<3>().setOnes(); // as modelling programs do
       break;
     }
     content_.materials.push_back(material);
@@ -238,7 +238,7 @@ void set_limits()
   set_limit(RLIMIT_CPU, seconds_of_processor);
   set_limit(RLIMIT_CORE, 0);
 #ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL); // of use to nobody but to who has started it
+  prctl(PR_SET_PDEATHSIG, SIGKILL); // end with the program that started this one
 #endif
 }
 

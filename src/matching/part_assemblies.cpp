@@ -13,7 +13,7 @@ using namespace internal;
 
 namespace {
 
-constexpr std::size_t no_part = std::size_t(-1);
+constexpr std::size_t no_surface = std::size_t(-1);
 
 // Finds the assemblies one kind after the other.
 class Assembly_finder
@@ -26,7 +26,7 @@ public:
   Part_assemblies run() const
   {
     Part_assemblies result;
-    result.has_main_surface = main_surface_ != no_part;
+    result.has_main_surface = main_surface_ != no_surface;
     if (result.has_main_surface) result.support = support();
     result.legs = legs(result.support);
     result.is_on_ground = layout_.is_on_ground;
@@ -77,7 +77,7 @@ private:
   // The lowest flat part that covers much of the shape.
   std::size_t main_surface() const
   {
-    std::size_t lowest = no_part;
+    std::size_t lowest = no_surface;
     const double shape_cover = layout_.bounds.sides().x() * layout_.bounds.sides().z();
     for (std::size_t part = 0; part < layout_.boxes.size(); ++part) {
       const Eigen::Array3d sides = layout_.boxes[part].sides();
@@ -85,13 +85,13 @@ private:
       if (layout_.is_on_ground[part] || !is_less(0, cover) || is_less(cover, options_.main_surface * shape_cover) ||
           is_less(options_.main_surface * std::min(sides.x(), sides.z()), sides.y()))
         continue;
-      if (lowest == no_part || is_less(layout_.boxes[part].low.y(), layout_.boxes[lowest].low.y())) lowest = part;
+      if (lowest == no_surface || is_less(layout_.boxes[part].low.y(), layout_.boxes[lowest].low.y())) lowest = part;
     }
     return lowest;
   }
 
   // By part, whether it is connected to the main surface by other parts than the one left out.
-  std::vector<char> connected_to_main_surface(std::size_t left_out = no_part) const
+  std::vector<char> connected_to_main_surface(std::size_t left_out = no_surface) const
   {
     std::vector<char> result(layout_.boxes.size(), 0);
     for (std::size_t part :

@@ -19,7 +19,7 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/// By vertex, the first one at the same place.
+/// For each vertex, the first vertex at the same place.
 Indices first_at_place(const Points& points)
 {
   Indices order(std::size_t(points.cols()));
@@ -41,7 +41,7 @@ std::size_t corner(const Part_mesh& mesh, std::size_t t, int k)
   return std::size_t(mesh.triangles(k, Eigen::Index(t)));
 }
 
-/// Some triangles of a mesh, with the vertices that they use.
+/// The mesh of some triangles, with only the vertices that they use.
 Part_mesh extracted(const Part_mesh& mesh, const Indices& triangles, std::vector<int>& number)
 {
   Part_mesh result;
@@ -64,13 +64,13 @@ Part_mesh extracted(const Part_mesh& mesh, const Indices& triangles, std::vector
   return result;
 }
 
-/// Two vertices, and the numbers of their places, the lower one first.
+/// An edge: its two vertices and the numbers of their places, the lower number first.
 struct Edge
 {
   std::array<std::size_t, 2> places, vertices;
 };
 
-/// The edges of all triangles, those at one place after one another.
+/// The edges of all triangles, sorted so that edges at the same place are neighbours.
 std::vector<Edge> sorted_edges(const Part_mesh& mesh)
 {
   const Indices place = first_at_place(mesh.points);
@@ -85,7 +85,7 @@ std::vector<Edge> sorted_edges(const Part_mesh& mesh)
   return result;
 }
 
-/// Calls a function with an edge of each place, and of how many triangles it is.
+/// Calls a function once for each place of edges, with an edge there and the number of its triangles.
 template <typename Function>
 void for_each_edge(const Part_mesh& mesh, Function function)
 {

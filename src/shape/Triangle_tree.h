@@ -23,13 +23,13 @@ inline Box box_of(const Triangle& t)
   return Box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));
 }
 
-/// `box.squaredExteriorDistance(p)` without branches.
+/// Squared distance of a point from a box: `box.squaredExteriorDistance(p)` without branches.
 inline double squared_distance(const Box& box, const Point& p)
 {
   return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0).squaredNorm();
 }
 
-/// Triangles of two trees, by their numbers there.
+/// Indices of one triangle in either of two trees.
 struct Triangle_pair
 {
   std::size_t first = 0, second = 0;
@@ -53,8 +53,8 @@ public:
     triangles_.swap(in_order);
   }
 
-  /// Moves the triangles, `place(t)` being the one that was given with number t, and refits the boxes: faster than a
-  /// new tree, and as good where neighbours stay neighbours.
+  /// Moves the triangles and refits the boxes; `place(t)` is the new place of the triangle given with index t. Faster
+  /// than a new tree, and as good where neighbours stay neighbours.
   template <typename Place>
   void move(const Place& place)
   {
@@ -74,19 +74,19 @@ public:
 
   /// The triangles, in the order of the tree.
   const std::vector<Triangle>& triangles() const { return triangles_; }
-  /// The number that a triangle of the tree was given with.
+  /// The index with which a triangle of the tree was given.
   std::size_t given_number(std::size_t t) const { return given_[t]; }
   const Box& box() const { return nodes_[0].box; }
 
   /// The point nearest to `p`, if it is nearer than the root of `squared`, which is set to the squared distance.
-  /// \param triangle the one of the tree that it is on
+  /// \param triangle set to the index in the tree of the triangle that it is on
   bool improve_nearest(const Point& p, Point& nearest, double& squared, std::size_t& triangle) const
   {
     return improve_nearest(0, p, nearest, squared, triangle);
   }
 
   /// The point nearest to `p`.
-  /// \param triangle one of the tree that is likely to be near, which saves time and changes nothing; then the one that
+  /// \param triangle index of a triangle that is likely to be near, a start that saves time; set to the one that
   /// the point is on
   Point nearest(const Point& p, std::size_t& triangle) const
   {
@@ -97,22 +97,23 @@ public:
     return result;
   }
 
-  /// The closest points of two surfaces, where they are closer than `best`.
+  /// Replaces `best` by the closest points of two surfaces if these are closer.
   void improve_closest(const Triangle_tree& other, Closest_pair& best) const
   {
     Closest_search search(best, 0, 1);
     improve_closest(0, other, 0, search);
   }
 
-  /// The same, where they are closer than nine tenths of it.
+  /// Replaces `best` by the closest points if their distance is less than nine tenths of that of `best`.
   void improve_nearly_closest(const Triangle_tree& other, Closest_pair& best) const
   {
     Closest_search search(best, 0, nearly);
     if (squared_distance(0, other, 0) < search.limit()) improve_closest(0, other, 0, search);
   }
 
-  /// Points of two surfaces that are closest but for a tenth of what their distance is over `enough`, or any within
-  /// that: much faster between faces that lie flat on each other.
+  /// A point of either surface, not closest but nearly: their distance exceeds the least one, or `enough` if that is
+  /// more, by at most a tenth of what it is over `enough`. Much faster than the closest points of faces that lie flat
+  /// on each other.
   Closest_pair nearly_closest(const Triangle_tree& other, double enough = 0) const
   {
     Closest_pair best;
@@ -121,9 +122,9 @@ public:
     return best;
   }
 
-  /// The same.
-  /// \param near triangles of either tree that are likely to be near each other, which saves time; then those of the
-  /// points
+  /// The same, from a start.
+  /// \param near triangles of either tree that are likely to be near each other, which saves time; set to those that
+  /// the points are on
   Closest_pair nearly_closest(const Triangle_tree& other, double enough, Triangle_pair& near) const
   {
     Closest_pair best;
@@ -159,7 +160,7 @@ public:
     return result;
   }
 
-  /// The number of triangles that a ray goes through.
+  /// The number of triangles that a ray crosses.
   int crossings(const Point& from, const Point& direction) const { return crossings(0, from, direction); }
 
 private:
@@ -175,7 +176,7 @@ private:
 
   bool is_leaf(std::size_t node) const { return nodes_[node].right == 0; }
 
-  /// Splits at the median of the middles along the longest side.
+  /// Splits at the median of the triangles' centroids along the longest side.
   void build(std::size_t begin, std::size_t end)
   {
     const std::size_t node = nodes_.size();
@@ -198,7 +199,7 @@ private:
     build(half, end);
   }
 
-  static Point middle(const Triangle& t) { return t[0] + t[1] + t[2]; } // three times the middle
+  static Point middle(const Triangle& t) { return t[0] + t[1] + t[2]; } // three times the centroid
 
   bool improve_nearest(std::size_t node, const Point& p, Point& nearest, double& squared, std::size_t& triangle) const
   {
@@ -223,7 +224,7 @@ private:
     return improved;
   }
 
-  /// The pairs of nodes that a pair is split into: the larger of the two is.
+  /// The pairs of nodes that a pair of nodes is split into: the larger node is replaced by its children.
   std::array<std::pair<std::size_t, std::size_t>, 2> split(std::size_t node, const Triangle_tree& other,
                                                            std::size_t other_node) const
   {
@@ -243,16 +244,17 @@ private:
   class Closest_search
   {
   public:
-    /// \param enough the distance that is good enough
-    /// \param share how much of a distance over that what is closer has of it, at most
-    /// \param triangles set to those of the best
+    /// \param best closest points so far
+    /// \param enough distance at which the search may end
+    /// \param share points are closer only if their distance over `enough` is at most this share of the best one's
+    /// \param triangles if not null, set to those that the best points are on
     Closest_search(Closest_pair& best, double enough, double share, Triangle_pair* triangles = nullptr)
         : best_(best), enough_(enough), share_(share), triangles_(triangles)
     {
       set_limit();
     }
 
-    /// The squared distance under which it is worth while to look.
+    /// The squared distance from which on a pair of nodes is left out.
     double limit() const { return limit_; }
 
     void compare(const Triangle_tree& a, std::size_t t, const Triangle_tree& b, std::size_t u)

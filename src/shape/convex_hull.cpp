@@ -113,7 +113,7 @@ Convex_hull measured_hull(const Halfedge_mesh& mesh)
   return result;
 }
 
-constexpr double flat = 1e-6; // thickness over width of points of which the hull is rounding noise
+constexpr double flat = 1e-6; // thickness over width below which the volume of a hull is rounding noise
 
 /// The points, and copies of them to both sides in every direction in which they are thinner than `thickness`.
 Points thickened(const Points& points, double thickness)

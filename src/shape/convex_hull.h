@@ -11,7 +11,7 @@ namespace CGAL::Shape_correspondence::internal {
 struct Convex_hull
 {
   Points vertices;
-  double volume = 0; ///< 0 of points that lie in a plane
+  double volume = 0; ///< 0 if the points lie in a plane
 };
 
 Convex_hull convex_hull(const Points& points);
@@ -23,7 +23,7 @@ public:
   /// \param thickness of the hull of points that lie in a plane or on a line
   Hull_planes(const Points& points, double thickness);
 
-  /// Which share of some points is in the hull, or no farther than `tolerance` outside of one of its planes.
+  /// The share of points that are in the hull or at most `tolerance` outside of it.
   double share_inside(const Points& points, double tolerance) const;
 
 private:

@@ -25,11 +25,12 @@ using namespace internal;
 
 namespace {
 
-constexpr double base_height = 0.02;      // over the largest extent: vertices as near to the lowest one are the base
+constexpr double base_height =
+    0.02; // over the largest extent: vertices no higher than this above the lowest one are the base
 constexpr double horizontal_cosine = 0.9; // of a normal with the axis
-constexpr double least_stability = -0.2;  // bound for shapes that fall over, however far the centre is off the base
-constexpr int shape_samples = 3000;       // that stand for the surface
-constexpr int mirrored_samples = 600;     // of which images are compared with it
+constexpr double least_stability = -0.2;  // lower bound of the stability of shapes that fall over
+constexpr int shape_samples = 3000;       // points sampled on the surface
+constexpr int mirrored_samples = 600;     // points whose mirror images are compared with the surface
 
 // A logistic regression on 131 labelled shapes, of which each tells one axis from two. Over categories left out in turn
 // it found the axis of 90 %: of those of which it was over 90 % sure, all.
@@ -85,7 +86,7 @@ Surface_summary summary_of_surface(const Segmented_shape& shape)
   return result;
 }
 
-// How far a point is inside of a convex polygon, which is anticlockwise; negative outside of it.
+// Signed distance of a point from the boundary of a convex, anticlockwise polygon; negative outside.
 double depth_inside(const Eigen::Vector2d& point, const Planar_points& hull)
 {
   double depth = hull.size() < 3 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
@@ -96,7 +97,7 @@ double depth_inside(const Eigen::Vector2d& point, const Planar_points& hull)
   return depth;
 }
 
-// How far the surface is, on average, from its image in a horizontal plane, if an axis points up.
+// Mean distance of the surface from its mirror image in a horizontal plane, if an axis points up.
 double asymmetry(const Surface_summary& surface, const Nearest_points& samples, int axis)
 {
   double sum = 0;
@@ -108,7 +109,7 @@ double asymmetry(const Surface_summary& surface, const Nearest_points& samples, 
   return sum / mirrored_samples;
 }
 
-// How well the shape stands if an axis points up: the logarithm of the odds, but for a constant.
+// Logarithm of the odds that an axis points up, up to a constant.
 double uprightness(const Surface_summary& surface, const Nearest_points& samples, int axis)
 {
   const int side = (axis + 1) % 3, front = (axis + 2) % 3;
@@ -152,7 +153,7 @@ double difference(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   return (a - b).cwiseAbs().cwiseMin(largest_difference).sum();
 }
 
-// Logits of a shape the up direction of which is known.
+// The logits of a shape whose up direction is known.
 Logits known_logits(const Point& up)
 {
   constexpr double impossible = -1e6;

@@ -141,7 +141,7 @@ private:
   mutable std::optional<Border> border_;    ///< made on demand
 };
 
-/// That a piece joins another one, and why.
+/// A piece that joins another one, and the reason.
 struct Join
 {
   std::size_t to;
@@ -317,7 +317,7 @@ private:
     return best;
   }
 
-  /// Null if there is none. \param distance one-sided Hausdorff distance
+  /// Why a piece may join another one; null if it may not. \param distance one-sided Hausdorff distance
   const char* reason_to_join(std::size_t i, std::size_t other, double distance, bool is_small)
   {
     if (distance <= options_.layer_distance * size_) return "lies on";

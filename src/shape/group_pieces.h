@@ -13,7 +13,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Which loose pieces are one part.
+/// Which loose pieces make up each part.
 struct Piece_groups
 {
   Disjoint_sets sets;               ///< of pieces

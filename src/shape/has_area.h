@@ -8,7 +8,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Whether a mesh has a surface to speak of, not just slivers.
+/// Whether a mesh has an area above rounding noise, not only slivers.
 inline bool has_area(const Part_mesh& mesh)
 {
   // Relative to the squared extent, so that the unit of length does not matter.

@@ -31,7 +31,7 @@ struct Triangle_soup
 Triangle_soup to_soup(const Part_mesh& mesh);
 
 /// The triangles as a manifold, consistently oriented.
-/// \param changed if given, set to whether they were none: points were merged, triangles left out or vertices doubled
+/// \param changed if not null, set to whether points were merged, triangles left out or vertices doubled
 Halfedge_mesh manifold_surface(const Part_mesh& mesh, bool* changed = nullptr);
 
 /// \pre `mesh` has no garbage

@@ -12,7 +12,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The diagonal of the axis-parallel bounding box; 0 of no points.
+/// The diagonal of the axis-parallel bounding box; 0 if there are no points.
 inline double diagonal(const Points& points)
 {
   return points.cols() == 0 ? 0. : (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();

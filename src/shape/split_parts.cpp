@@ -30,7 +30,7 @@ double size_of_model(const Segmented_shape& model)
   return size_of(points, middle);
 }
 
-/// The name with `#` and the first number from `number` on that makes it a new one, which is added to `taken`.
+/// The name with `#` and the first number, from `number` on, that is not taken; added to `taken`.
 std::string unused_name(const std::string& name, std::size_t number, std::set<std::string>& taken)
 {
   std::string result = name + '#' + std::to_string(number);
@@ -59,7 +59,7 @@ Part_mesh joined(const std::vector<const Part_mesh*>& meshes)
   return result;
 }
 
-/// The loose pieces of a model, and the parts that become of them.
+/// The loose pieces of a model, and the parts made of them.
 class Splitter
 {
 public:
@@ -96,7 +96,7 @@ public:
     name_pieces();
   }
 
-  /// Every object a part.
+  /// Makes every object a part.
   Part_split objects()
   {
     for (Model_piece& piece : result_.pieces)
@@ -106,7 +106,7 @@ public:
     return finished({});
   }
 
-  /// Every piece a part.
+  /// Makes every piece a part.
   Part_split pieces() { return of_sets(Disjoint_sets(pieces_.size())); }
 
   Part_split automatic(const Part_splitting_options& options)
@@ -122,7 +122,7 @@ public:
     return of_sets(groups.sets, groups.kept);
   }
 
-  /// Of a model that is one piece.
+  /// Divides a model that is one piece into segments.
   Part_split segments_of_whole()
   {
     const Loose_piece whole = pieces_[0];
@@ -238,7 +238,7 @@ private:
     return std::move(result_);
   }
 
-  /// What became of an object, in words.
+  /// A sentence on what was made of an object.
   std::string decision(std::size_t pieces, std::size_t parts, const std::string& why_kept) const
   {
     const std::string count = std::to_string(pieces) + (result_.by_segments ? " segments" : " pieces");

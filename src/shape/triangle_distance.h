@@ -22,7 +22,7 @@ namespace contacts {
 
 using Triangle = std::array<Point, 3>;
 
-/// Across the triangle, twice its area long.
+/// The normal of the triangle, of length twice its area.
 inline Point area_vector(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
 
 } // namespace contacts
@@ -53,7 +53,7 @@ inline std::vector<contacts::Triangle> triangles_of(const Part_mesh& mesh)
 
 namespace contacts {
 
-/// Two points, one on either of two sets, and their squared distance.
+/// A point of either of two sets, and their squared distance.
 struct Closest_pair
 {
   double squared = std::numeric_limits<double>::infinity();
@@ -73,7 +73,8 @@ inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b)
   return length > 0 ? Point(a + clamped_to_unit((p - a).dot(b - a) / length) * (b - a)) : a;
 }
 
-constexpr double parallel_squared_sine = 1e-24; // of an angle that rounding alone can make of none
+constexpr double parallel_squared_sine =
+    1e-24; // under which segments count as parallel: rounding alone can make such an angle
 
 /// The point of the sides of the triangle nearest to `p`.
 inline Point nearest_on_sides(const Point& p, const Triangle& t)
@@ -162,8 +163,8 @@ inline bool is_off_plane(const Triangle& plane, const Triangle& t, double square
   return least > 0 && least * least > rounding * squared * normal.squaredNorm();
 }
 
-/// The closest points of two triangles, where they are closer than `best`.
-/// \param limit a squared distance, over which it need not be improved
+/// Replaces `best` by the closest points of two triangles if these are closer.
+/// \param limit squared distance: closest points farther apart than this may be missed
 inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_pair& best, double limit)
 {
   if (is_off_plane(a, b, limit) || is_off_plane(b, a, limit)) return;
@@ -176,7 +177,7 @@ inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_p
   }
 }
 
-/// The same, without a limit.
+/// The closest points of two triangles, without a limit.
 inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_pair& best)
 {
   improve_by_triangles(a, b, best, best.squared);

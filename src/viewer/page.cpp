@@ -48,9 +48,9 @@ void write_documents(std::ostream& out, const Page& page)
         << "</script>\n";
 }
 
-void write_title(std::ostream& out, const std::string& title)
+void write_text(std::ostream& out, const std::string& text)
 {
-  for (char c : utf8_text(title))
+  for (char c : utf8_text(text))
     c == '<' ? out << "&lt;" : c == '&' ? out << "&amp;" : out << c;
 }
 
@@ -66,7 +66,8 @@ void write_page(std::ostream& out, const Page& page)
     const std::string_view place = rest.substr(begin + 1, end - begin - 1);
     out << rest.substr(0, begin);
     if (place == "HASH") out << base64(text_of(shipped_viewer_hash, shipped_viewer_hash_size));
-    if (place == "TITLE") write_title(out, page.title);
+    if (place == "TITLE") write_text(out, page.title);
+    if (place == "SUMMARY") write_text(out, page.summary);
     if (place == "STYLE") out << text_of(shipped_viewer_style, shipped_viewer_style_size);
     if (place == "DOCUMENTS") write_documents(out, page);
     if (place == "SCRIPT") out << text_of(shipped_viewer_script, shipped_viewer_script_size);

@@ -18,8 +18,9 @@ struct Page
   };
 
   std::string title;
-  std::vector<Document> json; ///< texts, as the package writes them into files
-  std::vector<Document> glb;  ///< binary glTF, the same
+  std::vector<Document> json; ///< JSON documents, as the package writes them into files
+  std::vector<Document> glb;  ///< binary glTF, as the package writes it into files
+  std::string summary = {};   ///< lines of text that are shown where no scripts run
 };
 
 /// Writes one file that holds all it needs: no network, and no script but the viewer's, whatever names are in it.

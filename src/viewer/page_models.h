@@ -10,10 +10,10 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The most triangles of the surfaces of a page of one or two shapes: a page is about 60 bytes for each.
+/// The most triangles of all surfaces of a page of one or two shapes; each takes about 60 bytes.
 constexpr std::size_t largest_page_triangles = 100000;
 
-/// Models as pages show them: simplified in the same measure, if they have too many triangles together.
+/// Models as pages show them: all simplified by the same factor if together they have too many triangles.
 class Page_models
 {
 public:

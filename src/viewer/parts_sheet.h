@@ -12,7 +12,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// A web page with several models, a colour a part, and what became of their objects.
+/// A web page with several models, one colour for each part, and what was made of their objects.
 class Parts_sheet
 {
 public:
@@ -22,7 +22,7 @@ public:
   /// \param title of the model \param objects its objects, for their names \param summary is said above its parts
   void add(const std::string& title, const Segmented_shape& objects, const Part_split& split,
            const std::string& summary);
-  /// A model that cannot be used.
+  /// Adds a model that cannot be used.
   void add(const std::string& title, const std::string& complaint);
 
   void write(std::ostream& out) const;

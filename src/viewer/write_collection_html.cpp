@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/system/colours.h"
+#include "io/write/part_labels.h"
 #include "io/write/pictures.h"
 #include "io/write/simplified_shape.h"
 #include "viewer/page.h"
 
 #include <CGAL/Shape_correspondence/IO/write_collection_html.h>
+#include <CGAL/Shape_correspondence/correspondence_blocks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,19 +67,23 @@ private:
 
 double rounded(double energy) { return std::round(energy * 1e4) / 1e4; }
 
-/// By "source,target", the smaller index first: the energies of both directions, and pairs of parts with per cent.
+/// By "source,target", the smaller index first: the energies of both directions, and blocks of parts with operation and
+/// per cent.
 Json maps_json(const Collection& collection, const std::vector<Shape_pair_map>& maps)
 {
   Json result = Json::object();
   for (const Shape_pair_map& map : maps) {
     if (map.source > map.target) continue;
-    Json pairs = Json::array();
-    for (const Part_correspondence& pair : map.map.pairs)
-      pairs.push_back({pair.source, pair.target, std::lround(100 * pair.confidence)});
+    Correspondence correspondence;
+    correspondence.pairs = map.map.pairs;
+    Json blocks = Json::array();
+    for (const Correspondence_block& block : correspondence_blocks(correspondence))
+      blocks.push_back(
+          Json::array({block.source, block.target, name_of(block.operation), std::lround(100 * block.confidence)}));
     const std::size_t i = map.source, j = map.target;
     result[std::to_string(map.source) + ',' + std::to_string(map.target)] = {
         {"energies", {rounded(collection.energy(i, j)), rounded(collection.energy(j, i))}},
-        {"pairs", std::move(pairs)}};
+        {"blocks", std::move(blocks)}};
   }
   return result;
 }
@@ -159,7 +165,10 @@ Page collection_page(const Collection& collection, std::size_t total,
   }
   std::ostringstream json, stored;
   write_collection_json(json, collection);
-  Json({{"total", total}, {"maps", maps_json(collection, maps)}}).write(stored);
+  Json labels = Json::array();
+  for (const auto& shape : collection.shapes)
+    labels.push_back(part_labels(shape.parts));
+  Json({{"total", total}, {"labels", std::move(labels)}, {"maps", maps_json(collection, maps)}}).write(stored);
   return {"Collection of shapes",
           {{"collection", json.str()}, {"maps", stored.str()}},
           {{"collection.glb", models.text()}}};

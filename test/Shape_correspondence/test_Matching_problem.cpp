@@ -318,7 +318,7 @@ TEST_CASE("Many target groups: the nearest ones are the labels, and nothing is p
 
 TEST_CASE("A curve that is cut into three has rods between neighbouring segments only")
 {
-  // The target's curves lie end to end, but the middle one is 0.3 to the side
+  // The target's curves are a stair, each 0.3 to the side of the one before
   const auto shape_with = [](const std::vector<Part_abstraction>& curves) {
     Shape_structure shape;
     shape.parts = curves;
@@ -328,7 +328,7 @@ TEST_CASE("A curve that is cut into three has rods between neighbouring segments
     return align_shape(make_structural_graph(std::move(shape), {group(members)}));
   };
   const Part_abstraction first = curve("0", {0, 0, 0}, {1, 0, 0}), second = curve("1", {1, .3, 0}, {2, .3, 0}),
-                         third = curve("2", {2, 0, 0}, {3, 0, 0}), whole = curve("whole", {0, 0, 0}, {3, 0, 0});
+                         third = curve("2", {2, .6, 0}, {3, .6, 0}), whole = curve("whole", {0, 0, 0}, {3, 0, 0});
   const Matching_problem problem(shape_with({whole}), shape_with({first, second, third}));
   const std::size_t cut = problem.number_of_labels(0) - 1;
   REQUIRE(problem.label(0, cut).operation == Operation::CUT);

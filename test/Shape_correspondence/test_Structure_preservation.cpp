@@ -76,6 +76,25 @@ TEST_CASE("Structure preservation: a chain between two matched ends settles to a
     CHECK(motion == Part_motion());
 }
 
+TEST_CASE("Structure preservation: a longer chain needs several rounds")
+{
+  // Seven points in a row, of which the last is moved by 0.6
+  std::vector<Point> places;
+  std::vector<std::array<std::size_t, 2>> contacts;
+  for (std::size_t i = 0; i < 7; ++i) {
+    places.emplace_back(double(i), 0, 0);
+    if (i > 0) contacts.push_back({i - 1, i});
+  }
+  const Aligned_shape chain = align_shape(point_graph(places, contacts));
+  std::vector<std::array<Point, 2>> contact_displacement(6, {Point::Zero(), Point::Zero()});
+  contact_displacement[5][1] = Point(0, .6, 0);
+  std::vector<Part_motion> motions(7);
+  Structure_preservation preserve_structure(chain);
+  preserve_structure({1, 0, 0, 0, 0, 0, 1}, contact_displacement, motions);
+  for (std::size_t i : {2, 3, 4})
+    CHECK(motions[i].shift.y() == Approx(.1 * double(i)).margin(0.01));
+}
+
 TEST_CASE("Structure preservation: a bar is stretched between the legs that it spans, its mirror image alike")
 {
   // A bar at the back and one in front between the left and the right legs, which are matched and move apart by 0.2,

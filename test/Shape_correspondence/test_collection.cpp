@@ -146,31 +146,26 @@ TEST_CASE("Matches of all pairs of shapes, and of them those that the clusters c
   }
 }
 
-TEST_CASE("The same bytes with any number of threads, tiles, shares and restarts")
+TEST_CASE("The same bytes with any number of threads, with a store and again from it")
 {
   const Temporary_folder folder;
   const std::string in = quoted(shape_folder(folder)), store = " --store " + quoted(folder.path("store"));
   const std::string expected = run(in + " --json -").out;
   CHECK(!expected.empty());
   CHECK(run(in + " --threads 1 --json -").out == expected);
-  CHECK(run(in + " --tile-size 1 --json -").out == expected);
+  CHECK(run(in + store + " --json -").out == expected);
+  CHECK(number_of_tiles(folder) == 3); // of blocks of four and two shapes
+  CHECK(run(in + store + " --json -").out == expected);
 
-  const std::string tiles = " --tile-size 2"; // 6 of them
-  const Run early = run(in + store + tiles + " --merge --json -");
-  CHECK(early.status == 1);
-  CHECK_THAT(early.error, Contains("30 pairs") && Contains("--tile"));
-  CHECK(run(in + store + tiles + " --tile 2/2").status == 0);
-  CHECK(number_of_tiles(folder) == 3);
-  CHECK(run(in + store + tiles + " --tile 1/2").status == 0);
-  CHECK(number_of_tiles(folder) == 6);
-  CHECK(run(in + store + tiles + " --merge --json -").out == expected);
-
-  SECTION("A damaged tile is done again")
+  SECTION("A damaged or missing tile is done again")
   {
     const std::string tile = fs::directory_iterator(folder.path("store/tiles"))->path().string();
     const std::string whole = text_of(tile);
     folder.write("store/tiles/" + fs::path(tile).filename().string(), whole.substr(0, whole.size() - 3));
-    CHECK(run(in + store + tiles + " --json -").out == expected);
+    CHECK(run(in + store + " --json -").out == expected);
+    CHECK(text_of(tile) == whole);
+    fs::remove(tile);
+    CHECK(run(in + store + " --json -").out == expected);
     CHECK(text_of(tile) == whole);
   }
   SECTION("A changed shape changes the tiles that it is in, and no others")
@@ -178,32 +173,66 @@ TEST_CASE("The same bytes with any number of threads, tiles, shares and restarts
     std::ostringstream text;
     IO::write_structural_graph_json(text, named(hand_made::moved(hand_made::table(), 0, 3, {1, 0, 0}), "shape 2"));
     folder.write("shapes/2.json", text.str());
-    CHECK(run(in + store + tiles + " --merge --json -").status == 1);
-    CHECK(run(in + store + tiles + " --json -").out == run(in + " --json -").out);
-    CHECK(number_of_tiles(folder) == 6 + 3);
+    CHECK(run(in + store + " --json -").out == run(in + " --json -").out);
+    CHECK(number_of_tiles(folder) == 3 + 2);
   }
   SECTION("Changed options need other tiles")
   {
     const std::string changed = " --min-confidence 0.5";
-    CHECK(run(in + store + tiles + changed + " --json -").out == run(in + changed + " --json -").out);
-    CHECK(number_of_tiles(folder) == 12);
+    CHECK(run(in + store + changed + " --json -").out == run(in + changed + " --json -").out);
+    CHECK(number_of_tiles(folder) == 6);
   }
 }
 
 #ifdef SHAPE_CORRESPONDENCE_MPIRUN
+namespace {
+
+/// What `mpirun` runs with some processes. \param wrapper of the program, for the shell; empty: none
+int run_in_team(const std::string& processes, const std::string& arguments, const std::string& wrapper = "")
+{
+  return std::system((SHAPE_CORRESPONDENCE_MPIRUN " --allow-run-as-root --oversubscribe -n " + processes + " " +
+                      wrapper + quoted(SHAPE_CORRESPONDENCE_MPI_PROGRAM) + " collection " + arguments + " 2>/dev/null")
+                         .c_str());
+}
+
+} // namespace
+
 TEST_CASE("The same bytes with any number of processes")
 {
   const Temporary_folder folder;
   const std::string in = quoted(shape_folder(folder));
   const std::string expected = run(in + " --json -").out;
-  for (const std::string ranks : {"2", "4"}) {
-    const std::string output = folder.path("c" + ranks + ".json");
-    const std::string command = SHAPE_CORRESPONDENCE_MPIRUN " --allow-run-as-root --oversubscribe -n " + ranks + " " +
-                                quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " collection " + in + " --quiet --tile-size 1" +
-                                " --threads 1 --store " + quoted(folder.path("store" + ranks)) + " --json ";
-    CHECK(std::system((command + quoted(output)).c_str()) == 0);
+  for (const std::string processes : {"1", "2", "4"}) {
+    const std::string output = folder.path("c" + processes + ".json");
+    CHECK(run_in_team(processes, in + " --quiet --threads 1 --store " + quoted(folder.path("store" + processes)) +
+                                     " --json " + quoted(output)) == 0);
     CHECK(text_of(output) == expected);
   }
+  CHECK(run_in_team("2", in + " --quiet") != 0); // needs a store
+  CHECK(std::system((SHAPE_CORRESPONDENCE_MPIRUN " --allow-run-as-root --oversubscribe -n 2 " +
+                     quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " collection " + in + " --quiet 2>/dev/null")
+                        .c_str()) != 0); // each would do all of it
+}
+
+TEST_CASE("A team of which a process is killed has kept its work, and ends it when it is run again")
+{
+  const Temporary_folder folder;
+  const std::string output = folder.path("c.json"), in = quoted(shape_folder(folder)) + " --search exact --threads 1";
+  const std::string expected = run(in + " --json -").out;
+  const std::string arguments = in + " --quiet --store " + quoted(folder.path("store")) + " --json " + quoted(output);
+  std::size_t last = 0;
+  for (const std::string seconds : {"0", "0.05", "0.1"}) {
+    const std::string killed =
+        "sh -c 'if [ \"$OMPI_COMM_WORLD_RANK\" = 1 ]; then (sleep " + seconds + "; kill -9 $$) & fi; exec \"$@\"' sh ";
+    const bool is_done = run_in_team("2", arguments, killed) == 0;
+    const std::size_t tiles = fs::is_directory(folder.path("store/tiles")) ? number_of_tiles(folder) : 0;
+    CHECK(tiles >= last); // nothing that was done is lost
+    last = tiles;
+    CHECK(fs::exists(output) >= is_done);
+    CHECK((!fs::exists(output) || text_of(output) == expected));
+  }
+  CHECK(run_in_team("2", arguments) == 0);
+  CHECK(text_of(output) == expected);
 }
 #endif
 
@@ -211,7 +240,7 @@ TEST_CASE("Killed at any moment, a run goes on where it was")
 {
   const Temporary_folder folder;
   const std::string in = shape_folder(folder), store = folder.path("store");
-  const std::string options = quoted(in) + " --search exact --tile-size 1 --threads 1 --quiet --json ";
+  const std::string options = quoted(in) + " --search exact --threads 1 --quiet --json ";
   const std::string expected = run(options + "-").out;
   const std::string output = folder.path("c.json");
   std::size_t last = 0;
@@ -219,7 +248,7 @@ TEST_CASE("Killed at any moment, a run goes on where it was")
     const pid_t child = fork();
     if (child == 0) {
       execl(SHAPE_CORRESPONDENCE_PROGRAM, "shape_correspondence", "collection", in.c_str(), "--search", "exact",
-            "--tile-size", "1", "--threads", "1", "--quiet", "--json", output.c_str(), "--store", store.c_str(),
+            "--threads", "1", "--quiet", "--json", output.c_str(), "--store", store.c_str(),
             static_cast<char*>(nullptr));
       _exit(127);
     }
@@ -246,7 +275,7 @@ TEST_CASE("Shapes that cannot be used: all are named, the work is kept, --skip-b
   CHECK(refused.status == 1);
   CHECK(refused.out.empty());
   CHECK_THAT(refused.error, Contains("bad.json") && Contains("empty.obj") && Contains("--skip-bad"));
-  const Run skipped = run(quoted(in) + store + " --merge --skip-bad --json -");
+  const Run skipped = run(quoted(in) + store + " --skip-bad --json -");
   REQUIRE(skipped.status == 0);
   json result = json::parse(skipped.out);
   CHECK(result["warnings"].size() == 2);
@@ -256,7 +285,7 @@ TEST_CASE("Shapes that cannot be used: all are named, the work is kept, --skip-b
   folder.write("graphs", "a file");
   const Run no_folder = run(quoted(in) + " --store " + quoted(folder.path("graphs")));
   CHECK(no_folder.status == 1);
-  CHECK_THAT(no_folder.error, Contains("graphs/tiles: it cannot be used as a store"));
+  CHECK_THAT(no_folder.error, Contains("graphs/graphs: it cannot be used as a store"));
 }
 
 TEST_CASE("The nearest shapes of a query")
@@ -278,26 +307,11 @@ TEST_CASE("Usage and inputs that make no sense")
 {
   const Temporary_folder folder;
   const std::string in = quoted(shape_folder(folder)), store = " --store " + quoted(folder.path("store"));
-  for (const std::string& arguments : {std::string(),
-                                       in + " --tile 1/2",
-                                       in + " --merge",
-                                       in + store + " --tile 0/2",
-                                       in + store + " --tile 3/2",
-                                       in + store + " --tile 1",
-                                       in + store + " --tile 1/2 --merge",
-                                       in + store + " --tile 1/2 --json -",
-                                       in + " --tile-size 0",
-                                       in + " --inflation 1",
-                                       in + " --cycle-support 2",
-                                       in + " --unmatched-energy -1",
-                                       in + " --neighbours 0",
-                                       in + " --search exact --solutions 2",
-                                       in + " --npy x --csv x",
-                                       in + " --nearest x -k 0",
-                                       in + " --nearest x --npy y",
-                                       in + " --matches",
-                                       in + " --json - --agreeing",
-                                       in + " --nearest x --json - --matches"}) {
+  for (const std::string& arguments :
+       {std::string(), in + " --inflation 1", in + " --cycle-support 2", in + " --unmatched-energy -1",
+        in + " --neighbours 0", in + " --search exact --solutions 2", in + " --npy x --csv x", in + " --nearest x -k 0",
+        in + " --nearest x --npy y", in + " --matches", in + " --json - --agreeing",
+        in + " --nearest x --json - --matches"}) {
     INFO(arguments);
     const Run result = run(arguments);
     CHECK(result.status == 2);

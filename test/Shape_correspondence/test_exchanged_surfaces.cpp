@@ -65,9 +65,10 @@ TEST_CASE("Surfaces of which one would be torn on its way to the other are excha
       CHECK(check.quality.torn == 0);
     }
     // Both are there between the ends, and each comes from nothing or goes to nothing
-    CHECK(area(blend(0.5)) == Approx(area(source.shape) + area(target.shape)).epsilon(0.05));
-    CHECK(area(blend(0.01)) == Approx(area(source.shape)).epsilon(0.01));
-    CHECK(area(blend(0.99)) == Approx(area(target.shape)).epsilon(0.01));
+    CHECK(area(blend((tasks[2].begin + tasks[2].end) / 2)) ==
+          Approx(area(source.shape) + area(target.shape)).epsilon(0.05));
+    CHECK(area(blend(0)) == Approx(area(source.shape)).epsilon(0.01));
+    CHECK(area(blend(1)) == Approx(area(target.shape)).epsilon(0.01));
     const std::vector<Blend_surface> surfaces = blend.surfaces();
     const auto first =
         std::find_if(surfaces.begin(), surfaces.end(), [](const auto& s) { return s.name == "top~top"; });

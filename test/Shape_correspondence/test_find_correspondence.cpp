@@ -108,7 +108,8 @@ TEST_CASE("The parts of the energy add up")
 {
   Search_options options = least_energy();
   options.both_directions = false;
-  const Correspondence c = find_correspondence(chair(), slatted_chair(), options);
+  const Correspondence c = find_correspondence(table(), pedestal_table(), options); // legs merge
+  CHECK(c.terms.distortion > 0.1);
   CHECK(c.energy == Approx(c.terms.distortion + 0.6 * c.terms.connectedness + 0.4 * c.terms.split));
   Energy_terms sum;
   for (const Contact_energy& contact : c.contacts) {
@@ -230,9 +231,11 @@ TEST_CASE("The paper's method: beam search of all alignments, coarse in the sour
   coarse.progress = [&](double) { return ++runs > 0; };
   find_correspondence(chair(), slatted_chair(), coarse);
   CHECK(runs == 1);            // the whole target is not deformed into a coarse source
-  coarse.coarse_target = true; // no slat is among the two of the target
+  coarse.coarse_target = true; // two parts of the target, too
+  std::set<std::size_t> targets;
   for (const Part_correspondence& pair : find_correspondence(chair(), slatted_chair(), coarse).pairs)
-    CHECK((pair.target == 0 || pair.target > 3));
+    targets.insert(pair.target);
+  CHECK(targets.size() <= 2);
 }
 
 TEST_CASE("A group is merged into a part only if that is symmetric by itself, or if there is nothing else")

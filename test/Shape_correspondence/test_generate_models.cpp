@@ -119,6 +119,19 @@ TEST_CASE("the models in data/ are what the generator makes", "[generate_models]
   }
 }
 
+TEST_CASE("the models in data/raw are what the generator makes", "[generate_models]")
+{
+  int found = 0;
+  for (const gen::Model& model : gen::models())
+    for (const auto& [path, content] : gen::raw_file(model.make())) {
+      if (!fs::exists(data_folder / "raw" / path)) continue;
+      INFO(path);
+      CHECK(content_of(data_folder / "raw" / path) == content);
+      ++found;
+    }
+  CHECK(found == 2);
+}
+
 TEST_CASE("every part is a closed outward mesh without self-intersections", "[generate_models]")
 {
   std::vector<gen::Assembly> shapes = gen::benchmark_shapes();

@@ -53,7 +53,7 @@ TEST_CASE("A cache folder saves the abstraction, and is used only for the same m
   CHECK(folder.number_of_files() == 3);
   const Run without = run("graph " + quoted(table) + " --cache " + quoted(table));
   CHECK(without.status == 0);
-  CHECK_THAT(without.error, Contains("warning") && Contains("cache"));
+  CHECK_THAT(without.error, Contains("note: ") && Contains("cache"));
 }
 
 TEST_CASE("Symmetries, contacts and the upright axis on demand")

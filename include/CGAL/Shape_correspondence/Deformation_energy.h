@@ -47,10 +47,13 @@ double deformation_energy(const Energy_terms& terms, const Energy_weights& weigh
 /// An entry of D (Eq. 2): the cosine of the angle by which a structural rod, the vector from a sample of one part to a
 /// sample of another, turns; 0 beyond a right angle. A rod of length zero keeps its direction whatever happens (1); one
 /// that becomes zero loses it (0).
+/// \param before the rod before the deformation
+/// \param after the rod after it
 double rod_rotation(const Point& before, const Point& after);
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// E_d of two connected parts (Eq. 3): 1 - ||D|| / ||J||, from the mean of the squared entries of D.
+/// E_d of two connected parts (Eq. 3): 1 - ||D|| / ||J||.
+/// \param mean_squared_cosine mean of the squared entries of D
 double distortion_energy(double mean_squared_cosine);
 
 /// \ingroup PkgShapeCorrespondenceSearch
@@ -69,7 +72,8 @@ double connectedness_energy(double shortest_before, double shortest_after, doubl
 double split_energy(const std::vector<double>& solidity_ratios);
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// 1 - ||v|| / ||J||, from the mean of the squared entries of a vector v: what Eq. 3 and Eq. 5 have in common.
+/// 1 - ||v|| / ||J|| of a vector v: what Eq. 3 and Eq. 5 have in common.
+/// \param mean_square mean of the squared entries of v
 double norm_loss(double mean_square);
 
 } // namespace Shape_correspondence

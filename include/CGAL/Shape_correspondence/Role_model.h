@@ -35,8 +35,8 @@ struct Role_model_access;
 /// \ingroup PkgShapeCorrespondenceRoles
 /// The roles of parts, such as legs and seat of a chair, learned from labelled shapes. For each category, a model has a
 /// forest of extremely randomised trees (P. Geurts, D. Ernst, L. Wehenkel, *Extremely randomized trees*, 2006), which
-/// predicts the role and the fine label (a front leg) of a part from its place, size and shape in the upright shape that
-/// faces +z; the features of the labelled parts, by which a shape's category is detected; and weights for the
+/// predicts the role and the fine label (a front leg) of a part from its place, size and shape in the upright shape
+/// that faces +z; the features of the labelled parts, by which a shape's category is detected; and weights for the
 /// probability that a pair of parts corresponds, given predicted labels and the geometric match. Names and the order of
 /// parts are not used. Copies share their data; threads may share a model.
 class Role_model

@@ -45,18 +45,18 @@ struct Blend_surface
 /// al., Topology-Varying 3D Shape Creation via Structural Blending, 2014, whose terms are used: a *task* is what
 /// happens to a part, a *schedule* says when each task takes place, and an *in-between shape* is the shape at a time).
 ///
-/// - *Stage*: every shape stands on the ground with the middle of its box, or its mirror plane, above the origin, in the
-///   axes of the source; the source and the target are the inputs, moved there.
+/// - *Stage*: every shape stands on the ground with the middle of its box, or its mirror plane, above the origin, in
+///   the axes of the source; the source and the target are the inputs, moved there.
 /// - *Layout*: every matched part has a box at either end, and goes straight from the one to the other in place, size
 ///   and rotation; the axes of boxes are paired for the least rotation. Then all parts are moved by the least affine
 ///   motions that keep contacts; mirror images stay that, what stands on the ground stands, and the whole has the
 ///   height, width and depth that are due between the ends.
 /// - *Matched parts* morph in their boxes: along their curves and sheets, with rotation-minimising frames, unless boxes
-///   change less. A part that corresponds to many is cut into closed pieces, one for each. Where a surface would be torn
-///   or crushed on the way, the two are *exchanged* in place: the one thickens in the middle of the other, which then
-///   thins (`Blend_exchange`). So are parts without counterpart that are alike in place and size.
-/// - *Unmatched parts* go with the box of the whole, and thin or thicken in place: rods and rings to their curves, plates
-///   to their middle planes; supports go last and come first.
+///   change less. A part that corresponds to many is cut into closed pieces, one for each. Where a surface would be
+///   torn or crushed on the way, the two are *exchanged* in place: the one thickens in the middle of the other, which
+///   then thins (`Blend_exchange`). So are parts without counterpart that are alike in place and size.
+/// - *Unmatched parts* go with the box of the whole, and thin or thicken in place: rods and rings to their curves,
+///   plates to their middle planes; supports go last and come first.
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two, and both move alike.
 ///
@@ -100,8 +100,8 @@ public:
               const Blend_options& options = {});
 
   /// The shape at `t` in [0, 1], on the stage: the source at 0 and the target at 1, of the sizes that
-  /// `Blend_options::size` asks for; in between, its parts are the surfaces that exist at `t`. All motions start and stop
-  /// gently.
+  /// `Blend_options::size` asks for; in between, its parts are the surfaces that exist at `t`. All motions start and
+  /// stop gently.
   Segmented_shape operator()(double t) const;
 
   /// The schedules, the best first, which is the one of the blend. Unless `Blend_options::rank_all` is set, a schedule
@@ -110,6 +110,7 @@ public:
 
   /// The shape at `t` as one closed surface that looks outwards, for printing and Boolean operations: it is wrapped
   /// (`CGAL::alpha_wrap_3()`).
+  /// \param t the time, in [0, 1]
   /// \param detail size of the smallest hollows that the wrap goes into, as a fraction of the diagonal of the shape's
   /// box, in [0.001, 1]
   /// \throw Invalid_input if it is out of range

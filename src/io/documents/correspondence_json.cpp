@@ -1,11 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/write/Json.h"
 #include "io/read/Json_field.h"
+#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/correspondence_blocks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,27 @@ Json confidences(const Correspondence& correspondence)
   for (const Part_correspondence& pair : correspondence.pairs) {
     if (!pair.has_confidence()) return Json::array();
     result.push_back(pair.confidence);
+  }
+  return result;
+}
+
+/// By the names of parts.
+Json roles(const std::vector<std::string>& roles, const Structural_graph& graph)
+{
+  Json result = Json::object();
+  for (std::size_t part = 0; part < roles.size(); ++part)
+    result[structure(graph).parts[part].name] = roles[part];
+  return result;
+}
+
+Json blocks(const Correspondence& correspondence, const Structural_graph& source, const Structural_graph& target)
+{
+  Json result = Json::array();
+  for (const Correspondence_block& block : correspondence_blocks(correspondence)) {
+    result.push_back({{"source", names(block.source, source)}, {"target", names(block.target, target)}});
+    if (!block.role.empty()) result.back()["role"] = block.role;
+    result.back()["operation"] = name_of(block.operation);
+    if (!std::isnan(block.confidence)) result.back()["confidence"] = block.confidence;
   }
   return result;
 }
@@ -125,8 +147,9 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
   if (Json known = confidences(c); !known.empty()) result["confidences"] = std::move(known);
   if (!c.category.empty()) {
     result["category"] = c.category;
-    result["roles"] = {{"source", Json(c.source_roles)}, {"target", Json(c.target_roles)}};
+    result["roles"] = {{"source", roles(c.source_roles, source)}, {"target", roles(c.target_roles, target)}};
   }
+  result["blocks"] = blocks(c, source, target);
   result["groups"] = groups(c, source, target);
   result["contacts"] = contacts(c, forward ? source : target);
   result["unmatched_source"] = names(c.unmatched_source, source);

@@ -37,6 +37,7 @@ Model_content import_parts(const std::string& file, const Reading_options& optio
     if (text.substr(0, import_mark.size()) != import_mark)
       throw Invalid_input("the program " + program + " is of another version; install the package anew");
     text.remove_prefix(import_mark.size());
+    if (text.empty()) throw Invalid_input("what its reader sends is damaged");
     if (text[0] == has_complaint) throw Invalid_input(std::string(text.substr(1)));
     Content_reader reader(text.substr(1));
     Model_content content;

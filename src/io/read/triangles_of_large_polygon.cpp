@@ -20,8 +20,9 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
 using Face = CGAL::Triangulation_face_base_with_info_2<std::optional<bool>, Kernel,
                                                        CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>,
-                                                                 CGAL::No_constraint_intersection_tag>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>,
+                                               CGAL::No_constraint_intersection_tag>;
 
 /// Marks whether faces are inside of the polygon: every side that is crossed on the way from outside changes that.
 void mark_inside(Triangulation& triangulation)

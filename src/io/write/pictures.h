@@ -86,7 +86,7 @@ void write_correspondence_glb(std::ostream& out, const Correspondence& correspon
 void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph, const Segmented_shape* shape,
                                 const Add_scenes& add_scenes);
 
-/// Adds a material for every match, parts of both shapes that pairs connect, and a grey one for parts in no pair.
+/// Adds a material for every block (`correspondence_blocks()`), and a grey one for parts in no pair.
 /// \return the material of every part, the target's parts after the source's
 std::vector<int> add_match_materials(Glb_file& glb, const Correspondence& correspondence, std::size_t sources,
                                      std::size_t targets);

@@ -1,15 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "base/Disjoint_sets.h"
 #include "base/quarter_turn.h"
 #include "io/system/colours.h"
 #include "io/write/pictures.h"
 
 #include <CGAL/Shape_correspondence/IO/write_glb.h>
+#include <CGAL/Shape_correspondence/correspondence_blocks.h>
 
 #include <algorithm>
-#include <map>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -116,22 +115,17 @@ int Drawn_shape::add_to(Glb_file& glb, const Point& translation,
 std::vector<int> add_match_materials(Glb_file& glb, const Correspondence& correspondence, std::size_t sources,
                                      std::size_t targets)
 {
-  internal::Disjoint_sets components(sources + targets);
-  std::vector<bool> is_matched(sources + targets, false);
-  for (const Part_correspondence& pair : correspondence.pairs) {
-    components.unite(pair.source, sources + pair.target);
-    is_matched[pair.source] = is_matched[sources + pair.target] = true;
+  const std::vector<Correspondence_block> blocks = correspondence_blocks(correspondence);
+  std::vector<int> materials;
+  for (const Colour& colour : distinct_colours(blocks.size()))
+    materials.push_back(glb.add_material("match_" + std::to_string(materials.size() + 1), colour));
+  std::vector<int> result(sources + targets, glb.add_material("unmatched", grey()));
+  for (std::size_t block = 0; block < blocks.size(); ++block) {
+    for (std::size_t part : blocks[block].source)
+      result[part] = materials[block];
+    for (std::size_t part : blocks[block].target)
+      result[sources + part] = materials[block];
   }
-  std::map<std::size_t, int> numbers; // of components, in the order of their first parts
-  for (std::size_t part = 0; part < is_matched.size(); ++part)
-    if (is_matched[part]) numbers.emplace(components[part], int(numbers.size()));
-  int number = 0;
-  for (const Colour& colour : distinct_colours(numbers.size()))
-    glb.add_material("match_" + std::to_string(++number), colour);
-  const int unmatched = glb.add_material("unmatched", grey());
-  std::vector<int> result;
-  for (std::size_t part = 0; part < is_matched.size(); ++part)
-    result.push_back(is_matched[part] ? numbers[components[part]] : unmatched);
   return result;
 }
 

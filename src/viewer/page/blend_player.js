@@ -36,6 +36,7 @@ export class BlendPlayer {
     stage.centre(this.view, size(views[0].bounds) / (size(source) || 1));
     stage.root.classList.add('three');
     stage.resize();
+    this.pose(0.5); // so that the first sight is a shape in between
   }
 
   addControls(blend) {

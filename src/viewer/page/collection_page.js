@@ -1,10 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import {$, addWarnings, documentOf, element} from './dom.js';
+import {$, addWarnings, documentOf, element, setBreakable} from './dom.js';
 import {fillGallery, Pictures} from './gallery.js';
 import {addLayerSwitches, glbOf} from './match_page.js';
-import {blocksOf} from './matching.js';
 import {MatchView} from './match_view.js';
 import {Stage} from './stage.js';
 import {fillTree} from './tree.js';
@@ -16,12 +15,20 @@ const withoutCounterpart = 0.25; // opacity
 
 const shown = x => x.toPrecision(3);
 
-/** The stored match of two shapes: {energies, pairs: [[source, target, confidence]]}, or null. */
+/** The operation from the target to the source. @param parts of the target */
+function inverseOperation(operation, parts) {
+  if (operation === 'merge') return parts === 1 ? 'split' : 'duplicate';
+  return operation === 'split' || operation === 'duplicate' ? 'merge' : operation;
+}
+
+/** The stored match of two shapes: {energies, blocks: [{parts: [indices, indices], role, operation, confidence}]}, or null. */
 export function storedMatch(maps, a, b) {
   const isSwapped = a > b, map = maps[isSwapped ? `${b},${a}` : `${a},${b}`];
   if (!map) return null;
-  const pairs = map.pairs.map(([s, t, percent]) => isSwapped ? [t, s, percent / 100] : [s, t, percent / 100]);
-  return {pairs, energies: isSwapped ? [...map.energies].reverse() : map.energies};
+  const blocks = map.blocks.map(([source, target, operation, percent]) => ({
+    parts: isSwapped ? [target, source] : [source, target], role: '', confidence: percent / 100,
+    operation: isSwapped ? inverseOperation(operation, target.length) : operation}));
+  return {blocks, energies: isSwapped ? [...map.energies].reverse() : map.energies};
 }
 
 /** A path as one types it in a shell. */
@@ -30,7 +37,7 @@ export function shellWord(path) {
 }
 
 export function showCollection() {
-  const collection = documentOf('collection'), {maps, total} = documentOf('maps');
+  const collection = documentOf('collection'), {maps, labels, total} = documentOf('maps');
   const nodes = glbOf('collection.glb').scenes[0].nodes, shapes = collection.shapes;
   const number = new Map(shapes.map((shape, i) => [shape.name, i])), medoid = number.get(collection.medoid.shape);
   const cards = shapes.map((shape, i) => ({name: shape.name, mark: i === medoid ? '★ medoid' : '', shape: nodes[i]}));
@@ -52,14 +59,15 @@ export function showCollection() {
       stage.clear(v);
       v.figure.hidden = side >= indices.length;
       if (v.figure.hidden) return;
-      v.caption.textContent = shapes[indices[side]].name;
+      setBreakable(shapes[indices[side]].name, v.caption);
       nodes[indices[side]].children.forEach((node, part) => stage.addNode(v, node, part));
       stage.centre(v);
     });
     const stored = indices.length === 2 ? storedMatch(maps, ...indices) : null;
-    const names = [0, 1].map(side => side < indices.length ? shapes[indices[side]].parts : []);
-    const blocks = stored ? blocksOf(stored.pairs, names[0].length, names[1].length) : [];
-    view.show({titles: [0, 1].map(side => side < indices.length ? shapes[indices[side]].name : ''), names, blocks, roles: [[], []], groups: [[], []]});
+    stage.equalise(views.filter(v => !v.figure.hidden));
+    const of = list => [0, 1].map(side => side < indices.length ? list[indices[side]] : null);
+    view.show({titles: of(shapes).map(shape => shape ? shape.name : ''), names: of(shapes).map(shape => shape ? shape.parts : []),
+               labels: of(labels).map(list => list || []), blocks: stored ? stored.blocks : [], roles: [[], []], groups: [[], []]});
     if (stored)
       for (const item of stage.items)
         if (view.blockOf[views.indexOf(item.view)][item.part] < 0) item.opacity = withoutCounterpart;

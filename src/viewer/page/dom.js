@@ -13,18 +13,25 @@ export function element(tag, text, parent) {
   return result;
 }
 
+/** Sets the text of an element; it may be broken after the signs that names are made of. */
+export function setBreakable(text, parent) {
+  parent.replaceChildren();
+  text.split(/(?<=[_./#-])/).forEach((piece, k) => parent.append(...(k ? [document.createElement('wbr')] : []), piece));
+}
+
 /** The document that the page has for an id: JSON parsed, or null. */
 export function documentOf(id) {
   const script = document.getElementById(id);
   return script ? JSON.parse(script.textContent) : null;
 }
 
-/** A check box with a label. @param change is called with whether it is set */
-export function addSwitch(parent, text, isSet, change) {
+/** A check box with a label. @param hint is shown beside the pointer @param change is called with whether it is set */
+export function addSwitch(parent, text, hint, isSet, change) {
   const label = element('label', '', parent), box = element('input', '', label);
   box.type = 'checkbox';
   box.checked = isSet;
   label.append(' ' + text);
+  label.title = hint;
   box.onchange = () => change(box.checked);
   return box;
 }
@@ -33,7 +40,7 @@ export function addSwitch(parent, text, isSet, change) {
 export function addWarnings(parent, warnings) {
   if (!warnings || !warnings.length) return;
   const details = element('details', '', parent);
-  element('summary', warnings.length === 1 ? '1 warning' : `${warnings.length} warnings`, details);
+  element('summary', warnings.length === 1 ? '1 note' : `${warnings.length} notes`, details);
   for (const warning of warnings) element('p', warning, details);
 }
 
@@ -50,8 +57,8 @@ export const tip = {
   show(x, y, title, lines) {
     const box = $('#tip');
     box.replaceChildren();
-    element('b', title, box);
-    for (const line of lines) element('div', line, box);
+    setBreakable(title, element('b', '', box));
+    for (const line of lines) setBreakable(line, element('div', '', box));
     box.style.display = 'block';
     box.style.left = Math.max(4, Math.min(x + 14, innerWidth - box.offsetWidth - 4)) + 'px';
     box.style.top = Math.max(4, Math.min(y + 14, innerHeight - box.offsetHeight - 4)) + 'px';

@@ -1,18 +1,19 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import {element} from './dom.js';
-import {litScene, newRenderer, objectOf, placeCamera} from './stage.js';
+import {element, setBreakable} from './dom.js';
+import {litScene, newRenderer, objectOf, placeCamera, pointsToFit} from './stage.js';
 
 const pixels = 224;
 
-/** Small pictures of shapes, by one renderer; each is made when it comes into sight first. */
+/** Small pictures of shapes, by one renderer; each is made when it comes into sight first. None without WebGL. */
 export class Pictures {
   constructor() {
     this.renderer = newRenderer(document.createElement('canvas'));
+    this.waiting = new Map();
+    if (!this.renderer) return;
     this.renderer.setSize(pixels, pixels, false);
     this.renderer.setClearColor(0xffffff, 0);
-    this.waiting = new Map();
     this.sight = new IntersectionObserver(entries => {
       for (const entry of entries) {
         if (!entry.isIntersecting || !this.waiting.has(entry.target)) continue;
@@ -25,6 +26,7 @@ export class Pictures {
 
   /** @param shape node of a GLB whose children are parts */
   add(canvas, shape) {
+    if (!this.renderer) return;
     this.waiting.set(canvas, shape);
     this.sight.observe(canvas);
   }
@@ -35,7 +37,7 @@ export class Pictures {
     scene.add(group);
     const bounds = new THREE.Box3().setFromObject(group);
     group.position.copy(bounds.getCenter(new THREE.Vector3())).negate();
-    placeCamera(camera, [bounds], 1);
+    placeCamera(camera, pointsToFit(group), 1);
     this.renderer.render(scene, camera);
     canvas.width = canvas.height = pixels;
     canvas.getContext('2d').drawImage(this.renderer.domElement, 0, 0);
@@ -55,7 +57,7 @@ export function fillGallery(root, cards, pictures, choose) {
     const canvas = element('canvas', '', button);
     if (card.shape) pictures.add(canvas, card.shape);
     if (card.mark) element('em', card.mark, button);
-    element('span', card.name, button);
+    setBreakable(card.name, element('span', '', button));
     button.onclick = () => choose(i);
     return button;
   });

@@ -1,10 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Mouse and fingers on a stage. Drag turns; wheel and pinch zoom; right button, shift or two fingers move; a double
-// click goes back. What is pointed at and clicked is told to others.
+// Mouse, fingers and keys on a stage. Drag and arrows turn; wheel, pinch, + and - zoom; right button, shift or two fingers
+// move; a double click and Home go back. What is pointed at and clicked is told to others.
 
 const radiansPerPixel = 0.008, zoomPerPixel = 0.001, steepest = 1.55;
+const pixelsPerKey = 12, zoomPerKey = 1.1;
 const stillPixels = 6; // a pointer that moves less is still: a click, not a drag
 
 function middleOf(points) {
@@ -67,6 +68,16 @@ export function addGestures(stage, point, click) {
     if (event.pointerType === 'mouse' && !down.size) point(null);
   });
   root.addEventListener('contextmenu', event => event.preventDefault());
+  root.addEventListener('keydown', event => {
+    const step = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
+    if (step) turn(...step.map(s => s * pixelsPerKey));
+    else if (event.key === '+' || event.key === '=') zoom(1 / zoomPerKey);
+    else if (event.key === '-') zoom(zoomPerKey);
+    else if (event.key === 'Home') stage.goHome();
+    else return;
+    event.preventDefault();
+    stage.redraw();
+  });
   root.addEventListener('dblclick', () => stage.goHome());
   root.addEventListener('wheel', event => {
     event.preventDefault();

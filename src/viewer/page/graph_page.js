@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import {$, addWarnings, cssColour, documentOf, element, tip} from './dom.js';
+import {$, addWarnings, cssColour, documentOf, element, setBreakable, tip} from './dom.js';
 import {addGestures} from './gestures.js';
 import {addLayerSwitches, glbOf} from './match_page.js';
 import {listed} from './matching.js';
@@ -65,7 +65,7 @@ export function showGraph() {
     item ? selection.pin(item.part) : selection.clear();
     selection.pinned === null ? tip.hide() : tip.show(x, y, ...told(item.part));
   });
-  $('h1').textContent = graph.name;
+  setBreakable(graph.name, $('h1'));
   element('p', `${graph.parts.length} parts, ${graph.groups.length} groups, ${graph.contacts.length} contacts`, $('#facts'));
   addWarnings($('#facts'), graph.warnings);
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import {showCollection} from './collection_page.js';
-import {$, element} from './dom.js';
 import {showGraph} from './graph_page.js';
 import {showMatch} from './match_page.js';
 import {showParts} from './parts_page.js';
@@ -11,13 +10,7 @@ import {showParts} from './parts_page.js';
 
 const pages = {match: showMatch, graph: showGraph, collection: showCollection, parts: showParts};
 
-try {
-  pages[Object.keys(pages).find(id => document.getElementById(id))]();
-  requestAnimationFrame(() => requestAnimationFrame(() => { // drawn by now
-    document.body.dataset.ready = Math.round(performance.now()); // milliseconds since the page was opened
-  }));
-} catch (error) {
-  const canDraw = document.createElement('canvas').getContext('webgl') !== null;
-  element('p', canDraw ? String(error) : 'The pictures need WebGL, which this browser does not offer.', $('#facts'));
-  throw error;
-}
+pages[Object.keys(pages).find(id => document.getElementById(id))]();
+requestAnimationFrame(() => requestAnimationFrame(() => { // drawn by now
+  document.body.dataset.ready = Math.round(performance.now()); // milliseconds since the page was opened
+}));

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import {BlendPlayer} from './blend_player.js';
-import {$, addSwitch, addWarnings, documentOf, element} from './dom.js';
+import {$, addSwitch, addWarnings, documentOf, element, setBreakable} from './dom.js';
 import {bytesOfBase64, readGlb} from './glb.js';
-import {blocksOf, groupNumbers, indexedPairs} from './matching.js';
+import {groupNumbers, indexedBlocks} from './matching.js';
 import {MatchView} from './match_view.js';
 import {Stage} from './stage.js';
 
@@ -26,16 +26,27 @@ function addShapes(stage, glb, views) {
   const hasMaterials = stage.items.some(item => item.layer === 'materials');
   for (const item of stage.items) item.hasMaterials = hasMaterials;
   views.forEach(view => stage.centre(view));
+  stage.equalise(views);
 }
+
+const layers = {
+  'surfaces': 'The surfaces of the parts, in colours of what corresponds',
+  'materials': 'The surfaces in their own colours and textures',
+  'curves and sheets': 'What parts are compared by: rods by a curve, plates by a sheet',
+  'contacts': 'Where parts touch',
+};
 
 /** Switches for the layers that the stage has. */
 export function addLayerSwitches(stage, parent, shown) {
-  for (const layer of ['surfaces', 'materials', 'curves and sheets', 'contacts']) {
+  for (const [layer, hint] of Object.entries(layers)) {
     if (!stage.items.some(item => item.layer === layer)) continue;
     stage.setLayer(layer, shown.includes(layer));
-    addSwitch(parent, layer, shown.includes(layer), isSet => stage.setLayer(layer, isSet));
+    addSwitch(parent, layer, hint, shown.includes(layer), isSet => stage.setLayer(layer, isSet));
   }
 }
+
+/** A number of things: `2 parts`. */
+function counted(number, thing) { return `${number} ${thing}${number === 1 ? '' : 's'}`; }
 
 export function showMatch() {
   const result = documentOf('match'), glb = glbOf('match.glb'), blend = documentOf('blend');
@@ -43,15 +54,18 @@ export function showMatch() {
   const views = titles.map(title => stage.addView(title));
   addShapes(stage, glb, views);
   const names = shapes.map(shape => shape.children.filter(n => n.extras.part !== undefined).map(n => n.name));
-  const roles = result.roles ? [result.roles.source, result.roles.target] : [[], []];
-  const view = new MatchView(stage, views);
+  const roles = [0, 1].map(side => {
+    const known = result.roles ? result.roles[side === 0 ? 'source' : 'target'] : {};
+    return names[side].map(name => known[name] || '');
+  });
+  const view = new MatchView(stage, views), blocks = indexedBlocks(result, names);
   addLayerSwitches(stage, $('#tools'), stage.items.some(i => i.layer === 'surfaces') ? ['surfaces'] : ['curves and sheets']);
-  view.show({titles, names, roles, blocks: blocksOf(indexedPairs(result, names), names[0].length, names[1].length),
-             groups: groupNumbers(result, names)});
+  view.show({titles, names, labels: documentOf('labels'), roles, blocks, groups: groupNumbers(result, names)});
   view.addSwitches($('#tools'));
-  $('h1').textContent = titles.join(' and ');
-  const unmatched = view.blockOf.flat().filter(block => block < 0).length;
-  element('p', `${result.pairs.length} pairs of parts, ${unmatched} parts without counterpart` +
+  setBreakable(titles.join(' and '), $('h1'));
+  const unmatched = [result.unmatched_source, result.unmatched_target].map(list => list.length);
+  element('p', `${counted(blocks.length, 'set')} of corresponding parts; without counterpart ${unmatched[0]} of ` +
+          `${counted(names[0].length, 'part')} and ${unmatched[1]} of ${names[1].length}` +
           (result.category ? `; category: ${result.category}` : ''), $('#facts'));
   addWarnings($('#facts'), result.warnings);
   if (blend) new BlendPlayer(view, blend, glbOf('blend.glb'));

@@ -3,6 +3,9 @@
 
 // What a result of `match` says of the parts of two shapes, in the words of the page.
 
+const shortestRange = 3; // parts with consecutive numbers
+const longestCell = 40;  // characters of names in a cell of the table
+
 /** The value of a fraction in per cent, or an empty text. */
 export function percent(fraction) {
   return fraction === null || fraction === undefined ? '' : Math.round(100 * fraction) + ' %';
@@ -14,11 +17,32 @@ export function listed(names, most = 6) {
   return names.length < 2 ? names.join('') : names.slice(0, -1).join(', ') + ' and ' + names[names.length - 1];
 }
 
-/** What becomes of `sources` parts that correspond to `targets` parts. */
-export function operationOf(sources, targets) {
-  if (sources === 0 || targets === 0) return 'no counterpart';
-  if (sources === 1) return targets === 1 ? 'match' : 'split';
-  return targets === 1 ? 'merge' : 'many to many';
+/** The same names, of several with consecutive numbers the first and the last: leg_1–4. */
+export function withRanges(names) {
+  const numbered = name => /^(.*?)(\d{1,6})$/.exec(name);
+  const follows = (next, name) => {
+    const [a, b] = [numbered(name), numbered(next)];
+    return a && b && a[1] === b[1] && Number(b[2]) === Number(a[2]) + 1;
+  };
+  const result = [];
+  for (let begin = 0, end; begin < names.length; begin = end) {
+    for (end = begin + 1; end < names.length && follows(names[end], names[end - 1]);) ++end;
+    if (end - begin < shortestRange) result.push(...names.slice(begin, end));
+    else result.push(names[begin] + '–' + numbered(names[end - 1])[2]);
+  }
+  return result;
+}
+
+/** Parts in a cell of the table: their names, or how many they are. */
+export function cellOf(names) {
+  const text = withRanges(names).join(', ');
+  return names.length > 1 && text.length > longestCell ? `${names.length} parts` : text;
+}
+
+/** An operation with the numbers of parts, if they are not one and one. */
+export function operationText(block) {
+  const [sources, targets] = block.parts.map(parts => parts.length);
+  return block.operation + (sources === 1 && targets === 1 ? '' : ` ${sources}:${targets}`);
 }
 
 /** The same in a sentence, for a part of side 0, the source, or 1. */
@@ -31,44 +55,24 @@ export function inWords(block, side) {
   return `${here} parts correspond to ${there} parts, together`;
 }
 
-/**
- * Blocks of parts that pairs connect, in the order of the source's parts: [{parts: [indices, indices], operation,
- * confidence}]; the confidence is the mean over the pairs, or null.
- * @param pairs [[index in the source, index in the target, confidence or null]]
- */
-export function blocksOf(pairs, numberOfSources, numberOfTargets) {
-  const parent = Array.from({length: numberOfSources + numberOfTargets}, (_, i) => i);
-  const root = i => { while (parent[i] !== i) i = parent[i]; return i; };
-  for (const [s, t] of pairs) {
-    const [a, b] = [root(s), root(numberOfSources + t)];
-    parent[Math.max(a, b)] = Math.min(a, b);
-  }
-  const blocks = new Map();
-  for (const [s, t, confidence] of pairs) {
-    const key = root(s);
-    if (!blocks.has(key)) blocks.set(key, {key, parts: [new Set(), new Set()], confidences: []});
-    const block = blocks.get(key);
-    block.parts[0].add(s);
-    block.parts[1].add(t);
-    if (confidence !== null && confidence !== undefined) block.confidences.push(confidence);
-  }
-  return [...blocks.values()].sort((a, b) => a.key - b.key).map(block => {
-    const parts = block.parts.map(set => [...set].sort((a, b) => a - b)), known = block.confidences;
-    return {parts, operation: operationOf(parts[0].length, parts[1].length),
-            confidence: known.length ? known.reduce((sum, c) => sum + c, 0) / known.length : null};
-  });
+function indicesOf(names) {
+  return names.map(list => new Map(list.map((name, i) => [name, i])));
 }
 
-/** The pairs of a result of `match` by the indices of parts in `names`, the names of both shapes' parts. */
-export function indexedPairs(result, names) {
-  const index = names.map(list => new Map(list.map((name, i) => [name, i])));
-  return result.pairs.map(([source, target], i) => [
-    index[0].get(source), index[1].get(target), result.confidences ? result.confidences[i] : null]);
+/**
+ * The blocks of a result of `match` by the indices of parts in `names`, the names of both shapes' parts: [{parts: [indices,
+ * indices], role, operation, confidence}]; the role may be empty, the confidence null.
+ */
+export function indexedBlocks(result, names) {
+  const index = indicesOf(names);
+  return result.blocks.map(block => ({
+    parts: [block.source, block.target].map((list, side) => list.map(name => index[side].get(name))),
+    role: block.role || '', operation: block.operation, confidence: block.confidence === undefined ? null : block.confidence}));
 }
 
 /** For each shape the group of every part: parts that the search took together have one number, others -1. */
 export function groupNumbers(result, names) {
-  const index = names.map(list => new Map(list.map((name, i) => [name, i])));
+  const index = indicesOf(names);
   const numbers = names.map(list => list.map(() => -1));
   (result.groups || []).forEach((group, number) => [group.source, group.target].forEach(
       (parts, side) => parts.forEach(name => { numbers[side][index[side].get(name)] = number; })));

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import {$, cssColour, documentOf, element, tip} from './dom.js';
+import {$, cssColour, documentOf, element, setBreakable, tip} from './dom.js';
 import {fillGallery, Pictures} from './gallery.js';
 import {addGestures} from './gestures.js';
 import {glbOf} from './match_page.js';
@@ -15,7 +15,7 @@ export function showParts() {
   const {models} = documentOf('parts'), nodes = glbOf('parts.glb').scenes[0].nodes;
   const stage = new Stage($('#stage')), view = stage.addView('');
   stage.setLayer('surfaces', true);
-  $('h1').textContent = models.length === 1 ? models[0].name : `Parts of ${models.length} models`;
+  setBreakable(models.length === 1 ? models[0].name : `Parts of ${models.length} models`, $('h1'));
   let table = null, parts = [];
   const selection = new Selection(key => {
     stage.light(key === null ? null : item => item.part === key);
@@ -37,7 +37,7 @@ export function showParts() {
     nodes[i].children.forEach((node, part) => stage.addNode(view, node, part).forEach(
         item => { colours[part] = cssColour(item.mesh.colour); }));
     stage.centre(view);
-    view.caption.textContent = model.name;
+    setBreakable(model.name, view.caption);
     table = fillTable($('table'), [{text: 'part'}], parts.map((name, part) => ({key: part, colour: colours[part] || 'none', cells: [name]})),
                       selection, $('#search'));
     selection.clear();

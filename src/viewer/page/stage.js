@@ -1,14 +1,21 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import {element, setBreakable} from './dom.js';
+
 // Shapes side by side under one camera, on one canvas. What is drawn are items: {view, part, layer, mesh, colour, ...};
-// `part` is the index of the part in its shape, or -1.
+// `part` is the index of the part in its shape, or -1. Without WebGL nothing is drawn, and all else works.
 
 const fieldOfView = 28; // degrees
 const focalLength = 1 / Math.tan(fieldOfView * Math.PI / 360); // over half the height of the picture
 const home = {yaw: 0.5, pitch: 0.3, zoom: 1, x: 0, y: 0};
 const stackedGain = 1.1; // in size, for which views go one below the other
 const fadedOpacity = 0.1, overlaidOpacity = 0.3;
+const largestRatio = 2; // of the sizes of shapes that are drawn to one scale
+const fittedPoints = 3000; // at most, of a view that is to be in the picture
+const isDark = matchMedia('(prefers-color-scheme: dark)');
+const lightOfLines = 0.6; // in the dark
+const noPoints = {points: [], middle: {x: 0, y: 0}};
 
 function geometryOf(mesh) {
   const geometry = new THREE.BufferGeometry();
@@ -58,7 +65,9 @@ export function litScene() {
   return scene;
 }
 
+/** A renderer, or null without WebGL. */
 export function newRenderer(canvas) {
+  if (!document.createElement('canvas').getContext('webgl')) return null;
   const renderer = new THREE.WebGLRenderer({canvas, antialias: true, alpha: true});
   renderer.gammaOutput = true;
   renderer.gammaFactor = 2.2;
@@ -70,31 +79,39 @@ function turnTo(pose) {
   return new THREE.Matrix4().makeRotationX(pose.pitch).multiply(new THREE.Matrix4().makeRotationY(-pose.yaw));
 }
 
-/** From how far all boxes are in view. */
-function distanceTo(boxes, aspect) {
+/** What a group shows, in the directions of the camera at first: points, and the middle between their extremes. */
+export function pointsToFit(group) {
+  const meshes = [], result = [];
+  group.updateMatrixWorld(true);
+  group.traverse(object => { if (object.geometry) meshes.push(object); });
+  const count = mesh => mesh.geometry.attributes.position.count, turn = turnTo(home);
+  const step = Math.max(1, Math.ceil(meshes.reduce((sum, mesh) => sum + count(mesh), 0) / fittedPoints));
+  for (const mesh of meshes)
+    for (let i = 0; i < count(mesh); i += step)
+      result.push(new THREE.Vector3().fromBufferAttribute(mesh.geometry.attributes.position, i)
+                      .applyMatrix4(mesh.matrixWorld).applyMatrix4(turn));
+  const middle = new THREE.Box3().setFromPoints(result).getCenter(new THREE.Vector3()).setZ(0);
+  return {points: result.map(p => p.sub(middle)), middle};
+}
+
+/** From how far all points are in view. */
+function distanceTo(points, aspect) {
   let fit = 1e-6;
-  for (const box of boxes) {
-    const half = box.getSize(new THREE.Vector3()).multiplyScalar(0.5);
-    for (let corner = 0; corner < 8; ++corner) {
-      const p = new THREE.Vector3(corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y,
-                                  corner & 4 ? half.z : -half.z).applyMatrix4(turnTo(home));
-      fit = Math.max(fit, p.z + focalLength * Math.max(Math.abs(p.x) / aspect, Math.abs(p.y)));
-    }
-  }
+  for (const p of points) fit = Math.max(fit, p.z + focalLength * Math.max(Math.abs(p.x) / aspect, Math.abs(p.y)));
   return 1.06 * fit; // a margin
 }
 
-/** Puts a camera so that it sees the boxes, all of them when they are turned as at first. */
-export function placeCamera(camera, boxes, aspect, pose = home) {
-  const distance = distanceTo(boxes, aspect) * pose.zoom;
-  const size = Math.max(1e-6, ...boxes.map(box => box.getSize(new THREE.Vector3()).length() / 2));
+/** Puts a camera so that it sees all points around `middle` (`pointsToFit`) when they are turned as at first. */
+export function placeCamera(camera, {points, middle}, aspect, pose = home) {
+  const distance = distanceTo(points, aspect) * pose.zoom;
+  const size = Math.max(1e-6, ...points.map(p => p.length()));
   camera.fov = fieldOfView;
   camera.aspect = aspect;
   camera.near = Math.max(distance - 2 * size, 0.01 * distance);
   camera.far = distance + 2 * size;
   const back = new THREE.Matrix4().getInverse(turnTo(pose));
   camera.quaternion.setFromRotationMatrix(back);
-  camera.position.set(-pose.x, -pose.y, distance).applyMatrix4(back);
+  camera.position.set(middle.x - pose.x, middle.y - pose.y, distance).applyMatrix4(back);
   camera.updateProjectionMatrix();
   camera.updateMatrixWorld();
   return 2 * distance / focalLength; // the height that the camera sees
@@ -108,8 +125,10 @@ export class Stage {
     this.canvas = document.createElement('canvas');
     root.prepend(this.canvas);
     this.renderer = newRenderer(this.canvas);
-    this.renderer.autoClear = false;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    if (this.renderer) {
+      this.renderer.autoClear = false;
+      this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    } else element('p', 'The shapes are drawn by WebGL, which this browser does not offer.', root).className = 'missing';
     this.views = [];
     this.items = [];
     this.layers = new Set();
@@ -118,17 +137,18 @@ export class Stage {
     this.isLit = null; // of an item; null: nothing is lit, so nothing fades
     this.afterDrawing = () => {};
     new ResizeObserver(() => { this.resize(); this.draw(); }).observe(root);
+    isDark.addEventListener('change', () => this.redraw());
   }
 
   /** Adds a view with a caption. */
   addView(caption) {
     const box = document.createElement('figure'), text = document.createElement('figcaption');
-    text.textContent = caption;
+    setBreakable(caption, text);
     box.append(text);
     this.root.append(box);
     const shape = new THREE.Group(), scene = litScene();
     scene.add(shape);
-    const view = {index: this.views.length, figure: box, caption: text, scene, shape, bounds: new THREE.Box3(),
+    const view = {index: this.views.length, figure: box, caption: text, scene, shape, bounds: new THREE.Box3(), toFit: noPoints,
                   camera: new THREE.PerspectiveCamera()};
     this.views.push(view);
     return view;
@@ -155,6 +175,7 @@ export class Stage {
       view.shape.remove(object);
     }
     this.items = this.items.filter(item => item.view !== view);
+    view.toFit = noPoints;
     view.shape.position.set(0, 0, 0);
     view.shape.scale.set(1, 1, 1);
   }
@@ -168,7 +189,19 @@ export class Stage {
     view.shape.position.copy(view.bounds.getCenter(new THREE.Vector3())).negate();
     view.shape.updateMatrixWorld(true);
     view.bounds.setFromObject(view.shape);
+    view.toFit = pointsToFit(view.shape);
     this.resize();
+  }
+
+  /** Draws shapes of clearly different sizes equally large, and says so. */
+  equalise(views) {
+    const size = view => view.bounds.getSize(new THREE.Vector3()).length(), largest = Math.max(...views.map(size));
+    for (const view of views) {
+      const ratio = largest / (size(view) || largest);
+      if (ratio <= largestRatio) continue;
+      this.centre(view, ratio);
+      element('small', ` (drawn ${Number(ratio.toPrecision(2))} times larger)`, view.caption);
+    }
   }
 
   setLayer(layer, isShown) {
@@ -192,10 +225,11 @@ export class Stage {
   }
 
   resize() {
-    const {clientWidth: width, clientHeight: height} = this.root, boxes = this.views.map(view => view.bounds);
+    if (!this.renderer) return;
+    const {clientWidth: width, clientHeight: height} = this.root, points = this.views.flatMap(view => view.toFit.points);
     if (this.views.length === 2) // beside each other, unless they are much larger one below the other
-      this.root.classList.toggle('stacked', 2 * stackedGain * distanceTo(boxes, 2 * width / height) <
-                                            distanceTo(boxes, width / height / 2));
+      this.root.classList.toggle('stacked', 2 * stackedGain * distanceTo(points, 2 * width / height) <
+                                            distanceTo(points, width / height / 2));
     const size = this.renderer.getSize(new THREE.Vector2());
     if (size.x !== width || size.y !== height) this.renderer.setSize(width, height, false);
     this.redraw();
@@ -208,7 +242,7 @@ export class Stage {
     const isOverlaid = ['surfaces', 'materials'].includes(item.layer) && this.layers.has('curves and sheets');
     const isFaded = this.isLit !== null && !this.isLit(item);
     const opacity = (isOverlaid ? overlaidOpacity : 1) * (isFaded ? fadedOpacity : 1) * (item.opacity || 1);
-    material.color.copy(item.colour);
+    item.mesh.isLines && isDark.matches ? material.color.setScalar(lightOfLines) : material.color.copy(item.colour);
     material.transparent = opacity < 1;
     material.depthWrite = opacity === 1;
     material.opacity = opacity;
@@ -217,18 +251,18 @@ export class Stage {
 
   draw() {
     const whole = this.canvas.getBoundingClientRect();
-    if (!whole.width || !whole.height) return;
+    if (!this.renderer || !whole.width || !whole.height) return;
     for (const item of this.items) this.dress(item);
     this.renderer.setScissorTest(false);
     this.renderer.setClearColor(0xffffff, 0);
     this.renderer.clear();
     this.renderer.setScissorTest(true);
-    const shown = this.views.filter(view => !view.figure.hidden), boxes = shown.map(view => view.bounds);
+    const shown = this.views.filter(view => !view.figure.hidden), points = shown.flatMap(view => view.toFit.points);
     for (const view of shown) {
       const box = this.boxOf(view);
       if (box.width <= 0 || box.height <= 0) continue;
       const corner = [box.left - whole.left, whole.bottom - box.top - box.height, box.width, box.height];
-      this.seenHeight = placeCamera(view.camera, boxes, box.width / box.height, this.pose);
+      this.seenHeight = placeCamera(view.camera, {points, middle: view.toFit.middle}, box.width / box.height, this.pose);
       this.renderer.setViewport(...corner);
       this.renderer.setScissor(...corner);
       this.renderer.render(view.scene, view.camera);

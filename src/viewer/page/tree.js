@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import {element} from './dom.js';
+import {element, setBreakable} from './dom.js';
 
 // A spanning tree of shapes as an indented list, the medoid at its root: readable at any width.
 
@@ -27,7 +27,7 @@ export function fillTree(root, cards, edges, medoid, pictures, choose) {
     const button = element('button', '', root);
     button.style.setProperty('--depth', Math.min(depth, 12));
     pictures.add(element('canvas', '', button), cards[shape].shape);
-    element('span', cards[shape].name, button);
+    setBreakable(cards[shape].name, element('span', '', button));
     if (distance !== null) element('small', distance.toPrecision(3), button).title = 'distance to the shape above';
     button.onclick = () => choose(shape);
   }

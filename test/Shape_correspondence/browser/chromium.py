@@ -26,7 +26,7 @@ def _above_9(descriptor):
 
 
 class Browser:
-    def __init__(self, path):
+    def __init__(self, path, *options):
         self.profile = tempfile.mkdtemp()
         read_here, write_there = map(_above_9, os.pipe())
         read_there, write_here = map(_above_9, os.pipe())
@@ -36,7 +36,7 @@ class Browser:
             os.dup2(write_there, 4)
         arguments = [path, "--headless=new", "--no-sandbox", "--remote-debugging-pipe", "--use-angle=swiftshader",
                      "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", "--allow-file-access-from-files",
-                     "--hide-scrollbars", "--user-data-dir=" + self.profile, "about:blank"]
+                     "--hide-scrollbars", "--user-data-dir=" + self.profile, *options, "about:blank"]
         self.process = subprocess.Popen(arguments, preexec_fn=connect, pass_fds=(3, 4), stdout=subprocess.DEVNULL,
                                         stderr=subprocess.DEVNULL)
         os.close(read_there)

@@ -6,7 +6,7 @@
 import {shellWord, storedMatch} from '../../../src/viewer/page/collection_page.js';
 import {cssColour} from '../../../src/viewer/page/dom.js';
 import {bytesOfBase64, morphed, readGlb, valuesAt} from '../../../src/viewer/page/glb.js';
-import {blocksOf, groupNumbers, indexedPairs, inWords, listed, operationOf, percent} from '../../../src/viewer/page/matching.js';
+import {cellOf, groupNumbers, indexedBlocks, inWords, listed, operationText, percent, withRanges} from '../../../src/viewer/page/matching.js';
 import {Selection} from '../../../src/viewer/page/selection.js';
 import {walkTree} from '../../../src/viewer/page/tree.js';
 
@@ -68,23 +68,21 @@ function glb(json, numbers) {
   equal([percent(0.934), percent(null), percent(undefined), percent(0)], ['93 %', '', '', '0 %']);
   equal([listed([]), listed(['a']), listed(['a', 'b', 'c'])], ['', 'a', 'a, b and c']);
   equal(listed(['a', 'b', 'c', 'd'], 3), 'a, b and 2 more');
-  equal([operationOf(1, 1), operationOf(1, 3), operationOf(3, 1), operationOf(2, 2), operationOf(0, 1)],
-        ['match', 'split', 'merge', 'many to many', 'no counterpart']);
-  const result = {pairs: [['back', 'slat 1'], ['back', 'slat 2'], ['leg', 'leg']], confidences: [0.5, 0.7, 1],
+  equal(withRanges(['leg_1', 'leg_2', 'leg_3', 'leg_5', 'seat', 'a#9', 'a#10', 'a#11']), ['leg_1–3', 'leg_5', 'seat', 'a#9–11']);
+  equal([withRanges(['a1', 'b2', 'b3']), withRanges([])], [['a1', 'b2', 'b3'], []]);
+  equal([cellOf(['seat']), cellOf(['x'.repeat(99)]), cellOf(['leg_1', 'leg_2', 'leg_3']), cellOf(['x'.repeat(30), 'y'.repeat(30)])],
+        ['seat', 'x'.repeat(99), 'leg_1–3', '2 parts']);
+  const result = {blocks: [{source: ['leg'], target: ['leg'], operation: 'match', confidence: 1},
+                           {source: ['back'], target: ['slat 1', 'slat 2'], role: 'back', operation: 'split', confidence: 0.6}],
                   groups: [{source: ['back'], target: ['slat 1', 'slat 2']}]};
-  const names = [['leg', 'seat', 'back'], ['slat 1', 'slat 2', 'leg']];
-  const pairs = indexedPairs(result, names);
-  equal(pairs, [[2, 0, 0.5], [2, 1, 0.7], [0, 2, 1]]);
-  const blocks = blocksOf(pairs, 3, 3);
-  equal(blocks, [{parts: [[0], [2]], operation: 'match', confidence: 1},
-                 {parts: [[2], [0, 1]], operation: 'split', confidence: 0.6}]);
+  const names = [['leg', 'seat', 'back'], ['slat 1', 'slat 2', 'leg']], blocks = indexedBlocks(result, names);
+  equal(blocks, [{parts: [[0], [2]], role: '', operation: 'match', confidence: 1},
+                 {parts: [[2], [0, 1]], role: 'back', operation: 'split', confidence: 0.6}]);
+  equal(blocks.map(operationText), ['match', 'split 1:2']);
   equal([0, 1].map(side => inWords(blocks[1], side)), ['splits into 2 parts', 'one part splits into this and 1 other part']);
   equal(inWords(blocks[0], 1), 'one part matches one part');
-  const merge = blocksOf([[0, 0, null], [1, 0, null], [2, 0, null]], 3, 1)[0];
-  equal([merge.operation, merge.confidence, inWords(merge, 0), inWords(merge, 1)],
-        ['merge', null, 'merges with 2 other parts into one', '3 parts merge into it']);
-  // A chain of pairs is one block
-  equal(blocksOf([[0, 0, 1], [1, 0, 1], [1, 1, 1]], 2, 2).map(block => block.parts), [[[0, 1], [0, 1]]]);
+  const [merge] = indexedBlocks({blocks: [{source: ['leg', 'seat', 'back'], target: ['leg'], operation: 'merge'}]}, names);
+  equal([merge.confidence, inWords(merge, 0), inWords(merge, 1)], [null, 'merges with 2 other parts into one', '3 parts merge into it']);
   equal(groupNumbers(result, names), [[-1, -1, 0], [0, 0, -1]]);
 }
 
@@ -103,9 +101,11 @@ function glb(json, numbers) {
   equal(walkTree(4, [[0, 1, 3], [1, 2, 1], [0, 3, 2]], 0),
         [{shape: 0, depth: 0, distance: null}, {shape: 3, depth: 1, distance: 2}, {shape: 1, depth: 1, distance: 3},
          {shape: 2, depth: 2, distance: 1}]);
-  const maps = {'0,2': {energies: [0.1, 0.2], pairs: [[3, 4, 50]]}};
-  equal(storedMatch(maps, 0, 2), {pairs: [[3, 4, 0.5]], energies: [0.1, 0.2]});
-  equal(storedMatch(maps, 2, 0), {pairs: [[4, 3, 0.5]], energies: [0.2, 0.1]});
+  const maps = {'0,2': {energies: [0.1, 0.2], blocks: [[[3], [4, 5], 'split', 50]]}};
+  equal(storedMatch(maps, 0, 2),
+        {blocks: [{parts: [[3], [4, 5]], role: '', confidence: 0.5, operation: 'split'}], energies: [0.1, 0.2]});
+  equal(storedMatch(maps, 2, 0),
+        {blocks: [{parts: [[4, 5], [3]], role: '', confidence: 0.5, operation: 'merge'}], energies: [0.2, 0.1]});
   equal(storedMatch(maps, 0, 1), null);
   equal([shellWord('a/b-1.obj'), shellWord("it's a $HOME")], ['a/b-1.obj', "'it'\\''s a $HOME'"]);
 }

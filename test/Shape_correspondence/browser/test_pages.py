@@ -10,6 +10,7 @@ Ends with status 77, which ctest counts as skipped, where there is no Chromium.
 import argparse
 import json
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -156,19 +157,72 @@ class Pages(unittest.TestCase):
         browser.click(*self.place_of(1, "turned_leg_c"))
         browser.mouse("mouseMoved", 5, 5)
         self.assertEqual((self.lit(0), self.lit(1)), (["rear_left_leg"], ["turned_leg_c"]))
-        self.assertEqual(browser.evaluate("document.querySelector('tr.lit td:nth-child(2)').textContent"), "rear_left_leg")
+        self.assertEqual(browser.evaluate("document.querySelector('tr.lit td:nth-child(3)').textContent"), "rear_left_leg")
         browser.call("Input.dispatchKeyEvent", type="keyDown", key="Escape")
         self.assertEqual(len(self.lit(1)), 16)
 
     def test_a_row_and_the_search_light_parts(self):
         self.open("match")
-        row = "[...document.querySelectorAll('tbody tr')].find(tr => tr.cells[1].textContent === 'seat')"
+        row = "[...document.querySelectorAll('tbody tr')].find(tr => tr.cells[2] && tr.cells[2].textContent === 'seat')"
         browser.evaluate(row + ".onmouseenter()")
         self.assertEqual((self.lit(0), self.lit(1)), (["seat"], ["saddle_seat"]))
         browser.evaluate(row + ".onmouseleave()")
         browser.evaluate("(s => { s.value = 'turned_leg_B'; s.oninput(); })(document.querySelector('#search'))")
         self.assertEqual(browser.evaluate("document.querySelectorAll('tbody tr:not([hidden])').length"), 1)
         self.assertEqual((self.lit(0), self.lit(1)), (["front_right_leg"], ["turned_leg_b"]))
+
+    def test_a_row_folds_its_parts(self):
+        self.open("match")
+        row = "[...document.querySelectorAll('tbody tr')].find(tr => tr.cells[1].textContent === 'back')"
+        shown = "document.querySelectorAll('tr.part:not([hidden])').length"
+        self.assertEqual(browser.evaluate(shown), 0)
+        browser.evaluate(row + ".querySelector('button').click()")
+        self.assertGreater(browser.evaluate(shown), 2)
+        self.assertEqual(browser.evaluate(row + ".querySelector('button').ariaExpanded"), "true")
+        browser.evaluate("document.querySelector('tr.part:not([hidden]) td:nth-child(3)').onmouseenter()")
+        self.assertEqual((len(self.lit(0)), self.lit(1)), (1, []))
+        browser.evaluate(row + ".querySelector('button').click()")
+        self.assertEqual(browser.evaluate(shown), 0)
+
+    def test_the_slider_hides_what_is_unsure(self):
+        self.open("match")
+        rows = "document.querySelectorAll('tbody tr:not([hidden])').length"
+        before = browser.evaluate(rows)
+        grey = "new Set(document.querySelector('#stage').stage.items.filter(i => i.part >= 0).map(i => i.colour.getHexString())).size"
+        colours = browser.evaluate(grey)
+        browser.evaluate("(s => { s.value = 0.95; s.oninput(); })(document.querySelector('#tools input[type=range]'))")
+        self.assertLess(browser.evaluate(rows), before)
+        self.assertLess(browser.evaluate(grey), colours)
+
+    def test_keys(self):
+        self.open("match")
+        pose = "({...document.querySelector('#stage').stage.pose})"
+        before = browser.evaluate(pose)
+        browser.evaluate("document.querySelector('#stage').focus()")
+        press = lambda key: browser.call("Input.dispatchKeyEvent", type="keyDown", key=key)
+        press("ArrowLeft")
+        press("+")
+        after = browser.evaluate(pose)
+        self.assertGreater(after["yaw"], before["yaw"])
+        self.assertLess(after["zoom"], before["zoom"])
+        press("Home")
+        self.assertEqual(browser.evaluate(pose), before)
+        browser.evaluate("document.querySelector('tbody tr').focus()")
+        press(" ")
+        self.assertEqual(browser.evaluate("document.querySelectorAll('tr[aria-selected=true]').length"), 1)
+        press("Enter")
+        self.assertEqual(browser.evaluate("document.querySelectorAll('tr[aria-selected=true]').length"), 0)
+
+    def test_the_table_without_webgl_and_the_summary_without_scripts(self):
+        with open(pages["match"], encoding="utf-8") as file:
+            text = file.read()
+        self.assertTrue(re.search(r"<noscript>[^@]*[\n>]back: [^\n]* → [^@]*</noscript>", text))
+        with chromium.Browser(chromium.find(), "--disable-3d-apis") as other:
+            errors, _ = other.open(pages["match"])
+            other.wait_for("document.body.dataset.ready")
+            self.assertEqual(errors, [])
+            self.assertGreater(other.evaluate("document.querySelectorAll('tbody tr').length"), 3)
+            self.assertIn("WebGL", other.evaluate("document.querySelector('#stage').innerText"))
 
     def test_switches_of_layers_groups_and_links(self):
         self.open("match")
@@ -187,6 +241,8 @@ class Pages(unittest.TestCase):
         browser.evaluate(switch + "('groups')")
         browser.click(*self.place_of(0, "front_left_leg"))
         self.assertEqual(sorted(self.lit(0)), ["front_left_leg", "front_right_leg"])
+        swatches = "new Set([...document.querySelectorAll('tr.lit i')].map(i => i.style.background)).size"
+        self.assertEqual(browser.evaluate(swatches), 1)
         drawn = """(c => c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some(v => v > 0))(
                    document.querySelector('.links'))"""
         self.assertFalse(browser.evaluate(drawn))
@@ -265,7 +321,8 @@ class Pages(unittest.TestCase):
         begin = text.index('id="maps">') + len('id="maps">')
         pages["without_maps"] = pages["collection"].replace(".html", "_bare.html")
         with open(pages["without_maps"], "w", encoding="utf-8") as file:
-            file.write(text[:begin] + '{"total": 3, "maps": {}}' + text[text.index("</script>", begin):])
+            end = text.index("</script>", begin)
+            file.write(text[:begin] + json.dumps({**json.loads(text[begin:end]), "maps": {}}) + text[end:])
         self.open("without_maps")
         for i in (0, 1):
             browser.evaluate(f"document.querySelectorAll('#gallery button')[{i}].click()")

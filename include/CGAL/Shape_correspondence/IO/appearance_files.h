@@ -28,6 +28,11 @@ namespace IO {
 /// and of the formats of assimp), textures (PNG and JPEG, inside the model, relative to it or beside it), texture
 /// coordinates, and colours of vertices and faces. What is missing or damaged of them is left out, with a warning in
 /// `appearance`. This function and those below are in `CGAL::Shape_correspondence_Texture`.
+/// \param path the file or folder
+/// \param appearance gets the looks of the parts, and warnings of what was left out of them
+/// \param up the upright direction
+/// \param warnings if not null, sentences on what was left out of the shape are appended
+/// \param options which files are read
 /// \throw Invalid_input as `read_segmented_shape()`
 Segmented_shape read_shape_and_appearance(const std::string& path, Shape_appearance& appearance,
                                           const Point& up = Point(0, 1, 0),

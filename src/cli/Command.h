@@ -1,0 +1,85 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "cli/Common_options.h"
+
+#include <cstddef>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::cli {
+
+/// The most inputs of a command that takes any number.
+constexpr std::size_t any_number = std::size_t(-1);
+
+/// A command of the program, for one run: its help, its options, and what it does.
+class Command
+{
+public:
+  /// \param text usage, description and examples \param least,most how many inputs it takes
+  Command(const char* text, std::size_t least, std::size_t most) : text_(text), least_(least), most_(most) {}
+  virtual ~Command() = default;
+
+  const Option_table& options() const { return table; }
+  void write_help(std::ostream& out) const;
+
+  /// \throw Usage_error, Invalid_input
+  void run(const std::vector<std::string>& arguments);
+
+protected:
+  /// Checks options that belong together. \throw Usage_error
+  virtual void check() {}
+  /// The files that are written and those that are read, which must differ. Those of options that are marked so, and
+  /// the inputs.
+  virtual std::vector<std::string> output_files() const;
+  virtual std::vector<std::string> input_files() const;
+  virtual void work() = 0;
+
+  /// Refuses options of part abstraction if all inputs are structural graphs. \throw Usage_error
+  void refuse_abstraction_of_graphs() const;
+
+  Option_table table;
+  Common_options common;
+  std::vector<std::string> inputs;
+
+private:
+  const char* text_;
+  std::size_t least_, most_;
+};
+
+/// A command in the list of all.
+struct Command_entry
+{
+  const char* name;
+  const char* summary; ///< in one line
+  std::unique_ptr<Command> (*make)();
+};
+
+/// All commands, in the order in which they are listed.
+const std::vector<Command_entry>& commands();
+
+/// The command of a name. \throw Usage_error if there is none; it suggests one that is spelt alike
+std::unique_ptr<Command> command_of(const std::string& name);
+
+/// Writes the help of the program.
+void write_help(std::ostream& out);
+
+// What the list is made of, one source each
+std::unique_ptr<Command> parts_command();
+std::unique_ptr<Command> graph_command();
+std::unique_ptr<Command> match_command();
+std::unique_ptr<Command> blend_command();
+std::unique_ptr<Command> transfer_command();
+std::unique_ptr<Command> collection_command();
+std::unique_ptr<Command> evaluate_command();
+std::unique_ptr<Command> roles_command();
+std::unique_ptr<Command> label_command();
+std::unique_ptr<Command> demo_command();
+std::unique_ptr<Command> completion_command();
+std::unique_ptr<Command> help_command();
+
+} // namespace CGAL::Shape_correspondence::cli

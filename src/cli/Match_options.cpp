@@ -1,0 +1,351 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cli/Match_options.h"
+#include "base/limits.h"
+#include "cli/labelled_models.h"
+#include "cli/load_shape.h"
+#include "cli/text.h"
+
+#include <CGAL/Shape_correspondence/IO/role_model.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <utility>
+
+namespace CGAL::Shape_correspondence::cli {
+
+const std::vector<std::pair<const char*, Search_method>> search_methods{
+    {"parts", Search_method::PARTS}, {"beam", Search_method::BEAM}, {"exact", Search_method::EXACT}};
+
+namespace {
+
+/// Of a contact of a group that is left unmatched; about what a badly deformed contact costs.
+constexpr double default_unmatched_cost = 0.5;
+
+/// A number that makes up the whole text, or an error that names the option.
+template <typename Number>
+Number parse_number(const std::string& label, const std::string& text)
+{
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size())
+    throw Usage_error(label + ": '" + text + "' is not a number in its range");
+  return number;
+}
+
+double parse_weight(const std::string& label, const std::string& text)
+{
+  const double weight = parse_number<double>(label, text);
+  if (!(weight >= 0 && weight <= internal::largest_number))
+    throw Usage_error(label + " must be between 0 and 1e50, not '" + text + "'");
+  return weight;
+}
+
+/// WC,WS
+Text_field two_weights(Energy_weights& weights)
+{
+  Text_field result;
+  result.get = [&] { return short_number(weights.connectedness) + "," + short_number(weights.split); };
+  result.set = [&](const std::string& label, const std::string& text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos) throw Usage_error(label + " takes two numbers, w_c,w_s, not '" + text + "'");
+    weights.connectedness = parse_weight(label, text.substr(0, comma));
+    weights.split = parse_weight(label, text.substr(comma + 1));
+  };
+  return result;
+}
+
+Text_field left_out_term(Energy_weights& weights)
+{
+  Text_field result;
+  result.known = {"distortion", "connectedness", "split"};
+  result.set = [&weights, known = result.known](const std::string& label, const std::string& term) {
+    check_word(label, term, known);
+    (term == "distortion" ? weights.distortion : term == "split" ? weights.split : weights.connectedness) = 0;
+  };
+  return result;
+}
+
+Text_field number_of_alignments(std::optional<int>& number)
+{
+  Text_field result;
+  result.get = [] { return "auto"; };
+  result.set = [&number](const std::string& label, const std::string& text) {
+    if (text == "auto") return;
+    number = parse_number<int>(label, text);
+    if (*number < 1) throw Usage_error(label + " must be at least 1, not " + text);
+  };
+  return result;
+}
+
+std::string name_of(Search_method method) { return choice(method, search_methods).get(); }
+
+/// An empty method is what other options ask for.
+Text_field method_or_auto(std::optional<Search_method>& method)
+{
+  std::vector<std::pair<const char*, std::optional<Search_method>>> words{{"auto", std::nullopt}};
+  words.insert(words.end(), search_methods.begin(), search_methods.end());
+  return choice(method, words);
+}
+
+Search_method search_method(const Match_options& match, const Option_table& given)
+{
+  if (match.paper && match.method.value_or(Search_method::BEAM) != Search_method::BEAM)
+    throw Usage_error("--paper is --search beam; it does not go with --search " + name_of(*match.method));
+  if (match.paper) return Search_method::BEAM;
+  if (match.method.value_or(Search_method::PARTS) != Search_method::PARTS) return *match.method;
+  for (const Option& option : given.options()) {
+    if (!option.is_given || option.asked_mode.empty()) continue;
+    if (match.method)
+      throw Usage_error("--" + option.name + " needs a search for the least energy: --search beam or exact");
+    return option.asked_mode == "beam" ? Search_method::BEAM : Search_method::EXACT;
+  }
+  return Search_method::PARTS;
+}
+
+bool has_roles(const Match_options& match, Search_method method)
+{
+  return method == Search_method::PARTS || match.search.matching.weights.roles > 0;
+}
+
+/// \throw Usage_error if an option is given that changes nothing
+void refuse_options_without_effect(const Match_options& match, const Option_table& given, Search_method method)
+{
+  const std::string on_search = "on --search " + name_of(method),
+                    selected = match.paper ? ", which --paper selects" : "";
+  given.refuse_other_modes(name_of(method), on_search + selected);
+  const auto refuse = [&](const char* name, bool has_no_effect, const std::string& why) {
+    if (has_no_effect && given.is_given(name)) refuse_option(name, why);
+  };
+  for (const char* name : {"roles", "examples", "category"})
+    refuse(name, !has_roles(match, method), on_search + selected + (match.paper ? "," : "") + " without --role-weight");
+  const bool has_no_model = match.roles == "none" && match.examples.empty();
+  for (const char* name : {"role-weight", "category"})
+    refuse(name, has_no_model, "with --roles none");
+  refuse("max-parts-of", !given.is_given("max-parts"), "without --max-parts");
+  refuse("front", match.alignments.has_value(), "with --alignments " + std::to_string(match.alignments.value_or(0)));
+  if (!given.is_given("front") || match.front != "likely") return;
+  if (method != Search_method::PARTS) refuse_option("front likely", on_search);
+  if (has_no_model) refuse_option("front likely", "with --roles none");
+}
+
+std::shared_ptr<const Role_model> role_model(const Match_options& match, Search_method method)
+{
+  if (match.roles == "none" || !has_roles(match, method)) return nullptr;
+  return match.roles == "auto" ? IO::shipped_role_model()
+                               : std::make_shared<const Role_model>(IO::read_role_model(match.roles));
+}
+
+} // namespace
+
+void add_match_options(Option_table& table, Match_options& match)
+{
+  Search_options& search = match.search;
+  const std::vector<std::string> by_energy{"beam", "exact"};
+  Option_table::Group add = table.group(match_group);
+  add("search", "METHOD", method_or_auto(match.method),
+      "parts (least cost of substituting parts for each other; scores highest against human labels), beam (least "
+      "deformation energy by the beam search of the paper) or exact (least deformation energy with a proof for each "
+      "direction; the direction with less energy per pair of connected parts is taken). auto: parts, unless another "
+      "option asks for beam or exact");
+  add("paper", &match.paper, "the method of the paper: --search beam --front auto, and --max-parts of the source only");
+  add("roles", "MODEL", &match.roles,
+      "role model for --search parts and --role-weight: auto (the one that comes with the program), none, or a file "
+      "that `roles train` wrote. Shapes must be upright and face +z");
+  add("examples", "FOLDER", &match.examples,
+      "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition; three or "
+      "more of a category that the model does not know help. If they are of one category, both shapes are taken to be "
+      "of it");
+  add("category", "NAME", &search.category,
+      "category of both shapes for --roles, such as chair; default: the most similar one")
+      .in_python();
+  add("min-confidence", "P", &search.min_confidence,
+      "leave out pairs of parts of lower confidence, between 0 and 1; for --search parts")
+      .between(0, 1)
+      .only_for({"parts"})
+      .in_python();
+  add("beam-width", "K", &search.beam.beam_width,
+      "partial solutions kept at every level of the beam search, the paper's K")
+      .at_least(1)
+      .only_for({"beam"})
+      .asks_for("beam")
+      .in_python();
+  add("expansions", "k", &search.beam.expansions, "expansions kept of every partial solution, the paper's k")
+      .at_least(1)
+      .only_for({"beam"})
+      .asks_for("beam")
+      .in_python();
+  add("direction", "WHICH", choice<bool>(search.both_directions, {{"both", true}, {"forward", false}}),
+      "shapes that beam and exact search deform: both, or forward (the source only)")
+      .only_for(by_energy);
+  add("max-parts", "N", &search.maximum_parts,
+      "match the N largest parts only (coarse correspondence); default: all parts")
+      .at_least(1)
+      .without_default()
+      .in_python("maximum_parts");
+  add("max-parts-of", "WHICH",
+      choice<std::optional<bool>>(match.coarse_target, {{"auto", std::nullopt}, {"both", true}, {"source", false}}),
+      "shapes to which --max-parts applies: both, or source (as in the paper); auto: source with --paper, otherwise "
+      "both");
+  add("front", "HOW", &match.front,
+      "which alignments are tried: given (the one nearest to the orientation in the files), likely (the same, but a "
+      "shape is turned by a multiple of 90° if the roles of its parts clearly say that its front is another side) or "
+      "auto (any front is as likely: the fronts estimated from the roles of parts; otherwise the best of all "
+      "alignments that the symmetry of the shapes allows). Default with --paper: auto")
+      .words({"given", "likely", "auto"});
+  add("alignments", "N", number_of_alignments(match.alignments),
+      "number of alignments to try, nearest to the given orientation first; auto: as --front says");
+  add("weights", "WC,WS", two_weights(search.matching.weights),
+      "weights of connectedness and split in the energy, w_c and w_s of the paper");
+  add("role-weight", "W", &search.matching.weights.roles,
+      "weight of the disagreement of roles in the energy, for beam and exact search; 0: roles are not used, as in the "
+      "paper")
+      .between(0, std::numeric_limits<double>::max())
+      .only_for(by_energy)
+      .asks_for("exact")
+      .in_python();
+  add("without", "TERM", left_out_term(search.matching.weights),
+      "leave out a term of the energy: distortion, connectedness or split");
+  add("norm", "NORM",
+      choice<Energy_norm>(search.matching.norm, {{"sum", Energy_norm::SUM}, {"pooled", Energy_norm::POOLED}}),
+      "distortion of all pairs of connected parts: sum (of the norms of each pair, as in the paper) or pooled (one "
+      "norm over the rods of all pairs)")
+      .in_python("energy_norm");
+  add("no-cut", Switched_off{&search.matching.cut_curves}, "do not cut curves into segments; for beam and exact search")
+      .only_for(by_energy);
+  add("allow-unmatched", "COST", &search.matching.unmatched_cost,
+      "allow symmetry groups without counterpart, at this cost for each of their contacts (0.5 if no number is given); "
+      "for shapes of which one is a part of the other; for beam and exact search")
+      .implies(default_unmatched_cost)
+      .at_least(0)
+      .without_default()
+      .only_for(by_energy)
+      .asks_for("exact")
+      .in_python("unmatched_cost");
+  add("solutions", "N", &search.solutions,
+      "write the N best correspondences by energy to --json; for beam and exact search")
+      .at_least(1)
+      .only_for(by_energy)
+      .asks_for("exact")
+      .for_pairs()
+      .in_python();
+  add("min-marginals", &search.min_marginals,
+      "write to --json for every symmetry group by how much the energy rises without its match; for beam and exact "
+      "search")
+      .only_for(by_energy)
+      .asks_for("exact")
+      .for_pairs()
+      .in_python();
+  add("search-time-limit", "SECONDS", &search.exact.time_limit,
+      "time limit of the exact search; it then returns its best result and the gap to its lower bound")
+      .at_least(0)
+      .without_default()
+      .only_for({"exact"})
+      .asks_for("exact")
+      .for_pairs();
+  add("source-parts", "NAMES", &match.source_parts,
+      "match these parts of the source only; names are separated by commas")
+      .for_pairs();
+  add("target-parts", "NAMES", &match.target_parts, "the same for the target").for_pairs();
+  add("pin", "A=B", &match.pinned,
+      "source part A corresponds to target part B, and both to nothing else; can be repeated, also for the same part")
+      .for_pairs();
+  add("forbid", "A=B", &match.forbidden, "source part A does not correspond to target part B; can be repeated")
+      .for_pairs();
+}
+
+void refuse_search_options(const Option_table& given)
+{
+  for (const Option& option : given.options())
+    if (option.is_given && option.group == match_group && option.name != "min-confidence")
+      throw Usage_error("the correspondence is given by --match; leave --" + option.name + " out");
+}
+
+Search_options search_options(const Match_options& match, const Option_table& given)
+{
+  Search_options search = match.search;
+  search.method = search_method(match, given);
+  refuse_options_without_effect(match, given, search.method);
+  const bool has_one_front = match.front != "auto" && (given.is_given("front") || !match.paper);
+  search.alignments = match.alignments.value_or(has_one_front ? 1 : 0);
+  search.front_is_sure = match.front == "given";
+  search.coarse_target = match.coarse_target.value_or(!match.paper);
+  search.roles = role_model(match, search.method);
+  return search;
+}
+
+void add_examples(const Match_options& match, const Common_options& common, Search_options& search)
+{
+  if (!match.examples.empty()) add_examples(match.examples, common, search.roles, search.category);
+}
+
+namespace {
+
+/// A shape of which parts are chosen by their names.
+struct Named_parts
+{
+  const std::string& path;
+  std::vector<std::string> names;
+
+  /// The index of the part of a name, or the number of parts.
+  std::size_t find(const std::string& name) const
+  {
+    return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
+  }
+
+  std::size_t index(const std::string& name, const std::string& option) const
+  {
+    if (const std::size_t found = find(name); found < names.size()) return found;
+    throw Usage_error("--" + option + ": '" + path + "' has no part '" + name + "'" + suggestion(name, names) +
+                      "; `shape_correspondence graph` lists its parts");
+  }
+
+  std::vector<std::size_t> indices(const std::string& list, const std::string& option) const
+  {
+    std::vector<std::size_t> result;
+    for (const std::string& name : words_of(list))
+      result.push_back(index(name, option));
+    return result;
+  }
+};
+
+/// The pair that A=B names, where names may have = themselves.
+Part_pair pair_of(const std::string& text, const Named_parts& source, const Named_parts& target,
+                  const std::string& option)
+{
+  std::vector<Part_pair> found;
+  std::size_t first = text.find('=');
+  for (std::size_t at = first; at != std::string::npos; at = text.find('=', at + 1)) {
+    const Part_pair pair{source.find(text.substr(0, at)), target.find(text.substr(at + 1))};
+    if (pair.source < source.names.size() && pair.target < target.names.size()) found.push_back(pair);
+  }
+  if (found.size() == 1) return found[0];
+  if (found.size() > 1)
+    throw Usage_error("--" + option + ": '" + text + "' can be read as several pairs of parts, as names have '='");
+  if (first == std::string::npos)
+    throw Usage_error("--" + option + " takes a part of the source and a part of the target, A=B, not '" + text + "'");
+  return {source.index(text.substr(0, first), option), target.index(text.substr(first + 1), option)};
+}
+
+} // namespace
+
+void choose_parts(const Match_options& match, const Structural_graph& source, const Structural_graph& target,
+                  const std::vector<std::string>& paths, Search_options& search)
+{
+  const Named_parts from{paths[0], part_names(source)}, to{paths[1], part_names(target)};
+  search.source_parts = from.indices(match.source_parts, "source-parts");
+  search.target_parts = to.indices(match.target_parts, "target-parts");
+  for (const std::string& text : match.pinned)
+    search.matching.pinned.push_back(pair_of(text, from, to, "pin"));
+  for (const std::string& text : match.forbidden)
+    search.matching.forbidden.push_back(pair_of(text, from, to, "forbid"));
+  for (const Part_pair& pin : search.matching.pinned)
+    for (const Part_pair& other : search.matching.forbidden)
+      if (pin.source == other.source && pin.target == other.target)
+        throw Usage_error("--pin and --forbid name the same pair, '" + from.names[pin.source] + "' and '" +
+                          to.names[pin.target] + "'");
+}
+
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "cli/Common_options.h"
+
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::cli {
+
+constexpr const char* match_group = "Options of match";
+
+/// The words for methods.
+extern const std::vector<std::pair<const char*, Search_method>> search_methods;
+
+/// The options of the search as they are written on the command line.
+struct Match_options
+{
+  Search_options search;               ///< what of it is said directly
+  std::optional<Search_method> method; ///< empty: what other options ask for
+  std::string front = "likely";        ///< given, likely or auto
+  std::optional<int> alignments;       ///< empty: as `front` says
+  std::optional<bool> coarse_target;   ///< empty: not in the paper's method
+  bool paper = false;
+  std::string roles = "auto"; ///< auto, none or a file
+  std::string examples;       ///< a folder; empty: none
+  std::string source_parts, target_parts;
+  std::vector<std::string> pinned, forbidden; ///< A=B
+};
+
+/// Adds those to the table of a command.
+void add_match_options(Option_table& table, Match_options& match);
+
+/// The search that the options ask for, but for `choose_parts()`. \throw Usage_error
+Search_options search_options(const Match_options& match, const Option_table& given);
+
+/// For commands that take a correspondence in place of a search. `min-confidence` is of both.
+/// \throw Usage_error if an option of the search is given
+void refuse_search_options(const Option_table& given);
+
+/// Adds the labelled shapes of `--examples`, if any, to the roles of a search.
+void add_examples(const Match_options& match, const Common_options& common, Search_options& search);
+
+/// Sets what `search` has by parts: those that are chosen, pinned pairs and forbidden ones.
+/// \param paths name the shapes in messages \throw Usage_error if there is no part of a name
+void choose_parts(const Match_options& match, const Structural_graph& source, const Structural_graph& target,
+                  const std::vector<std::string>& paths, Search_options& search);
+
+} // namespace CGAL::Shape_correspondence::cli

@@ -1,0 +1,179 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::cli {
+
+/// The command line is not one that the program understands: exit status 2.
+class Usage_error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws `Usage_error` that an option changes nothing. \param why ends the sentence "… has no effect"
+[[noreturn]] void refuse_option(const std::string& name, const std::string& why);
+
+/// Throws `Usage_error` if `value` is none of `known`. \param label names the option
+void check_word(const std::string& label, const std::string& value, const std::vector<std::string>& known);
+
+/// A field with a notation of its own.
+struct Text_field
+{
+  std::function<std::string()> get;
+  /// Sets it to a text. \param label of the option, for messages \throw Usage_error
+  std::function<void(const std::string& label, const std::string& text)> set;
+  std::vector<std::string> known = {}; ///< words; empty: any text
+  bool is_repeated = false;            ///< `set` is called for each value
+};
+
+/// A field that a switch makes false.
+struct Switched_off
+{
+  bool* field;
+};
+
+/// A field that a switch sets to a word.
+struct Switched_to
+{
+  std::string* field;
+  const char* word;
+};
+
+/// An option of a command: all that help, checks, completion, manual page and Python know of it.
+struct Option
+{
+  using Field = std::variant<bool*, Switched_off, Switched_to, int*, long*, std::size_t*, double*,
+                             std::optional<double>*, std::string*, std::vector<std::string>*, Text_field>;
+
+  std::string name;       ///< long
+  std::string short_name; ///< one letter, or empty
+  std::string group;
+  std::string value_name; ///< such as FILE; empty: a switch
+  std::string help;
+  Field field; ///< what it sets; its value when the option was added is the default
+
+  std::vector<std::string> known; ///< values; empty: any
+  double least = -std::numeric_limits<double>::infinity(), greatest = -least;
+  bool excludes_ends = false; ///< `least` and `greatest` themselves
+  bool shows_default = true;  ///< else the default stands for none, or depends on others
+  bool is_required = false, is_input = false, is_output = false;
+  bool is_for_pairs = false;      ///< of two shapes only, not for a set
+  std::optional<double> implied;  ///< the number that it has without a value
+  std::vector<std::string> modes; ///< of its command, in which alone it has an effect; empty: all
+  std::string asked_mode;         ///< the mode that it asks for
+  std::string keyword;            ///< in Python; empty: it is not there
+
+  bool is_given = false;
+  std::string given_text; ///< of a `Text_field`
+
+  // Each returns the option
+  Option& words(std::vector<std::string> all) { return known = std::move(all), *this; }
+  Option& at_least(double number) { return least = number, *this; }
+  Option& between(double from, double to) { return least = from, greatest = to, *this; }
+  Option& strictly_between(double from, double to) { return excludes_ends = true, between(from, to); }
+  Option& more_than(double number) { return excludes_ends = true, at_least(number); }
+  Option& without_default() { return shows_default = false, *this; }
+  Option& required() { return is_required = true, *this; }
+  Option& input() { return is_input = true, *this; }
+  Option& output() { return is_output = true, *this; }
+  Option& for_pairs() { return is_for_pairs = true, *this; }
+  Option& implies(double number) { return implied = number, *this; }
+  Option& only_for(std::vector<std::string> all) { return modes = std::move(all), *this; }
+  Option& asks_for(const char* mode) { return asked_mode = mode, *this; }
+  Option& in_python(const char* other_name = "");
+
+  bool is_switch() const { return value_name.empty(); }
+  /// The value as a text; numbers with four digits.
+  std::string text() const;
+  /// Whether the help tells a default.
+  bool has_default() const;
+  /// Sets a `Text_field`. \throw Usage_error \param label names the option
+  void set_text(const std::string& label, const std::string& text);
+  /// \throw Usage_error if the value is none of those that are known, empty, or out of range
+  void check(const std::string& label) const;
+};
+
+/// The options of a command, each once, in groups. They are bound to variables, which must live as long.
+class Option_table
+{
+public:
+  Option_table() = default;
+  Option_table(const Option_table&) = delete;
+  Option_table& operator=(const Option_table&) = delete;
+
+  /// Adds options to a group, as `group("name", "VALUE", field, "help")`.
+  class Group
+  {
+  public:
+    Group(Option_table& table, std::string title) : table_(table), title_(std::move(title)) {}
+
+    /// \param name long, or as `name,n` with one letter \param value names the value
+    Option& operator()(const std::string& name, const std::string& value, Option::Field field, const std::string& help);
+    /// A switch.
+    Option& operator()(const std::string& name, Option::Field field, const std::string& help)
+    {
+      return (*this)(name, "", std::move(field), help);
+    }
+
+  private:
+    Option_table& table_;
+    std::string title_;
+  };
+  Group group(const std::string& title) { return {*this, title}; }
+
+  const std::deque<Option>& options() const { return options_; }
+  std::deque<Option>& options() { return options_; }
+  /// \pre there is one of this name
+  const Option& operator[](const std::string& name) const;
+  bool is_given(const std::string& name) const { return (*this)[name].is_given; }
+
+  /// Sets the variables. \return the inputs; none if `--help` is given, which ends the parsing \throw Usage_error
+  std::vector<std::string> parse(const std::vector<std::string>& arguments);
+
+  /// Refuses options that have no effect in a mode. \param why names the mode \throw Usage_error
+  void refuse_other_modes(const std::string& mode, const std::string& why) const;
+
+  /// The options as the help lists them.
+  std::string help() const;
+
+  /// Name and value of every option of a group; numbers with all digits.
+  std::string values_of(const std::string& group) const;
+
+private:
+  std::deque<Option> options_;
+};
+
+/// A field that has a word for each of its values.
+template <typename Value>
+Text_field choice(Value& field, const std::vector<std::pair<const char*, Value>>& words)
+{
+  Text_field result;
+  for (const auto& [word, value] : words)
+    result.known.emplace_back(word);
+  result.get = [&field, words] {
+    for (const auto& [word, value] : words)
+      if (field == value) return std::string(word);
+    return std::string();
+  };
+  result.set = [&field, words, known = result.known](const std::string& label, const std::string& text) {
+    check_word(label, text, known);
+    for (const auto& [word, value] : words)
+      if (text == word) field = value;
+  };
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::cli

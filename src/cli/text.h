@@ -1,0 +1,40 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::cli {
+
+/// Writes rows with their columns aligned; the first row is a heading.
+void write_table(std::ostream& out, std::vector<std::vector<std::string>> rows);
+
+constexpr std::size_t line_width = 80; ///< characters
+
+/// Words in lines of at most `width` characters; a longer one is broken after a sign that names are made of, if it has
+/// any.
+std::vector<std::string> wrapped(const std::string& text, std::size_t width);
+
+/// Writes a text in lines; further ones are indented.
+void write_wrapped(std::ostream& out, const std::string& text);
+
+/// Writes notes, one a line; of several only how many they are, unless all are wanted. Names of the library's options
+/// are left out.
+void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all);
+
+/// A number with four significant digits.
+std::string short_number(double number);
+
+/// A share in whole percent.
+std::string percentage(double share);
+
+/// The words with commas in between; "-" for none.
+std::string listed(const std::vector<std::string>& words);
+
+/// "; did you mean 'WORD'?" with the known word that is spelt most alike by edit distance; empty if none is near.
+std::string suggestion(const std::string& word, const std::vector<std::string>& known);
+
+} // namespace CGAL::Shape_correspondence::cli

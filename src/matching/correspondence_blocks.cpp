@@ -1,0 +1,165 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "base/Disjoint_sets.h"
+#include "base/quantized.h"
+
+#include <CGAL/Shape_correspondence/correspondence_blocks.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace CGAL::Shape_correspondence {
+namespace {
+
+constexpr double other_role_weight = .5; // of a pair whose parts have different roles
+constexpr double weak_bridge = .5;       // mean weight between two sets over that inside either
+
+/// Parts of both shapes, those of the target numbered after the source's.
+struct Part_set
+{
+  std::size_t sources = 0, targets = 0;
+  double inside = 0; ///< weight of its pairs
+
+  bool has_both() const { return sources > 0 && targets > 0; }
+  double mean() const { return inside / double(sources * targets); }
+};
+
+/// The sets of parts, to begin with one for each part, and the weights of the pairs between them.
+class Part_sets
+{
+public:
+  Part_sets(const Correspondence& c, std::size_t sources, std::size_t targets)
+      : set_of_(sources + targets), sets_(sources + targets)
+  {
+    for (std::size_t i = 0; i < sets_.size(); ++i)
+      (i < sources ? sets_[i].sources : sets_[i].targets) = 1;
+    for (const Part_correspondence& pair : c.pairs) {
+      const bool differ = !c.source_roles.empty() && c.source_roles[pair.source] != c.target_roles[pair.target];
+      const double confidence = pair.has_confidence() ? pair.confidence : 1;
+      between_[{pair.source, sources + pair.target}] += (differ ? other_role_weight : 1) * confidence;
+    }
+  }
+
+  /// Unites the sets with the greatest mean weight between them, all where several are equal. \return whether there are
+  /// any
+  bool unite_closest()
+  {
+    long greatest = -1;
+    std::vector<std::pair<std::size_t, std::size_t>> closest;
+    for (const auto& [sets, weight] : between_) {
+      const double mean = mean_between(sets.first, sets.second, weight);
+      if (is_weak_bridge(sets_[sets.first], sets_[sets.second], mean)) continue;
+      const long step = internal::quantized(mean);
+      if (step > greatest) closest.clear();
+      if (step >= greatest) closest.push_back(sets);
+      greatest = std::max(greatest, step);
+    }
+    for (const auto& [a, b] : closest)
+      set_of_.unite(a, b);
+    if (!closest.empty()) collect();
+    return !closest.empty();
+  }
+
+  std::size_t operator[](std::size_t part) const { return set_of_[part]; }
+
+private:
+  double mean_between(std::size_t a, std::size_t b, double weight) const
+  {
+    return weight / double(sets_[a].sources * sets_[b].targets + sets_[b].sources * sets_[a].targets);
+  }
+
+  static bool is_weak_bridge(const Part_set& a, const Part_set& b, double mean)
+  {
+    using internal::quantized;
+    return a.has_both() && b.has_both() && quantized(mean) < quantized(weak_bridge * std::min(a.mean(), b.mean()));
+  }
+
+  /// Adds up the members of sets that were united.
+  void collect()
+  {
+    for (std::size_t i = 0; i < sets_.size(); ++i) {
+      const std::size_t set = set_of_[i];
+      if (set == i) continue;
+      sets_[set].sources += sets_[i].sources;
+      sets_[set].targets += sets_[i].targets;
+      sets_[set].inside += sets_[i].inside;
+      sets_[i] = {};
+    }
+    std::map<std::pair<std::size_t, std::size_t>, double> between;
+    for (const auto& [sets, weight] : between_) {
+      const auto [a, b] = std::minmax({set_of_[sets.first], set_of_[sets.second]});
+      a == b ? sets_[a].inside += weight : between[{a, b}] += weight;
+    }
+    between_ = std::move(between);
+  }
+
+  internal::Disjoint_sets set_of_;
+  std::vector<Part_set> sets_; ///< by their first part
+  std::map<std::pair<std::size_t, std::size_t>, double> between_;
+};
+
+Operation operation_of(std::size_t sources, std::size_t targets)
+{
+  if (sources == targets) return Operation::MATCH;
+  if (sources > targets) return Operation::MERGE;
+  return sources == 1 ? Operation::SPLIT : Operation::DUPLICATE;
+}
+
+/// The most frequent role of the parts; of several, the first in the alphabet.
+std::string role_of(const Correspondence_block& block, const Correspondence& c)
+{
+  std::map<std::string, int> counts;
+  for (std::size_t part : block.source)
+    ++counts[c.source_roles[part]];
+  for (std::size_t part : block.target)
+    ++counts[c.target_roles[part]];
+  return std::max_element(counts.begin(), counts.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+} // namespace
+
+std::vector<Correspondence_block> correspondence_blocks(const Correspondence& c)
+{
+  std::size_t sources = 0, targets = 0;
+  for (const Part_correspondence& pair : c.pairs) {
+    sources = std::max(sources, pair.source + 1);
+    targets = std::max(targets, pair.target + 1);
+  }
+  Part_sets sets(c, sources, targets);
+  while (sets.unite_closest()) {
+  }
+
+  std::vector<Correspondence_block> by_first(sources), result;
+  std::vector<double> sums(sources, 0);
+  std::vector<std::size_t> counts(sources, 0);
+  for (const Part_correspondence& pair : c.pairs) {
+    const std::size_t set = sets[pair.source];
+    Correspondence_block& block = by_first[set];
+    block.source.push_back(pair.source);
+    by_first[sets[sources + pair.target]].target.push_back(pair.target);
+    if (set != sets[sources + pair.target]) continue;
+    sums[set] += pair.confidence;
+    ++counts[set];
+    if (!pair.source_segment.is_whole_part()) block.operation = Operation::CUT;
+    if (!pair.target_segment.is_whole_part()) block.operation = Operation::JOIN;
+  }
+  for (std::size_t set = 0; set < sources; ++set) {
+    Correspondence_block& block = by_first[set];
+    if (counts[set] == 0) continue;
+    for (std::vector<std::size_t>* parts : {&block.source, &block.target}) {
+      std::sort(parts->begin(), parts->end());
+      parts->erase(std::unique(parts->begin(), parts->end()), parts->end());
+    }
+    block.confidence = sums[set] / double(counts[set]);
+    if (block.operation == Operation::MATCH) block.operation = operation_of(block.source.size(), block.target.size());
+    if (!c.source_roles.empty()) block.role = role_of(block, c);
+    result.push_back(std::move(block));
+  }
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence
