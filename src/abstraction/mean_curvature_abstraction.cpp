@@ -23,9 +23,8 @@ class Mean_curvature_abstractor : public Solid_abstractor
 
   void find_geometry(const Part_mesh& solid) override
   {
-    const Flow_weights slow{0.3, 0.6}; // at CGAL's speed, a narrow sheet may become a curve in the first step
     Stepwise_flow flow(solid, options().maximum_iterations, deadline());
-    flow.set_weights(slow);
+    flow.set_weights(slow_flow);
     flow.run_to_volume(options().stop_volume);
     const Part_mesh meso_skeleton = flow.meso_skeleton();
     const double thickness = 2 * volume() / surface_area(solid);

@@ -21,6 +21,9 @@ struct Flow_weights
   double medial = 0.2;   ///< w_P
 };
 
+/// For the meso-skeleton: at CGAL's speed, a narrow sheet may become a curve in the first step.
+constexpr Flow_weights slow_flow{0.3, 0.6};
+
 /// The mean curvature flow of one closed mesh (Tagliasacchi et al. 2012), run step by step.
 class Stepwise_flow
 {
