@@ -163,6 +163,8 @@ def match(
     forbidden: Pairs = (),
     source_parts: Names = (),
     target_parts: Names = (),
+    abstraction: str = "fitted",
+    closest_points: bool = False,
     cache: Optional[Path] = None,
     threads: int = 0,
     progress: Progress = None,
@@ -170,8 +172,8 @@ def match(
 ) -> Match:
     """Finds which parts of two shapes correspond. A part may correspond to several, or to none.
 
-    Shapes are `Graph`, `Shape`, triples (name, V, F) or files. Options of reading and of graphs have their defaults;
-    call `read()` and `build_graph()` to set them.
+    Shapes are `Graph`, `Shape`, triples (name, V, F) or files. Other options of reading and of graphs have their
+    defaults; call `read()` and `build_graph()` to set them.
 
     :param source: the source shape
     :param target: the target shape
@@ -187,25 +189,31 @@ def match(
     :param forbidden: pairs of parts that must not correspond
     :param source_parts: only these parts of the source, by name or index; empty: all
     :param target_parts: the same for the target
+    :param abstraction: of shapes that are not graphs yet, see `build_graph()`
+    :param closest_points: of shapes that are not graphs yet, see `build_graph()`
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
     :param progress: see `build_graph()`; if it returns False, the search ends with what it has found
     :raises InvalidInput: if a shape cannot be used, or an option is out of its range
     """
-    graphs = _graphs([source, target], True, {"cache": cache, "threads": threads}, progress)
+    of_graphs = {"abstraction": abstraction, "closest_points": closest_points, "cache": cache, "threads": threads}
+    graphs = _graphs([source, target], True, of_graphs, progress)
     search: Dict[str, Any] = {**options, "part_matching": part_matching}
     for name, parts, graph in zip(("source_parts", "target_parts"), (source_parts, target_parts), graphs):
         search[name] = _part_indices(parts, graph)
     for name, pairs in (("pinned", pinned), ("forbidden", forbidden)):
         search[name] = [tuple(_part_indices([part], graph)[0] for part, graph in zip(pair, graphs)) for pair in pairs]
-    handle = _core.match(graphs[0]._handle, graphs[1]._handle, _model_of(roles, options), threads, search, progress)
+    handle = _core.match(graphs[0]._handle, graphs[1]._handle, abstraction, _model_of(roles, options), threads, search,
+                         progress)
     return Match.from_dict(json.loads(handle.json()), _handle=handle)
 
 
 def paper_options() -> Dict[str, Any]:
-    """Options of `match()` for the paper's method: beam search of all alignments, in both directions."""
+    """Options of `match()` for the paper's method: graphs by mean curvature flow, and beam search of all alignments, in
+    both directions."""
     usual = defaults("match")
-    return {name: value for name, value in defaults("paper").items() if value != usual[name]}
+    search = {name: value for name, value in defaults("paper").items() if value != usual[name]}
+    return {**search, "abstraction": "flow", "closest_points": True}
 
 
 def transfer(
