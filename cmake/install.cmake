@@ -15,6 +15,7 @@ endfunction()
 install_library(Shape_correspondence)
 install(DIRECTORY include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT Development)
 install(DIRECTORY examples DESTINATION ${own_data_dir} COMPONENT Development) # they read ../../data
+install(DIRECTORY doc/Shape_correspondence/schemas DESTINATION ${own_data_dir} COMPONENT Program)
 install(FILES LICENSE CHANGES.md CITATION.cff src/viewer/page/three.LICENSE DESTINATION ${licence_dir} COMPONENT Program)
 if(SHAPE_CORRESPONDENCE_PROGRAM)
   install_library(Shape_correspondence_IO)

@@ -35,10 +35,22 @@ def version():
 
 def metadata():
     """The metadata of the wheel, as pyproject.toml states it."""
+    project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    return (f"Metadata-Version: 2.1\nName: {NAME}\nVersion: {version()}\n"
-            "Summary: Part correspondences of segmented 3D shapes\nLicense: GPL-3.0-or-later\nRequires-Python: >=3.9\n"
-            f"Requires-Dist: numpy\nDescription-Content-Type: text/markdown\n\n{readme}")
+
+    def text(key):
+        return re.search(f'^{key} = .*?"(.*?)"', project, re.MULTILINE).group(1)
+
+    def texts(key):
+        return re.findall('"(.*?)"', re.search(rf"^{key} = \[(.*?)\]", project, re.MULTILINE | re.DOTALL).group(1))
+
+    lines = ["Metadata-Version: 2.1", f"Name: {NAME}", f"Version: {version()}", f"Summary: {text('description')}",
+             f"Author: {text('authors')}", f"License: {text('license')}", f"Keywords: {','.join(texts('keywords'))}",
+             *(f"Classifier: {name}" for name in texts("classifiers")), f"Requires-Python: {text('requires-python')}",
+             *(f"Requires-Dist: {name}" for name in texts("dependencies"))]
+    for extra in ("trimesh", "pyvista"):
+        lines += [f"Provides-Extra: {extra}", f'Requires-Dist: {texts(extra)[0]}; extra == "{extra}"']
+    return "\n".join([*lines, "Description-Content-Type: text/markdown", "", readme])
 
 
 def tag():

@@ -7,8 +7,9 @@
 >>> result.pairs
 [('seat', 'rush_seat'), ...]
 
-Shapes are files, `Shape`, triples (name, vertices, faces) of NumPy arrays, or structural graphs (`build_graph()`).
-Options are keyword arguments with the names and defaults of the library. Results are dataclasses; their `to_dict()` is
+Shapes are files, `Shape`, triples (name, vertices, faces) of NumPy arrays, dictionaries of meshes, meshes and scenes of
+trimesh and PyVista, or structural graphs (`build_graph()`). Options are keyword arguments with the names and defaults
+of the library; names of the program's options are taken, too. Results are dataclasses; their `to_dict()` is
 the JSON that the program ``shape_correspondence`` writes. Work runs without Python's global lock; Ctrl-C ends most of
 it (see the manual). Input that cannot be used raises `InvalidInput`, a `ValueError`.
 """

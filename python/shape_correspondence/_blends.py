@@ -27,7 +27,8 @@ class BlendTask(Record):
     source: Optional[str] = None  #: the source part, if there is one
     target: Optional[str] = None  #: the target part, if there is one
     #: why the surfaces of the two are exchanged: ``"torn"`` or ``"thin"``, if the one became the other, or
-    #: ``"unmatched"``: they do not correspond, but are alike in place and size
+    #: ``"unmatched"``: they do not correspond, but are alike in place and size; ``"unlike"``: of a part that shrinks or
+    #: grows, as it is too unlike its counterparts to become them
     exchanged: Optional[str] = None
 
 
@@ -106,7 +107,7 @@ def blend(
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
     :param progress: see `build_graph()`
-    :param further: options of `match()`, if the correspondence is searched for
+    :param further: options of `match()`, if the correspondence is searched for, and of the shapes
     :raises InvalidInput: if a shape cannot be used, or has no surface
     """
     own = {name: further.pop(name) for name in defaults("blend") if name in further}

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Dict, List, Optional, Sequence, Tuple, Union
 
@@ -13,9 +14,9 @@ import numpy as np
 
 from . import _core
 from ._matches import Match
-from ._options import defaults, with_options
+from ._options import defaults, with_names_of_program, with_options
 from ._records import Record
-from ._shapes import Graph, Input, Path, Progress, _graphs
+from ._shapes import Graph, Input, Path, Progress, Shape, _graphs
 from .roles import LabelledShape, PartRole, PartRoles, _examples, _model_of
 
 
@@ -104,6 +105,9 @@ class Collection(Record):
     matches: Optional[List[PairMatch]] = None  #: of ordered pairs of shapes, if they were asked for
     warnings: List[str] = field(default_factory=list)  #: what was approximated, in whole sentences
 
+    def __repr__(self) -> str:
+        return f"<Collection of {len(self.shapes)} shapes: {len(self.clusters)} clusters of parts>"
+
 
 @dataclass
 class NearShape(Record):
@@ -142,7 +146,7 @@ def collection(
 ) -> Collection:
     """Matches all ordered pairs of a set of shapes.
 
-    :param shapes: the shapes, or a folder of them
+    :param shapes: the shapes, a dictionary of them by name, or a folder of them
     :param html: a web page to write
     :param roles: see `match()`
     :param cache: see `build_graph()`
@@ -158,6 +162,7 @@ def collection(
     return Collection.from_dict(json.loads(text))
 
 
+@with_names_of_program
 def nearest(
     query: Input,
     shapes: Union[Path, Sequence[Input]],
@@ -173,7 +178,7 @@ def nearest(
     """Finds the shapes of a set that are nearest to a query, without matching it with all.
 
     :param query: the query
-    :param shapes: the shapes, or a folder of them
+    :param shapes: the shapes, a dictionary of them by name, or a folder of them
     :param count: number of shapes to find
     :param unmatched_energy: see `collection()`
     :param roles: see `match()`
@@ -191,6 +196,7 @@ def nearest(
     return Nearest.from_dict(json.loads(text))
 
 
+@with_names_of_program
 def transfer_labels(
     source: LabelledShape,
     shapes: Union[Path, Sequence[Input]],
@@ -233,6 +239,9 @@ def _collection_graphs(shapes: Union[Path, Sequence[Input]], of_graphs: Dict[str
                        progress: Progress) -> List[Graph]:
     if isinstance(shapes, (str, os.PathLike)):
         shapes = _core.collection_paths([os.fspath(shapes)])
+    elif isinstance(shapes, Mapping):
+        shapes = [Shape(shape, name) if not isinstance(shape, (Graph, Shape, str, os.PathLike)) else shape
+                  for name, shape in shapes.items()]
     return _graphs(shapes, False, of_graphs, progress)
 
 
@@ -287,6 +296,9 @@ class Evaluation(Record):
     categories: List[MeanScore]  #: by category
     mean: MeanScore  #: every category weighs the same
     results: List[Score]  #: by result
+
+    def __repr__(self) -> str:
+        return f"<Evaluation of {len(self.results)} results: F1 {self.mean.f1.mean:.3f}>"
 
 
 @with_options

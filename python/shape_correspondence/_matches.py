@@ -12,7 +12,8 @@ from typing import Any, ClassVar, Dict, List, Mapping, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _core
-from ._options import defaults, with_options
+from ._options import defaults, paper_options, with_options
+from ._pages import Page
 from ._records import Record
 from ._shapes import Graph, Input, Path, Progress, _graphs
 from .roles import RoleModel, _model_of
@@ -29,6 +30,7 @@ class EnergyTerms(Record):
     connectedness: float  #: E_c, Eq. 4 with its sign corrected
     split: Optional[float] = None  #: E_s, Eq. 5; None for a group
     unmatched: Optional[float] = None  #: cost of unmatched groups; None if there are none
+    roles: Optional[float] = None  #: disagreement of roles; None without a `role_weight`
 
 
 @dataclass
@@ -102,7 +104,7 @@ class Solution(Record):
 
 
 @dataclass
-class Match(Record):
+class Match(Record, Page):
     """The part correspondence of two shapes.
 
     `to_dict()` is what ``shape_correspondence match --json`` writes.
@@ -151,6 +153,9 @@ class Match(Record):
         """Writes the match as ``.json``, or a picture of it as ``.glb`` or ``.html``."""
         self._handle.save(os.fspath(path))
 
+    def __repr__(self) -> str:
+        return f"<Match of {self.source!r} and {self.target!r}: {len(self.pairs)} pairs in {len(self.blocks)} blocks>"
+
 
 @with_options
 def match(
@@ -163,8 +168,6 @@ def match(
     forbidden: Pairs = (),
     source_parts: Names = (),
     target_parts: Names = (),
-    abstraction: str = "fitted",
-    closest_points: bool = False,
     cache: Optional[Path] = None,
     threads: int = 0,
     progress: Progress = None,
@@ -172,8 +175,8 @@ def match(
 ) -> Match:
     """Finds which parts of two shapes correspond. A part may correspond to several, or to none.
 
-    Shapes are `Graph`, `Shape`, triples (name, V, F) or files. Other options of reading and of graphs have their
-    defaults; call `read()` and `build_graph()` to set them.
+    Shapes are `Graph`, `Shape`, what makes a `Shape`, or files. Options of `read()` and `build_graph()` may be given, too,
+    for both shapes. Options may have their names in the program, such as ``search`` or ``allow_unmatched``.
 
     :param source: the source shape
     :param target: the target shape
@@ -189,31 +192,22 @@ def match(
     :param forbidden: pairs of parts that must not correspond
     :param source_parts: only these parts of the source, by name or index; empty: all
     :param target_parts: the same for the target
-    :param abstraction: of shapes that are not graphs yet, see `build_graph()`
-    :param closest_points: of shapes that are not graphs yet, see `build_graph()`
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
     :param progress: see `build_graph()`; if it returns False, the search ends with what it has found
     :raises InvalidInput: if a shape cannot be used, or an option is out of its range
     """
-    of_graphs = {"abstraction": abstraction, "closest_points": closest_points, "cache": cache, "threads": threads}
-    graphs = _graphs([source, target], True, of_graphs, progress)
+    of_shapes = {name: options.pop(name) for name in (*defaults("read"), *defaults("build_graph")) if name in options}
+    graphs = _graphs([source, target], True, {**of_shapes, "cache": cache, "threads": threads}, progress)
     search: Dict[str, Any] = {**options, "part_matching": part_matching}
     for name, parts, graph in zip(("source_parts", "target_parts"), (source_parts, target_parts), graphs):
         search[name] = _part_indices(parts, graph)
     for name, pairs in (("pinned", pinned), ("forbidden", forbidden)):
         search[name] = [tuple(_part_indices([part], graph)[0] for part, graph in zip(pair, graphs)) for pair in pairs]
+    abstraction = of_shapes.get("abstraction", "fitted")
     handle = _core.match(graphs[0]._handle, graphs[1]._handle, abstraction, _model_of(roles, options), threads, search,
                          progress)
     return Match.from_dict(json.loads(handle.json()), _handle=handle)
-
-
-def paper_options() -> Dict[str, Any]:
-    """Options of `match()` for the paper's method: graphs by mean curvature flow, and beam search of all alignments, in
-    both directions."""
-    usual = defaults("match")
-    search = {name: value for name, value in defaults("paper").items() if value != usual[name]}
-    return {**search, "abstraction": "flow", "closest_points": True}
 
 
 def transfer(

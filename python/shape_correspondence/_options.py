@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Keyword arguments that stand in the program's table of options: their names, defaults and descriptions."""
 
+import difflib
+import functools
 import inspect
 import re
 import textwrap
-from typing import Any, Callable, Dict, Optional, TypeVar
+from typing import Any, Callable, Dict, List, Optional, Sequence, TypeVar
 
 from . import _core
 
@@ -17,8 +19,76 @@ def defaults(function: str) -> Dict[str, Any]:
     return {name: default for name, default, _ in _core.options_of(function)}
 
 
+def paper_options() -> Dict[str, Any]:
+    """Options of `match()` for the paper's method: graphs by mean curvature flow, and beam search of all alignments, in
+    both directions."""
+    usual = defaults("match")
+    search = {name: value for name, value in defaults("paper").items() if value != usual[name]}
+    return {**search, "abstraction": "flow", "closest_points": True}
+
+
+def _one_of(name: str, value: Any, words: Dict[str, Any]) -> Any:
+    if value not in words:
+        raise _core.InvalidInput(f"{name} cannot be {value!r}; known are: {', '.join(words)}")
+    return words[value]
+
+
+def _weights(value: Any) -> Dict[str, Any]:
+    try:
+        connectedness, split = (float(weight) for weight in _words(value))
+    except (TypeError, ValueError):
+        raise _core.InvalidInput(f"weights takes two numbers, w_c,w_s, not {value!r}") from None
+    return {"connectedness_weight": connectedness, "split_weight": split}
+
+
+def _words(value: Any) -> Any:
+    return value.split(",") if isinstance(value, str) else value
+
+
+def _pairs(value: Any) -> List[Any]:
+    """Pairs of parts, also as texts A=B."""
+    every = [value] if isinstance(value, str) else value
+    return [tuple(pair.split("=", 1)) if isinstance(pair, str) else pair for pair in every]
+
+
+# The options that have another name in the program, or another value: what they are here
+_OF_PROGRAM: Dict[str, Callable[[Any], Dict[str, Any]]] = {
+    "search": lambda value: {} if value == "auto" else {"search_method": value},
+    "roles": lambda value: {"roles": None if isinstance(value, str) and value == "none" else value},
+    "alignments": lambda value: {} if value == "auto" else {"alignments": value},
+    "source_parts": lambda value: {"source_parts": _words(value)},
+    "target_parts": lambda value: {"target_parts": _words(value)},
+    "direction": lambda value: _one_of("direction", value, {
+        "both": {"both_directions": True, "direction_by_energy": False},
+        "least": {"both_directions": True, "direction_by_energy": True}, "forward": {"both_directions": False}}),
+    "fit": lambda value: {"deform_to_fit": value},
+    "proximity": lambda value: {"hard_proximity": _one_of("proximity", value, {"soft": False, "hard": True})},
+    "contact_points": lambda value: {"closest_points": _one_of("contact_points", value, {"middle": False, "closest": True})},
+    "max_parts": lambda value: {"maximum_parts": value},
+    "max_parts_of": lambda value: {"coarse_target": _one_of("max_parts_of", value, {"both": True, "source": False})},
+    "front": lambda value: _one_of("front", value, {"given": {"front_is_sure": True}, "likely": {"front_is_sure": False},
+                                                   "auto": {"alignments": 0}}),
+    "weights": _weights,
+    "without": lambda value: {_one_of("without", value, {term: f"{term}_weight" for term in (
+        "distortion", "connectedness", "split")}): 0},
+    "norm": lambda value: {"energy_norm": value},
+    "no_cut": lambda value: {"cut_curves": not value},
+    "allow_unmatched": lambda value: {"unmatched_cost": 0.5 if value is True else value},
+    "pin": lambda value: {"pinned": _pairs(value)},
+    "forbid": lambda value: {"forbidden": _pairs(value)},
+    "no_symmetry": lambda value: {"detect_symmetry": not value},
+    "symmetries": lambda value: {f"detect_{kind}s": kind in _words(value) for kind in (
+        "reflection", "rotation", "translation")},
+    "part_kind": lambda value: {"part_kinds": dict(_pairs(value)) if isinstance(value, (str, list)) else value},
+    "max_iterations": lambda value: {"maximum_iterations": value},
+    "segment": lambda value: {"parts": "segments"} if value else {},
+    "cycle_support": lambda value: {"least_cycle_support": value},
+}
+
+
 def with_options(function: Function) -> Function:
-    """Names the options of a function, which takes them by `**options`, in its signature and description."""
+    """Names the options of a function, which takes them by `**options`, in its signature and description, and lets it
+    take those of the program."""
     options = _core.options_of(function.__name__)
     keywords = {name.replace("_", "-"): name for name, _, _ in options}
     signature = inspect.signature(function)
@@ -26,10 +96,42 @@ def with_options(function: Function) -> Function:
     rest = [p for p in signature.parameters.values() if p.kind is p.VAR_KEYWORD and p.name == "further"]
     listed = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=_type_of(default))
               for name, default, _ in options if name not in signature.parameters]
-    function.__signature__ = signature.replace(parameters=own + listed + rest)  # type: ignore[attr-defined]
     lines = "".join(_line(name, text, keywords) for name, _, text in options if name not in signature.parameters)
-    function.__doc__ = (function.__doc__ or "").replace("    :raises", lines + "    :raises", 1)
-    return function
+    result = with_names_of_program(function, [parameter.name for parameter in listed])
+    result.__signature__ = signature.replace(parameters=own + listed + rest)  # type: ignore[attr-defined]
+    result.__doc__ = (function.__doc__ or "").replace("    :raises", lines + "    :raises", 1)
+    return result
+
+
+def with_names_of_program(function: Function, options: Sequence[str] = ()) -> Function:
+    """Lets a function take the names of options of the program, too, and refuses others with a suggestion."""
+    name = function.__name__
+    parameters = inspect.signature(function).parameters.values()
+    known = {*options, *(p.name for p in parameters if p.kind is not p.VAR_KEYWORD)}
+    if "roles" in known or name == "blend":
+        known |= {*defaults("match"), "part_matching", "roles", "pinned", "forbidden", "source_parts", "target_parts",
+                  "abstraction", "closest_points"}
+    if name in ("match", "blend", "build_graph"):
+        known |= {*defaults("read"), *defaults("build_graph")}
+
+    @functools.wraps(function)
+    def call(*arguments: Any, **values: Any) -> Any:
+        result = paper_options() if "search_method" in known and values.pop("paper", False) else {}
+        for given, value in values.items():
+            for key, of_key in _OF_PROGRAM.get(given, lambda value: {given: value})(value).items():
+                if key not in known:
+                    raise TypeError(f"{name}() has no option '{given}'{_suggestion(given, known)}")
+                if key != given and key in values:
+                    raise TypeError(f"{name}() takes '{key}' or, as the program calls it, '{given}', not both")
+                result[key] = of_key
+        return function(*arguments, **result)
+
+    return call  # type: ignore[return-value]
+
+
+def _suggestion(name: str, known: Any) -> str:
+    close = difflib.get_close_matches(name, [*known, *_OF_PROGRAM, "paper"], 1)
+    return f"; did you mean '{close[0]}'?" if close else ""
 
 
 def _type_of(default: Any) -> Any:

@@ -6,13 +6,18 @@ from __future__ import annotations
 
 import json
 import os
+import tempfile
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from pathlib import Path as _Path
+from typing import Any, Callable, Dict, Iterable, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _core
-from ._options import with_options
+from ._inputs import is_mesh, parts_of
+from ._options import defaults, with_options
+from ._pages import Page
 from ._records import Record
 
 Path = Union[str, "os.PathLike[str]"]
@@ -27,13 +32,15 @@ class Part(NamedTuple):
     faces: np.ndarray  #: (m, 3) integers, rows of `vertices`
 
 
-Parts = Iterable[Tuple[str, Any, Any]]
+Parts = Union[Iterable[Tuple[Any, ...]], "Mapping[str, Any]", Any]
 
 
 class Shape:
     """A segmented shape: a list of named parts, each a triangle mesh.
 
-    :param parts: triples (name, V, F): V is an (n, 3) array of points, F an (m, 3) array of rows of V
+    :param parts: triples (name, V, F): V is an (n, 3) array of points, F an (m, 3) array of rows of V. Or pairs
+        (name, mesh), or a dictionary of these; a mesh is (V, F), or one of trimesh or PyVista. Or a Scene of trimesh or
+        a MultiBlock of PyVista. A single mesh is divided into parts as a file is
     :param name: names the shape in messages and results
     :param up: the upright direction: ``"x"``, ``"y"``, ``"z"``, a vector, or ``"auto"``, the axis along which the shape
         stands most stably
@@ -41,8 +48,40 @@ class Shape:
     """
 
     def __init__(self, parts: Parts, name: str = "shape", up: Union[str, Sequence[float]] = "y"):
-        arrays = [(part, *_mesh_arrays(part, vertices, faces)) for part, vertices, faces in parts]
+        triples = parts_of(parts)
+        if is_mesh(parts):
+            with tempfile.TemporaryDirectory() as folder:
+                file = _Path(folder) / "part.obj"
+                Shape(triples, name).save(file)
+                triples = read(file, up="y").parts
+        arrays = [(part, *_mesh_arrays(part, vertices, faces)) for part, vertices, faces in triples]
         self._handle = _core.make_shape(arrays, name, _direction(up))
+
+    @classmethod
+    def from_segmentation(
+        cls, vertices: Any, faces: Any, labels: Any, name: str = "shape", up: Union[str, Sequence[float]] = "y"
+    ) -> "Shape":
+        """The shape of one mesh whose faces have labels: the faces of one label are a part.
+
+        :param vertices: (n, 3) points
+        :param faces: (m, 3) rows of `vertices`
+        :param labels: m numbers or texts; the parts are named after them
+        :param name: see `Shape`
+        :param up: see `Shape`
+        :raises InvalidInput: if there is not one label for each face, or a part cannot be used
+        """
+        points, triangles, labels = np.asarray(vertices), np.asarray(faces), np.asarray(labels)
+        if labels.shape != triangles.shape[:1]:
+            raise _core.InvalidInput(f"labels are an array of shape {labels.shape}; give one for each of the "
+                                     f"{len(triangles)} faces")
+        points, triangles = _mesh_arrays(name, points, triangles)
+        if triangles.size and not 0 <= triangles.min() <= triangles.max() < len(points):
+            raise _core.InvalidInput(f"{name}: a face has a vertex that is none of the {len(points)}")
+        parts = []
+        for label in np.unique(labels):
+            used, rows = np.unique(triangles[labels == label], return_inverse=True)
+            parts.append((str(label), points[used], rows.reshape(-1, 3)))
+        return cls(parts, name, up)
 
     @classmethod
     def _of(cls, handle: Any) -> "Shape":
@@ -79,6 +118,16 @@ class Shape:
         """Writes the shape as ``.obj`` (one object per part) or ``.ply`` (binary, with the part of every face)."""
         self._handle.save(os.fspath(path))
 
+    def to_trimesh(self) -> Any:
+        """The shape as a Scene of trimesh, which must be installed: a mesh for each part, with its name."""
+        import trimesh
+
+        scene = trimesh.Scene()
+        for part in self.parts:
+            mesh = trimesh.Trimesh(part.vertices, part.faces, process=False)
+            scene.add_geometry(mesh, node_name=part.name, geom_name=part.name)
+        return scene
+
     def __repr__(self) -> str:
         return f"<Shape {self.name!r}: {len(self.parts)} parts>"
 
@@ -106,7 +155,7 @@ class PartGroup(Record):
     order: Optional[int] = None  #: of a rotation: n of n-fold
 
 
-class Graph:
+class Graph(Page):
     """The structural graph of a shape: a curve or sheet for every part, groups of symmetric parts, and contacts.
 
     `build_graph()` makes it. `to_dict()` has all of it.
@@ -187,7 +236,7 @@ def read(path: Path, **options: Any) -> Shape:
 def build_graph(shape: Input, *, progress: Progress = None, **options: Any) -> Graph:
     """Builds the structural graph of a shape: a curve or sheet for every part, symmetry groups and contacts.
 
-    :param shape: a `Shape`, triples (name, V, F), a model file, or a saved graph (``.json``, ``.xml``)
+    :param shape: a `Shape`, what makes a `Shape`, a model file, or a saved graph (``.json``, ``.xml``)
     :param progress: called with the fraction done, in [0, 1], and the name of the current step
     :raises InvalidInput: if the shape has fewer than two parts or more than 2000, or an option is out of its range
     """
@@ -200,13 +249,17 @@ def _graphs(shapes: Sequence[Input], is_pair: bool, options: Dict[str, Any], pro
     is_pair = is_pair and len(paths) == 2
     loaded = iter(_core.load_graphs(paths, is_pair, options, progress) if paths else [])
     result = []
+    further = {name for name, value in options.items() if value is not None} - {"cache", "threads", "allow_outside_files"}
     for shape in shapes:
+        done = further if isinstance(shape, Graph) else further & {*defaults("read")} if isinstance(shape, Shape) else {}
+        if done:
+            raise TypeError(f"{shape!r} is read already; leave {', '.join(sorted(done))} out")
         if isinstance(shape, Graph):
             result.append(shape)
         elif isinstance(shape, (str, os.PathLike)):
             result.append(Graph(next(loaded)))
         else:
-            shape = shape if isinstance(shape, Shape) else Shape(shape)
+            shape = shape if isinstance(shape, Shape) else Shape(shape, up=options.get("up") or "y")
             result.append(Graph(_core.build_graph(shape._handle, options, progress)))
     return result
 

@@ -32,7 +32,8 @@ Graph with_surfaces(Graph graph)
 std::shared_ptr<Blend> blend(const std::shared_ptr<Match>& match, int threads, const py::dict& values,
                              const py::object& progress)
 {
-  SC::Blend_options options = blend_options(values);
+  bool has_size = false;
+  SC::Blend_options options = blend_options(values, has_size);
   Work work;
   return work.run(progress, [&](Work& work) {
     options.progress = [&](double share) {
@@ -42,7 +43,7 @@ std::shared_ptr<Blend> blend(const std::shared_ptr<Match>& match, int threads, c
     const SC::cli::Thread_limit limit(threads);
     const Graph source = with_surfaces(*match->source), target = with_surfaces(*match->target);
     std::vector<std::string> warnings = match->best().warnings;
-    SC::cli::warn_of_sizes(options.size, source.shape, target.shape, warnings);
+    if (!has_size) options.size = SC::cli::likely_size(source.shape, target.shape, warnings);
     const SC::Shape_blend blend(source.shape.graph, *source.shape.model, target.shape.graph, *target.shape.model,
                                 match->best(), options);
     SC::cli::warn_of_exchanges(blend, source.shape, target.shape, warnings);

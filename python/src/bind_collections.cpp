@@ -77,7 +77,8 @@ std::string collection(const Graphs& graphs, const std::optional<Role_model>& ro
     };
     SC::cli::Team team;
     const SC::cli::Collection_shapes shapes = shapes_of(graphs);
-    SC::cli::Collection_work pairs(shapes, options.store.empty() ? "" : options.store + "/tiles", key, matching, common);
+    SC::cli::Collection_work pairs(shapes, options.store.empty() ? "" : options.store + "/tiles", key, matching,
+                                   common);
     pairs.run(team);
     const SC::cli::Analysis analysis = SC::cli::analysed(shapes, options, pairs);
     if (!page.empty())
@@ -91,8 +92,8 @@ std::string collection(const Graphs& graphs, const std::optional<Role_model>& ro
 }
 
 std::string nearest(const std::shared_ptr<Graph>& query, const Graphs& graphs, std::size_t count,
-                    const std::optional<Role_model>& roles, int threads, const py::dict& search,
-                    const py::dict& values, const py::object& progress)
+                    const std::optional<Role_model>& roles, int threads, const py::dict& search, const py::dict& values,
+                    const py::object& progress)
 {
   SC::Energy_matrix_options matching = matching_options(roles, search, collection_options(values).unmatched_energy);
   Work work;
@@ -165,7 +166,8 @@ std::string evaluate(const std::vector<std::string>& files, const std::vector<st
 
 void bind_collections(py::module_& module)
 {
-  module.def("collection_paths", SC::cli::collection_paths);
+  module.def("collection_paths",
+             [](const std::vector<std::string>& inputs) { return SC::cli::collection_paths(inputs); });
   module.def("collection", collection);
   module.def("nearest", nearest);
   module.def("transfer_labels", transfer_labels);

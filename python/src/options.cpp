@@ -292,11 +292,12 @@ SC::cli::Common_options model_options(const py::dict& values)
   return keywords.common;
 }
 
-SC::Blend_options blend_options(const py::dict& values)
+SC::Blend_options blend_options(const py::dict& values, bool& has_size)
 {
   Blend_keywords keywords;
   keywords.read(values);
-  keywords.options.size = keywords.output.size;
+  has_size = keywords.output.size.has_value();
+  keywords.options.size = keywords.output.size.value_or(SC::Blend_size::BLEND);
   return keywords.options;
 }
 

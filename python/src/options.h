@@ -21,7 +21,8 @@ namespace SC = CGAL::Shape_correspondence;
 /// Options from keyword arguments, of which None is none. \throw TypeError of a name that `options_of()` does not list
 SC::Search_options search_options(const py::dict& values, bool is_for_pair = true);
 SC::cli::Common_options model_options(const py::dict& values);
-SC::Blend_options blend_options(const py::dict& values);
+/// \param has_size gets whether a size is asked for
+SC::Blend_options blend_options(const py::dict& values, bool& has_size);
 SC::cli::Collection_options collection_options(const py::dict& values);
 SC::Evaluation_options evaluation_options(const py::dict& values);
 

@@ -8,8 +8,7 @@ import re
 import pytest
 
 import shape_correspondence as sc
-from shape_correspondence import _core
-
+from shape_correspondence import _core, _options
 
 
 def defaults(function):
@@ -75,6 +74,36 @@ def test_all_that_is_public_is_documented(name):
     if inspect.isfunction(thing):
         for parameter in inspect.signature(thing).parameters:
             assert f":param {parameter}:" in thing.__doc__ or parameter in ("cache", "threads", "progress"), parameter
+
+
+@pytest.mark.parametrize("call, suggestion", [
+    (lambda table: sc.match(table, table, serach="exact"), "search"),
+    (lambda table: sc.match(table, table, allow_unmatch=1), "allow_unmatched"),
+    (lambda table: sc.build_graph(table, no_symetry=True), "no_symmetry"),
+    (lambda table: sc.nearest(table, [table], max_part=3), "max_parts"),
+])
+def test_suggestions(table, call, suggestion):
+    with pytest.raises(TypeError, match=f"did you mean '{suggestion}'"):
+        call(table())
+
+
+def test_every_option_of_the_program_is_taken(program, tmp_path):
+    without_meaning_here = {"abstraction", "examples", "glb", "help", "html", "json", "output", "parts_json", "progress", "quiet",
+                            "search_time_limit", "seed", "verbose"}
+    for name in set(re.findall(r"--([a-z][a-z-]+)", program("match", "--help").stdout)):
+        name = name.replace("-", "_")
+        known = {*defaults(sc.match), *defaults(sc.read), *defaults(sc.build_graph), *_options._OF_PROGRAM, "paper"}
+        assert name in known | without_meaning_here or re.match("(source|target)_(up|front|parts)", name), name
+
+
+def test_an_option_under_two_names(table):
+    with pytest.raises(TypeError, match="not both"):
+        sc.match(table(), table(), search="exact", search_method="beam")
+    with pytest.raises(TypeError, match="read already"):
+        sc.match(sc.build_graph(table()), table(), kind="curve")
+    for wrong in ({"weights": "1"}, {"direction": "back"}, {"without": "roles"}):
+        with pytest.raises(sc.InvalidInput, match=next(iter(wrong))):
+            sc.match(table(), table(), **wrong)
 
 
 def test_unknown_options_are_refused(table):

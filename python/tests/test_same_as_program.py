@@ -31,6 +31,7 @@ def as_text(result):
     (("--paper",), sc.paper_options()),
     (("--paper", "--abstraction", "fitted", "--fit", "samples"),
      {**sc.paper_options(), "abstraction": "fitted", "deform_to_fit": "samples"}),
+    (("--role-weight", 1), {"role_weight": 1, "search": "exact"}),
     (("--search", "exact", "--solutions", 3, "--min-marginals"),
      {"search_method": "exact", "solutions": 3, "min_marginals": True}),
     (("--search", "beam", "--weights", "0.3,0.2", "--norm", "pooled", "--no-cut", "--allow-unmatched", 0.7),
@@ -50,6 +51,23 @@ def test_graph_of_the_other_abstraction(cache):
     assert [warning in text for text in sc.match(flow, fitted).warnings] == [True]
     assert [warning in text for text in sc.match(flow, fitted, abstraction="flow").warnings] == [True]
     assert not sc.match(fitted, fitted).warnings
+
+
+@pytest.mark.parametrize("arguments, options", [
+    (("--paper", "--weights", "0.3,0.2"), {"paper": True, "weights": "0.3,0.2"}),
+    (("--search", "exact", "--norm", "pooled", "--no-cut", "--allow-unmatched", 0.7, "--direction", "forward"),
+     {"search": "exact", "norm": "pooled", "no_cut": True, "allow_unmatched": 0.7, "direction": "forward"}),
+    (("--search", "beam", "--without", "split", "--max-parts", 4, "--max-parts-of", "source", "--front", "auto"),
+     {"search": "beam", "without": "split", "max_parts": 4, "max_parts_of": "source", "front": "auto"}),
+    (("--roles", "none", "--pin", "top_board=plank_top", "--source-parts", "top_board,post_1", "--front", "given"),
+     {"roles": "none", "pin": "top_board=plank_top", "source_parts": "top_board,post_1", "front": "given"}),
+    (("--no-symmetry", "--part-kind", "top_board=sheet", "--max-iterations", 9, "--up", "y"),
+     {"no_symmetry": True, "part_kind": "top_board=sheet", "max_iterations": 9, "up": "y"}),
+    (("--symmetries", "reflection", "--segment"), {"symmetries": "reflection", "segment": True}),
+])
+def test_options_by_their_names_in_the_program(json_of_program, arguments, options):
+    assert as_text(sc.match(TABLE, OTHER, **options).to_dict()) == as_text(json_of_program(
+        "match", TABLE, OTHER, *arguments))
 
 
 def test_transfer_looks(json_of_program, cache, tmp_path):

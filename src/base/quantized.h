@@ -12,14 +12,16 @@ namespace CGAL::Shape_correspondence::internal {
 /// stay ties and are settled by index.
 constexpr double comparison_grid = 1e-6;
 
-/// The nearest step of the grid; the first or last one for what is beyond it, infinite too; the first one for NaN. Of
-/// 64 bits everywhere: `long` has 32 on some machines.
-inline std::int64_t quantized(double value)
+/// A number of steps of the grid. Of 64 bits everywhere: `long` has 32 on some machines.
+using Steps = std::int64_t;
+
+/// The nearest step of the grid; the first or last one for what is beyond it, infinite too; the first one for NaN.
+inline Steps quantized(double value)
 {
   constexpr double last = 9e18; // below 2^63
   const double steps = std::min(last, std::max(-last, value / comparison_grid));
   // std::lround() is a function call
-  return std::int64_t(steps < 0 ? steps - 0.5 : steps + 0.5);
+  return Steps(steps < 0 ? steps - 0.5 : steps + 0.5);
 }
 
 /// Squared length, in units of the shape's height, under which a vector has no direction

@@ -15,19 +15,22 @@ namespace {
 
 const char* const program_description = R"(Usage: shape_correspondence COMMAND [options] INPUTS...
 
-Finds which parts of two segmented 3D shapes correspond, also where one part corresponds to several.
+Finds which parts of two segmented 3D shapes correspond, also where one part
+corresponds to several.
 
 Commands:
 )";
 
 const char* const program_ending = R"(
 Examples: shape_correspondence demo
-          shape_correspondence match chair.obj swivel_chair.obj --json result.json --html result.html
+          shape_correspondence match chair.obj swivel_chair.obj -o result.html
 
-  shape_correspondence help COMMAND   prints the options of a command; so does COMMAND --help
-  shape_correspondence --version      prints the version
+  shape_correspondence COMMAND --help   prints what a command does, and its usual
+                                        options; --help-all prints all
+  shape_correspondence --version        prints the version
 
-Exit status: 0 success; 1 an input cannot be used or an output cannot be written; 2 wrong usage.
+Exit status: 0 success; 1 an input cannot be used or an output cannot be
+written; 2 wrong usage.
 )";
 
 /// The values of options that are marked as files.
@@ -51,12 +54,18 @@ void check_number(std::size_t inputs, std::size_t least, std::size_t most)
 
 } // namespace
 
-void Command::write_help(std::ostream& out) const { out << text_ << table.help(); }
+void Command::write_help(std::ostream& out, bool all) const
+{
+  out << reflowed(text_) << table.help(all);
+  const auto rare = std::count_if(table.options().begin(), table.options().end(),
+                                  [](const Option& option) { return option.is_rare; });
+  if (!all && rare > 0) out << "\n--help-all lists " << rare << " more options.\n";
+}
 
 void Command::run(const std::vector<std::string>& arguments)
 {
   inputs = table.parse(arguments);
-  if (table.is_given("help")) return write_help(std::cout);
+  if (table.help_is_given()) return write_help(std::cout, !table.is_given("help"));
   if (common.quiet && common.verbose) throw Usage_error("--quiet and --verbose do not go together");
   if (std::count(inputs.begin(), inputs.end(), "") > 0) throw Usage_error("the name of an input is empty");
   check_number(inputs.size(), least_, most_);
@@ -97,8 +106,8 @@ const std::vector<Command_entry>& commands()
       {"roles", "learns the roles of parts from labelled shapes and predicts them", roles_command},
       {"label", "labels the parts of a shape by their roles", label_command},
       {"demo", "matches and blends two chairs that come with the program", demo_command},
-      {"completion", "prints a script that completes commands and options in bash or zsh", completion_command},
-      {"help", "prints this text, or the options of a command", help_command}};
+      {"completion", "prints a script that completes commands in bash, zsh or fish", completion_command},
+      {"help", "prints this text, or all options of a command", help_command}};
   return result;
 }
 

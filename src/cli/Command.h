@@ -25,7 +25,8 @@ public:
   virtual ~Command() = default;
 
   const Option_table& options() const { return table; }
-  void write_help(std::ostream& out) const;
+  /// \param all whether with the options that are rarely needed
+  void write_help(std::ostream& out, bool all) const;
 
   /// \throw Usage_error, Invalid_input
   void run(const std::vector<std::string>& arguments);

@@ -3,6 +3,8 @@
 
 #include "cli/Common_options.h"
 
+#include "io/system/input_file.h"
+
 #include <algorithm>
 #include <sstream>
 
@@ -74,7 +76,7 @@ Text_field abstraction_method(Abstraction_options& options)
 
 void add_structure_options(Option_table& table, Common_options& options)
 {
-  Option_table::Group add = table.group("Options on structural graphs");
+  Option_table::Group add = table.rare_group("Options on structural graphs");
   Symmetry_options& symmetry = options.structure.symmetry;
   add("no-symmetry", Switched_off{&symmetry.enabled}, "make every part a group of its own");
   add("symmetries", "KINDS", symmetry_kinds(symmetry), "kinds of symmetry groups to detect");
@@ -97,7 +99,7 @@ void add_structure_options(Option_table& table, Common_options& options)
 
 void add_abstraction_options(Option_table& table, Abstraction_options& abstraction)
 {
-  Option_table::Group add = table.group(abstraction_group);
+  Option_table::Group add = table.rare_group(abstraction_group);
   add(abstraction_option, "METHOD", abstraction_method(abstraction),
       "method of part abstraction: fitted (sheets on the medial axis, curves by mean curvature flow, axes of round "
       "parts and blocks), flow (mean curvature flow alone, as in the paper) or boxes (axes of bounding boxes: fast and "
@@ -124,7 +126,7 @@ void add_abstraction_options(Option_table& table, Abstraction_options& abstracti
       .at_least(1)
       .in_python("maximum_iterations");
   add("time-limit", "SECONDS", &abstraction.time_limit,
-      "time limit for one part; a part that needs more is represented by its bounding box, with a warning. Default: no "
+      "time limit for one part; a part that needs more is represented by its bounding box, with a note. Default: no "
       "limit, so that results do not depend on the speed of the machine")
       .more_than(0)
       .without_default()
@@ -153,6 +155,26 @@ Point Common_options::up_vector() const
   return up == "x" ? Point::UnitX() : up == "z" ? Point::UnitZ() : Point::UnitY();
 }
 
+Text_field output_by_ending(const std::vector<std::pair<std::string, std::string*>>& files)
+{
+  Text_field result;
+  result.is_repeated = true;
+  result.set = [files](const std::string& label, const std::string& path) {
+    const std::string ending = path == "-" ? ".json" : IO::lower_extension(path);
+    std::string known;
+    for (const auto& [wanted, file] : files) {
+      known += (known.empty() ? "" : ", ") + wanted;
+      if (ending != wanted) continue;
+      if (!file->empty() && *file != path)
+        throw Usage_error(label + ": there are two files " + wanted + ", " + *file + " and " + path);
+      *file = path;
+      return;
+    }
+    throw Usage_error(label + ": '" + path + "' is named like no file that this command writes: " + known);
+  };
+  return result;
+}
+
 std::vector<std::string> words_of(const std::string& list)
 {
   std::vector<std::string> words;
@@ -164,7 +186,7 @@ std::vector<std::string> words_of(const std::string& list)
 
 void add_common_options(Option_table& table, Common_options& options)
 {
-  Option_table::Group add = table.group("Options of all commands");
+  Option_table::Group add = table.rare_group("Options of all commands");
   add("threads", "N", &options.threads,
       "number of threads; default: all of the machine. The result does not depend on it")
       .between(1, most_threads)
@@ -173,32 +195,35 @@ void add_common_options(Option_table& table, Common_options& options)
   add("seed", "N", &options.seed,
       "seed of random choices, which evaluate and roles make; default: 0. Results are reproducible")
       .without_default();
-  add("quiet,q", &options.quiet, "print errors only");
+  add("quiet,q", &options.quiet, "print errors only").usual();
   add("verbose,v", &options.verbose,
-      "print more: time and memory on standard error; match also prints the energy of every symmetry group, blend the "
-      "correspondence");
+      "print more: all notes, time and memory; match also prints the energy of every symmetry group, blend the "
+      "correspondence")
+      .usual();
   add("progress", "WHEN", &options.progress,
       "show a progress bar on standard error: auto (if it is a terminal), always, never")
       .words({"auto", "always", "never"});
-  add("help,h", &options.help, "print this text");
+  add("help,h", &options.help, "print what the command does, and its usual options").usual();
+  add("help-all", &options.help_all, "print all options").usual();
 }
 
 void add_reading_options(Option_table& table, Common_options& options)
 {
-  Option_table::Group add = table.group(reading_group);
+  Option_table::Group add = table.rare_group(reading_group);
   add("up", "AXIS", &options.up,
       "upright axis of the model: x, y, z, or auto (the axis along which the model stands most stably). Default: the "
       "one given by the file (glTF, COLLADA, graphs); y for a folder of part meshes; otherwise y unless the model "
-      "clearly stands along another axis, or its parts are more like labelled ones with another axis up, with a "
-      "warning")
+      "clearly stands along another axis, or its parts are more like labelled ones with another axis up, with a note")
       .words(axes)
-      .in_python();
+      .in_python()
+      .usual();
   add("parts", "MODE", &options.parts,
       "how parts are made of a model file: file (its objects), components (its loose pieces), segments (loose pieces "
       "divided by thickness) or auto (its objects, but objects of unrelated loose pieces are split). "
       "`shape_correspondence parts MODEL` shows the result. Files in a folder are always parts as they are")
       .words({"auto", "file", "components", "segments"})
-      .in_python();
+      .in_python()
+      .usual();
   add("segment", Switched_to{&options.parts, "segments"}, "the same as --parts segments");
   add("allow-outside-files", &options.reading.allow_outside_files,
       "read also files that a model or a graph names outside its own folder: buffers, materials, textures, meshes of "
@@ -215,7 +240,7 @@ void add_model_options(Option_table& table, Common_options& options)
 
 void add_pair_options(Option_table& table, Common_options& options)
 {
-  Option_table::Group add = table.group("Options on one of two models");
+  Option_table::Group add = table.rare_group("Options on one of two models");
   Common_options::Of_input &source = options.of_pair[0], &target = options.of_pair[1];
   add("source-up", "AXIS", &source.up, "upright axis of the source, as --up").words(axes);
   add("target-up", "AXIS", &target.up, "the same for the target").words(axes);

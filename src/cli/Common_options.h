@@ -43,7 +43,7 @@ struct Common_options
   /// work.
   std::function<void(const std::string&, std::size_t, std::size_t)> on_progress;
   bool graphs_suffice = false; ///< shapes may be loaded without their models, where the cache has their graphs
-  bool quiet = false, verbose = false, help = false;
+  bool quiet = false, verbose = false, help = false, help_all = false;
   int threads = 0; ///< 0: all
   long seed = 0;
 
@@ -55,6 +55,10 @@ struct Common_options
   /// Whether a table belongs on standard output: not where the JSON goes.
   bool prints_table() const { return !quiet && json != "-"; }
 };
+
+/// Files by the endings of their names, for an option `--output`; `-` is JSON on standard output.
+/// \param files an ending, such as `.json`, and the file that it sets \throw Usage_error by its setter, for other endings
+Text_field output_by_ending(const std::vector<std::pair<std::string, std::string*>>& files);
 
 /// The words of a list with commas in between.
 std::vector<std::string> words_of(const std::string& list);

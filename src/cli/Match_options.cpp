@@ -161,25 +161,29 @@ void add_match_options(Option_table& table, Match_options& match)
 {
   Search_options& search = match.search;
   const std::vector<std::string> by_energy{"beam", "exact"};
-  Option_table::Group add = table.group(match_group);
+  Option_table::Group add = table.rare_group(match_group);
   add("search", "METHOD", method_or_auto(match.method),
       "parts (least cost of substituting parts for each other; scores highest against human labels), beam (least "
       "deformation energy by the beam search of the paper) or exact (least deformation energy with a proof for each "
       "direction; the direction with less energy per pair of connected parts is taken). auto: parts, unless another "
-      "option asks for beam or exact");
+      "option asks for beam or exact")
+      .usual();
   add("paper", &match.paper,
       "the method of the paper: --search beam --front auto --direction least --fit extremities --proximity hard, and "
-      "--max-parts of the source only; graphs of --abstraction flow --contact-points closest");
+      "--max-parts of the source only; graphs of --abstraction flow --contact-points closest")
+      .usual();
   add("roles", "MODEL", &match.roles,
       "role model for --search parts and --role-weight: auto (the one that comes with the program), none, or a file "
       "that `roles train` wrote. Shapes must be upright and face +z");
   add("examples", "FOLDER", &match.examples,
       "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition; three or "
       "more of a category that the model does not know help. If they are of one category, both shapes are taken to be "
-      "of it");
+      "of it")
+      .usual();
   add("category", "NAME", &search.category,
       "category of both shapes for --roles, such as chair; default: the most similar one")
-      .in_python();
+      .in_python()
+      .usual();
   add("min-confidence", "P", &search.min_confidence,
       "leave out pairs of parts of lower confidence, between 0 and 1; for --search parts")
       .between(0, 1)
@@ -283,7 +287,8 @@ void add_match_options(Option_table& table, Match_options& match)
   add("target-parts", "NAMES", &match.target_parts, "the same for the target").for_pairs();
   add("pin", "A=B", &match.pinned,
       "source part A corresponds to target part B, and both to nothing else; can be repeated, also for the same part")
-      .for_pairs();
+      .for_pairs()
+      .usual();
   add("forbid", "A=B", &match.forbidden, "source part A does not correspond to target part B; can be repeated")
       .for_pairs();
 }

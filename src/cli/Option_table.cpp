@@ -101,18 +101,20 @@ const po::value_semantic* semantic(const Option& option)
       option.field);
 }
 
-po::options_description described(const std::deque<Option>& options)
+po::options_description described(const std::deque<Option>& options, bool all)
 {
-  constexpr unsigned width = 100, least_description = 68;
+  constexpr unsigned least_description = 48;
   po::options_description result;
   std::vector<std::string> titles; // in their order
   for (const Option& option : options)
-    if (std::find(titles.begin(), titles.end(), option.group) == titles.end()) titles.push_back(option.group);
+    if ((all || !option.is_rare) && std::find(titles.begin(), titles.end(), option.group) == titles.end())
+      titles.push_back(option.group);
   for (const std::string& title : titles) {
-    po::options_description group(title, width, least_description);
+    po::options_description group(title, unsigned(line_width), least_description);
     for (const Option& option : options) {
       const std::string name = option.name + (option.short_name.empty() ? "" : "," + option.short_name);
-      if (option.group == title) group.add_options()(name.c_str(), semantic(option), option.help.c_str());
+      if (option.group == title && (all || !option.is_rare))
+        group.add_options()(name.c_str(), semantic(option), option.help.c_str());
     }
     result.add(group);
   }
@@ -191,6 +193,7 @@ Option& Option_table::Group::operator()(const std::string& name, const std::stri
   option.group = title_;
   option.value_name = value;
   option.help = help;
+  option.is_rare = is_rare_;
   option.field = std::move(field);
   if (const auto* texts = std::get_if<Text_field>(&option.field)) option.known = texts->known;
   return table_.options_.emplace_back(std::move(option));
@@ -203,7 +206,7 @@ const Option& Option_table::operator[](const std::string& name) const
 
 std::vector<std::string> Option_table::parse(const std::vector<std::string>& arguments)
 {
-  po::options_description all = described(options_);
+  po::options_description all = described(options_, true);
   all.add_options()(inputs_key, po::value<std::vector<std::string>>());
   po::positional_options_description positional;
   positional.add(inputs_key, -1);
@@ -213,7 +216,7 @@ std::vector<std::string> Option_table::parse(const std::vector<std::string>& arg
     po::store(po::command_line_parser(arguments).options(all).positional(positional).style(style).run(), values);
     for (Option& option : options_)
       option.is_given = values.count(option.name) > 0 && !values[option.name].defaulted();
-    if (is_given("help")) return {};
+    if (help_is_given()) return {};
     po::notify(values);
   } catch (const po::unknown_option& error) {
     std::vector<std::string> names;
@@ -240,10 +243,17 @@ void Option_table::refuse_other_modes(const std::string& mode, const std::string
       refuse_option(option.name, why);
 }
 
-std::string Option_table::help() const
+bool Option_table::help_is_given() const
+{
+  return std::any_of(options_.begin(), options_.end(), [](const Option& option) {
+    return option.is_given && (option.name == "help" || option.name == "help-all");
+  });
+}
+
+std::string Option_table::help(bool all) const
 {
   std::ostringstream result;
-  result << described(options_);
+  result << described(options_, all);
   return result.str();
 }
 

@@ -75,6 +75,7 @@ struct Option
   std::vector<std::string> modes; ///< of its command, in which alone it has an effect; empty: all
   std::string asked_mode;         ///< the mode that it asks for
   std::string keyword;            ///< in Python; empty: it is not there
+  bool is_rare = false;           ///< `--help` leaves it out, `--help-all` has it
 
   bool is_given = false;
   std::string given_text; ///< of a `Text_field`
@@ -94,6 +95,8 @@ struct Option
   Option& only_for(std::vector<std::string> all) { return modes = std::move(all), *this; }
   Option& asks_for(const char* mode) { return asked_mode = mode, *this; }
   Option& in_python(const char* other_name = "");
+  Option& rare() { return is_rare = true, *this; }
+  Option& usual() { return is_rare = false, *this; }
 
   bool is_switch() const { return value_name.empty(); }
   /// The value as a text; numbers with four digits.
@@ -107,6 +110,10 @@ struct Option
 };
 
 /// The options of a command, each once, in groups. They are bound to variables, which must live as long.
+///
+/// A new option is one call, beside those of its group: `add("name", "VALUE", &field, "help")`, with no value for a
+/// switch, and its rules behind it, such as `.between(0, 1).in_python()`. Parsing, checks, `--help`, the manual page,
+/// the completions and the keyword in Python follow; `scripts/check_documents --update` writes the program's reference.
 class Option_table
 {
 public:
@@ -118,7 +125,9 @@ public:
   class Group
   {
   public:
-    Group(Option_table& table, std::string title) : table_(table), title_(std::move(title)) {}
+    Group(Option_table& table, std::string title, bool is_rare)
+        : table_(table), title_(std::move(title)), is_rare_(is_rare)
+    {}
 
     /// \param name long, or as `name,n` with one letter \param value names the value
     Option& operator()(const std::string& name, const std::string& value, Option::Field field, const std::string& help);
@@ -131,8 +140,11 @@ public:
   private:
     Option_table& table_;
     std::string title_;
+    bool is_rare_;
   };
-  Group group(const std::string& title) { return {*this, title}; }
+  Group group(const std::string& title) { return {*this, title, false}; }
+  /// A group of which `--help` has only the options that are `usual()`.
+  Group rare_group(const std::string& title) { return {*this, title, true}; }
 
   const std::deque<Option>& options() const { return options_; }
   std::deque<Option>& options() { return options_; }
@@ -140,14 +152,16 @@ public:
   const Option& operator[](const std::string& name) const;
   bool is_given(const std::string& name) const { return (*this)[name].is_given; }
 
-  /// Sets the variables. \return the inputs; none if `--help` is given, which ends the parsing \throw Usage_error
+  /// Sets the variables. \return the inputs; none if help is asked for, which ends the parsing \throw Usage_error
   std::vector<std::string> parse(const std::vector<std::string>& arguments);
 
   /// Refuses options that have no effect in a mode. \param why names the mode \throw Usage_error
   void refuse_other_modes(const std::string& mode, const std::string& why) const;
 
-  /// The options as the help lists them.
-  std::string help() const;
+  /// Whether `--help` or `--help-all` is given.
+  bool help_is_given() const;
+  /// The options as the help lists them. \param all whether those that are rare, too
+  std::string help(bool all) const;
 
   /// Name and value of every option of a group; numbers with all digits.
   std::string values_of(const std::string& group) const;

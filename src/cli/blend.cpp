@@ -105,7 +105,8 @@ public:
     add_output_options(add, output_);
     add_result_option(add);
     add("json", "FILE", &common.json,
-        "write the schedule of the parts and the quality of every frame as JSON; - is standard output");
+        "write the schedule of the parts and the quality of every frame as JSON; - is standard output")
+        .rare();
     add_shared_options();
   }
 
@@ -155,6 +156,7 @@ private:
 
     Progress_bar bar(common, "blend");
     Blend_options options = blend_options(output_);
+    if (!output_.size) options.size = likely_size(source(), target(), warnings);
     options.min_confidence = 0; // unlikely pairs are out already
     const Shape_blend blend(source().graph, *source().model, target().graph, *target().model, pairs,
                             with_progress(options, bar));
@@ -164,7 +166,6 @@ private:
     write_blend(output_, blend, pairs, output_.colours == "materials" || has_materials ? &appearance : nullptr);
     for (const std::vector<std::string>& more : {pairs.warnings, unlikely})
       warnings.insert(warnings.end(), more.begin(), more.end());
-    warn_of_sizes(options.size, source(), target(), warnings);
     warn_of_exchanges(blend, source(), target(), warnings);
     const auto write_json = [&](std::ostream& out) {
       IO::write_blend_json(out, blend, source().graph, target().graph, inputs[0], inputs[1], output_.path,
@@ -186,14 +187,14 @@ private:
 
 } // namespace
 
-void warn_of_sizes(Blend_size size, const Loaded_shape& source, const Loaded_shape& target,
-                   std::vector<std::string>& warnings)
+Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, std::vector<std::string>& warnings)
 {
-  constexpr double most = 5; // up to about this the one is seen beside the other
+  constexpr double most = 2; // a greater ratio of heights is most often one of units
   const double from = structure(source.graph).frame.height, to = structure(target.graph).frame.height;
-  if (size == Blend_size::BLEND && std::max(from, to) > most * std::min(from, to))
-    warnings.push_back("one shape is " + short_number(std::max(from, to) / std::min(from, to)) +
-                       " times as high as the other; --size same, source or target gives both the same height");
+  if (std::max(from, to) <= most * std::min(from, to)) return Blend_size::BLEND;
+  warnings.push_back("one shape is " + short_number(std::max(from, to) / std::min(from, to)) +
+                     " times as high as the other; both get height 1, but for --size blend, source or target");
+  return Blend_size::SAME;
 }
 
 void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
@@ -210,6 +211,17 @@ void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, con
                  structure(target.graph).parts[task.target].name + "'";
     if (!pairs.empty()) warnings.push_back(pairs + " exchange surfaces in place, " + why);
   }
+  std::string unlike;
+  for (const Blend_task& task : blend.schedules()[0].tasks)
+    if (task.exchange == Blend_exchange::UNLIKE) {
+      const bool is_source = task.source != Blend_task::no_part;
+      const Loaded_shape& shape = is_source ? source : target;
+      unlike += (unlike.empty() ? "'" : ", '") +
+                structure(shape.graph).parts[is_source ? task.source : task.target].name + "'";
+    }
+  if (!unlike.empty())
+    warnings.push_back(unlike + " thin and thicken in place, as they would have to turn, to change their proportions, "
+                                "to travel or to be cut up too much to become their counterparts");
 }
 
 std::unique_ptr<Command> blend_command() { return std::make_unique<Blend_command>(); }

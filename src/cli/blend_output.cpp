@@ -91,7 +91,8 @@ void add_output_options(Option_table::Group& add, Blend_output& output)
   add("format", "FORMAT", &output.format,
       "format of the frames in a folder: obj (one object per part), ply (binary, with the part of each face) or glb "
       "(with materials and textures)")
-      .words({"obj", "ply", "glb"});
+      .words({"obj", "ply", "glb"})
+      .rare();
   add("schedule", "NAME", &output.schedule,
       "order of the tasks: " + alternatives(schedule_words()) +
           "; best takes the one in which shapes hold together best, all makes a folder for each one that differs from "
@@ -103,16 +104,19 @@ void add_output_options(Option_table::Group& add, Blend_output& output)
   add("solid", &output.solid,
       "with --at: wrap the shape into one closed surface, for printing and Boolean operations (.obj or .ply)");
   add("size", "SIZE",
-      choice<Blend_size>(output.size, {{"blend", Blend_size::BLEND},
-                                       {"source", Blend_size::SOURCE},
-                                       {"target", Blend_size::TARGET},
-                                       {"same", Blend_size::SAME}}),
-      "size of the frames: blend (from the source's to the target's), source, target, or same (height 1)")
+      choice<std::optional<Blend_size>>(output.size, {{"auto", std::nullopt},
+                                                      {"blend", Blend_size::BLEND},
+                                                      {"source", Blend_size::SOURCE},
+                                                      {"target", Blend_size::TARGET},
+                                                      {"same", Blend_size::SAME}}),
+      "size of the frames: blend (from the source's to the target's), source, target, same (height 1), or auto (blend; "
+      "same if one shape is more than twice as high as the other, which most often means other units)")
       .in_python();
   add("colours", "COLOURS", &output.colours,
       "colours of a .glb animation: materials (those of the models, with textures), match (one for corresponding "
       "parts) or auto (materials if a model has them)")
-      .words({"auto", "materials", "match"});
+      .words({"auto", "materials", "match"})
+      .rare();
 }
 
 void check_output(const Blend_output& output)
@@ -139,7 +143,7 @@ void check_output(const Blend_output& output)
 Blend_options blend_options(const Blend_output& output)
 {
   Blend_options result;
-  result.size = output.size;
+  result.size = output.size.value_or(Blend_size::BLEND);
   result.rank_all = output.schedule == "all";
   for (const std::string& name : Shape_blend::schedule_names())
     if (schedule_word(name) == output.schedule) result.schedule = name;

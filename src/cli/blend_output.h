@@ -20,8 +20,8 @@ struct Blend_output
   std::string path;
   std::string format = "obj";
   std::string schedule = "best";
-  Blend_size size = Blend_size::BLEND;
-  std::string colours = "auto"; ///< auto, materials or match
+  std::optional<Blend_size> size; ///< empty: as the heights are
+  std::string colours = "auto";   ///< auto, materials or match
   int frames = 25;
   std::optional<double> at; ///< the time of the one shape that is made; empty: the whole blend
   bool solid = false;       ///< that shape is one closed surface

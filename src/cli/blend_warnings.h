@@ -12,9 +12,8 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// Tells of a difference in size that an animation cannot show.
-void warn_of_sizes(Blend_size size, const Loaded_shape& source, const Loaded_shape& target,
-                   std::vector<std::string>& warnings);
+/// The size of the frames where none is asked for: `SAME`, with a warning, for shapes that seem to be in other units.
+Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, std::vector<std::string>& warnings);
 
 /// Tells which parts exchange their surfaces, and why.
 void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,

@@ -39,7 +39,8 @@ Matches all ordered pairs of a set of shapes and computes
   - pairs of shapes that are matched better by way of a third one (bridges);
   - clusters of parts that correspond over the whole set, by Markov clustering.
 
-The entries of FOLDER are the shapes: model files, folders of part meshes, and structural graphs (.json, .xml).
+The entries of FOLDER are the shapes: model files, folders of part meshes, and structural graphs (.json, .xml). Others
+are left out, with a note.
 
 With --labels-from, the labels of one shape are transferred to all shapes of the set instead, by matching it with each.
 
@@ -49,8 +50,8 @@ the work if the package was built with MPI; all of them need the folder:
 
   mpirun -n 8 shape_correspondence_mpi collection FOLDER --store S --json C.json
 
-Examples: shape_correspondence collection chairs --json chairs.json --npy distances.npy
-          shape_correspondence collection chairs --store work --html chairs.html --search exact
+Examples: shape_correspondence collection chairs -o chairs.json -o distances.npy
+          shape_correspondence collection chairs --store work -o chairs.html --search exact
           shape_correspondence collection chairs --store work --nearest stool.obj -k 3
           shape_correspondence collection chairs --labels-from my_chair --labels-to labels
 
@@ -116,7 +117,7 @@ private:
     if (options_.matches && common.json.empty()) refuse_option("matches", "without --json");
     if (options_.agreeing && !options_.matches && common.html.empty())
       refuse_option("agreeing", "without --matches or --html");
-    paths_ = collection_paths(inputs);
+    paths_ = collection_paths(inputs, &left_out_);
   }
 
   std::vector<std::string> input_files() const override
@@ -139,6 +140,8 @@ private:
     if (team.size() > 1 && options_.store.empty())
       throw Usage_error("several processes need --store, a folder that all of them can use");
     const Thread_limit limit(threads_of_process(common, team));
+    if (!left_out_.empty() && team.is_first())
+      warn(common, inputs[0] + ": left out, since they are no shapes: " + listed(left_out_));
     add_examples(match_, common, matching_.search);
     common.roles = matching_.search.roles;
     if (common.cache.empty()) common.cache = stored("cache");
@@ -201,7 +204,8 @@ private:
   Match_options match_;
   Collection_options options_;
   Energy_matrix_options matching_;
-  std::vector<std::string> paths_; // of the shapes
+  std::vector<std::string> paths_;    // of the shapes
+  std::vector<std::string> left_out_; // entries of the folder that are no shapes
 };
 
 } // namespace
@@ -209,19 +213,27 @@ private:
 void add_collection_options(Option_table& table, Common_options& common, Collection_options& options)
 {
   Option_table::Group add = table.group("Options of collection");
+  add("output,o", "FILE",
+      output_by_ending(
+          {{".html", &common.html}, {".json", &common.json}, {".npy", &options.npy}, {".csv", &options.csv}}),
+      "what --html, --json, --npy or --csv writes, by the ending of FILE; can be repeated");
   add("json", "FILE", &common.json, "write the result as JSON; - is standard output").output();
-  add("npy", "FILE", &options.npy, "write the distances, source by target, as a NumPy array of doubles").output();
-  add("csv", "FILE", &options.csv, "write the distances as a table with the names of the shapes").output();
+  add("npy", "FILE", &options.npy, "write the distances, source by target, as a NumPy array of doubles")
+      .output()
+      .rare();
+  add("csv", "FILE", &options.csv, "write the distances as a table with the names of the shapes").output().rare();
   add("html", "FILE", &common.html,
       "write a web page with the shapes, the medoid, the spanning tree, and the match of any two shapes that are "
       "clicked (of more than 100 shapes: of near ones; of more than 1000 shapes it shows 1000); it needs no network")
       .output();
   add("matches", &options.matches,
       "write the corresponding parts of all pairs of shapes to --json, too (of more than 100 shapes: of near ones)")
+      .rare()
       .in_python();
   add("agreeing", &options.agreeing,
       "keep only pairs of parts that are in one cluster, in --matches and on the page of --html: fewer pairs, which "
       "are right more often")
+      .rare()
       .in_python();
   add("store", "FOLDER", &options.store,
       "keep graphs and finished pairs in this folder and reuse them; recommended for large sets, of which graphs, "
@@ -235,25 +247,29 @@ void add_collection_options(Option_table& table, Common_options& common, Collect
       "each part. Each part gets the label of the part to which it corresponds most probably");
   add("labels-to", "FOLDER", &options.labels_to,
       "write FOLDER/NAME/labels.json for each shape of --labels-from, with the probability of each label");
-  add("skip-bad", &options.skip_bad, "leave out inputs that cannot be used, with a warning");
+  add("skip-bad", &options.skip_bad, "leave out inputs that cannot be used, with a note").rare();
   add("unmatched-energy", "E", &options.unmatched_energy,
       "energy of a pair of connected parts of which one has no counterpart")
       .at_least(0)
+      .rare()
       .in_python();
   add("inflation", "R", &options.co_analysis.clustering.inflation,
       "inflation of Markov clustering, more than 1; larger values make smaller clusters of parts")
       .more_than(1)
+      .rare()
       .in_python();
   add("cycle-support", "S", &options.co_analysis.least_cycle_support,
       "use a pair of parts for clustering if at least this share of third shapes confirm it, between 0 and 1; 0: use "
       "all")
       .between(0, 1)
+      .rare()
       .in_python("least_cycle_support");
   add("neighbours", "K", &options.neighbours,
       "cluster with the part maps of each shape to its K nearest ones only; default: all for up to 100 shapes, else "
       "32")
       .at_least(1)
       .without_default()
+      .rare()
       .in_python();
 }
 

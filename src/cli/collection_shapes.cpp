@@ -34,13 +34,36 @@ bool is_shape_file(const std::string& path) { return is_graph_file(path) || IO::
 
 bool is_hidden(const fs::path& path) { return path.filename().string()[0] == '.'; }
 
+std::vector<std::string> model_files(const fs::path& folder)
+{
+  std::vector<std::string> result;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && !is_hidden(entry.path()) && IO::is_model_file(entry.path().string()))
+      result.push_back(entry.path().string());
+  return result;
+}
+
+bool has_several_objects(const std::string& model)
+{
+  try {
+    return read_objects(model, {}).shape.parts().size() > 1;
+  } catch (const Invalid_input&) { // who reads it will say so
+    return false;
+  }
+}
+
+/// Whether the files are shapes, not the parts of one.
+bool are_shapes(const std::vector<std::string>& models)
+{
+  return !models.empty() && std::all_of(models.begin(), models.end(), has_several_objects);
+}
+
 /// A folder of part meshes, itself or in its sub-folder `parts`.
 bool is_shape_folder(const fs::path& folder)
 {
   if (fs::is_directory(folder / "parts")) return true;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file() && !is_hidden(entry.path()) && is_shape_file(entry.path().string())) return true;
-  return false;
+  const std::vector<std::string> models = model_files(folder);
+  return !models.empty() && !are_shapes(models);
 }
 
 /// What became of one input.
@@ -185,7 +208,33 @@ void make_names_unique(std::vector<Collection_shape>& shapes)
 
 } // namespace
 
-std::vector<std::string> collection_paths(const std::vector<std::string>& inputs)
+bool is_folder_of_shapes(const std::string& path)
+{
+  if (!fs::is_directory(path) || fs::is_directory(fs::path(path) / "parts")) return false;
+  const std::vector<std::string> models = model_files(path);
+  if (!models.empty()) return are_shapes(models);
+  const fs::directory_iterator entries(path);
+  return std::any_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
+    return entry.is_directory() && !is_hidden(entry.path()) && is_shape_folder(entry.path());
+  });
+}
+
+std::vector<std::string> shapes_in(const std::string& folder, std::vector<std::string>* left_out)
+{
+  std::vector<std::string> result;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (is_hidden(entry.path())) continue;
+    if (entry.is_directory() ? is_shape_folder(entry.path()) : is_shape_file(entry.path().string()))
+      result.push_back(entry.path().string());
+    else if (left_out)
+      left_out->push_back(entry.path().filename().string());
+  }
+  std::sort(result.begin(), result.end());
+  if (left_out) std::sort(left_out->begin(), left_out->end());
+  return result;
+}
+
+std::vector<std::string> collection_paths(const std::vector<std::string>& inputs, std::vector<std::string>* left_out)
 {
   std::vector<std::string> result = inputs;
   if (inputs.size() == 1) {
@@ -193,12 +242,7 @@ std::vector<std::string> collection_paths(const std::vector<std::string>& inputs
     IO::check_exists(inputs[0]);
     if (!fs::is_directory(folder))
       throw Invalid_input(inputs[0] + ": it is one file; a collection is a folder of shapes, or several inputs");
-    result.clear();
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-      if (!is_hidden(entry.path()) &&
-          (entry.is_directory() ? is_shape_folder(entry.path()) : is_shape_file(entry.path().string())))
-        result.push_back(entry.path().string());
-    std::sort(result.begin(), result.end());
+    result = shapes_in(inputs[0], left_out);
   }
   if (result.size() < 2)
     throw Invalid_input(

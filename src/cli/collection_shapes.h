@@ -28,7 +28,15 @@ struct Collection_shape
 
 /// The shapes that inputs name: each an input, or the entries of a single folder, by name. Of a folder these are model
 /// files, structural graphs, and folders of part meshes. \throw Invalid_input if they are less than two
-std::vector<std::string> collection_paths(const std::vector<std::string>& inputs);
+/// \param left_out gets the names of entries that are no shapes; null: not wanted
+std::vector<std::string> collection_paths(const std::vector<std::string>& inputs,
+                                          std::vector<std::string>* left_out = nullptr);
+
+/// Whether a folder has shapes: folders of part meshes, or model files of several objects, which no part has.
+bool is_folder_of_shapes(const std::string& path);
+
+/// The shapes in a folder, in order. \param left_out gets the names of what is none; null: not wanted
+std::vector<std::string> shapes_in(const std::string& folder, std::vector<std::string>* left_out = nullptr);
 
 /// The structural graphs of a collection, on demand: in a folder or, without one, in memory.
 class Collection_shapes

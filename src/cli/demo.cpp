@@ -9,6 +9,7 @@
 
 #include <boost/algorithm/string/join.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -20,8 +21,8 @@ namespace fs = std::filesystem;
 const char* const demo_help =
     R"(Usage: shape_correspondence demo [FOLDER] [options]
 
-Matches two chairs of different topology that come with the program, blends them, and writes the results into FOLDER,
-a new folder (shape_correspondence_demo by default). It prints each command before it runs it.
+Matches two chairs of different topology that come with the program, blends them, and writes the results into FOLDER
+(shape_correspondence_demo by default), a new one or that of an earlier demo. It prints each command before it runs it.
 
 )";
 
@@ -39,6 +40,22 @@ std::string data_folder()
   for (const fs::path& folder : {installed, fs::path(SHAPE_CORRESPONDENCE_SOURCE_DATA)})
     if (fs::is_directory(folder, error)) return folder.string();
   throw Invalid_input(installed.string() + ": the models that come with the program are not there; reinstall it");
+}
+
+// What the demo writes
+constexpr const char *match_json = "match.json", *match_html = "match.html", *blend_html = "blend.html",
+                     *blend_glb = "blend.glb";
+
+/// Whether there is nothing in a folder but what an earlier demo wrote.
+bool is_of_demo(const fs::path& folder)
+{
+  const std::vector<std::string> files{match_json, match_html, blend_html, blend_glb};
+  if (!fs::is_directory(folder)) return false;
+  const fs::directory_iterator entries(folder);
+  return std::all_of(begin(entries), end(entries), [&](const fs::directory_entry& entry) {
+    return entry.is_regular_file() &&
+           std::find(files.begin(), files.end(), entry.path().filename().string()) != files.end();
+  });
 }
 
 class Demo_command : public Command
@@ -62,17 +79,19 @@ private:
   void work() override
   {
     const fs::path folder = inputs.empty() ? "shape_correspondence_demo" : inputs[0];
-    IO::check_new_folder(folder.string());
+    if (!is_of_demo(folder)) IO::check_new_folder(folder.string());
     const fs::path data = data_folder();
     fs::create_directories(folder);
     const auto output = [&](const char* name) { return (folder / name).string(); };
     const std::string source = (data / source_model).string(), target = (data / target_model).string();
-    run_shown("match", {source, target, "--json", output("match.json"), "--html", output("match.html")});
-    run_shown("blend", {source, target, "--match", output("match.json"), "-o", output("blend.glb")});
+    run_shown("match", {source, target, "-o", output(match_html), "-o", output(match_json)});
+    for (const char* blend : {blend_html, blend_glb})
+      run_shown("blend", {source, target, "--match", output(match_json), "-o", output(blend)});
     if (!common.quiet)
-      std::cout << "Written: " << IO::quote_terminal(output("match.html")) << " for any browser, "
-                << IO::quote_terminal(output("blend.glb")) << ", an animation for any glTF viewer, and "
-                << IO::quote_terminal(output("match.json")) << '\n';
+      std::cout << "Written: " << IO::quote_terminal(output(match_html)) << " and "
+                << IO::quote_terminal(output(blend_html)) << " for any browser, "
+                << IO::quote_terminal(output(blend_glb)) << ", an animation for any glTF viewer, and "
+                << IO::quote_terminal(output(match_json)) << '\n';
   }
 };
 

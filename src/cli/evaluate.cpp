@@ -291,6 +291,7 @@ void add_evaluate_options(Option_table& table, Evaluate_options& options, Common
 {
   Option_table::Group add = table.group("Options of evaluate");
   add("ground-truth", "LABELS", &options.labels, "labels of the parts; can be repeated").required();
+  add("output,o", "FILE", output_by_ending({{".json", &common.json}}), "the same as --json");
   add("json", "FILE", &common.json,
       "write all scores as JSON, with the right, wrong and missed pairs of every result; - is standard output")
       .output();

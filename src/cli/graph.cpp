@@ -32,7 +32,7 @@ MODEL is one of
   - a folder of part meshes: one file for each part, named after the part;
   - a structural graph (.json, .xml).
 
-Example: shape_correspondence graph chair.obj -o chair.json --html chair.html
+Example: shape_correspondence graph chair.obj -o chair.json -o chair.html
 
 )";
 
@@ -47,7 +47,8 @@ std::string touched_parts(const Shape_structure& shape, std::size_t part)
   return listed(names);
 }
 
-void print_graph(const std::string& path, const Structural_graph& graph, bool verbose)
+void print_graph(const std::string& path, const Structural_graph& graph, const std::vector<std::string>& notes,
+                 bool verbose)
 {
   const Shape_structure& shape = structure(graph);
   std::vector<std::vector<std::string>> rows{{"group", "symmetry", "part", "type", "solidity", "touches"}};
@@ -62,8 +63,8 @@ void print_graph(const std::string& path, const Structural_graph& graph, bool ve
   std::cout << IO::quote_terminal(path) << ": " << shape.parts.size() << " parts, " << num_vertices(graph)
             << " groups, " << shape.contacts.size() << " contacts\n\n";
   write_table(std::cout, rows);
-  if (!shape.warnings.empty()) std::cout << '\n';
-  write_notes(std::cout, shape.warnings, verbose);
+  if (!notes.empty()) std::cout << '\n';
+  write_notes(std::cout, notes, verbose);
 }
 
 class Graph_command : public Command
@@ -72,7 +73,15 @@ public:
   Graph_command() : Command(graph_help, 1, 1)
   {
     Option_table::Group add = table.group("Options of graph");
-    add("json,o", "FILE", &common.json,
+    add("output,o", "FILE",
+        output_by_ending({{".json", &common.json},
+                          {".html", &common.html},
+                          {".glb", &common.glb},
+                          {".graphml", &graphml_},
+                          {".dot", &dot_}}),
+        "what an option of that name writes, by the ending of FILE: .json, .html, .glb, .graphml or .dot; can be "
+        "repeated");
+    add("json", "FILE", &common.json,
         "write the graph as JSON, which `match` reads in place of the model; - is standard output")
         .output();
     add("glb", "FILE", &common.glb,
@@ -83,8 +92,9 @@ public:
         .output();
     add("graphml", "FILE", &graphml_,
         "write groups and contacts as GraphML: names, symmetries and solidities, no geometry")
-        .output();
-    add("dot", "FILE", &dot_, "write the same for Graphviz").output();
+        .output()
+        .rare();
+    add("dot", "FILE", &dot_, "write the same for Graphviz").output().rare();
     add("parts-json", "FILE", &pieces_,
         "write which loose piece of the model is in which part, to be edited and read by --parts-from")
         .output();
@@ -106,9 +116,10 @@ private:
     common.roles = IO::shipped_role_model();
     Loaded_shape shape = load_shape(inputs[0], common);
     check_part_kinds(common, part_names(shape.graph));
+    std::vector<std::string> notes = structure(shape.graph).warnings;
     if (!common.glb.empty()) {
       read_appearance(inputs[0], shape);
-      warn_of_appearance(inputs[0], shape, common);
+      note_appearance(inputs[0], shape, common, notes);
     }
     write_output(common.json, [&](std::ostream& out) { IO::write_structural_graph_json(out, shape.graph); });
     write_output(common.glb, [&](std::ostream& out) {
@@ -119,7 +130,7 @@ private:
     write_output(graphml_, [&](std::ostream& out) { IO::write_structural_graph_graphml(out, shape.graph); });
     write_output(pieces_, [&](std::ostream& out) { IO::write_parts_json(out, shape.split); });
     write_output(dot_, [&](std::ostream& out) { IO::write_structural_graph_dot(out, shape.graph); });
-    if (common.prints_table()) print_graph(inputs[0], shape.graph, common.verbose);
+    if (common.prints_table()) print_graph(inputs[0], shape.graph, notes, common.verbose);
   }
 
   std::string graphml_, dot_, pieces_; // files; empty: none

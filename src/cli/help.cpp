@@ -45,7 +45,7 @@ void write_manual_page(std::ostream& out)
   for (const Command_entry& command : commands()) {
     out << ".SH " << boost::to_upper_copy(std::string(command.name)) << '\n';
     std::ostringstream text;
-    command.make()->write_help(text);
+    command.make()->write_help(text, true);
     write_as_it_is(out, text.str());
   }
 }
@@ -77,7 +77,7 @@ private:
     else if (inputs.empty())
       cli::write_help(std::cout);
     else
-      command_of(inputs[0])->write_help(std::cout);
+      command_of(inputs[0])->write_help(std::cout, true);
   }
 
   bool as_manual_page_ = false;
@@ -95,7 +95,7 @@ std::string names_of_commands()
 std::string words_of_inputs(const std::string& command)
 {
   return command == "help"         ? names_of_commands()
-         : command == "completion" ? "bash zsh"
+         : command == "completion" ? "bash zsh fish"
          : command == "roles"      ? "train evaluate predict"
                                    : "";
 }
@@ -107,6 +107,11 @@ void write_bash(std::ostream& out)
   out << "# bash completion of shape_correspondence\n"
          "_shape_correspondence()\n{\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} words=\n"
+         "  if [ \"$word\" = = ]; then\n" // --option=VALUE is three words
+         "    word=\n"
+         "  elif [ \"$before\" = = ]; then\n"
+         "    before=${COMP_WORDS[COMP_CWORD-2]}\n"
+         "  fi\n"
          "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
          "    words=\""
       << names_of_commands()
@@ -183,16 +188,41 @@ void write_zsh(std::ostream& out)
          "fi\n";
 }
 
+/// What fish shows beside a command or an option. \return quoted
+std::string fish_text(const std::string& description) { return "'" + zsh_text(description) + "'"; }
+
+void write_fish(std::ostream& out)
+{
+  const std::string complete = "complete -c shape_correspondence -n ";
+  for (const Command_entry& command : commands()) {
+    out << complete << "__fish_use_subcommand -f -a " << command.name << " -d " << fish_text(command.summary) << '\n';
+    const std::string of_command = complete + "'__fish_seen_subcommand_from " + command.name + "'";
+    if (const std::string words = words_of_inputs(command.name); !words.empty())
+      out << of_command << " -f -a '" << words << "'\n";
+    const std::unique_ptr<Command> made = command.make();
+    for (const Option& option : made->options().options()) {
+      out << of_command << " -l " << option.name;
+      if (!option.short_name.empty()) out << " -s " << option.short_name;
+      if (!option.known.empty())
+        out << " -x -a '" << boost::algorithm::join(option.known, " ") << "'";
+      else if (!option.is_switch())
+        out << " -r";
+      out << " -d " << fish_text(option.help) << '\n';
+    }
+  }
+}
+
 class Completion_command : public Command
 {
 public:
   Completion_command()
-      : Command(R"text(Usage: shape_correspondence completion bash|zsh
+      : Command(R"text(Usage: shape_correspondence completion bash|zsh|fish
 
 Prints a script with which the shell completes commands, options and their values.
 
 Examples: eval "$(shape_correspondence completion bash)"
           shape_correspondence completion zsh > ~/.zsh/_shape_correspondence
+          shape_correspondence completion fish | source
 
 )text",
                 1, 1)
@@ -207,8 +237,10 @@ private:
       write_bash(std::cout);
     else if (inputs[0] == "zsh")
       write_zsh(std::cout);
+    else if (inputs[0] == "fish")
+      write_fish(std::cout);
     else
-      throw Usage_error("'" + inputs[0] + "' is not a shell that it knows; known are: bash, zsh");
+      throw Usage_error("'" + inputs[0] + "' is not a shell that it knows; known are: bash, zsh, fish");
   }
 };
 

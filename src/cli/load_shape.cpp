@@ -340,10 +340,14 @@ void read_appearance(const std::string& path, Loaded_shape& shape)
   shape.appearance = appearance_of_parts(objects, of_objects, shape.split);
 }
 
-void warn_of_appearance(const std::string& path, const Loaded_shape& shape, const Common_options& options)
+void note_appearance(const std::string& path, const Loaded_shape& shape, const Common_options& options,
+                     std::vector<std::string>& notes)
 {
   for (const std::string& warning : shape.appearance.warnings)
-    warn(options, path + ": " + warning);
+    if (options.prints_table())
+      notes.push_back(path + ": " + warning);
+    else
+      warn(options, path + ": " + warning);
 }
 
 std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes)

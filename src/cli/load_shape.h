@@ -57,8 +57,9 @@ void complete_surfaces(const std::string& path, Loaded_shape& shape);
 /// \throw Invalid_input if the file has become another one
 void read_appearance(const std::string& path, Loaded_shape& shape);
 
-/// Warns of what is missing or damaged in it on standard error.
-void warn_of_appearance(const std::string& path, const Loaded_shape& shape, const Common_options& options);
+/// Adds what is missing or damaged in it to the notes of a table, or where there is none warns on standard error.
+void note_appearance(const std::string& path, const Loaded_shape& shape, const Common_options& options,
+                     std::vector<std::string>& notes);
 
 /// What the graphs of inputs warn of; every line names its input.
 std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes);

@@ -34,7 +34,7 @@ split (one to several), merge (several to fewer), duplicate (several to more), c
 inverse). The confidence is the probability that a pair is right. The deformation energy is E of the paper, Eq. 1; the
 distance is the energy per pair of connected parts, by which `collection` compares shapes.
 
-Examples: shape_correspondence match chair.obj swivel_chair.obj --json result.json --html result.html
+Examples: shape_correspondence match chair.obj swivel_chair.obj -o result.html -o result.json
           shape_correspondence match chair.obj stool.obj --search exact --allow-unmatched --solutions 3
 
 )";
@@ -45,11 +45,14 @@ public:
   Match_command() : Pair_command(match_help)
   {
     Option_table::Group add = table.group("Output");
+    add("output,o", "FILE", output_by_ending({{".html", &common.html}, {".json", &common.json}, {".glb", &common.glb}}),
+        "what --html, --json or --glb writes, by the ending of FILE; can be repeated");
     add("json", "FILE", &common.json, "write the result as JSON; - is standard output").output();
     add("glb", "FILE", &common.glb,
         "write both shapes side by side as binary glTF; corresponding parts have one colour, unmatched parts are grey; "
         "a further scene, 'materials', has the materials of the models")
-        .output();
+        .output()
+        .rare();
     add("html", "FILE", &common.html,
         "write the same as a web page with a table of corresponding parts; it needs no network")
         .output();
@@ -70,9 +73,10 @@ private:
       IO::write_correspondences_json(out, ranked, source().graph, target().graph, inputs[0], inputs[1],
                                      matched.seconds);
     });
+    std::vector<std::string> notes = of_match;
     for (std::size_t i = 0; shows_looks && i < 2; ++i) {
       read_appearance(inputs[i], shapes[i]);
-      warn_of_appearance(inputs[i], shapes[i], common);
+      note_appearance(inputs[i], shapes[i], common, notes);
     }
     write_output(common.glb, [&](std::ostream& out) {
       IO::write_correspondence_glb(out, ranked[0], source().graph, target().graph, source().model_pointer(),
@@ -87,7 +91,7 @@ private:
     });
     if (!common.prints_table()) return;
     write_match_table(std::cout, ranked[0], source().graph, target().graph, common.verbose);
-    write_notes(std::cout, ranked[0].warnings, common.verbose);
+    write_notes(std::cout, notes, common.verbose);
     if (common.verbose) write_group_table(std::cout, ranked[0], source().graph, target().graph);
   }
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Command.h"
+#include "cli/collection_shapes.h"
+#include "cli/load_shape.h"
 #include "cli/read_model.h"
 #include "cli/run.h"
 #include "cli/text.h"
@@ -24,13 +26,14 @@ namespace fs = std::filesystem;
 
 const char* const parts_help =
     R"(Usage: shape_correspondence parts MODEL... [options]
-       shape_correspondence parts FOLDER --all [options]
+       shape_correspondence parts FOLDER [--all] [options]
 
 Lists the objects of model files with their loose pieces, and which part each piece becomes, and why. No part is
 abstracted, so this is fast. With --html, it also writes a page with a picture of every model, one colour for each part.
 
-MODEL is a model file or a folder of part meshes, as in `graph`. With --all, the models are all model files in FOLDER
-and its subfolders.
+MODEL is a model file or a folder of part meshes, as in `graph`. FOLDER is a folder of such models; it is known by its
+model files, each of several objects, or by its folders of part meshes. With --all, the models are all model files in
+FOLDER and its subfolders.
 
 If the parts are not the wanted ones: --parts file, components or segments makes others, in every command. For full
 control, `graph MODEL --parts-json FILE` writes which piece is in which part; edit the file and read it with
@@ -108,10 +111,11 @@ public:
   Parts_command() : Command(parts_help, 1, any_number)
   {
     Option_table::Group add = table.group("Options of parts");
+    add("output,o", "FILE", output_by_ending({{".html", &common.html}}), "the same as --html");
     add("html", "FILE", &common.html, "write a page with a picture of every model").output();
     add("parts-from", "FILE", &common.parts_from,
         "read the parts from a list of pieces and their parts, as `graph --parts-json` writes it");
-    add("all", &is_folder_of_models_, "the input is a folder of model files, not of part meshes");
+    add("all", &is_folder_of_models_, "the models are all model files in the folder and its subfolders");
     add_reading_options(table, common);
     add_common_options(table, common);
   }
@@ -125,7 +129,7 @@ private:
   void work() override
   {
     common.roles = IO::shipped_role_model();
-    const std::vector<std::string> paths = is_folder_of_models_ ? models_in(inputs[0]) : inputs;
+    const std::vector<std::string> paths = is_folder_of_models_ ? models_in(inputs[0]) : models();
     IO::Parts_sheet sheet(paths.size());
     std::string complaints;
     for (const std::string& path : paths) {
@@ -141,6 +145,20 @@ private:
     }
     write_output(common.html, [&](std::ostream& out) { sheet.write(out); });
     if (!complaints.empty()) throw Invalid_input(complaints);
+  }
+
+  /// The inputs, folders of shapes by what is in them.
+  std::vector<std::string> models() const
+  {
+    std::vector<std::string> result;
+    for (const std::string& input : inputs)
+      if (is_folder_of_shapes(input)) {
+        for (const std::string& shape : shapes_in(input))
+          if (!is_graph_file(shape)) result.push_back(shape);
+      } else {
+        result.push_back(input);
+      }
+    return result;
   }
 
   bool is_folder_of_models_ = false;

@@ -99,6 +99,39 @@ void write_wrapped(std::ostream& out, const std::string& text)
   }
 }
 
+std::string reflowed(const std::string& text)
+{
+  std::string result, paragraph;
+  std::size_t indent = 0; // of the lines of the paragraph after its first
+  const auto flush = [&] {
+    if (paragraph.empty()) return;
+    const std::size_t first = paragraph.find_first_not_of(' ');
+    const bool is_command = paragraph.find("shape_correspondence ") < paragraph.find_first_of(".,`");
+    const std::size_t sign = is_command ? 2 : 0; // of what goes on
+    const std::vector<std::string> lines = wrapped(paragraph, line_width - std::max(indent, first) - sign);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      result += std::string(i == 0 ? first : indent, ' ') + lines[i] +
+                (is_command && i + 1 < lines.size() ? " \\" : "") + '\n';
+    paragraph.clear();
+  };
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t start = line.find_first_not_of(' ');
+    const bool begins = line.empty() || line.rfind("Usage", 0) == 0 || line.rfind("Example", 0) == 0,
+               is_item = !line.empty() && line.compare(start, 2, "- ") == 0;
+    if (begins || is_item || paragraph.empty() || start != indent || start > 4) {
+      flush();
+      indent = begins ? 12 : is_item ? start + 2 : start == 0 ? 0 : start + 2;
+    }
+    if (line.empty())
+      result += '\n';
+    else
+      paragraph += (paragraph.empty() ? "" : " ") + (paragraph.empty() ? line : line.substr(start));
+  }
+  flush();
+  return result;
+}
+
 void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all)
 {
   static const std::regex library_option(R"( \(`[^`]*`\))");
@@ -135,7 +168,8 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   std::size_t nearest = 1 + (word.size() + 1) / 3; // a third of the letters may be wrong
   std::string result;
   for (const std::string& candidate : known) {
-    const std::size_t distance = edit_distance(word, candidate);
+    const bool begins_so = word.size() > 2 && candidate.rfind(word, 0) == 0;
+    const std::size_t distance = begins_so ? 0 : edit_distance(word, candidate);
     if (distance >= nearest) continue;
     nearest = distance;
     result = "; did you mean '" + candidate + "'?";

@@ -21,6 +21,10 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 /// Writes a text in lines; further ones are indented.
 void write_wrapped(std::ostream& out, const std::string& text);
 
+/// A text of help with its paragraphs and list items in lines of `line_width`; a longer command goes on after a
+/// backslash.
+std::string reflowed(const std::string& text);
+
 /// Writes notes, one a line; of several only how many they are, unless all are wanted. Names of the library's options
 /// are left out.
 void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all);
@@ -34,7 +38,8 @@ std::string percentage(double share);
 /// The words with commas in between; "-" for none.
 std::string listed(const std::vector<std::string>& words);
 
-/// "; did you mean 'WORD'?" with the known word that is spelt most alike by edit distance; empty if none is near.
+/// "; did you mean 'WORD'?" with the known word that begins so, else the one that is spelt most alike by edit distance;
+/// empty if none is near.
 std::string suggestion(const std::string& word, const std::vector<std::string>& known);
 
 } // namespace CGAL::Shape_correspondence::cli

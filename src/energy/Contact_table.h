@@ -15,7 +15,8 @@
 namespace CGAL::Shape_correspondence {
 
 // Computes the energies of all contacts by the labels of their two parts. Comparisons of rods are listed first, so that
-// the rods of a pair of target pieces are found once, for all contacts that may turn into it.
+// the rods of a pair of deformed pieces are found once, for all contacts that may turn into it. By samples, these are
+// target pieces, which many contacts share; by extremities, each source piece is deformed into a shape of its own.
 class Matching_problem::Contact_table
 {
 public:
@@ -48,7 +49,7 @@ private:
     Rod_energy energy;
   };
 
-  // Two target pieces, each in the order of its samples that a fitted piece has.
+  // Two deformed pieces, each named by one of the fitted pieces that have its samples.
   struct Target_pair
   {
     std::uint32_t first, second; // fitted pieces

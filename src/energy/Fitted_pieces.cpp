@@ -91,7 +91,7 @@ std::size_t Fitted_pieces::lanes_of(std::size_t source_piece, std::size_t target
   lanes_of_[target_piece].push_back({&order, lanes_.size()});
   const int repeats = int(order.size()) / int(target.samples.cols());
   const bool is_transposed = repeats > 1 && order[0] / repeats != order[1] / repeats; // equal rows, not columns
-  points_.push_back(deform_to_fit(source, target));
+  points_.push_back(ordered_samples(target, order));
   lanes_.emplace_back(points_.back(), repeats, is_transposed ? repeats : 1);
   return lanes_.size() - 1;
 }

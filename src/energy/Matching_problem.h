@@ -21,10 +21,11 @@ namespace CGAL::Shape_correspondence {
 /// groups.
 constexpr std::size_t maximum_labels = 64;
 
-/// The matching graph of a source and a target shape (paper, section 5) with its energies as tables. Once every group
-/// has a label, a matched part is its target part up to resampling, so that E is a sum over groups and over pairs of
-/// groups in contact of terms that depend on their labels alone; each is computed once. The labels of a group are the
-/// target groups (the nearest `maximum_labels`) in their order, then those with cut curves, then, where allowed, none.
+/// The matching graph of a source and a target shape (paper, section 5) with its energies as tables. A part that
+/// is deformed to fit depends on itself and on its target part alone. Once every group has a label, E is therefore a
+/// sum over groups and over pairs of groups in contact of terms that depend on their labels alone; each is computed
+/// once. The labels of a group are the target groups (the nearest `maximum_labels`) in their order, then those with cut
+/// curves, then, where allowed, none.
 class Matching_problem
 {
 public:

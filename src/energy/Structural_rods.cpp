@@ -109,12 +109,6 @@ Rod_energy Structural_rods::energy(const Points& first, const Points& second) co
   return energy(Sample_lanes(first), Sample_lanes(second));
 }
 
-double least_distance(const Points& first, const Points& second)
-{
-  CGAL_precondition(first.cols() <= maximum_samples && second.cols() <= maximum_samples);
-  return least_distance(Sample_lanes(first), int(first.cols()), Sample_lanes(second), int(second.cols()));
-}
-
 double least_distance(const Sample_lanes& first, int n, const Sample_lanes& second, int m)
 {
   return std::sqrt(double(rod_kernel().least_length(nullptr, first, n, second, m).least_squared_length));

@@ -88,7 +88,6 @@ void distortions(const std::vector<const Structural_rods*>& pairs, const interna
                  const internal::Sample_lanes& second, std::vector<double>& result);
 
 /// The least distance between a sample of one part and a sample of another, in single precision. O(number of pairs).
-double least_distance(const Points& first, const Points& second);
 double least_distance(const internal::Sample_lanes& first, int n, const internal::Sample_lanes& second, int m);
 
 } // namespace CGAL::Shape_correspondence

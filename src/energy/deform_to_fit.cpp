@@ -80,26 +80,32 @@ const std::vector<int>& match_extremities(const Sampled_part& source, const Samp
   };
   const auto from = from_centre(source), to = from_centre(target);
   const Permutation* best = nullptr;
-  long best_score = 0; // the sum of products is greatest where the sum of squared distances is least
+  Steps best_score = 0; // the sum of products is greatest where the sum of squared distances is least
   for (const Permutation& order : orders) {
     double sum = 0;
     for (Eigen::Index k = 0; k < from.cols(); ++k) {
       const int image = order[std::size_t(extremities[std::size_t(k)])]; // an extremity, too
       sum += from.col(k).dot(to.col(std::find(extremities.begin(), extremities.end(), image) - extremities.begin()));
     }
-    const long score = quantized(sum);
+    const Steps score = quantized(sum);
     if (!best || score > best_score) best = &order, best_score = score;
   }
   return *best;
 }
 
-Points deform_to_fit(const Sampled_part& source, const Sampled_part& target, Deform_to_fit fit)
+Points ordered_samples(const Sampled_part& target, const std::vector<int>& order)
 {
-  const Permutation& order = match_extremities(source, target);
   const int repeats = int(order.size()) / int(target.samples.cols());
   Points result(3, Eigen::Index(order.size()));
   for (Eigen::Index i = 0; i < result.cols(); ++i)
     result.col(i) = target.samples.col(order[std::size_t(i)] / repeats);
+  return result;
+}
+
+Points deform_to_fit(const Sampled_part& source, const Sampled_part& target, Deform_to_fit fit)
+{
+  const Permutation& order = match_extremities(source, target);
+  Points result = ordered_samples(target, order);
   const std::vector<int>& extremities = fits_of(source, target).extremities;
   if (fit == Deform_to_fit::SAMPLES || extremities.size() == order.size()) return result;
 

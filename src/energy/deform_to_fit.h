@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "structure/align_shapes.h"
+#include "structure/Sampled_part.h"
 
 #include <CGAL/Shape_correspondence/Matching_options.h>
 
@@ -22,6 +22,9 @@ Points deform_to_fit(const Sampled_part& source, const Sampled_part& target,
 /// one whose ends, corners or samples have the least sum of squared distances. If one part is a sheet, a curve counts
 /// as a sheet of e equal columns: [i] is its sample [i] / e. Refers to a static table.
 const std::vector<int>& match_extremities(const Sampled_part& source, const Sampled_part& target);
+
+/// The samples of the target in such an order.
+Points ordered_samples(const Sampled_part& target, const std::vector<int>& order);
 
 /// Every sample `repeats` times in a row: a curve as a sheet of equal columns.
 Points repeated(const Points& samples, int repeats);

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "structure/align_shapes.h"
+#include "structure/Sampled_part.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -189,8 +189,13 @@ public:
 
   Assimp::IOStream* Open(const char* path, const char* mode) override
   {
+    std::error_code error;
+    if (missing_.empty() && !std::filesystem::exists(path, error)) missing_ = path;
     return is_allowed(path) && mode[0] == 'r' ? DefaultIOSystem::Open(path, mode) : nullptr;
   }
+
+  /// The first file that was to be opened and is not there; empty: none.
+  const std::string& missing() const { return missing_; }
 
 private:
   bool is_allowed(const char* path) const
@@ -200,17 +205,20 @@ private:
            (allows_outside_ || path == file_ || is_in_folder_of(file_, path));
   }
 
-  std::string file_;
+  std::string file_, missing_;
   bool allows_outside_;
 };
 
 Model_content read_scene(const std::string& file, bool allows_outside)
 {
   Assimp::Importer importer;
-  importer.SetIOHandler(new Model_files(file, allows_outside)); // which the importer deletes
+  const auto files = new Model_files(file, allows_outside); // which the importer deletes
+  importer.SetIOHandler(files);
   importer.SetPropertyInteger(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, 1);
   importer.SetPropertyInteger(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0); // they would be nodes of their own
   const aiScene* const scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_SortByPType);
+  if ((!scene || !scene->mRootNode) && !files->missing().empty())
+    throw Invalid_input("the file " + files->missing() + ", which it names, is not there; put it beside the model");
   if (!scene || !scene->mRootNode)
     throw Invalid_input(std::string("it cannot be read as a model of the format that its extension says (") +
                         importer.GetErrorString() + ")");

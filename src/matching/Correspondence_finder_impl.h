@@ -97,6 +97,9 @@ private:
   Part_match_result matched_parts(const Prepared_shape& target) const;
   // The alignments to try, the likeliest first. \param category of both shapes, if roles tell one
   std::vector<Alignment_candidate> candidates(const Prepared_shape& target, Pair_category& category) const;
+  // The category of both shapes. Where they are of none as they lie, and their fronts are not sure, of which they are
+  // once turned: then the roles of one have to say clearly that it faces another side.
+  Pair_category recognised(const Prepared_shape& target) const;
   // The alignments in which the fronts coincide, as the roles of a category tell them; empty if one alignment is asked
   // for and it is the given one.
   std::vector<Alignment_candidate> candidates_by_roles(const Prepared_shape& target, std::size_t category) const;

@@ -64,7 +64,7 @@ struct Part_extent
 };
 
 // An order of shapes that does not depend on turns about the up axis.
-using Shape_rank = std::tuple<std::size_t, long, long>;
+using Shape_rank = std::tuple<std::size_t, internal::Steps, internal::Steps>;
 
 Shape_rank rank_of(const Aligned_shape& shape);
 

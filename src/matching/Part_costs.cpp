@@ -68,7 +68,7 @@ struct Anchors
 Anchors anchors_of(const Eigen::MatrixXd& costs, double least_likelihood)
 {
   const Eigen::ArrayXXd likely = mutual_softmax(costs);
-  const long least = quantized(least_likelihood);
+  const Steps least = quantized(least_likelihood);
   Anchors result;
   for (Eigen::Index i = 0; i < costs.rows(); ++i)
     for (Eigen::Index j = 0; j < costs.cols(); ++j) {
@@ -161,13 +161,6 @@ struct Surface_distances
   Surface_distances(const Normalized_shape& a, const Normalized_shape& b);
 };
 
-// The chamfer distance of two parts: the mean distance of the points of either from the other.
-double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i, std::size_t j);
-
-// The chamfer distance of a part and the union of several.
-double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i,
-               const std::vector<std::size_t>& parts);
-
 void make_room(Eigen::ArrayXd& numbers, Eigen::Index count)
 {
   if (numbers.size() < count) numbers.resize(count);
@@ -209,11 +202,13 @@ Surface_distances::Surface_distances(const Normalized_shape& a, const Normalized
     }
 }
 
+// The chamfer distance of two parts: the mean distance of the points of either from the other.
 double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i, std::size_t j)
 {
   return (a_from_b.mean(i, j) + b_from_a.mean(j, i)) / 2;
 }
 
+// The chamfer distance of a part and the union of several.
 double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i,
                const std::vector<std::size_t>& parts)
 {

@@ -63,7 +63,7 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
   return labels;
 }
 
-long alignment_cost(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& target)
+Steps alignment_cost(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& target)
 {
   return quantized(mean_least_cost(matching.costs) + std::abs(log_proportion(source) - log_proportion(target)));
 }

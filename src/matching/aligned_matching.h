@@ -21,7 +21,7 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
 
 // Dissimilarity of the shapes in the alignment, quantized: costs of parts, which are compared in unit boxes, and the
 // difference of the shapes' proportions.
-long alignment_cost(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& target);
+Steps alignment_cost(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& target);
 
 // The pairs, by index in the structural graphs.
 std::vector<Part_correspondence> original_pairs(const Part_matching& matching, const Aligned_shape& source,

@@ -46,12 +46,12 @@ public:
   /// any
   bool unite_closest()
   {
-    long greatest = -1;
+    internal::Steps greatest = -1;
     std::vector<std::pair<std::size_t, std::size_t>> closest;
     for (const auto& [sets, weight] : between_) {
       const double mean = mean_between(sets.first, sets.second, weight);
       if (is_weak_bridge(sets_[sets.first], sets_[sets.second], mean)) continue;
-      const long step = internal::quantized(mean);
+      const internal::Steps step = internal::quantized(mean);
       if (step > greatest) closest.clear();
       if (step >= greatest) closest.push_back(sets);
       greatest = std::max(greatest, step);

@@ -55,13 +55,8 @@ std::vector<Alignment_candidate> Correspondence_finder::Impl::candidates(const P
   std::vector<Alignment_candidate> result;
   if (options_.roles) {
     const Role_model_data& model = Role_model_access::data(*options_.roles);
-    Alignments &a = *prepared_source_.alignments_, &b = *target.alignments_;
     category.index = model.index(options_.category);
-    if (options_.category.empty())
-      category = options_.alignments == 1
-                     ? category_of_pair(*a.roles(options_.roles), *b.roles(options_.roles), model, options_.parts)
-                     : category_of_pair(a.roles_by_turn(options_.roles), b.roles_by_turn(options_.roles), model,
-                                        options_.parts);
+    if (options_.category.empty()) category = recognised(target);
     if (category.index < model.categories.size() && !(options_.alignments == 1 && options_.front_is_sure))
       result = candidates_by_roles(target, category.index);
   }
@@ -74,6 +69,22 @@ std::vector<Alignment_candidate> Correspondence_finder::Impl::candidates(const P
     for (int turn : tried_turns(target))
       result.push_back({turn, 0, 0, false});
   return result;
+}
+
+Pair_category Correspondence_finder::Impl::recognised(const Prepared_shape& target) const
+{
+  const Role_model_data& model = Role_model_access::data(*options_.roles);
+  Alignments &a = *prepared_source_.alignments_, &b = *target.alignments_;
+  const auto by_any_front = [&] {
+    return category_of_pair(a.roles_by_turn(options_.roles), b.roles_by_turn(options_.roles), model, options_.parts);
+  };
+  if (options_.alignments != 1) return by_any_front();
+  const Pair_category given =
+      category_of_pair(*a.roles(options_.roles), *b.roles(options_.roles), model, options_.parts);
+  if (given.index < model.categories.size() || options_.front_is_sure) return given;
+  const Pair_category turned = by_any_front();
+  const auto turns = [&](Alignments& shape) { return shape.front(options_.roles, turned.index, options_.parts) != 0; };
+  return turned.index < model.categories.size() && (turns(a) || turns(b)) ? turned : given;
 }
 
 std::vector<Alignment_candidate> Correspondence_finder::Impl::candidates_by_roles(const Prepared_shape& target,

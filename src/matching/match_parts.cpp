@@ -73,12 +73,12 @@ std::vector<Block> blocks_of(const Match_matrix& confident, const Shape_features
 Match_matrix pairs_within(const Eigen::MatrixXd& costs, double excess)
 {
   const Eigen::VectorXd least_in_row = costs.rowwise().minCoeff(), least_in_column = costs.colwise().minCoeff();
-  const long most = quantized(excess);
+  const Steps most = quantized(excess);
   Match_matrix result(costs.rows(), costs.cols());
   for (Eigen::Index j = 0; j < costs.cols(); ++j)
     for (Eigen::Index i = 0; i < costs.rows(); ++i) {
-      const long over_row = quantized(costs(i, j) - least_in_row[i]);
-      const long over_column = quantized(costs(i, j) - least_in_column[j]);
+      const Steps over_row = quantized(costs(i, j) - least_in_row[i]);
+      const Steps over_column = quantized(costs(i, j) - least_in_column[j]);
       result(i, j) = (over_row == 0 || over_column == 0) && over_row + over_column <= most;
     }
   return result;
@@ -286,8 +286,8 @@ Part_matching match_parts(const Shape_features& a, const Shape_features& b, cons
   const Shape_features a_over(source_over, options), b_over(target_over, options);
   Eigen::MatrixXd target_turned = costs_of(a, b_over, options, constraints),
                   source_turned = costs_of(a_over, b, options, constraints);
-  const long over_target = quantized(mean_least_cost(target_turned)),
-             over_source = quantized(mean_least_cost(source_turned));
+  const Steps over_target = quantized(mean_least_cost(target_turned)),
+              over_source = quantized(mean_least_cost(source_turned));
   const bool turn_source =
       over_source < over_target || (over_source == over_target && a.normalized.rank < b.normalized.rank);
   Part_matching result = turn_source ? matching_of(std::move(source_turned), a_over, b, options, constraints)

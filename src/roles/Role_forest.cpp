@@ -13,7 +13,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr int tried_features = ROLE_FEATURE_COUNT / 3; // at each split
+constexpr int tried_features = 3 * ROLE_FEATURE_COUNT / 5; // at each split
 
 using Random = std::mt19937_64; // the same numbers on all machines, unlike the distributions of the standard library
 

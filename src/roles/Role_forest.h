@@ -31,7 +31,7 @@ struct Role_example
   }
 };
 
-// Extremely randomised trees (Geurts, Ernst, Wehenkel 2006): each split is the best of thresholds drawn for a third of
+// Extremely randomised trees (Geurts, Ernst, Wehenkel 2006): each split is the best of thresholds drawn for 60 % of
 // the features, leaves are pure as far as the features tell. A tree votes for one role. Copies share their trees.
 class Role_forest
 {

@@ -177,8 +177,20 @@ int likely_front(const Turned_roles& shape, std::size_t category, int trees, con
 Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,
                                const Role_options& options)
 {
-  return nearest_category(model, options,
-                          [&](std::size_t category) { return source.distance(category) + target.distance(category); });
+  const Pair_category of_both = nearest_category(
+      model, options, [&](std::size_t category) { return source.distance(category) + target.distance(category); });
+  Role_options by_ratio = options;
+  by_ratio.category_distance = 0;
+  const auto category_of = [&](const Shape_roles& shape) {
+    return nearest_category(model, by_ratio, [&](std::size_t category) { return shape.distance(category); }).index;
+  };
+  const std::size_t a = category_of(source), b = category_of(target), none = model.categories.size();
+  if (a == b || a == none || b == none) return of_both;
+  return {none,
+          "The parts of one shape are like those of the category " + model.categories[std::min(a, b)].name +
+              ", those of the other like " + model.categories[std::max(a, b)].name +
+              "; the parts were matched by geometry alone.",
+          of_both.nearest};
 }
 
 Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model,

@@ -100,6 +100,24 @@ double sampled_hull_volume(const Aligned_shape& shape, const std::vector<std::si
   return convex_hull_volume(all);
 }
 
+// The symmetry of two parts that are left of an orbit of two vertical mirror planes: one of them, or half a turn.
+Symmetry symmetry_of_pair(const Symmetry& orbit, const Point& a, const Point& b)
+{
+  const Point second_normal = orbit.direction.cross(Point::UnitY());
+  const auto is_between = [&](const Point& normal) {
+    return normal.dot(a - orbit.point) * normal.dot(b - orbit.point) < 0;
+  };
+  Symmetry result = orbit;
+  if (!is_between(second_normal)) return result;
+  result.direction = second_normal;
+  if (is_between(orbit.direction)) {
+    result.type = Symmetry_type::ROTATION;
+    result.direction = Point::UnitY();
+    result.order = 2;
+  }
+  return result;
+}
+
 // What is left of a group with some of its parts. Its volumes are those of the group, reduced as the prominences and
 // the hull of the sampled surfaces are.
 Part_group remaining(const Aligned_shape& shape, const Part_group& group, std::vector<std::size_t> parts)
@@ -114,6 +132,9 @@ Part_group remaining(const Aligned_shape& shape, const Part_group& group, std::v
     result.volume *= prominence(parts) / prominence(group.parts);
     if (hull > 0) result.hull_volume *= sampled_hull_volume(shape, parts) / hull;
     if (parts.size() == 1) result.symmetry.type = Symmetry_type::NONE;
+    if (parts.size() == 2 && group.symmetry.type == Symmetry_type::REFLECTION)
+      result.symmetry =
+          symmetry_of_pair(group.symmetry, shape.parts[parts[0]].centroid, shape.parts[parts[1]].centroid);
   }
   result.parts = std::move(parts);
   return result;
@@ -227,21 +248,23 @@ std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t c
 
 namespace {
 
-// The place of a part: its centroid, its extent, then, for parts that cross each other, its samples in whatever order.
-std::vector<long> place_of(const Sampled_part& part)
+using Grid_point = std::array<Steps, 3>;
+
+Grid_point grid_point(const Point& p) { return {quantized(p.y()), quantized(p.x()), quantized(p.z())}; }
+
+// The centroid and the extent of a part, by which parts are ordered.
+std::array<Grid_point, 2> place_of(const Sampled_part& part)
 {
-  const auto key = [](const Point& p) {
-    return std::array<long, 3>{quantized(p.y()), quantized(p.x()), quantized(p.z())};
-  };
-  std::vector<std::array<long, 3>> keys;
+  return {grid_point(part.centroid), grid_point(part.samples.rowwise().maxCoeff() - part.samples.rowwise().minCoeff())};
+}
+
+// The samples of a part, whatever their order: they tell apart parts that cross each other.
+std::vector<Grid_point> sample_set(const Sampled_part& part)
+{
+  std::vector<Grid_point> result;
   for (const auto& sample : part.samples.colwise())
-    keys.push_back(key(sample));
-  std::sort(keys.begin(), keys.end());
-  keys.insert(keys.begin(),
-              {key(part.centroid), key(part.samples.rowwise().maxCoeff() - part.samples.rowwise().minCoeff())});
-  std::vector<long> result;
-  for (const std::array<long, 3>& point : keys)
-    result.insert(result.end(), point.begin(), point.end());
+    result.push_back(grid_point(sample));
+  std::sort(result.begin(), result.end());
   return result;
 }
 
@@ -249,15 +272,16 @@ std::vector<long> place_of(const Sampled_part& part)
 std::vector<std::size_t> add_parts(const Shape_structure& shape, const Eigen::Matrix3d& turn, Aligned_shape& result)
 {
   std::vector<Sampled_part> sampled;
-  std::vector<std::vector<long>> places;
+  std::vector<std::array<Grid_point, 2>> places;
   for (const Part_abstraction& part : shape.parts) {
     sampled.push_back(sampled_part(part, shape.frame, turn));
     places.push_back(place_of(sampled.back()));
   }
   result.original.resize(sampled.size());
   std::iota(result.original.begin(), result.original.end(), std::size_t(0));
-  std::stable_sort(result.original.begin(), result.original.end(),
-                   [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
+  std::stable_sort(result.original.begin(), result.original.end(), [&](std::size_t a, std::size_t b) {
+    return places[a] != places[b] ? places[a] < places[b] : sample_set(sampled[a]) < sample_set(sampled[b]);
+  });
   std::vector<std::size_t> rank(sampled.size());
   for (std::size_t i = 0; i < rank.size(); ++i) {
     const std::size_t part = result.original[i];
@@ -348,7 +372,7 @@ std::vector<int> alignment_turns(const Shape_frame& source, const Shape_frame& t
     return quantized(double(std::abs(std::remainder(angle - q * quarter, 2 * EIGEN_PI))));
   };
   const bool half_turns = source.mirror_x != source.mirror_z && target.mirror_x != target.mirror_z;
-  std::vector<std::tuple<long, long, int>> turns;
+  std::vector<std::tuple<Steps, Steps, int>> turns;
   for (int q = 0; q < 4; q += half_turns ? 2 : 1)
     turns.emplace_back(off(given, q), off(to - from, q), q);
   std::sort(turns.begin(), turns.end());

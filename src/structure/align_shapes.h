@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "structure/Sampled_part.h"
+
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <Eigen/Geometry>
@@ -16,23 +18,6 @@
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
-
-/// The paper's e: a curve has e samples, a sheet e × e (the authors' value).
-constexpr int samples_per_side = 6;
-
-/// Number of points on a part's surface that matching by parts uses.
-constexpr int surface_samples = 32;
-
-/// A part as the search sees it: the samples of its abstraction in the common frame.
-struct Sampled_part
-{
-  enum class Kind { CURVE, CLOSED_CURVE, SHEET };
-
-  Kind kind = Kind::CURVE;
-  Points samples; ///< e, or e × e row by row
-  Point centroid; ///< mean of the samples
-  Points surface; ///< at most `surface_samples` points spread over the surface; the samples where it is unknown
-};
 
 /// A pair of connected parts, one for all regions where they touch.
 struct Sampled_contact

@@ -4,8 +4,8 @@
 #include "io/system/atomic_file.h"
 #include "io/system/colours.h"
 #include "io/system/input_file.h"
-#include "io/system/little_endian.h"
 #include "io/system/quoting.h"
+#include "io/write/ply_file.h"
 #include "texture/dressed_meshes.h"
 #include "texture/image_file.h"
 #include "texture/vertex_colours.h"
@@ -66,39 +66,19 @@ void write_coloured_ply(std::ostream& out, const Segmented_shape& shape, const T
   Eigen::AlignedBox3d box;
   for (const Shape_part& part : shape.parts())
     box.extend(Eigen::AlignedBox3d(part.mesh.points.rowwise().minCoeff(), part.mesh.points.rowwise().maxCoeff()));
-  std::string vertices, faces;
-  std::int32_t points = 0, triangles = 0;
+  std::vector<Ply_part> parts;
   for (std::size_t i = 0; i < shape.parts().size(); ++i) {
-    const internal::Coloured_mesh coloured = internal::coloured_mesh(shape.parts()[i].mesh, transferred.appearance, i,
-                                                                     grey(), box.diagonal().norm() / edges_across);
-    for (Eigen::Index v = 0; v < coloured.mesh.points.cols(); ++v) {
-      for (double coordinate : coloured.mesh.points.col(v))
-        append_little_endian<double, std::uint64_t>(vertices, coordinate);
+    internal::Coloured_mesh coloured = internal::coloured_mesh(shape.parts()[i].mesh, transferred.appearance, i, grey(),
+                                                               box.diagonal().norm() / edges_across);
+    Ply_part part{shape.parts()[i].name, std::move(coloured.mesh)};
+    for (Eigen::Index v = 0; v < part.mesh.points.cols(); ++v)
       for (double channel : srgb_colour(coloured.colours.col(v)))
-        vertices.push_back(static_cast<char>(std::lround(255 * channel)));
-    }
-    for (Eigen::Index t = 0; t < coloured.mesh.triangles.cols(); ++t) {
-      faces.push_back(3);
-      for (int corner : coloured.mesh.triangles.col(t))
-        append_little_endian<std::int32_t, std::uint32_t>(faces, points + corner);
-      append_little_endian<std::int32_t, std::uint32_t>(faces, std::int32_t(i));
-      if (labels.empty()) continue;
-      const int given = coloured.triangle_given[std::size_t(t)];
-      append_little_endian<std::int32_t, std::uint32_t>(faces, transferred.parts[i].labels[std::size_t(given)]);
-    }
-    points += std::int32_t(coloured.mesh.points.cols());
-    triangles += std::int32_t(coloured.mesh.triangles.cols());
+        part.colours.push_back(static_cast<std::uint8_t>(std::lround(255 * channel)));
+    for (int given : coloured.triangle_given)
+      if (!labels.empty()) part.labels.push_back(transferred.parts[i].labels[std::size_t(given)]);
+    parts.push_back(std::move(part));
   }
-  out << "ply\nformat binary_little_endian 1.0\n";
-  for (std::size_t i = 0; i < shape.parts().size(); ++i)
-    out << "comment part " << i << ' ' << quote_ply(shape.parts()[i].name) << '\n';
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    out << "comment label " << i << ' ' << quote_ply(labels[i]) << '\n';
-  out << "element vertex " << points << "\nproperty double x\nproperty double y\nproperty double z\n"
-      << "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face " << triangles
-      << "\nproperty list uchar int vertex_indices\nproperty int part\n"
-      << (labels.empty() ? "" : "property int label\n") << "end_header\n"
-      << vertices << faces;
+  write_ply(out, parts, labels);
 }
 
 } // namespace

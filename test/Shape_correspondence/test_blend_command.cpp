@@ -102,6 +102,30 @@ TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
     CHECK(page.find(std::string("id=\"") + id + "\">") != std::string::npos);
 }
 
+TEST_CASE("Shapes of which one is more than twice as high as the other get one height, but for --size")
+{
+  const Temporary_folder folder;
+  const std::string small = quoted(folder.write("small.obj", obj_chair(0.5, 0.5, 0.5, "0"))),
+                    large = quoted(folder.write("large.obj", obj_chair(9, 9, 9, "0")));
+  const auto warnings = [&](const std::string& target, const std::string& arguments) {
+    const Run result = run("blend " + small + " " + target + " --up y --abstraction boxes --at 1 --json - -o " +
+                           quoted(folder.path("at_1.obj")) + arguments);
+    INFO(result.error);
+    REQUIRE(result.status == 0);
+    return json::parse(result.out)["warnings"].dump();
+  };
+  CHECK_THAT(warnings(large, ""), Contains("times as high as the other; both get height 1"));
+  double highest = 0;
+  std::istringstream lines(text_of(folder.path("at_1.obj")));
+  for (std::string word; lines >> word;) {
+    double x, y;
+    if (word == "v" && lines >> x >> y) highest = std::max(highest, y);
+  }
+  CHECK(highest == Approx(1).margin(0.01));
+  CHECK_THAT(warnings(large, " --size blend"), !Contains("times as high"));
+  CHECK_THAT(warnings(small, ""), !Contains("times as high"));
+}
+
 TEST_CASE("blend makes one shape, by one schedule or by all that differ, of a size that is asked for")
 {
   const Temporary_folder folder;

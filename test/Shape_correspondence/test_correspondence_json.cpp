@@ -117,6 +117,10 @@ TEST_CASE("A correspondence that was written is read: its pairs by name, with co
   for (const double confidence : {std::numeric_limits<double>::quiet_NaN(), 0.25}) {
     Correspondence c = back_splits();
     c.target_quarter_turns = 2;
+    c.category = "chair";
+    c.source_roles.assign(structure(source).parts.size(), "leg");
+    c.target_roles.assign(structure(target).parts.size(), "rung");
+    c.source_roles[0] = "seat";
     for (Part_correspondence& pair : c.pairs)
       pair.confidence = confidence;
     std::ofstream(file) << written(c);
@@ -133,6 +137,9 @@ TEST_CASE("A correspondence that was written is read: its pairs by name, with co
     CHECK(read.pairs == c.pairs);
     CHECK(read.complete);
     CHECK(read.target_quarter_turns == 2);
+    CHECK(read.category == "chair");
+    CHECK(read.source_roles == c.source_roles);
+    CHECK(read.target_roles == c.target_roles);
     CHECK_THROWS_WITH(IO::correspondence_of(named, target, source, file), Catch::Contains("does not have"));
   }
   std::remove(file.c_str());

@@ -203,6 +203,36 @@ TEST_CASE("A shape that clearly faces another side is turned, unless its front i
   }
 }
 
+TEST_CASE("A shape that faces another side is recognised once it is turned, unless its front is said to be right")
+{
+  Search_options options;
+  options.roles = std::make_shared<const Role_model>(train_role_model(labelled(examples())));
+  const Furniture source = chair(0.17, 1.9);
+  Furniture target = chair(0.22, 2.1);
+  for (int turn = 0; turn < 4; ++turn) {
+    INFO(turn);
+    CHECK(is_right(source, target, find_correspondence(source.graph, target.graph, options)));
+    CHECK(is_right(target, source, find_correspondence(target.graph, source.graph, options)));
+    turn_by_a_quarter(target);
+  }
+}
+
+TEST_CASE("Identical shapes are not turned against each other, whichever side they face")
+{
+  Search_options options;
+  options.roles = std::make_shared<const Role_model>(train_role_model(labelled(examples())));
+  Furniture shape = chair(0.22, 2.1);
+  for (int turn = 0; turn < 4; ++turn) {
+    INFO(turn);
+    const Correspondence found = find_correspondence(shape.graph, shape.graph, options);
+    CHECK(found.target_quarter_turns == 0);
+    REQUIRE(found.pairs.size() == 6);
+    for (const Part_correspondence& pair : found.pairs)
+      CHECK(pair.source == pair.target);
+    turn_by_a_quarter(shape);
+  }
+}
+
 TEST_CASE("A shape between two categories is of neither, a shape like one of them is of that one")
 {
   std::deque<Furniture> shapes = examples();

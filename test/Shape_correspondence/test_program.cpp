@@ -16,6 +16,9 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <fstream>
+
 // The program from outside: exit status, messages, and what it leaves behind.
 
 using namespace CGAL::Shape_correspondence;
@@ -56,11 +59,88 @@ TEST_CASE("Help at both levels and the version")
   for (const char* command : {"graph", "match", "evaluate"}) {
     const Run of_command = run(std::string(command) + " --help");
     CHECK(of_command.status == 0);
-    CHECK_THAT(of_command.out, Contains("Usage") && Contains("Example") && Contains("--json") && Contains("--threads"));
+    CHECK_THAT(of_command.out,
+               Contains("Usage") && Contains("Example") && Contains("--json") && Contains("--help-all"));
+    CHECK_THAT(run(std::string(command) + " --help-all").out, Contains("--json") && Contains("--threads"));
   }
-  CHECK_THAT(run("match --help").out, Contains("the paper's K") && Contains("=20"));
+  CHECK_THAT(run("match --help-all").out, Contains("the paper's K") && Contains("=20"));
   CHECK(run("--version").out == "shape_correspondence " CGAL_SHAPE_CORRESPONDENCE_VERSION "\n");
   CHECK(std::string(CGAL_SHAPE_CORRESPONDENCE_VERSION) == SHAPE_CORRESPONDENCE_PROJECT_VERSION);
+}
+
+TEST_CASE("The short help has the usual options only, and no help has lines of more than 80 characters")
+{
+  const std::string usual = run("match --help").out, all = run("help match").out;
+  const auto options = [](const std::string& help) {
+    std::istringstream in(help);
+    int number = 0;
+    for (std::string line; std::getline(in, line);)
+      number += line.rfind("  -", 0) == 0 && line.rfind("  - ", 0) != 0;
+    return number;
+  };
+  CHECK(options(usual) <= 16);
+  CHECK(options(all) > 50);
+  CHECK_THAT(usual, Contains("--help-all lists " + std::to_string(options(all) - options(usual)) + " more options"));
+  for (const char* command : {"parts", "graph", "match", "blend", "transfer", "collection", "evaluate", "roles",
+                              "label", "demo", "completion", "help"}) {
+    std::istringstream lines(run(std::string("help ") + command).out);
+    for (std::string line; std::getline(lines, line);) {
+      INFO(line);
+      CHECK(std::count_if(line.begin(), line.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; }) <= 80);
+    }
+  }
+}
+
+TEST_CASE("-o writes what the ending of its file says, and no other file")
+{
+  const Temporary_folder folder;
+  const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair()));
+  const auto out = [&](const char* name) { return " -o " + quoted(folder.path(name)); };
+  CHECK(run("match " + a + " " + a + out("m.html") + out("m.json") + out("m.glb")).status == 0);
+  CHECK(text_of(folder.path("m.html")).find("<!DOCTYPE html>") == 0);
+  CHECK(json::parse(text_of(folder.path("m.json")))["format"] == "shape_correspondence/match");
+  CHECK(text_of(folder.path("m.glb")).substr(0, 4) == "glTF");
+  for (const std::string& arguments : {"graph " + a + out("x.obj"), "match " + a + " " + a + out("x.obj"),
+                                       "match " + a + " " + a + out("x.html") + out("y.html")}) {
+    INFO(arguments);
+    const Run refused = run(arguments);
+    CHECK(refused.status == 2);
+    CHECK_THAT(refused.error, Contains("--output"));
+    CHECK(!fs::exists(folder.path("x.obj")));
+  }
+}
+
+TEST_CASE("A folder of shapes is known by parts and collection, which leave out what is no shape")
+{
+  const Temporary_folder folder;
+  const auto in_set = [&](const char* name) { return folder.path(std::string("set/") + name); };
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
+  fs::create_directories(in_set("notes"));
+  for (const char* name : {"chair_four_legged", "chair_swivel"})
+    fs::copy_file(data + "/raw/" + name + ".obj", in_set((name + std::string(".obj")).c_str()));
+  fs::copy_file(data + "/README.md", in_set("README.md"));
+  const std::string set = quoted(folder.path("set"));
+  const Run parts = run("parts " + set);
+  CHECK(parts.status == 0);
+  CHECK_THAT(parts.out, Contains("chair_four_legged.obj: ") && Contains("chair_swivel.obj: "));
+  CHECK_THAT(run("parts " + quoted(data + "/stool")).out, Contains("stool: ")); // a folder of parts
+  const Run collection = run("collection " + set + " --abstraction boxes --json -");
+  CHECK(collection.status == 0);
+  CHECK_THAT(collection.error, Contains("left out, since they are no shapes: README.md, notes"));
+  CHECK(json::parse(collection.out)["shapes"].size() == 2);
+}
+
+TEST_CASE("A glTF whose buffer is not there: the message names it")
+{
+  const Temporary_folder folder;
+  const std::string old = R"({"asset": {"version": "1.0"}, "scene": "s", "scenes": {"s": {"nodes": ["n"]}},
+    "nodes": {"n": {"meshes": ["m"]}}, "meshes": {"m": {"primitives": [{"attributes": {"POSITION": "a"}, "mode": 4}]}},
+    "accessors": {"a": {"bufferView": "v", "byteOffset": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
+    "bufferViews": {"v": {"buffer": "b", "byteLength": 36, "byteOffset": 0, "target": 34962}},
+    "buffers": {"b": {"byteLength": 36, "type": "arraybuffer", "uri": "missing.bin"}}})";
+  const Run result = run("graph " + quoted(folder.write("old.gltf", old)));
+  CHECK(result.status == 1);
+  CHECK_THAT(result.error, Contains("missing.bin, which it names, is not there"));
 }
 
 TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
@@ -132,7 +212,7 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
                                           "help match graph",
                                           "help --man match",
                                           "help paint",
-                                          "completion fish",
+                                          "completion csh",
                                           "demo a b",
                                           "graph " + a + " --json"}) {
     INFO(arguments);
@@ -176,6 +256,7 @@ TEST_CASE("A word that is spelt nearly right is suggested")
   CHECK_THAT(run("help grph").error, Contains("did you mean 'graph'?"));
   CHECK_THAT(run("match a b --min-confidnce 1").error, Contains("did you mean '--min-confidence'?"));
   CHECK_THAT(run("match a b --jsn x").error, Contains("did you mean '--json'?"));
+  CHECK_THAT(run("match a b --out x.html").error, Contains("did you mean '--output'?"));
   CHECK_THAT(run("paint a b").error, Contains("no command 'paint'") && !Contains("did you mean"));
   CHECK_THAT(run("match a b --frobnicate").error, Contains("--frobnicate") && !Contains("did you mean"));
 }
@@ -183,21 +264,25 @@ TEST_CASE("A word that is spelt nearly right is suggested")
 TEST_CASE("help, the manual page and the completions tell of every command and option")
 {
   CHECK(run("help").out == run("--help").out);
-  const std::string page = run("help --man").out, bash = run("completion bash").out, zsh = run("completion zsh").out;
+  const std::string page = run("help --man").out, bash = run("completion bash").out, zsh = run("completion zsh").out,
+                    fish = run("completion fish").out;
   CHECK_THAT(page, Contains(".TH SHAPE_CORRESPONDENCE 1"));
   for (const std::string command :
        {"parts", "graph", "match", "blend", "collection", "evaluate", "roles", "demo", "completion", "help"}) {
     INFO(command);
-    const std::string help = run(command + " --help").out;
+    const std::string help =
+        run(command + (command == "help" || command == "completion" ? " --help" : " --help-all")).out;
     CHECK(run("help " + command).out == help);
     CHECK_THAT(help, Contains("Usage: shape_correspondence " + command));
     CHECK_THAT(run("help").out, Contains("\n  " + command + " "));
     CHECK_THAT(page, Contains("shape_correspondence " + command));
     CHECK_THAT(bash, Contains("      " + command + ") words="));
     CHECK_THAT(zsh, Contains("    '" + command + ":"));
+    CHECK_THAT(fish, Contains("__fish_use_subcommand -f -a " + command + " "));
   }
   CHECK_THAT(page, Contains("\\-\\-min\\-confidence"));
   CHECK_THAT(zsh, Contains("'--min-confidence["));
+  CHECK_THAT(fish, Contains("from match' -l search -x -a 'auto parts beam exact'") && Contains(" -l output -s o -r"));
   for (const std::string line : {"\n.", "\n'"}) // at the start of a line they are requests of troff
     for (std::size_t at = page.find(line); at != std::string::npos; at = page.find(line, at + 1)) {
       const std::string request = page.substr(at + 1, 4);
@@ -219,6 +304,8 @@ TEST_CASE("The completion of bash completes commands, options and files")
   };
   CHECK(completions("shape_correspondence mat", 1) == "match\n");
   CHECK(completions("shape_correspondence match a --min-", 3) == "--min-confidence --min-marginals\n");
+  CHECK(completions("shape_correspondence match --search be", 3) == "beam\n");
+  CHECK(completions("shape_correspondence match --search = be", 4) == "beam\n");
   CHECK(completions("shape_correspondence help eva", 2) == "evaluate\n");
   CHECK(completions("shape_correspondence match no_such_file", 2) == "\n"); // left to the completion of files
   const std::string zsh = folder.write("zsh_completion", run("completion zsh").out);
@@ -237,11 +324,16 @@ TEST_CASE("The demo matches its chairs without an error and blends them")
   REQUIRE(shown.status == 0);
   CHECK_THAT(shown.out, Contains("$ shape_correspondence match") && Contains("$ shape_correspondence blend"));
   CHECK(text_of(demo + "/match.html").find("<!DOCTYPE html>") == 0);
+  CHECK(text_of(demo + "/blend.html").find("<!DOCTYPE html>") == 0);
   CHECK(text_of(demo + "/blend.glb").substr(0, 4) == "glTF");
   const Run scores = run("evaluate " + quoted(demo + "/match.json") + " --ground-truth " + quoted(data) + " --json -");
   REQUIRE(scores.status == 0);
   CHECK(json::parse(scores.out)["mean"]["f1"]["mean"] == 1);
-  CHECK(run("demo " + quoted(demo)).status == 1); // it is there already
+  fs::remove(demo + "/blend.html");
+  CHECK(run("demo " + quoted(demo)).status == 0); // over what an earlier one wrote
+  CHECK(fs::exists(demo + "/blend.html"));
+  std::ofstream(demo + "/own.txt") << "x";
+  CHECK(run("demo " + quoted(demo)).status == 1);
 }
 
 TEST_CASE("The table of match: sets of parts, their operation and confidence, one distance in all commands")

@@ -323,6 +323,24 @@ TEST_CASE("The program transfers a texture; what it writes reads back")
   CHECK_FALSE(looks.parts[0].colours.empty());
 }
 
+TEST_CASE("The program reads materials outside the model's folder only with --allow-outside-files")
+{
+  const model_files::Temporary_folder folder;
+  for (const gen::Model& model : gen::models())
+    if (model.make().name == "stool")
+      for (const auto& [path, content] : gen::textured_file(model.make()))
+        folder.write(path, content);
+  std::string text = model_files::text_of(folder.path("stool.obj"));
+  text.insert(text.find("mtllib ") + 7, "../");
+  const std::string model = quoted(folder.write("inside/stool.obj", text));
+  const std::string transfer =
+      "transfer " + model + " " + model + " --abstraction boxes --size 128 -v -o " + quoted(folder.path("out.glb"));
+  const Run inside = run(transfer), outside = run(transfer + " --allow-outside-files");
+  CHECK(inside.error.find("--allow-outside-files") != std::string::npos);
+  CHECK(outside.error.find("--allow-outside-files") == std::string::npos);
+  CHECK(outside.status == 0);
+}
+
 TEST_CASE("The program says what is missing for a transfer")
 {
   const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;

@@ -137,9 +137,9 @@ public:
         for (int turn = int(turned_[shape].size()); turn < 4; ++turn)
           turned_[shape].push_back(role_evidence(*labelled_[shape].graph, turn));
     }
-    unseen_ = predicted(options_);
+    unseen_ = predicted(options_, true);
     // What was learned with much left out tells nothing of how good what is learned of others is
-    fitted_to_ = options.left_out != Left_out::SHAPES && !options.examples ? predicted({}) : unseen_;
+    fitted_to_ = options.left_out != Left_out::SHAPES && !options.examples ? predicted({}, false) : unseen_;
     match({});
   }
 
@@ -202,8 +202,8 @@ private:
     return trainer_.model_without(all_, labelled_[pairs_[number].shapes[0]].category, left_out_shapes(number, options));
   }
 
-  /// What roles predict for all pairs; also counts fronts and searches for least energies.
-  std::vector<Unseen_pair> predicted(const Validation_options& options)
+  /// What roles predict for all pairs. \param is_reported also counts fronts and searches for least energies
+  std::vector<Unseen_pair> predicted(const Validation_options& options, bool is_reported)
   {
     std::vector<Unseen_pair> result(pairs_.size());
     for_each_index(pairs_.size(), true, [&](std::size_t i) {
@@ -216,7 +216,7 @@ private:
           roles[end][turn] = std::make_shared<Shape_roles>(turned_[pair[end]][turn], model);
       result[i] = unseen_pair(labelled_, pair, *roles[0][0], *roles[1][0], data, options.category_known);
       const std::size_t own = data.index(labelled_[pair[0]].category), found = data.index(result[i].found);
-      if (&options != &options_) return;
+      if (!is_reported) return;
       for (const Turned_roles& shape : roles)
         if (own < data.categories.size()) count_front(front_turns(shape, own, data.trees), pairs_[i].fronts);
       if (options.role_weight == 0) return;

@@ -46,7 +46,7 @@ double deformation_energy(const Energy_terms& terms, const Energy_weights& weigh
 /// \ingroup PkgShapeCorrespondenceSearch
 /// An entry of D (Eq. 2): the cosine of the angle by which a structural rod, the vector from a sample of one part to a
 /// sample of another, turns; 0 beyond a right angle. A rod of length zero keeps its direction whatever happens (1); one
-/// that becomes zero loses it (0).
+/// that becomes zero loses it (0). Lengths count as zero if their square is below 1e-9, and 1 is the shape's height.
 /// \param before the rod before the deformation
 /// \param after the rod after it
 double rod_rotation(const Point& before, const Point& after);

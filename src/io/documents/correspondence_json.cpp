@@ -167,6 +167,21 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
   result.write(out);
 }
 
+namespace {
+
+/// By the indices of parts; empty where none is known.
+std::vector<std::string> roles_of_parts(const std::map<std::string, std::string>& roles, const Structural_graph& graph)
+{
+  std::vector<std::string> result;
+  for (const Part_abstraction& part : structure(graph).parts) {
+    const auto found = roles.find(part.name);
+    result.push_back(found == roles.end() ? "" : found->second);
+  }
+  return result;
+}
+
+} // namespace
+
 Named_correspondence read_correspondence_json(const std::string& file)
 {
   const Json_field root = read_json_file(file);
@@ -182,6 +197,11 @@ Named_correspondence read_correspondence_json(const std::string& file)
     result.target_quarter_turns = root["target_quarter_turns"].integer();
     if (result.target_quarter_turns < 0 || result.target_quarter_turns > 3)
       root["target_quarter_turns"].fail("is not 0, 1, 2 or 3");
+  }
+  if (root.has("category") && root.has("roles")) {
+    result.category = root["category"].text();
+    result.source_roles = root["roles"]["source"].texts_by_key();
+    result.target_roles = root["roles"]["target"].texts_by_key();
   }
   if (!root.has("confidences")) return result;
   auto pair = result.pairs.begin();
@@ -208,6 +228,11 @@ Correspondence correspondence_of(const Named_correspondence& named, const Struct
     result.pairs.push_back({s, t, pair.confidence});
   }
   std::sort(result.pairs.begin(), result.pairs.end(), is_before);
+  if (!named.category.empty()) {
+    result.category = named.category;
+    result.source_roles = roles_of_parts(named.source_roles, source);
+    result.target_roles = roles_of_parts(named.target_roles, target);
+  }
   result.target_quarter_turns = named.target_quarter_turns;
   result.complete = named.complete;
   return result;

@@ -117,6 +117,15 @@ std::vector<std::string> Json_field::texts() const
   return result;
 }
 
+std::map<std::string, std::string> Json_field::texts_by_key() const
+{
+  if (!value_->is_object()) fail("is not an object");
+  std::map<std::string, std::string> result;
+  for (const auto& [key, value] : value_->items())
+    result[key] = (*this)[key].text();
+  return result;
+}
+
 Point Json_field::point() const
 {
   const std::vector<Json_field> coordinates = elements(3, "a point [x, y, z]");

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -38,8 +39,9 @@ public:
   bool boolean() const;
   bool is_null() const;
   std::string text() const;
-  std::vector<std::string> texts() const; ///< of an array
-  Point point() const;                    ///< fails beyond `largest_coordinate`
+  std::vector<std::string> texts() const;                  ///< of an array
+  std::map<std::string, std::string> texts_by_key() const; ///< of an object
+  Point point() const;                                     ///< fails beyond `largest_coordinate`
   Point unit_vector() const;
   Points points() const; ///< of an array
   Points points(std::size_t size, const char* meaning) const;

@@ -6,6 +6,7 @@
 #include "io/system/little_endian.h"
 #include "io/system/quoting.h"
 #include "io/write/Json.h"
+#include "io/write/ply_file.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
@@ -26,7 +27,7 @@ const char* task_name(Blend_task_type type)
 
 const char* exchange_name(Blend_exchange exchange)
 {
-  static constexpr const char* names[] = {"", "torn", "thin", "unmatched"};
+  static constexpr const char* names[] = {"", "torn", "thin", "unmatched", "unlike"};
   return names[int(exchange)];
 }
 
@@ -76,34 +77,45 @@ void write_segmented_shape_obj(std::ostream& out, const Segmented_shape& shape)
   }
 }
 
-void write_segmented_shape_ply(std::ostream& out, const Segmented_shape& shape)
+void write_ply(std::ostream& out, const std::vector<Ply_part>& parts, const std::vector<std::string>& labels)
 {
-  Eigen::Index points = 0, triangles = 0;
-  out << "ply\nformat binary_little_endian 1.0\n";
-  int number = 0;
-  for (const Shape_part& part : shape.parts()) {
-    out << "comment part " << number++ << ' ' << quote_ply(part.name) << '\n';
-    points += part.mesh.points.cols();
-    triangles += part.mesh.triangles.cols();
-  }
-  out << "element vertex " << points << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-      << triangles << "\nproperty list uchar int vertex_indices\nproperty int part\nend_header\n";
+  const bool has_colours = !parts.empty() && !parts[0].colours.empty();
   std::string vertices, faces;
-  std::int32_t first = 0;
-  number = 0;
-  for (const Shape_part& part : shape.parts()) {
-    for (Eigen::Index i = 0; i < part.mesh.points.size(); ++i)
-      append_little_endian<double, std::uint64_t>(vertices, part.mesh.points.data()[i]);
+  std::int32_t points = 0, triangles = 0, number = 0;
+  out << "ply\nformat binary_little_endian 1.0\n";
+  for (const Ply_part& part : parts) {
+    out << "comment part " << number << ' ' << quote_ply(part.name) << '\n';
+    for (Eigen::Index v = 0; v < part.mesh.points.cols(); ++v) {
+      for (double coordinate : part.mesh.points.col(v))
+        append_little_endian<double, std::uint64_t>(vertices, coordinate);
+      if (has_colours) vertices.append(reinterpret_cast<const char*>(&part.colours[3 * std::size_t(v)]), 3);
+    }
     for (Eigen::Index t = 0; t < part.mesh.triangles.cols(); ++t) {
       faces.push_back(3);
       for (int corner : part.mesh.triangles.col(t))
-        append_little_endian<std::int32_t, std::uint32_t>(faces, first + corner);
+        append_little_endian<std::int32_t, std::uint32_t>(faces, points + corner);
       append_little_endian<std::int32_t, std::uint32_t>(faces, number);
+      if (!labels.empty()) append_little_endian<std::int32_t, std::uint32_t>(faces, part.labels[std::size_t(t)]);
     }
-    first += static_cast<std::int32_t>(part.mesh.points.cols());
+    points += static_cast<std::int32_t>(part.mesh.points.cols());
+    triangles += static_cast<std::int32_t>(part.mesh.triangles.cols());
     ++number;
   }
-  out << vertices << faces;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    out << "comment label " << i << ' ' << quote_ply(labels[i]) << '\n';
+  out << "element vertex " << points << "\nproperty double x\nproperty double y\nproperty double z\n"
+      << (has_colours ? "property uchar red\nproperty uchar green\nproperty uchar blue\n" : "") << "element face "
+      << triangles << "\nproperty list uchar int vertex_indices\nproperty int part\n"
+      << (labels.empty() ? "" : "property int label\n") << "end_header\n"
+      << vertices << faces;
+}
+
+void write_segmented_shape_ply(std::ostream& out, const Segmented_shape& shape)
+{
+  std::vector<Ply_part> parts;
+  for (const Shape_part& part : shape.parts())
+    parts.push_back({part.name, part.mesh});
+  write_ply(out, parts);
 }
 
 void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structural_graph& source,

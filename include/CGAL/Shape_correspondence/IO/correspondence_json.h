@@ -16,6 +16,7 @@
 
 #include <iosfwd>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,9 @@ struct Named_correspondence
   std::vector<Named_part_correspondence> pairs; ///< in the order of the file
   bool complete = false;                        ///< see `Correspondence::complete`
   int target_quarter_turns = 0;                 ///< see `Correspondence::target_quarter_turns`
+  std::string category;                         ///< of both shapes; empty if the method does not use roles
+  /// The roles of the source's and the target's parts by their names; empty if there is no category.
+  std::map<std::string, std::string> source_roles, target_roles;
 };
 
 /// \ingroup PkgShapeCorrespondenceIO
@@ -76,8 +80,8 @@ struct Named_correspondence
 Named_correspondence read_correspondence_json(const std::string& file);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Converts a result that was read: pairs by the indices of parts in the graphs, completeness and turn. Messages name
-/// `file`.
+/// Converts a result that was read: pairs and roles by the indices of parts in the graphs, category, completeness and
+/// turn. Messages name `file`.
 /// \throw Invalid_input if a shape does not have one of the parts
 Correspondence correspondence_of(const Named_correspondence& named, const Structural_graph& source,
                                  const Structural_graph& target, const std::string& file);

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Points.h>
+
+namespace CGAL::Shape_correspondence {
+
+/// The paper's e: a curve has e samples, a sheet e × e (the authors' value).
+constexpr int samples_per_side = 6;
+
+/// Number of points on a part's surface that matching by parts uses.
+constexpr int surface_samples = 32;
+
+/// A part as the search sees it: the samples of its abstraction in the common frame.
+struct Sampled_part
+{
+  enum class Kind { CURVE, CLOSED_CURVE, SHEET };
+
+  Kind kind = Kind::CURVE;
+  Points samples; ///< e, or e × e row by row
+  Point centroid; ///< mean of the samples
+  Points surface; ///< at most `surface_samples` points spread over the surface; the samples where it is unknown
+};
+
+} // namespace CGAL::Shape_correspondence
