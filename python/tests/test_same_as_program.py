@@ -29,6 +29,8 @@ def as_text(result):
     ((), {}),
     (("--roles", "none", "--min-confidence", 0.5), {"roles": None, "min_confidence": 0.5}),
     (("--paper",), sc.paper_options()),
+    (("--paper", "--abstraction", "fitted", "--fit", "samples"),
+     {**sc.paper_options(), "abstraction": "fitted", "deform_to_fit": "samples"}),
     (("--role-weight", 1), {"role_weight": 1, "search": "exact"}),
     (("--search", "exact", "--solutions", 3, "--min-marginals"),
      {"search_method": "exact", "solutions": 3, "min_marginals": True}),
@@ -41,6 +43,14 @@ def test_match(json_of_program, cache, arguments, options):
     found = sc.match(TABLE, OTHER, cache=cache, **options)
     assert as_text(found.to_dict()) == as_text(expected)
     assert as_text(sc.Match.from_dict(expected).to_dict()) == as_text(expected)
+
+
+def test_graph_of_the_other_abstraction(cache):
+    flow, fitted = (sc.build_graph(TABLE, abstraction=word, cache=cache) for word in ("flow", "fitted"))
+    warning = "abstracted by mean curvature flow"
+    assert [warning in text for text in sc.match(flow, fitted).warnings] == [True]
+    assert [warning in text for text in sc.match(flow, fitted, abstraction="flow").warnings] == [True]
+    assert not sc.match(fitted, fitted).warnings
 
 
 @pytest.mark.parametrize("arguments, options", [
