@@ -25,7 +25,7 @@ namespace {
 /// Of a contact of a group that is left unmatched; about what a badly deformed contact costs.
 constexpr double default_unmatched_cost = 0.5;
 
-/// A number that makes up the whole text, or an error that names the option.
+/// Parses a whole text as a number; the error names the option.
 template <typename Number>
 Number parse_number(const std::string& label, const std::string& text)
 {

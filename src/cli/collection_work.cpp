@@ -15,7 +15,7 @@
 namespace CGAL::Shape_correspondence::cli {
 namespace {
 
-/// To be raised with every change that makes other energies or pairs of the same graphs and options.
+/// Raise it with every change that makes other energies or pairs of the same graphs and options.
 constexpr int matching_version = 9;
 
 // Shapes on a side of a tile

@@ -97,7 +97,7 @@ std::optional<Structural_graph> cached_graph(const std::string& content, const C
   }
 }
 
-/// What cannot be kept is not the worse for that.
+/// Puts a graph into the cache; a failure is a warning.
 void cache_graph(const Structural_graph& graph, const Common_options& common)
 {
   if (common.cache.empty()) return;
