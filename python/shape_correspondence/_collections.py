@@ -219,8 +219,9 @@ def transfer_labels(
     :param options: further ones of `match()`
     :raises InvalidInput: if a shape cannot be used, or a part of the source has no label
     """
-    (graph, _, labels, _), = _examples([source], cache, threads, progress)
-    targets = _collection_graphs(shapes, {"cache": cache, "threads": threads}, progress)
+    of_graphs = _of_graphs(options, cache, threads)
+    (graph, _, labels, _), = _examples([source], of_graphs, progress)
+    targets = _collection_graphs(shapes, of_graphs, progress)
     found = _core.transfer_labels(graph, labels, [target._handle for target in targets], _model_of(roles, options),
                                   threads, options, progress)
     return [PartRoles(source.category, [PartRole(name, coarse, fine or None, probability)

@@ -19,12 +19,16 @@ def defaults(function: str) -> Dict[str, Any]:
     return {name: default for name, default, _ in _core.options_of(function)}
 
 
+#: Options of `build_graph()` for the paper's method
+PAPER_GRAPHS: Dict[str, Any] = {"abstraction": "flow", "closest_points": True}
+
+
 def paper_options() -> Dict[str, Any]:
     """Options of `match()` for the paper's method: graphs by mean curvature flow, and beam search of all alignments, in
     both directions."""
     usual = defaults("match")
     search = {name: value for name, value in defaults("paper").items() if value != usual[name]}
-    return {**search, "abstraction": "flow", "closest_points": True}
+    return {**search, **PAPER_GRAPHS}
 
 
 def _one_of(name: str, value: Any, words: Dict[str, Any]) -> Any:
