@@ -18,8 +18,8 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-/// Raise it with every change that makes another graph of the same shape and options. Before 13, the flow was as fast as
-/// CGAL's default, and contacts at closest points were taken for those in the middle.
+/// Raise it with every change that makes another graph of the same shape and options. Before 13, the flow was as fast
+/// as CGAL's default, and contacts at closest points were taken for those in the middle.
 constexpr int algorithms_version = 13;
 
 /// Values in their bytes, one after the other.
