@@ -139,7 +139,7 @@ def test_store_of_a_collection(cache, tmp_path):
     assert other.to_dict() == sc.collection(shapes, cache=cache, search_method="exact").to_dict()
 
 
-@pytest.mark.parametrize("arguments, options", [((), {}), (("--paper",), {"paper": True})])
+@pytest.mark.parametrize("arguments, options", [((), {}), (("--abstraction", "flow"), {"abstraction": "flow"})])
 def test_transfer_labels(json_of_program, cache, arguments, options):
     shapes = [OTHER, "data/table_pedestal"]
     expected = json_of_program("collection", *shapes, "--cache", cache, "--labels-from", TABLE, *arguments)

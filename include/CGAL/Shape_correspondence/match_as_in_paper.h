@@ -32,8 +32,9 @@ inline Structure_options paper_structure_options()
 /// Two structural graphs and their correspondence.
 struct Paper_match
 {
-  Structural_graph source, target; ///< of the shapes
-  Correspondence correspondence;   ///< of their parts
+  Structural_graph source;       ///< of the source shape
+  Structural_graph target;       ///< of the target shape
+  Correspondence correspondence; ///< of their parts
 };
 
 /// \ingroup PkgShapeCorrespondenceFunctions
