@@ -98,7 +98,7 @@ TEST_CASE("Components without area are left out, and counted")
   CHECK(whole.pieces_left_out == 0);
 }
 
-TEST_CASE("A closed surface without an inside, where the thickness cannot be measured, stays one part")
+TEST_CASE("A closed surface without an inside stays one part")
 {
   Part_mesh both_sides;
   both_sides.points.resize(3, 4);
