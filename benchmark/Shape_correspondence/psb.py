@@ -102,41 +102,38 @@ def rand_error(a, b):
 
 
 class Labelled_mesh:
-    def __init__(self, folder, name, cache, segmentation):
-        self.name = name
-        points, self.faces = read_off(os.path.join(folder, name + ".off"))
-        self.areas = areas_of(points, self.faces)
+    def __init__(self, folder, name):
+        self.name, self.file = name, os.path.join(folder, name + ".off")
+        self.points, self.faces = read_off(self.file)
+        self.areas = areas_of(self.points, self.faces)
         self.labels = read_labels(os.path.join(folder, name + "_labels.txt"), len(self.faces))
         labels = self.labels.copy()
-        segments = given_segments(self.faces, self.areas, labels)
-        self.people = segments
-        with tempfile.TemporaryDirectory() as temporary:
-            file = os.path.join(temporary, name + ".obj")
-            sc.Shape.from_segmentation(points, self.faces, segments, name).save(file)
-            self.given = sc.build_graph(file, parts="file", cache=cache)
-        self.label_of_segment = {str(s): labels[np.argmax(segments == s)] for s in range(segments.max() + 1)}
-        self.face_of = {self.key(points[corners]): i for i, corners in enumerate(self.faces)}
-        self.raw, self.raw_segments, self.refusal = None, np.zeros(len(self.faces), int), ""
-        self.given_faces = {str(s): np.flatnonzero(segments == s) for s in range(segments.max() + 1)}
-        if not segmentation:
-            return
-        try:
-            self.raw = sc.build_graph(os.path.join(folder, name + ".off"), parts="segments", cache=cache)
-        except sc.InvalidInput as error:
-            self.refusal = str(error)
-            return
-        self.raw_faces = {}
-        for number, part in enumerate(self.raw.shape.parts):
-            found = [self.face_of.get(self.key(part.vertices[corners])) for corners in part.faces]
-            self.raw_faces[part.name] = np.array([face for face in found if face is not None], int)
-            self.raw_segments[self.raw_faces[part.name]] = number
+        self.people = given_segments(self.faces, self.areas, labels)
+        self.faces_of = {"given": {str(s): np.flatnonzero(self.people == s) for s in range(self.people.max() + 1)}, "raw": {}}
+        self.label_of_segment = {name: labels[faces[0]] for name, faces in self.faces_of["given"].items()}
+        self.segments = np.zeros(len(self.faces), int)
+        self.graphs = {}
+        face_of = {self.key(self.points[corners]): i for i, corners in enumerate(self.faces)}
+        for number, part in enumerate(sc.read(self.file, parts="segments").parts):
+            found = [face_of.get(self.key(part.vertices[corners])) for corners in part.faces]
+            self.faces_of["raw"][part.name] = np.array([face for face in found if face is not None], int)
+            self.segments[self.faces_of["raw"][part.name]] = number
+        self.refused = len(self.faces_of["raw"]) < 2
+
+    def build_graphs(self, kinds, cache):
+        if "raw" in kinds and not self.refused:
+            self.graphs["raw"] = sc.build_graph(self.file, parts="segments", cache=cache)
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, self.name + ".obj")
+            sc.Shape.from_segmentation(self.points, self.faces, self.people, self.name).save(file)
+            self.graphs["given"] = sc.build_graph(file, parts="file", cache=cache)
 
     @staticmethod
     def key(corners):
         return tuple(sorted(map(tuple, np.float32(corners).tolist())))
 
     def example(self):
-        return sc.roles.LabelledShape(self.given, "shape", self.label_of_segment)
+        return sc.roles.LabelledShape(self.graphs["given"], "shape", self.label_of_segment)
 
     def right(self, faces_of_part, votes):
         """The share of the area whose label has most votes."""
@@ -150,10 +147,10 @@ class Labelled_mesh:
 
 def transfer_scores(meshes, kind):
     """By number of examples, the mean share of the area with the right label."""
-    targets = [mesh for mesh in meshes if getattr(mesh, kind)]
+    targets = [mesh for mesh in meshes if kind in mesh.graphs]
     labels = {}  # by example and target
     for source in meshes:
-        found = sc.transfer_labels(source.example(), [getattr(mesh, kind) for mesh in targets])
+        found = sc.transfer_labels(source.example(), [mesh.graphs[kind] for mesh in targets])
         labels.update({(source.name, mesh.name): roles.parts for mesh, roles in zip(targets, found)})
     result = {}
     for count in EXAMPLES:
@@ -168,7 +165,7 @@ def transfer_scores(meshes, kind):
                 for example in examples:
                     for part in labels[example, target.name]:
                         votes[part.name][part.coarse] += part.probability or 0
-                shares.append(target.right(getattr(target, kind + "_faces"), votes))
+                shares.append(target.right(target.faces_of[kind], votes))
             scores.append(statistics.mean(shares))
         result[count] = statistics.mean(scores)
     return result
@@ -192,10 +189,13 @@ def main():
         if not os.path.isdir(folder) or (only and category not in only):
             continue
         names = sorted(name[:-4] for name in os.listdir(folder) if name.endswith(".off"))
-        meshes = [Labelled_mesh(folder, name, args.cache, True) for name in names]
+        meshes = [Labelled_mesh(folder, name) for name in names]
+        if kinds:
+            for mesh in meshes:
+                mesh.build_graphs(kinds, args.cache)
         scores = {kind: transfer_scores(meshes, kind) for kind in kinds}
-        rand = [rand_error(mesh.people, mesh.raw_segments) for mesh in meshes]
-        refused = [mesh.name for mesh in meshes if mesh.refusal]
+        rand = [rand_error(mesh.people, mesh.segments) for mesh in meshes]
+        refused = [mesh.name for mesh in meshes if mesh.refused]
         document.append({"category": category, "label_transfer": scores, "rand_error": dict(zip(names, rand)), "refused": refused})
         cells = [f"{scores[kind][count]:.3f}" for kind in kinds for count in EXAMPLES]
         print(f"| {category} | " + " | ".join(cells + [f"{statistics.mean(rand):.3f}", str(len(refused))]) + " |", flush=True)

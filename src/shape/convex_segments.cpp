@@ -165,7 +165,7 @@ private:
     measure(0, 0);
     for (double slope : {0.35, 0.8})
       for (int k = 0; k < 6; ++k)
-        measure(slope, slope + k * EIGEN_PI / 3);
+        measure(slope, slope + k * double(EIGEN_PI) / 3);
     if (lengths.empty()) return 0;
     const auto middle = lengths.begin() + std::ptrdiff_t(lengths.size() / 2);
     std::nth_element(lengths.begin(), middle, lengths.end());
