@@ -6,6 +6,7 @@
 
 #include <CGAL/Shape_correspondence/segment_mesh.h>
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/mesh_segmentation.h>
@@ -26,10 +27,33 @@ using namespace internal;
 
 namespace {
 
-/// Segment ids of a closed connected mesh, from 0 on; none where the shape diameter function is not finite, as on a
+// Triangles on a ray through a mesh up to which its thickness is measured.
+constexpr double most_triangles_on_ray = 1000;
+
+/// The number of triangles whose bounding boxes a random ray through that of the mesh meets, on average: the sum of
+/// their areas over its area. Needles across the mesh make it large.
+double triangles_on_ray(const Halfedge_mesh& mesh)
+{
+  const auto area = [](const CGAL::Bbox_3& box) {
+    const double x = box.x_span(), y = box.y_span(), z = box.z_span();
+    return x * y + y * z + z * x;
+  };
+  CGAL::Bbox_3 all;
+  double sum = 0;
+  for (const auto face : mesh.faces()) {
+    const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::face_bbox(face, mesh);
+    all += box;
+    sum += area(box);
+  }
+  return sum / area(all);
+}
+
+/// Segment ids of a closed connected mesh, from 0 on; none where most triangles are needles across the mesh, so that
+/// its thickness would take very long to measure, and where the shape diameter function is not finite, as on a
 /// damaged mesh whose triangles differ in size by many orders of magnitude: its clustering would not end.
 std::optional<std::vector<std::size_t>> sdf_segments(const Halfedge_mesh& mesh, const Segmentation_options& options)
 {
+  if (!(triangles_on_ray(mesh) <= most_triangles_on_ray)) return std::nullopt;
   std::vector<double> sdf(mesh.number_of_faces());
   std::vector<std::size_t> segments(mesh.number_of_faces());
   const auto id = CGAL::get(boost::face_index, mesh);
