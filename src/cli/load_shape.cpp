@@ -149,6 +149,11 @@ std::string note_on_abstraction(const Structural_graph& graph, bool is_flow_want
              : "The parts of this graph were abstracted by mean curvature flow, as for the paper's method alone.";
 }
 
+std::string message_about(const std::string& path, const std::string& message)
+{
+  return message.rfind(path, 0) == 0 ? message : path + ": " + message;
+}
+
 bool is_json_file(const std::string& path) { return has_extension(path, ".json"); }
 
 bool is_graph_file(const std::string& path) { return is_json_file(path) || has_extension(path, ".xml"); }
@@ -162,8 +167,7 @@ auto with_path(const std::string& path, const Read& read)
   try {
     return read();
   } catch (const Invalid_input& error) {
-    const std::string message = error.what();
-    throw Invalid_input(message.rfind(path, 0) == 0 ? message : path + ": " + message);
+    throw Invalid_input(message_about(path, error.what()));
   } catch (const std::bad_alloc&) {
     throw Invalid_input(path + ": it needs more memory than there is");
   }

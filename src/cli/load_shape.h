@@ -31,6 +31,9 @@ struct Loaded_shape
   const Segmented_shape* model_pointer() const { return model ? &*model : nullptr; }
 };
 
+/// The message, which begins with the path of what it is about.
+std::string message_about(const std::string& path, const std::string& message);
+
 /// Reads a model, or a structural graph from a file that ends in `.json` or `.xml`, and builds what is missing of its
 /// graph. With `Common_options::graphs_suffice`, a folder of part meshes that the cache knows has no model.
 /// \throw Invalid_input; the message names `path`

@@ -132,17 +132,21 @@ private:
     const std::vector<std::string> paths = is_folder_of_models_ ? models_in(inputs[0]) : models();
     IO::Parts_sheet sheet(paths.size());
     std::string complaints;
+    std::size_t shown = 0;
     for (const std::string& path : paths) {
       const std::string title = fs::path(path).stem().string();
       try {
         const Read_model model = read_model(path, common);
         if (common.prints_table()) print_model(path, model, common.verbose);
         if (!common.html.empty()) sheet.add(title, model.objects, model.split, summary(model));
+        ++shown;
       } catch (const Invalid_input& error) {
-        complaints += (complaints.empty() ? "" : "\n") + std::string(error.what());
-        sheet.add(title, error.what());
+        const std::string message = message_about(path, error.what());
+        complaints += (complaints.empty() ? "" : "\n") + message;
+        sheet.add(title, message);
       }
     }
+    if (shown == 0) throw Invalid_input(complaints);
     write_output(common.html, [&](std::ostream& out) { sheet.write(out); });
     if (!complaints.empty()) throw Invalid_input(complaints);
   }

@@ -9,7 +9,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
@@ -47,12 +49,26 @@ void check_indices(const std::string& name, const Part_mesh& mesh)
   }
 }
 
+void check_triangles_of_vertices(const std::string& name, const Part_mesh& mesh)
+{
+  std::vector<std::size_t> count(std::size_t(mesh.points.cols()), 0);
+  for (const int v : mesh.triangles.reshaped())
+    ++count[std::size_t(v)];
+  const auto most = std::max_element(count.begin(), count.end());
+  if (*most > most_triangles_of_vertex)
+    throw Invalid_input(part_message(name, "vertex " + std::to_string(most - count.begin()) + " has " +
+                                               std::to_string(*most) + " triangles, of at most " +
+                                               std::to_string(most_triangles_of_vertex) +
+                                               "; divide its faces in another way, or simplify the part"));
+}
+
 void check_mesh(const std::string& name, const Part_mesh& mesh)
 {
   if (mesh.triangles.cols() == 0)
     throw Invalid_input(part_message(name, "no triangles; remove the part or give it a surface"));
   check_coordinates(name, mesh.points);
   check_indices(name, mesh);
+  check_triangles_of_vertices(name, mesh);
   if (!has_area(mesh))
     throw Invalid_input(part_message(name, "all triangles have zero area; remove the part or give it a surface"));
 }

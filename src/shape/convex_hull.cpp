@@ -43,15 +43,37 @@ struct std::less<CGAL::Shape_correspondence::internal::Hull_triangulation::Verte
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// The convex hull of points that do not lie in a plane, its faces triangles.
+// Points whose hull is found as they are. The algorithm's time is quadratic in points that are exactly in one plane, as
+// the corners of a large polygon are, and nearly linear in others.
+constexpr std::size_t most_coplanar_points = 2000;
+
+Halfedge_mesh hull_of(const std::vector<Mesh_point>& points)
+{
+  Halfedge_mesh result;
+  CGAL::convex_hull_3(points.begin(), points.end(), result, Hull_traits());
+  return result;
+}
+
+/// The convex hull of points that do not lie in a plane, its faces triangles. Many points are first turned, so that
+/// rounding noise brings them out of common planes.
 Halfedge_mesh convex_hull_mesh(const Points& points)
 {
   std::vector<Mesh_point> input;
   for (Eigen::Index i = 0; i < points.cols(); ++i)
     input.push_back(to_mesh_point(points.col(i)));
-  Halfedge_mesh result;
-  CGAL::convex_hull_3(input.begin(), input.end(), result, Hull_traits());
-  return result;
+  if (input.size() <= most_coplanar_points) return hull_of(input);
+  const Eigen::Matrix3d turn = Eigen::Quaterniond(0.8, 0.3, 0.4, 0.33).normalized().toRotationMatrix();
+  std::vector<Mesh_point> turned;
+  std::map<Mesh_point, Mesh_point> original;
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    turned.push_back(to_mesh_point(turn * points.col(Eigen::Index(i))));
+    original.emplace(turned[i], input[i]);
+  }
+  Halfedge_mesh hull = hull_of(turned);
+  std::vector<Mesh_point> vertices;
+  for (const auto v : hull.vertices())
+    vertices.push_back(hull.point(v) = original.at(hull.point(v)));
+  return vertices.size() <= most_coplanar_points ? hull_of(vertices) : hull;
 }
 
 /// Hull vertices of points that lie in a plane: those of the rectangle or polygon in it.

@@ -33,6 +33,22 @@ inline Part_mesh box(const Point& low, const Point& high)
   return result;
 }
 
+/// Two apexes, each in the triangles over all sides of a polygon.
+inline Part_mesh bipyramid(int sides)
+{
+  Part_mesh result;
+  result.points.resize(3, sides + 2);
+  result.triangles.resize(3, 2 * sides);
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * EIGEN_PI * i / sides;
+    result.points.col(i) << std::cos(angle), std::sin(angle), 0;
+    result.triangles.col(2 * i) << i, (i + 1) % sides, sides;
+    result.triangles.col(2 * i + 1) << (i + 1) % sides, i, sides + 1;
+  }
+  result.points.rightCols(2) << 0, 0, 0, 0, 1, -1;
+  return result;
+}
+
 /// A closed surface over a grid that wraps around in both directions; `f` of two angles.
 template <typename Function>
 inline Part_mesh torus_like(int n, int m, const Function& f)

@@ -1,3 +1,5 @@
+#include "part_meshes.h"
+
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/parameters.h>
@@ -92,6 +94,11 @@ TEST_CASE("What cannot be used is refused by name")
   mesh = one_triangle();
   mesh.points.col(2) << 2, 0, 0;
   CHECK_THAT(message_of("leg", mesh), Catch::Contains("zero area"));
+  mesh = part_meshes::bipyramid(10000);
+  CHECK(message_of("fan", mesh) == "");
+  mesh = part_meshes::bipyramid(10001);
+  CHECK_THAT(message_of("fan", mesh),
+             Catch::Contains("part 'fan': vertex 10001 has 10001 triangles, of at most 10000"));
   CHECK_THAT(message_of("", one_triangle()), Catch::Contains("name is empty"));
   CHECK_THROWS_AS(Segmented_shape("chair", Point::Zero()), Invalid_input);
 }

@@ -4,7 +4,11 @@
 #include "abstraction/skeletonize.h"
 #include "part_meshes.h"
 
+#include "shape/convex_hull.h"
+
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <CGAL/Timer.h>
 
 #include <catch2/catch.hpp>
 
@@ -289,6 +293,25 @@ TEST_CASE("Hull volumes")
   CHECK(convex_hull_volume(leg.points.leftCols(4)) == 0);
   CHECK(convex_hull_volume(leg.points.leftCols(2)) == 0);
   CHECK(convex_hull_volume(Points(3, 0)) == 0);
+}
+
+TEST_CASE("Hulls of large polygons are found in nearly linear time, also where all corners are exactly in two planes")
+{
+  constexpr int sides = 10000;
+  Points prism(3, 2 * sides);
+  for (int i = 0; i < 2 * sides; ++i) {
+    const double angle = 2 * EIGEN_PI * (i / 2) / sides;
+    prism.col(i) << std::cos(angle), i % 2, std::sin(angle);
+  }
+  CGAL::Timer timer;
+  timer.start();
+  CHECK(convex_hull_volume(prism) == Approx(EIGEN_PI));
+  CHECK(timer.time() < 20);    // of processor time; a quadratic algorithm takes minutes
+  Points grid(3, 2 * 51 * 51); // of a box, whose corners are all of its hull
+  for (int i = 0; i < grid.cols(); ++i)
+    grid.col(i) << i / 2 % 51, i % 2, i / 102;
+  CHECK(internal::convex_hull(grid).vertices.cols() == 8);
+  CHECK(convex_hull_volume(grid) == Approx(2500));
 }
 
 TEST_CASE("Kinds can be forced, of all parts and of single ones")

@@ -134,6 +134,17 @@ TEST_CASE("Objects of loose pieces are split, and what to type if they are not t
   CHECK(all.status == 1);
   CHECK_THAT(all.out, Contains("table.obj"));
   CHECK_THAT(all.error, Contains("bad.obj"));
+  const std::string page = folder.path("bad.html"), bad = quoted(folder.path("models/b/bad.obj"));
+  CHECK(run("parts " + bad + " --html " + quoted(page)).status == 1);
+  CHECK_FALSE(fs::exists(page)); // there is nothing to show
+  CHECK(run("parts " + model + " " + bad + " --html " + quoted(page)).status == 1);
+  CHECK_THAT(text_of(page), Contains("bad.obj"));
+  std::string dust;
+  for (int i = 0; i <= 10000; ++i)
+    dust += "v " + std::to_string(i) + " 0 0\nv " + std::to_string(i) + " .5 0\nv " + std::to_string(i) +
+            " 0 .5\nf -1 -2 -3\n";
+  const std::string pieces = folder.write("dust.obj", dust);
+  CHECK_THAT(run("parts " + quoted(pieces)).error, Contains(pieces + ": it has 10001 loose pieces"));
 }
 
 TEST_CASE("A list of pieces and their parts, written, edited and read")
