@@ -110,8 +110,17 @@ void In_between_shape::place(std::size_t part, const Eigen::Affine3d& map)
 
 void In_between_shape::ride_the_whole()
 {
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    if (!blend_.parts[i].morph) place(i, box_map(blend_.boxes[std::size_t(blend_.parts[i].end())], due_box()));
+  constexpr double least_stretch = 0.5, most_stretch = 2;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Blend_part& part = blend_.parts[i];
+    if (part.morph || !is_there(i)) continue;
+    const contacts::Box own = box_of(points_[i]);
+    const Eigen::Affine3d map =
+        box_map(part.ridden[std::size_t(part.end())], between(part.ridden[0], part.ridden[1], whole_));
+    Eigen::Affine3d bounded(map.linear().diagonal().cwiseMax(least_stretch).cwiseMin(most_stretch).asDiagonal());
+    bounded.translation() = map * own.center() - bounded.linear() * own.center();
+    place(i, bounded);
+  }
 }
 
 void In_between_shape::close_contacts()
@@ -123,7 +132,7 @@ void In_between_shape::close_contacts()
     const contacts::Box box = box_of(points_[i]);
     bodies[i] = {box.center(), std::max(box.diagonal().norm() / 2, least_size)};
   }
-  Affine_motion_solver solver(bodies);
+  Box_motion_solver solver(bodies);
   for (const Kept_contact& contact : blend_.contacts) {
     const auto [a, b] = contact.parts;
     if (!is_there(a) || !is_there(b)) continue;
@@ -133,13 +142,12 @@ void In_between_shape::close_contacts()
     for (const auto& [first, second] : contact.points)
       solver.add_contact(a, at(a, first), b, at(b, second), std::min(remaining_[a], remaining_[b]));
   }
-  const std::vector<Affine_motion> motions = solver.solve();
+  const std::vector<Box_motion> motions = solver.solve(least_stretch, most_stretch);
   for (std::size_t i = 0; i < motions.size(); ++i) {
     if (!is_there(i)) continue;
     const std::size_t image = blend_.parts[i].image;
     const bool has_image = blend_.is_symmetric && image != Blend_task::no_part && is_there(image);
-    const Affine_motion motion = has_image ? motions[i].symmetrised(motions[image]) : motions[i];
-    place(i, motion.bounded(least_stretch, most_stretch).map());
+    place(i, (has_image ? motions[i].symmetrised(motions[image]) : motions[i]).map());
   }
 }
 

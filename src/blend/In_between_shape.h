@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "blend/Affine_motion.h"
+#include "blend/Box_motion.h"
 #include "blend/Blend_structure.h"
 
 #include <array>
