@@ -5,12 +5,14 @@
 
   manual_pictures.py PROGRAM GENERATOR DATA OUT [--browser chromium] [--only NAME,NAME]
 
-GENERATOR is generate_models. Makes OUT/NAME.png or .svg: the picture of README.md, the figures of the manual, the shapes of the tutorials, and the gallery. `graph` is a screenshot of the
-page of `graph --html`; it is made only with --browser.
+GENERATOR is generate_models. Makes OUT/NAME.png or .svg: the picture of README.md, the figures of the manual, the shapes of the tutorials, and the gallery. `graph` and
+`page` are screenshots of pages; they are made only with --browser.
 """
 import argparse
 import json
+import math
 import os
+import struct
 import subprocess
 import tempfile
 
@@ -34,6 +36,36 @@ def sheet(grid):
     """The triangles of a grid of points."""
     corners = [[grid[i + k][j + m] for k, m in ((0, 0), (0, 1), (1, 1), (1, 0))] for i in range(len(grid) - 1) for j in range(len(grid[0]) - 1)]
     return [[a, b, c] for quad in corners for a, b, c in (quad[:3], quad[2:] + quad[:1])]
+
+
+def box(low, high):
+    """The triangles of a box."""
+    corner = [[(low, high)[i >> k & 1][k] for k in range(3)] for i in range(8)]
+    quads = (0, 2, 6, 4), (1, 5, 7, 3), (0, 4, 5, 1), (2, 3, 7, 6), (0, 1, 3, 2), (4, 6, 7, 5)
+    return [[corner[i] for i in quad] for a, b, c, d in quads for quad in ((a, b, c), (a, c, d))]
+
+
+def divided(triangle, longest):
+    """The triangles that it is divided into, until no edge is longer."""
+    edges = [math.dist(triangle[i], triangle[(i + 1) % 3]) for i in range(3)]
+    i = edges.index(max(edges))
+    if edges[i] <= longest:
+        return [triangle]
+    a, b, c = (triangle[(i + k) % 3] for k in range(3))
+    middle = [(p + q) / 2 for p, q in zip(a, b)]
+    return divided([a, middle, c], longest) + divided([middle, b, c], longest)
+
+
+def read_coloured_ply(file):
+    """[(colour, triangles)] of a binary PLY file of the program, a triangle the mean colour of its corners."""
+    with open(file, "rb") as ply:
+        header, _, body = ply.read().partition(b"end_header\n")
+    count = {words[1]: int(words[2]) for words in map(str.split, header.decode().splitlines()) if words[0] == "element"}
+    vertex, face = struct.Struct("<3d3B"), struct.Struct("<B3ii")
+    vertices = [vertex.unpack_from(body, i * vertex.size) for i in range(count["vertex"])]
+    start = vertex.size * count["vertex"]
+    triangles = [[vertices[v] for v in face.unpack_from(body, start + i * face.size)[1:4]] for i in range(count["face"])]
+    return [(tuple(sum(v[3 + k] for v in t) / (3 * 255) for k in range(3)), [[v[:3] for v in t]]) for t in triangles]
 
 
 def tube(points, radius=0.006):
@@ -179,6 +211,60 @@ class Pictures:
         self.draw_blend(picture, self.data("chair_four_legged"), self.data("chair_slatted"), 6)
         picture.write(self.out("split"))
 
+    def map(self):
+        """Stripes on the parts of a chair, and what the map between the surfaces makes of them."""
+        bands, size = 12, 0.02
+        shape = read_model(self.data(DEMO[0]))
+        heights = [p[1] for _, triangles in shape for t in triangles for p in t]
+        low, high = min(heights), max(heights)
+        pieces = {}
+        for name, triangles in shape:
+            for triangle in triangles:
+                for t in divided(triangle, size):
+                    band = int(bands * (sum(p[1] for p in t) / 3 - low) / (high - low))
+                    pieces.setdefault((name, min(band, bands - 1)), []).append(t)
+        colours = [numbered_colour(band % 4) for band in range(bands)]
+        source, painted = (os.path.join(self.scratch, name) for name in ("striped.obj", "painted.ply"))
+        with open(os.path.join(self.scratch, "striped.mtl"), "w") as mtl:
+            for band, colour in enumerate(colours):
+                mtl.write(f"newmtl band{band}\nKd {' '.join(f'{c:.4f}' for c in colour)}\n")
+        with open(source, "w") as obj:
+            obj.write("mtllib striped.mtl\n")
+            written, last = 0, None
+            for (name, band), triangles in sorted(pieces.items()):
+                if name != last:
+                    obj.write(f"o {name}\n")
+                last = name
+                obj.write("".join(f"v {p[0]:.6f} {p[1]:.6f} {p[2]:.6f}\n" for t in triangles for p in t) + f"usemtl band{band}\n")
+                obj.write("".join(f"f {written + 3 * i + 1} {written + 3 * i + 2} {written + 3 * i + 3}\n" for i in range(len(triangles))))
+                written += 3 * len(triangles)
+        self.run("transfer", source, self.data("chair_slatted"), "-o", painted)
+        picture = Picture(2)
+        picture.draw([(colours[band], triangles) for (_, band), triangles in pieces.items()], tuple, 0)
+        picture.draw(read_coloured_ply(painted), tuple, 1)
+        picture.write(self.out("map"))
+
+    def tutorial_pipeline(self):
+        """The two tables of the example, in the colours of their labels."""
+        top = "top", box((0, 0.7, 0), (1.2, 0.75, 0.8))
+        legs = [("leg", box((x, 0, z), (x + 0.06, 0.7, z + 0.06))) for x in (0, 1.14) for z in (0, 0.74)]
+        panels = [("leg", box((x, 0, 0), (x + 0.06, 0.7, 0.8))) for x in (0.1, 1.04)]
+        picture = Picture(2)
+        for column, parts in enumerate(([top, *legs], [top, *panels])):
+            picture.draw(parts, lambda name: numbered_colour(name == "leg"), column)
+        picture.write(self.out("tutorial_pipeline"))
+
+    def tutorial_roles(self):
+        """Lamps in the colours of their roles."""
+        folder, order = os.path.join(self.generated("--benchmark"), "lamp"), {}
+        lamps = sorted(os.listdir(folder))[::3]
+        picture = Picture(len(lamps))
+        for column, lamp in enumerate(lamps):
+            with open(os.path.join(folder, lamp, "labels.json")) as labels:
+                role = {part["name"]: part["coarse"] for part in json.load(labels)["parts"]}
+            picture.draw(read_model(os.path.join(folder, lamp)), lambda name: numbered_colour(order.setdefault(role[name], len(order))), column)
+        picture.write(self.out("tutorial_roles"))
+
     def tutorial_match(self):
         picture = Picture(4)
         self.draw_pair(picture, *map(self.data, DEMO))
@@ -253,8 +339,14 @@ class Pictures:
         self.run("graph", self.data("chair_spindle"), "--html", page)
         screenshot(self.args.browser, page, self.out("graph"), WIDTH, HEIGHT)
 
+    def page(self):
+        page = os.path.join(self.scratch, "match.html")
+        self.run("match", *map(self.data, DEMO), "--html", page)
+        screenshot(self.args.browser, page, self.out("page"), WIDTH, HEIGHT)
 
-NAMES = ["readme", "match", "abstraction", "energy", "search", "roles", "blocks", "split", "tutorial_parts", "tutorial_match", "tutorial_collection", "gallery_figure1", "gallery_figure12", "gallery_figure13",
+
+NAMES = ["readme", "match", "abstraction", "energy", "search", "roles", "blocks", "split", "map", "tutorial_parts", "tutorial_match", "tutorial_pipeline", "tutorial_roles",
+         "tutorial_collection", "gallery_figure1", "gallery_figure12", "gallery_figure13",
          "gallery_figure14"]
 
 
@@ -264,11 +356,11 @@ def main():
     parser.add_argument("generator")
     parser.add_argument("data")
     parser.add_argument("out")
-    parser.add_argument("--browser", default="", help="make graph.png with it, too")
+    parser.add_argument("--browser", default="", help="make graph.png and page.png with it, too")
     parser.add_argument("--only", default="", metavar="NAMES", help=", ".join(NAMES))
     args = parser.parse_args()
     os.makedirs(args.out, exist_ok=True)
-    wanted = args.only.split(",") if args.only else NAMES + (["graph"] if args.browser else [])
+    wanted = args.only.split(",") if args.only else NAMES + (["graph", "page"] if args.browser else [])
     with tempfile.TemporaryDirectory() as scratch:
         pictures = Pictures(args, scratch)
         for name in wanted:

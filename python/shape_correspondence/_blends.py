@@ -13,6 +13,7 @@ from typing import Any, ClassVar, Dict, List, Optional, Union
 from . import _core
 from ._matches import Match, match
 from ._options import defaults, with_options
+from ._pages import Page
 from ._records import Record
 from ._shapes import Input, Path, Progress, Shape, _graphs
 
@@ -32,7 +33,7 @@ class BlendTask(Record):
     exchanged: Optional[str] = None
 
 
-class Blend:
+class Blend(Page):
     """The shapes in between two shapes, made by `blend()`. Called with a time in [0, 1], it returns the shape then."""
 
     def __init__(self, handle: Any):
@@ -71,8 +72,12 @@ class Blend:
         return json.loads(self._handle.json(os.fspath(output), frames))
 
     def save(self, path: Path, frames: int = 25) -> None:
-        """Writes an animation if the path ends in ``.glb``, otherwise a folder with one OBJ file for each frame."""
+        """Writes an animation if the path ends in ``.glb``, a web page if it ends in ``.html``, otherwise a folder with
+        one OBJ file for each frame."""
         path = _Path(path)
+        if path.suffix == ".html":
+            self._handle.save_page(str(path), frames)
+            return
         if path.suffix == ".glb":
             self._handle.save_glb(str(path), frames)
             return

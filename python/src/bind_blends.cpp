@@ -9,6 +9,7 @@
 #include "cli/blend_warnings.h"
 #include "cli/run.h"
 #include "io/system/atomic_file.h"
+#include "viewer/match_page.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
@@ -49,8 +50,8 @@ std::shared_ptr<Blend> blend(const std::shared_ptr<Match>& match, int threads, c
       warnings.push_back(unlikely);
     options.min_confidence = 0; // unlikely pairs are out already
     if (!has_size) options.size = SC::cli::likely_size(source.shape, target.shape, warnings);
-    const SC::Shape_blend blend(source.shape.graph, *source.shape.model, target.shape.graph, *target.shape.model,
-                                pairs, options);
+    const SC::Shape_blend blend(source.shape.graph, *source.shape.model, target.shape.graph, *target.shape.model, pairs,
+                                options);
     SC::cli::warn_of_exchanges(blend, source.shape, target.shape, warnings);
     return std::make_shared<Blend>(Blend{match, blend, warnings});
   });
@@ -109,6 +110,17 @@ void save_glb(const Blend& blend, const std::string& path, int frames)
   });
 }
 
+void save_page(const Blend& blend, const std::string& path, int frames)
+{
+  const std::string json = json_of(blend, path, frames);
+  const Graph &source = *blend.match->source, &target = *blend.match->target;
+  SC::IO::Page page =
+      SC::IO::match_page({blend.match->best()}, source.shape.graph, target.shape.graph, source.shape.model_pointer(),
+                         target.shape.model_pointer(), source.file, target.file, {});
+  SC::IO::add_blend(page, json, blend.blend, blend.match->best(), frames);
+  SC::IO::write_atomically(path, [&](std::ostream& out) { SC::IO::write_page(out, page); });
+}
+
 } // namespace
 
 void bind_blends(py::module_& module)
@@ -117,6 +129,7 @@ void bind_blends(py::module_& module)
       .def("shape", shape_at, py::call_guard<py::gil_scoped_release>())
       .def("different", different_blends, py::call_guard<py::gil_scoped_release>())
       .def("json", json_of, py::call_guard<py::gil_scoped_release>())
+      .def("save_page", save_page, py::call_guard<py::gil_scoped_release>())
       .def("save_glb", save_glb, py::call_guard<py::gil_scoped_release>());
   module.def("blend", blend);
   module.def("schedule_names", SC::Shape_blend::schedule_names);

@@ -138,8 +138,9 @@ def test_results_are_shown(table, monkeypatch):
     monkeypatch.setattr(webbrowser, "open", opened.append)
     match = sc.match(table(), table(width=2))
     assert len(repr(match)) < 100 and "5 pairs" in repr(match)
-    for result in (match, match.source_graph):
+    for result in (match, match.source_graph, sc.blend(None, None, match)):
         page = result._repr_html_()
+        assert ('id=&quot;blend.glb' in page) == isinstance(result, sc.Blend)
         assert page.startswith('<iframe srcdoc="') and page.count('"') == 4 and "leg_0" in page
         file = result.show()
         assert opened[-1].endswith(file) and "<html" in open(file, encoding="utf-8").read()

@@ -10,12 +10,14 @@
 #include "cli/text.h"
 #include "matching/unlikely_pairs.h"
 #include "viewer/match_page.h"
+#include "viewer/page_models.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <limits>
 #include <sstream>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -126,11 +128,9 @@ private:
   {
     IO::Page page = IO::match_page({pairs}, source().graph, target().graph, source().model_pointer(),
                                    target().model_pointer(), inputs[0], inputs[1], {});
-    std::ostringstream json, glb;
+    std::ostringstream json;
     write_json(json);
-    IO::write_blend_glb(glb, blend, pairs, output_.frames);
-    page.json.push_back({"blend", json.str()});
-    page.glb.push_back({"blend.glb", glb.str()});
+    IO::add_blend(page, json.str(), blend, pairs, output_.frames);
     write_output(output_.path, [&](std::ostream& out) { IO::write_page(out, page); });
   }
 
@@ -146,8 +146,12 @@ private:
     Blend_options options = blend_options(output_);
     if (!output_.size) options.size = likely_size(source(), target(), warnings);
     options.min_confidence = 0; // unlikely pairs are out already
-    const Shape_blend blend(source().graph, *source().model, target().graph, *target().model, pairs,
-                            with_progress(options, bar));
+    const IO::Page_models models({source().model_pointer(), target().model_pointer()},
+                                 output_.is_page() ? IO::largest_blend_page_triangles
+                                                   : std::numeric_limits<std::size_t>::max());
+    if (models.are_simplified())
+      warnings.push_back("the page shows the shapes with fewer triangles, so that browsers can play it; files do not");
+    const Shape_blend blend(source().graph, *models[0], target().graph, *models[1], pairs, with_progress(options, bar));
     read_looks();
     const IO::Blend_appearance appearance{source().appearance, target().appearance};
     const bool has_materials = !appearance.source.empty() || !appearance.target.empty();

@@ -219,9 +219,11 @@ Model_content read_scene(const std::string& file, bool allows_outside)
   const aiScene* const scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_SortByPType);
   if ((!scene || !scene->mRootNode) && !files->missing().empty())
     throw Invalid_input("the file " + files->missing() + ", which it names, is not there; put it beside the model");
-  if (!scene || !scene->mRootNode)
-    throw Invalid_input(std::string("it cannot be read as a model of the format that its extension says (") +
-                        importer.GetErrorString() + ")");
+  if (!scene || !scene->mRootNode) {
+    const std::string why = importer.GetErrorString();
+    throw Invalid_input("it cannot be read as a model of the format that its extension says" +
+                        (why.empty() ? "" : " (" + why + ")"));
+  }
   const std::string extension = lower_extension(file);
   Model_content content = Scene_reader(*scene).read(extension == ".gltf" || extension == ".glb");
   if (content.parts.empty()) throw Invalid_input("there is no triangle in it; a model needs a mesh for every part");

@@ -6,6 +6,7 @@
 #include "io/write/part_labels.h"
 #include "viewer/page_models.h"
 
+#include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/correspondence_blocks.h>
 
 #include <sstream>
@@ -63,6 +64,15 @@ Page match_page(const std::vector<Correspondence>& ranked, const Structural_grap
           {{"match", json.str()}, {"labels", labels.str()}},
           {{"match.glb", glb.str()}},
           summary_of(ranked.front(), source_labels, target_labels)};
+}
+
+void add_blend(Page& page, const std::string& json, const Shape_blend& blend, const Correspondence& correspondence,
+               int frames)
+{
+  std::ostringstream glb;
+  write_blend_glb(glb, blend, correspondence, frames);
+  page.json.push_back({"blend", json});
+  page.glb.push_back({"blend.glb", glb.str()});
 }
 
 } // namespace CGAL::Shape_correspondence::IO

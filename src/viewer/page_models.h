@@ -5,6 +5,7 @@
 
 #include "io/write/simplified_shape.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace CGAL::Shape_correspondence::IO {
 
 /// The most triangles of all surfaces of a page of one or two shapes; each takes about 60 bytes.
 constexpr std::size_t largest_page_triangles = 100000;
+
+/// The same for a page of a blend, whose surfaces move: each takes about 250 bytes.
+constexpr std::size_t largest_blend_page_triangles = 60000;
 
 /// Models as pages show them: all simplified by the same factor if together they have too many triangles.
 class Page_models
@@ -35,6 +39,11 @@ public:
   Page_models& operator=(const Page_models&) = delete;
 
   const Segmented_shape* operator[](std::size_t i) const { return models_[i]; }
+
+  bool are_simplified() const
+  {
+    return std::any_of(simplified_.begin(), simplified_.end(), [](const auto& shape) { return shape.has_value(); });
+  }
 
 private:
   std::vector<const Segmented_shape*> models_;

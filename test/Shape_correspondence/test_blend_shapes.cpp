@@ -454,4 +454,45 @@ TEST_CASE("Frames as OBJ and PLY read back; the animation plays all surfaces one
     ++channels[channel["target"]["path"]];
   CHECK(channels["weights"] > 0);
   CHECK(channels["scale"] >= channels["weights"] + 2); // both ends, too
+
+  // Points at rest and weighted morph targets are where the blend has them, in every frame
+  const auto numbers = [&, binary = bytes.substr(28 + std::size_t(length))](std::size_t accessor) {
+    const auto& [count, type] = std::pair(document["accessors"][accessor]["count"].get<std::size_t>(),
+                                          document["accessors"][accessor]["type"].get<std::string>());
+    std::vector<float> result(count * (type == "VEC3" ? 3 : 1));
+    const auto& view = document["bufferViews"][document["accessors"][accessor]["bufferView"].get<std::size_t>()];
+    std::memcpy(result.data(), binary.data() + view["byteOffset"].get<std::size_t>(), result.size() * sizeof(float));
+    return result;
+  };
+  const std::vector<Blend_surface> surfaces = blend.surfaces();
+  std::size_t compared = 0;
+  for (const auto& channel : document["animations"][0]["channels"]) {
+    if (channel["target"]["path"] != "weights") continue;
+    const auto& node = document["nodes"][channel["target"]["node"].get<std::size_t>()];
+    const auto& mesh = document["meshes"][node["mesh"].get<std::size_t>()]["primitives"][0];
+    const auto& sampler = document["animations"][0]["samplers"][channel["sampler"].get<std::size_t>()];
+    const std::vector<float> times = numbers(sampler["input"]), weights = numbers(sampler["output"]);
+    const std::size_t targets = mesh["targets"].size();
+    REQUIRE(weights.size() == times.size() * targets);
+    for (std::size_t key = 0; key < times.size(); ++key) {
+      std::vector<float> points = numbers(mesh["attributes"]["POSITION"]);
+      for (std::size_t target = 0; target < targets; ++target) {
+        const std::vector<float> difference = numbers(mesh["targets"][target]["POSITION"]);
+        for (std::size_t i = 0; i < points.size(); ++i)
+          points[i] += weights[key * targets + target] * difference[i];
+      }
+      const std::vector<Points> wanted = blend.points((double(times[key]) - 0.5) / 2); // held for .5 s, moves for 2 s
+      double least = 1e9; // over the surfaces of this name: there is one for each piece of a part
+      for (std::size_t s = 0; s < surfaces.size(); ++s)
+        if (surfaces[s].name == node["name"] && std::size_t(wanted[s].size()) == points.size())
+          least = std::min(least,
+                           (wanted[s] - Eigen::Map<Eigen::Matrix3Xf>(points.data(), 3, wanted[s].cols()).cast<double>())
+                               .colwise()
+                               .norm()
+                               .maxCoeff());
+      CHECK(least < 0.002 * 1.6); // of the larger shape's diagonal
+      ++compared;
+    }
+  }
+  CHECK(compared > 0);
 }

@@ -14,9 +14,10 @@ namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 // Numbers of the glTF 2.0 specification
-constexpr int component_uint32 = 5125, component_float = 5126;
+constexpr int component_uint16 = 5123, component_uint32 = 5125, component_float = 5126;
 constexpr int target_vertices = 34962, target_indices = 34963, no_target = 0;
-constexpr int mode_lines = 1; // triangles need none
+constexpr int mode_lines = 1;         // triangles need none
+constexpr int restart_index = 0xFFFF; // no index of 16 bits
 constexpr std::uint32_t magic = 0x46546C67, chunk_json = 0x4E4F534A, chunk_binary = 0x004E4942;
 
 void append_uint32(std::string& bytes, std::size_t value)
@@ -74,9 +75,11 @@ template <typename Scalar>
 int Glb_file::add_accessor(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& elements, int target,
                            bool has_bounds)
 {
-  static_assert(sizeof(Scalar) == sizeof(std::uint32_t));
   constexpr const char* types[] = {"SCALAR", "VEC2", "VEC3"};
-  Json accessor = {{"componentType", std::is_same<Scalar, float>::value ? component_float : component_uint32},
+  constexpr bool is_float = std::is_same<Scalar, float>::value, is_short = sizeof(Scalar) == sizeof(std::uint16_t);
+  Json accessor = {{"componentType", is_float   ? component_float
+                                     : is_short ? component_uint16
+                                                : component_uint32},
                    {"count", elements.cols()},
                    {"type", types[elements.rows() - 1]}};
   if (has_bounds) {
@@ -85,7 +88,7 @@ int Glb_file::add_accessor(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dy
   }
   std::string bytes;
   for (Eigen::Index i = 0; i < elements.size(); ++i)
-    append_little_endian<Scalar, std::uint32_t>(bytes, elements.data()[i]);
+    append_little_endian<Scalar, std::conditional_t<is_short, std::uint16_t, std::uint32_t>>(bytes, elements.data()[i]);
   accessor["bufferView"] = add_bytes(bytes, target);
   return add("accessors", std::move(accessor));
 }
@@ -139,23 +142,22 @@ Json Glb_file::primitive(const Drawn_mesh& mesh)
   if (mesh.coordinates.cols() > 0)
     attributes["TEXCOORD_0"] = add_accessor<float>(mesh.coordinates, target_vertices, false);
   if (mesh.colours.cols() > 0) attributes["COLOR_0"] = add_accessor<float>(mesh.colours, target_vertices, false);
-  const int* const indices = has_triangles ? mesh.triangles.data() : mesh.lines.data();
-  const Eigen::Index count = has_triangles ? mesh.triangles.size() : mesh.lines.size();
-  result["indices"] = add_accessor<int>(Eigen::Map<const Eigen::RowVectorXi>(indices, count), target_indices, false);
+  const Eigen::Map<const Eigen::RowVectorXi> indices(has_triangles ? mesh.triangles.data() : mesh.lines.data(),
+                                                     has_triangles ? mesh.triangles.size() : mesh.lines.size());
+  result["indices"] = mesh.points.cols() < restart_index
+                          ? add_accessor<std::uint16_t>(indices.cast<std::uint16_t>(), target_indices, false)
+                          : add_accessor<int>(indices, target_indices, false);
   result["material"] = mesh.material;
   if (!has_triangles) result["mode"] = mode_lines;
   if (!mesh.layer.empty()) result["extras"] = {{"layer", mesh.layer}};
   for (const Points& morph : mesh.morphs)
-    result["targets"].push_back(Json{{"POSITION", add_points(morph - mesh.points)}});
+    result["targets"].push_back(Json{{"POSITION", add_points(morph)}});
   return result;
 }
 
-void Glb_file::animate_morphs(int node, const std::vector<double>& times)
+void Glb_file::animate_morphs(int node, const std::vector<double>& times, const Eigen::MatrixXf& weights)
 {
-  if (times.size() < 2) return;
-  const auto n = Eigen::Index(times.size());
-  Eigen::MatrixXf weights = Eigen::MatrixXf::Identity(n, n).bottomRows(n - 1); // by time, of each morph
-  add_channel(node, "weights", "LINEAR", times, weights.reshaped().transpose());
+  if (weights.size() > 0) add_channel(node, "weights", "LINEAR", times, weights.reshaped().transpose());
 }
 
 void Glb_file::animate_visibility(int node, double begin, double end)

@@ -26,7 +26,7 @@ struct Drawn_mesh
   int material = 0;                  ///< of the file
   Eigen::Matrix2Xf coordinates = {}; ///< of a texture, one for each point; or empty
   Eigen::Matrix3Xf colours = {};     ///< factors of the material's colour, one for each point; or empty
-  std::vector<Points> morphs = {};   ///< the points at later times; as many of all meshes of a node
+  std::vector<Points> morphs = {};   ///< differences to the points; as many of all meshes of a node
 
   bool empty() const { return triangles.cols() == 0 && lines.cols() == 0; }
 };
@@ -59,8 +59,8 @@ public:
   /// A node with children, moved along by `translation`.
   int add_node(const std::string& name, const std::vector<int>& children, const Point& translation);
 
-  /// Lets the meshes of a node go through their morphs, at these times in seconds; the first is that of their points.
-  void animate_morphs(int node, const std::vector<double>& times);
+  /// Lets the meshes of a node change shape. \param times in seconds \param weights of each morph (row) at each time
+  void animate_morphs(int node, const std::vector<double>& times, const Eigen::MatrixXf& weights);
 
   /// Lets a node be seen from `begin` to `end` only, in seconds.
   void animate_visibility(int node, double begin, double end);

@@ -8,6 +8,9 @@
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -79,15 +82,57 @@ int add_end(Glb_file& glb, const Segmented_shape& shape, std::size_t side, Blend
   return glb.add_node(shape.name(), nodes, Point::Zero());
 }
 
-/// Adds a surface while it looks the same. \param points of all surfaces, by frame
+/// How far points of an animation may be from the blend's, in diagonals of the shapes' box.
+constexpr double animation_tolerance = 2e-3;
+
+/// A motion of points as few shapes with weights over time: its principal components.
+struct Motion
+{
+  std::vector<Points> targets; ///< differences to the points at the begin
+  Eigen::MatrixXf weights;     ///< of each target (row) at each time (column)
+};
+
+/// \param points at each time \param distance the most that points may be displaced by leaving out components
+Motion principal_motion(const std::vector<const Points*>& points, double distance)
+{
+  const auto number = Eigen::Index(points.size()), size = points[0]->size();
+  Eigen::MatrixXd rest(size, number);
+  for (Eigen::Index i = 0; i < number; ++i)
+    rest.col(i) = (*points[std::size_t(i)] - *points[0]).reshaped();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> components(rest.transpose() * rest);
+  Motion result;
+  result.weights.resize(number, number);
+  const auto is_far = [&] { return rest.reshaped(3, size / 3 * number).colwise().norm().maxCoeff() > distance; };
+  Eigen::Index used = 0;
+  for (; used < number && is_far(); ++used) {
+    const Eigen::VectorXd weights = components.eigenvectors().col(number - 1 - used);
+    const Eigen::VectorXd target = rest * weights;
+    rest -= target * weights.transpose();
+    result.targets.emplace_back(target.reshaped(3, size / 3));
+    result.weights.row(used) = weights.transpose().cast<float>();
+  }
+  result.weights.conservativeResize(used, number);
+  return result;
+}
+
+double diagonal(const Segmented_shape& shape)
+{
+  Eigen::AlignedBox3d box;
+  for (const Shape_part& part : shape.parts())
+    for (const auto& p : part.mesh.points.colwise())
+      box.extend(p);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+/// Adds a surface while it looks the same. \param points its points \param targets their morph targets
 int add_surface(Glb_file& glb, const Blend_surface& surface, std::vector<Blend_painter::Painted_mesh> painted,
-                const std::vector<const Points*>& points)
+                const Points& points, const std::vector<Points>& targets = {})
 {
   std::vector<Drawn_mesh> meshes;
   for (Blend_painter::Painted_mesh& some : painted) {
-    some.mesh.points = (*points[0])(Eigen::all, some.points);
-    for (std::size_t i = 1; i < points.size(); ++i)
-      some.mesh.morphs.emplace_back((*points[i])(Eigen::all, some.points));
+    some.mesh.points = points(Eigen::all, some.points);
+    for (const Points& target : targets)
+      some.mesh.morphs.emplace_back(target(Eigen::all, some.points));
     meshes.push_back(std::move(some.mesh));
   }
   return glb.add_node(surface.name, meshes);
@@ -101,6 +146,7 @@ void write_blend_animation(std::ostream& out, const Shape_blend& blend, int fram
   internal::check_number_of_frames(frames);
   std::vector<int> roots = {add_end(glb, blend(0), 0, painter)};
   glb.animate_visibility(roots[0], 0, hold_seconds);
+  const double distance = animation_tolerance * std::max(diagonal(blend(0)), diagonal(blend(1)));
   const std::vector<Blend_surface> surfaces = blend.surfaces();
   std::vector<std::vector<Points>> points(static_cast<std::size_t>(frames)); // by frame and surface
   internal::for_each_index<CGAL::Parallel_if_available_tag>(
@@ -115,13 +161,15 @@ void write_blend_animation(std::ostream& out, const Shape_blend& blend, int fram
       // One more before and after the frames in which it is there
       const int first = int(std::floor(times[i] * (frames - 1))), last = int(std::ceil(times[i + 1] * (frames - 1)));
       std::vector<double> seconds;
-      std::vector<const Points*> shapes;
+      std::vector<const Points*> moving;
       for (int frame = first; frame <= last; ++frame) {
         seconds.push_back(seconds_at(double(frame) / (frames - 1)));
-        shapes.push_back(&points[std::size_t(frame)][s]);
+        moving.push_back(&points[std::size_t(frame)][s]);
       }
-      roots.push_back(add_surface(glb, surfaces[s], painter.surface(s, (times[i] + times[i + 1]) / 2), shapes));
-      glb.animate_morphs(roots.back(), seconds);
+      const Motion motion = principal_motion(moving, distance);
+      roots.push_back(
+          add_surface(glb, surfaces[s], painter.surface(s, (times[i] + times[i + 1]) / 2), *moving[0], motion.targets));
+      glb.animate_morphs(roots.back(), seconds, motion.weights);
       glb.animate_visibility(roots.back(), seconds_at(times[i]), seconds_at(times[i + 1]));
       glb.set_node_extras(roots.back(), parts_of(surfaces[s].task.source, surfaces[s].task.target));
     }
@@ -143,7 +191,7 @@ void write_blend_frame(std::ostream& out, const Shape_blend& blend, double t, Gl
   std::vector<int> nodes;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (t <= surfaces[s].begin || t >= surfaces[s].end) continue;
-    nodes.push_back(add_surface(glb, surfaces[s], painter.surface(s, t), {&points[s]}));
+    nodes.push_back(add_surface(glb, surfaces[s], painter.surface(s, t), points[s]));
     glb.set_node_extras(nodes.back(), parts_of(surfaces[s].task.source, surfaces[s].task.target));
   }
   glb.write(out, {{"blend", {glb.add_node("blend", nodes, Point::Zero())}}});

@@ -49,7 +49,7 @@ function addParts(row, mark, columns, tr, selection) {
 }
 
 /**
- * @param columns [{text, kind}]; the kind may be `narrow`, or `narrow minor`: not shown on a phone
+ * @param columns [{text, kind}]; the kind may be `narrow`, or `narrow minor`: not shown in narrow windows
  * @param rows [{key, colour (of a style sheet), cells, parts, words}]; a row is chosen by its key. `parts` may be missing;
  * else for each column whose cell stands for several parts {name, key} of each. `words` are searched, too
  * @param search the input element whose text rows must contain, or null
