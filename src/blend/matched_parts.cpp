@@ -27,7 +27,7 @@ struct Surface_fault
   double torn = 0;       ///< area
   double torn_share = 0; ///< of the surface
   double thinning = 0;
-  bool is_crumpled = false; ///< where the one surface takes over from the other
+  bool is_crumpled = false; ///< turned over, or another surface where the one takes over from the other
 };
 
 /// Of the surface that there is, at some times.
@@ -54,7 +54,9 @@ Surface_fault surface_fault(const Part_morph& morph)
   constexpr double most_area = 1.3;
   const double before = rests[0]->extent(morph.points(0, change)).area;
   const double after = rests[1]->extent(morph.points(1, change)).area;
-  result.is_crumpled = std::max(before, after) > most_area * std::min(before, after);
+  constexpr double most_turned = 0.12; // of either surface
+  result.is_crumpled = std::max(before, after) > most_area * std::min(before, after) ||
+                       std::max(morph.turned_share(0), morph.turned_share(1)) > most_turned;
   return result;
 }
 

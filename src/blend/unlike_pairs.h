@@ -10,8 +10,9 @@ namespace CGAL::Shape_correspondence::internal {
 struct Blend_stage;
 
 /// Takes out the pairs whose parts, or pieces of them, would have to turn, to change their proportions or to travel
-/// much to become each other: legs cut up for a star base, slats across spindles. With a pair go all others of its
-/// parts, as a part is divided as a whole, and their mirror images.
+/// much to become each other: legs cut up for a star base, slats across spindles. With a pair of pieces go all
+/// others of its parts, as a part is divided as a whole, and their mirror images; of these, whole parts that are alike
+/// become each other, one to one.
 /// \return the pairs that were taken out
 Part_pairs take_unlike_pairs(const Blend_stage& stage, Part_pairs& paired);
 

@@ -102,9 +102,20 @@ TEST_CASE("Contacts are closed by moving all bodies as little as that takes, wit
   internal::Box_motion_solver pulled({{Point::Zero(), 1}, {Point::Zero(), 1}});
   pulled.add_contact(0, Point(1, 0.1, 0), 1, Point(5, 0.01, 0), 1);
   pulled.add_contact(0, Point(-1, -0.1, 0), 1, Point(-5, -0.01, 0), 1);
-  const std::vector<internal::Box_motion> bounded = pulled.solve(least, most);
-  CHECK(bounded[0].stretch.x() == most);
-  CHECK(bounded[1].stretch.x() == least);
+  CHECK(pulled.solve(least, most)[1].stretch.x() == least);
+
+  // What is anchored stays, and the more rigid body moves less
+  internal::Box_motion_solver anchored({{Point::Zero(), 1, 20}, {Point(1, 0, 0), 1}});
+  anchored.add_contact(0, Point(0.4, 0, 0), 1, Point(0.6, 0, 0), 1);
+  const std::vector<internal::Box_motion> uneven = anchored.solve(least, most);
+  CHECK(uneven[0].translation.x() < 0.1 * std::abs(uneven[1].translation.x()));
+  anchored.add_anchor(0, 1, Point(0.6, 0, 0), 0.6, 100);
+  CHECK(std::abs(anchored.solve(least, most)[1].map()(Point(0.6, 0, 0)).x() - 0.6) < 0.001);
+
+  internal::Box_motion_solver small({{Point::Zero(), 0.1}, {Point::Zero(), 1}}); // which stretches more easily
+  small.add_contact(0, Point(1, 0.1, 0), 1, Point(5, 0.01, 0), 1);
+  small.add_contact(0, Point(-1, -0.1, 0), 1, Point(-5, -0.01, 0), 1);
+  CHECK(small.solve(least, most)[0].stretch.x() == most);
 }
 
 TEST_CASE("What is wrong with a shape in between is told, with the part, by its own measure")
@@ -225,11 +236,11 @@ TEST_CASE("What is not symmetric any more is told, with the part")
 TEST_CASE("Parts that pass through each other are told")
 {
   const std::vector<Named_box> here = {{"base", {0, 0.05, 0}, {2, 0.1, 1}},
-                                       {"left", {-0.6, 0.45, 0}, {0.3, 0.7, 0.3}},
-                                       {"right", {0.6, 0.35, 0}, {0.25, 0.5, 0.25}},
+                                       {"left", {-0.25, 0.45, 0}, {0.3, 0.7, 0.3}},
+                                       {"right", {0.25, 0.35, 0}, {0.25, 0.5, 0.25}},
                                        {"mast", {0, 0.55, 0.4}, {0.1, 0.9, 0.1}}};
   std::vector<Named_box> there = here;
-  there[1].middle.x() = 0.6, there[2].middle.x() = -0.6;
+  there[1].middle.x() = 0.25, there[2].middle.x() = -0.25; // farther, they would thin and thicken
   Blend_options options;
   options.schedule = "all at once";
   const Shape_blend blend = blend_of(model_of(here), model_of(there), same_parts(4), options);
