@@ -36,6 +36,7 @@ of shapes of a category are matched, or those of DATA/pairs.json: [[CATEGORY, SO
   peers        all methods side by side
   alignments   the least energy over all alignments, or for the one nearest to the given orientation
   figure4      the energy with each term switched off
+  switches     the paper's ways of fitting, of proximity and of choosing a direction, and the default's
   figure10     energy against k and K, and the proven optimum; FOLDER/figure10_k.svg, FOLDER/figure10.svg
   figure11     coarse correspondences of the most prominent parts
   figure13     correspondences through a third shape
@@ -79,6 +80,7 @@ Experiment experiment(const std::string& name)
                                                       {"peers", of_data_alone(compare_peers)},
                                                       {"alignments", of_data_alone(alignments)},
                                                       {"figure4", of_data_alone(figure4)},
+                                                      {"switches", of_data_alone(switches)},
                                                       {"figure10", figure10},
                                                       {"figure11", of_data_alone(figure11)},
                                                       {"figure13", of_data_alone(figure13)},

@@ -1,19 +1,21 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs all experiments and writes their tables into one file, RESULTS.md, and their figures into the manual's page on the paper.
+"""Runs all experiments and writes their tables into one file, RESULTS.md, and their figures into the manual's pages on the paper and on accuracy.
 
   results.py BUILD WORK RESULTS.md [--only peers,table3] [--further NAME=DATA] [--labelled DATA]
 
 BUILD is the build folder; WORK keeps the generated shapes, their graphs, tables and pictures. With --further the experiments that
 name no shapes, and need no special ones, run on another folder of labelled shapes, too; --labelled names folders that roles are learned
-from, and evaluated on by leaving shapes out. A table that WORK has already is not made again.
+from, and evaluated on by leaving shapes out. A table that WORK has already is not made again; each names the commit that it is of. With --only,
+the other tables of RESULTS.md stay as they are.
 """
 import argparse
 import json
 import os
 import subprocess
 
+HERE = os.path.dirname(os.path.abspath(__file__))
 EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
     ("peers", 45, "All methods side by side, in the same run"),
     ("gallery", 0, "Figures 1 and 9: a gallery, by the paper's method"),
@@ -22,6 +24,7 @@ EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
     ("table3", 20, "Table 3: against Xu et al. 2012, and without symmetry"),
     ("alignments", 0, "Flips: the least energy over all alignments, and for the nearest one"),
     ("figure4", 20, "Figure 4: the energy with each term switched off"),
+    ("switches", 20, "Switches: the paper's ways of fitting, of proximity and of choosing a direction, and the default's"),
     ("figure10", 8, "Figure 10: energy against k and K, and the proven least energy"),
     ("figure11", 20, "Figure 11: coarse correspondences of the most prominent parts"),
     ("figure13", 0, "Figure 13: through a third shape, by the paper's energy"),
@@ -103,9 +106,24 @@ def table(args, programs, data, further_data, name, pairs, out, generated):
                    os.path.join(args.work, "cache")] + (["--pairs", str(pairs)] if pairs else []) + (["--generated", generated] if name == "constants" else [])
         done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
         with open(path, "w") as file:
-            file.write(done.stdout)
+            file.write(f"{done.stdout.strip()}\n\nCommit {commit()}.\n")
     with open(path) as file:
         return file.read().strip()
+
+
+def commit():
+    describe = ["git", "-C", HERE, "describe", "--always", "--dirty", "--exclude", "*"]
+    return subprocess.run(describe, stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
+
+
+def with_kept(sections, path):
+    """The sections of a file of results, those of the same headings replaced by new ones, the others after them."""
+    with open(path) as file:
+        kept = ["## " + text for text in file.read().split("\n## ")[1:]]
+    heading = lambda section: section.split("\n", 1)[0]
+    new = {heading(section): section for section in sections}
+    old = {heading(section) for section in kept}
+    return [new.get(heading(section), section) for section in kept] + [s for s in sections if heading(s) not in old]
 
 
 def roles_evaluation(args, generated, name, options, out):
@@ -195,6 +213,8 @@ def main():
         out = os.path.join(args.work, "out")
         os.makedirs(out, exist_ok=True)
         sections += roles_sections(args, sets[0][1], out)
+    if only and os.path.exists(args.results):
+        sections = with_kept(sections, args.results)
     with open(args.results, "w") as file:
         file.write("# Results of the experiments\n\n"
                    "Made by `results.py`, which runs every command that is named below. P, R, F1: precision, recall and F1 of pairs of parts,\n"
@@ -204,11 +224,11 @@ def main():
                    "are made of the same components as the generated shapes, lamps and velocipedes differ mostly in numbers and measures, the last rules were\n"
                    "chosen with the shapes of seed 102, and the last removal of rules was checked on those of seed 101. Constants of the other methods were set on\n"
                    "the development set. Halves are by source family. Times are wall-clock times on two cores that had other work: compare them within a table\n"
-                   "only; the manual's page on performance has times of an idle machine. WORST.md discusses the worst results and what was tried.\n\n" + "\n".join(sections))
-    if not only:
-        here = os.path.dirname(os.path.abspath(__file__))
-        page = os.path.join(here, "..", "..", "doc", "Shape_correspondence", "The_paper.txt")
-        subprocess.run([os.path.join(here, "paper_figures.py"), args.results, page], check=True)
+                   "only; the manual's page on performance has times of an idle machine. WORST.md discusses the worst results and what was tried. A table that names\n"
+                   "no commit is older than those that do.\n\n" + "\n".join(sections))
+    for script, page in (("paper_figures.py", "The_paper.txt"), ("accuracy_page.py", "Accuracy.txt")):
+        page = os.path.join(HERE, "..", "..", "doc", "Shape_correspondence", page)
+        subprocess.run([os.path.join(HERE, script), args.results, page], check=True)
 
 
 if __name__ == "__main__":

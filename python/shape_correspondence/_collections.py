@@ -156,7 +156,7 @@ def collection(
     :raises InvalidInput: if a shape cannot be used, or there are fewer than two
     """
     own = {name: further.pop(name) for name in defaults("collection") if name in further}
-    graphs = _collection_graphs(shapes, cache, threads, progress)
+    graphs = _collection_graphs(shapes, _of_graphs(further, cache, threads), progress)
     text = _core.collection([graph._handle for graph in graphs], _model_of(roles, further), threads, further, own,
                             "" if html is None else os.fspath(html), progress)
     return Collection.from_dict(json.loads(text))
@@ -188,8 +188,9 @@ def nearest(
     :param options: further ones of `match()`
     :raises InvalidInput: if a shape cannot be used
     """
-    graphs = _collection_graphs(shapes, cache, threads, progress)
-    graph = _graphs([query], False, {"cache": cache, "threads": threads}, progress)[0]
+    of_graphs = _of_graphs(options, cache, threads)
+    graphs = _collection_graphs(shapes, of_graphs, progress)
+    graph = _graphs([query], False, of_graphs, progress)[0]
     text = _core.nearest(graph._handle, [graph._handle for graph in graphs], count, _model_of(roles, options), threads,
                          options, {"unmatched_energy": unmatched_energy}, progress)
     return Nearest.from_dict(json.loads(text))
@@ -218,8 +219,9 @@ def transfer_labels(
     :param options: further ones of `match()`
     :raises InvalidInput: if a shape cannot be used, or a part of the source has no label
     """
-    (graph, _, labels, _), = _examples([source], cache, threads, progress)
-    targets = _collection_graphs(shapes, cache, threads, progress)
+    of_graphs = _of_graphs(options, cache, threads)
+    (graph, _, labels, _), = _examples([source], of_graphs, progress)
+    targets = _collection_graphs(shapes, of_graphs, progress)
     found = _core.transfer_labels(graph, labels, [target._handle for target in targets], _model_of(roles, options),
                                   threads, options, progress)
     return [PartRoles(source.category, [PartRole(name, coarse, fine or None, probability)
@@ -228,14 +230,20 @@ def transfer_labels(
             for target, parts in zip(targets, found)]
 
 
-def _collection_graphs(shapes: Union[Path, Sequence[Input]], cache: Optional[Path], threads: int,
+def _of_graphs(options: Dict[str, Any], cache: Optional[Path], threads: int) -> Dict[str, Any]:
+    """The options of graphs, which are taken out of those of `match()`."""
+    chosen = {name: options.pop(name) for name in ("abstraction", "closest_points") if name in options}
+    return {**chosen, "cache": cache, "threads": threads}
+
+
+def _collection_graphs(shapes: Union[Path, Sequence[Input]], of_graphs: Dict[str, Any],
                        progress: Progress) -> List[Graph]:
     if isinstance(shapes, (str, os.PathLike)):
         shapes = _core.collection_paths([os.fspath(shapes)])
     elif isinstance(shapes, Mapping):
         shapes = [Shape(shape, name) if not isinstance(shape, (Graph, Shape, str, os.PathLike)) else shape
                   for name, shape in shapes.items()]
-    return _graphs(shapes, False, {"cache": cache, "threads": threads}, progress)
+    return _graphs(shapes, False, of_graphs, progress)
 
 
 @dataclass

@@ -204,7 +204,9 @@ def match(
         search[name] = _part_indices(parts, graph)
     for name, pairs in (("pinned", pinned), ("forbidden", forbidden)):
         search[name] = [tuple(_part_indices([part], graph)[0] for part, graph in zip(pair, graphs)) for pair in pairs]
-    handle = _core.match(graphs[0]._handle, graphs[1]._handle, _model_of(roles, options), threads, search, progress)
+    abstraction = of_shapes.get("abstraction", "fitted")
+    handle = _core.match(graphs[0]._handle, graphs[1]._handle, abstraction, _model_of(roles, options), threads, search,
+                         progress)
     return Match.from_dict(json.loads(handle.json()), _handle=handle)
 
 

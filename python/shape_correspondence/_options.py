@@ -19,10 +19,16 @@ def defaults(function: str) -> Dict[str, Any]:
     return {name: default for name, default, _ in _core.options_of(function)}
 
 
+#: Options of `build_graph()` for the paper's method
+PAPER_GRAPHS: Dict[str, Any] = {"abstraction": "flow", "closest_points": True}
+
+
 def paper_options() -> Dict[str, Any]:
-    """Options of `match()` for the paper's method: beam search of all alignments, in both directions."""
+    """Options of `match()` for the paper's method: graphs by mean curvature flow, and beam search of all alignments, in
+    both directions."""
     usual = defaults("match")
-    return {name: value for name, value in defaults("paper").items() if value != usual[name]}
+    search = {name: value for name, value in defaults("paper").items() if value != usual[name]}
+    return {**search, **PAPER_GRAPHS}
 
 
 def _one_of(name: str, value: Any, words: Dict[str, Any]) -> Any:
@@ -56,7 +62,12 @@ _OF_PROGRAM: Dict[str, Callable[[Any], Dict[str, Any]]] = {
     "alignments": lambda value: {} if value == "auto" else {"alignments": value},
     "source_parts": lambda value: {"source_parts": _words(value)},
     "target_parts": lambda value: {"target_parts": _words(value)},
-    "direction": lambda value: {"both_directions": _one_of("direction", value, {"both": True, "forward": False})},
+    "direction": lambda value: _one_of("direction", value, {
+        "both": {"both_directions": True, "direction_by_energy": False},
+        "least": {"both_directions": True, "direction_by_energy": True}, "forward": {"both_directions": False}}),
+    "fit": lambda value: {"deform_to_fit": value},
+    "proximity": lambda value: {"hard_proximity": _one_of("proximity", value, {"soft": False, "hard": True})},
+    "contact_points": lambda value: {"closest_points": _one_of("contact_points", value, {"middle": False, "closest": True})},
     "max_parts": lambda value: {"maximum_parts": value},
     "max_parts_of": lambda value: {"coarse_target": _one_of("max_parts_of", value, {"both": True, "source": False})},
     "front": lambda value: _one_of("front", value, {"given": {"front_is_sure": True}, "likely": {"front_is_sure": False},
@@ -102,7 +113,8 @@ def with_names_of_program(function: Function, options: Sequence[str] = ()) -> Fu
     parameters = inspect.signature(function).parameters.values()
     known = {*options, *(p.name for p in parameters if p.kind is not p.VAR_KEYWORD)}
     if "roles" in known or name == "blend":
-        known |= {*defaults("match"), "part_matching", "roles", "pinned", "forbidden", "source_parts", "target_parts"}
+        known |= {*defaults("match"), "part_matching", "roles", "pinned", "forbidden", "source_parts", "target_parts",
+                  "abstraction", "closest_points"}
     if name in ("match", "blend", "build_graph"):
         known |= {*defaults("read"), *defaults("build_graph")}
 

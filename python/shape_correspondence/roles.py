@@ -88,7 +88,7 @@ def train(shapes: Union[Path, Sequence[Union[Path, LabelledShape]]], *, trees: i
     if all(isinstance(shape, (str, os.PathLike)) for shape in every):
         options = {"cache": cache, "threads": threads}
         return _core.train_roles_of_folders([os.fspath(shape) for shape in every], trees, seed, options, progress)
-    return _core.train_roles(_examples(every, cache, threads, progress), trees, seed, progress)
+    return _core.train_roles(_examples(every, {"cache": cache, "threads": threads}, progress), trees, seed, progress)
 
 
 def extend(model: Optional[Model], shapes: Sequence[LabelledShape], *, seed: int = 0, cache: Optional[Path] = None,
@@ -104,14 +104,13 @@ def extend(model: Optional[Model], shapes: Sequence[LabelledShape], *, seed: int
     :raises InvalidInput: if a shape cannot be used, or a part has no label
     """
     known = model if isinstance(model, RoleModel) else load(model)
-    return _core.extend_roles(known, _examples(shapes, cache, threads, progress), seed, progress)
+    return _core.extend_roles(known, _examples(shapes, {"cache": cache, "threads": threads}, progress), seed, progress)
 
 
-def _examples(shapes: Sequence[LabelledShape], cache: Optional[Path], threads: int, progress: Progress) -> List[Any]:
+def _examples(shapes: Sequence[LabelledShape], of_graphs: Dict[str, Any], progress: Progress) -> List[Any]:
     examples = []
-    options = {"cache": cache, "threads": threads}
     for labelled in shapes:
-        graph = _graphs([labelled.shape], False, options, progress)[0]
+        graph = _graphs([labelled.shape], False, of_graphs, progress)[0]
         labels = [_label(labelled.labels, part, graph) for part in graph.part_names]
         examples.append((graph._handle, labelled.category, labels, labelled.weight))
     return examples

@@ -19,6 +19,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <ostream>
 
@@ -27,18 +28,22 @@ namespace shape_correspondence_python {
 namespace {
 
 /// What is to be said of the shapes of a match, in the order in which the program says it.
-std::vector<std::string> warnings_of(const Graph& source, const Graph& target)
+std::vector<std::string> warnings_of(const Graph& source, const Graph& target, bool is_flow_wanted)
 {
   std::vector<std::string> result = source.warnings_of_up;
-  for (const Graph* graph : {&source, &target})
-    for (const std::string& warning : structure(graph->shape.graph).warnings)
+  for (const Graph* graph : {&source, &target}) {
+    std::vector<std::string> warnings = structure(graph->shape.graph).warnings;
+    const std::string note = SC::cli::note_on_abstraction(graph->shape.graph, is_flow_wanted);
+    if (!note.empty() && std::find(warnings.begin(), warnings.end(), note) == warnings.end()) warnings.push_back(note);
+    for (const std::string& warning : warnings)
       result.push_back(graph->file + ": " + warning);
+  }
   return result;
 }
 
 std::shared_ptr<Match> match(const std::shared_ptr<Graph>& source, const std::shared_ptr<Graph>& target,
-                             const std::optional<Role_model>& roles, int threads, const py::dict& options,
-                             const py::object& progress)
+                             const std::string& abstraction, const std::optional<Role_model>& roles, int threads,
+                             const py::dict& options, const py::object& progress)
 {
   SC::Search_options search = search_options(options);
   if (roles) search.roles = roles->model;
@@ -49,7 +54,7 @@ std::shared_ptr<Match> match(const std::shared_ptr<Graph>& source, const std::sh
     auto result =
         std::make_shared<Match>(Match{source, target, SC::cli::match_shapes(source->shape, target->shape, search)});
     std::vector<std::string>& warnings = result->matched.ranked[0].warnings;
-    const std::vector<std::string> of_shapes = warnings_of(*source, *target);
+    const std::vector<std::string> of_shapes = warnings_of(*source, *target, abstraction == "flow");
     warnings.insert(warnings.begin(), of_shapes.begin(), of_shapes.end());
     return result;
   });

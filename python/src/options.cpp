@@ -157,6 +157,11 @@ struct Search_keywords : Keywords
     add("cut_curves", match.search.matching.cut_curves, "whether curves may be cut into segments and joined");
     add("both_directions", match.search.both_directions,
         "deform either shape into the other, and keep the lower energy per pair of connected parts");
+    add("direction_by_energy", match.search.direction_by_energy,
+        "take the direction with less energy, as in the paper, not with less energy per pair of connected parts");
+    add("hard_proximity", match.search.matching.hard_proximity,
+        "whether parts that are not matched yet follow those that they touch to the point, as in the paper; otherwise "
+        "they resist being stretched a little");
     add("coarse_target", match.search.coarse_target,
         "whether `maximum_parts` applies to both shapes, or to the source only");
     add("alignments", match.search.alignments,
@@ -181,6 +186,9 @@ struct Model_keywords : Keywords
     add("detect_reflections", symmetry.reflection, "whether to look for reflections");
     add("detect_rotations", symmetry.rotation, "whether to look for rotations");
     add("detect_translations", symmetry.translation, "whether to look for translations");
+    add("closest_points", common.structure.contacts.closest_points,
+        "whether parts touch at a closest pair of points, as in the paper, not in the middle of all that is nearly as "
+        "close");
     add("parts_from", common.parts_from,
         "a list of pieces and their parts, as `graph --parts-json` of the program writes it");
   }

@@ -30,6 +30,7 @@ def test_options_and_defaults_of_a_match():
     expected = {"search_method": "parts", "category": None, "min_confidence": 0, "beam_width": 20, "expansions": 4,
                 "distortion_weight": 1, "connectedness_weight": 0.6, "split_weight": 0.4, "role_weight": 0,
                 "energy_norm": "sum", "cut_curves": True, "unmatched_cost": float("inf"), "both_directions": True,
+                "deform_to_fit": "samples", "hard_proximity": False, "direction_by_energy": False,
                 "maximum_parts": 0, "coarse_target": True, "alignments": 1, "front_is_sure": False, "solutions": 1,
                 "min_marginals": False}
     assert {name: value for name, value, _ in _core.options_of("match")} == expected
@@ -52,7 +53,9 @@ def test_names_are_those_of_named_parameters(data):
 
 
 def test_paper_options():
-    assert sc.paper_options() == {"search_method": "beam", "alignments": 0, "coarse_target": False}
+    assert sc.paper_options() == {
+        "search_method": "beam", "alignments": 0, "coarse_target": False, "direction_by_energy": True,
+        "deform_to_fit": "extremities", "hard_proximity": True, "abstraction": "flow", "closest_points": True}
 
 
 @pytest.mark.parametrize("name", sc.__all__)

@@ -29,6 +29,8 @@ def as_text(result):
     ((), {}),
     (("--roles", "none", "--min-confidence", 0.5), {"roles": None, "min_confidence": 0.5}),
     (("--paper",), sc.paper_options()),
+    (("--paper", "--abstraction", "fitted", "--fit", "samples"),
+     {**sc.paper_options(), "abstraction": "fitted", "deform_to_fit": "samples"}),
     (("--role-weight", 1), {"role_weight": 1, "search": "exact"}),
     (("--search", "exact", "--solutions", 3, "--min-marginals"),
      {"search_method": "exact", "solutions": 3, "min_marginals": True}),
@@ -41,6 +43,15 @@ def test_match(json_of_program, cache, arguments, options):
     found = sc.match(TABLE, OTHER, cache=cache, **options)
     assert as_text(found.to_dict()) == as_text(expected)
     assert as_text(sc.Match.from_dict(expected).to_dict()) == as_text(expected)
+
+
+def test_graph_of_the_other_abstraction(cache):
+    flow, fitted = (sc.build_graph(TABLE, abstraction=word, cache=cache) for word in ("flow", "fitted"))
+    warning = "abstracted by mean curvature flow"
+    assert [warning in text for text in sc.match(flow, fitted).warnings] == [True]
+    assert [warning in text for text in sc.match(flow, fitted, abstraction="flow").warnings] == [True]
+    assert not sc.match(fitted, fitted).warnings
+    assert [warning in text for text in sc.match(flow, fitted, paper=True).warnings] == [True]
 
 
 @pytest.mark.parametrize("arguments, options", [
@@ -128,21 +139,23 @@ def test_store_of_a_collection(cache, tmp_path):
     assert other.to_dict() == sc.collection(shapes, cache=cache, search_method="exact").to_dict()
 
 
-def test_transfer_labels(json_of_program, cache):
+@pytest.mark.parametrize("arguments, options", [((), {}), (("--abstraction", "flow"), {"abstraction": "flow"})])
+def test_transfer_labels(json_of_program, cache, arguments, options):
     shapes = [OTHER, "data/table_pedestal"]
-    expected = json_of_program("collection", *shapes, "--cache", cache, "--labels-from", TABLE)
+    expected = json_of_program("collection", *shapes, "--cache", cache, "--labels-from", TABLE, *arguments)
     labels = json.loads((pathlib.Path(TABLE) / "labels.json").read_text())
     source = sc.roles.LabelledShape(TABLE, labels["category"], {
         part["name"]: (part["coarse"], part.get("fine") or "") for part in labels["parts"]})
-    found = sc.transfer_labels(source, shapes, cache=cache)
+    found = sc.transfer_labels(source, shapes, cache=cache, **options)
     assert [shape.to_dict()["parts"] for shape in found] == [shape["parts"] for shape in expected["shapes"]]
     assert found[0].category == expected["category"] == "table"
 
 
-def test_nearest(json_of_program, cache):
+@pytest.mark.parametrize("arguments, options", [((), {}), (("--paper",), {"paper": True})])
+def test_nearest(json_of_program, cache, arguments, options):
     shapes = [OTHER, "data/table_pedestal"]
-    expected = json_of_program("collection", *shapes, "--cache", cache, "--nearest", TABLE, "-k", 1)
-    assert as_text(sc.nearest(TABLE, shapes, 1, cache=cache).to_dict()) == as_text(expected)
+    expected = json_of_program("collection", *shapes, "--cache", cache, "--nearest", TABLE, "-k", 1, *arguments)
+    assert as_text(sc.nearest(TABLE, shapes, 1, cache=cache, **options).to_dict()) == as_text(expected)
 
 
 def test_evaluate(json_of_program, cache, tmp_path):

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "abstraction/deadline.h"
 #include "abstraction/inside_test.h"
+#include "abstraction/skeletonize.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
@@ -24,13 +24,6 @@ struct Contracting_mesh
   Part_mesh mesh;
   Points poles;            ///< a vertex's point of the medial axis; not finite where there is none
   std::vector<char> fixed; ///< vertices that have become part of the skeleton
-};
-
-/// Weights of the flow (Tagliasacchi et al. 2012): w_H keeps a vertex in place, w_P draws it to its pole.
-struct Flow_weights
-{
-  double velocity = 0.1; ///< w_H
-  double medial = 0.2;   ///< w_P
 };
 
 /// The cotangent of the angle at `a`, at least 0 and less than that of three degrees.

@@ -5,9 +5,9 @@
 #include "abstraction/bounding_box.h"
 #include "abstraction/fit_curve.h"
 #include "abstraction/fit_sheet.h"
-#include "abstraction/intrinsic_extent.h"
+#include "abstraction/meso_kind.h"
 #include "abstraction/skeletonize.h"
-#include "abstraction/spatial_graph.h"
+#include "abstraction/surface_samples.h"
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
 
@@ -15,22 +15,6 @@ namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
-
-/// What the meso-skeleton of a part is like when it is measured along itself.
-enum class Meso_kind { CURVE, SHEET, BLOB };
-
-/// \param extents of the meso-skeleton, longest first
-/// \param area_kept of the part's surface
-Meso_kind meso_kind(const Eigen::Vector3d& extents, double area_kept)
-{
-  // Set on 62 parts that were abstracted by hand
-  const double least_width = 0.2; // of a sheet, over its length
-  const double least_depth = 0.5; // of a blob, over its width
-  const double least_area = 0.1;  // of a sheet, over that of the part's surface
-  if (extents[1] <= least_width * extents[0]) return Meso_kind::CURVE;
-  if (extents[2] >= least_depth * extents[1]) return Meso_kind::BLOB;
-  return area_kept > least_area ? Meso_kind::SHEET : Meso_kind::CURVE;
-}
 
 /// Finds curves on the converged skeleton, sheets on the meso-skeleton.
 class Mean_curvature_abstractor : public Solid_abstractor
@@ -40,9 +24,12 @@ class Mean_curvature_abstractor : public Solid_abstractor
   void find_geometry(const Part_mesh& solid) override
   {
     Stepwise_flow flow(solid, options().maximum_iterations, deadline());
+    flow.set_weights(slow_flow);
     flow.run_to_volume(options().stop_volume);
     const Part_mesh meso_skeleton = flow.meso_skeleton();
-    const Meso_kind kind = meso_kind(extents_of(meso_skeleton), flow.area_kept());
+    const double thickness = 2 * volume() / surface_area(solid);
+    const Meso_kind kind = meso_kind(meso_measures(meso_skeleton, flow.area_kept(), thickness));
+    flow.set_weights(Flow_weights());
     flow.run_to_convergence();
     report().iterations = flow.iterations();
     report().phases.flow = lap();
@@ -51,17 +38,12 @@ class Mean_curvature_abstractor : public Solid_abstractor
     if (wanted_kind() == Abstraction_kind::SHEET ||
         (wanted_kind() == Abstraction_kind::AUTOMATIC && kind == Meso_kind::SHEET && !is_ring)) {
       use_sheet(fit_sheet(meso_skeleton.points, meso_skeleton.points, options().sheet_points), Method::MESO_SKELETON);
-    } else if (kind == Meso_kind::BLOB && !is_ring) {
-      use_axis(medial_curve(oriented_box(mesh().points), options().curve_points));
+    } else if ((kind == Meso_kind::BLOB && !is_ring) || is_point(curve)) {
+      const Oriented_box box = oriented_box(mesh().points);
+      use_axis(medial_curve(box, options().curve_points, distinct_axis(box)));
     } else {
       use_curve(curve, Method::SKELETON);
     }
-  }
-
-  static Eigen::Vector3d extents_of(const Part_mesh& meso_skeleton)
-  {
-    const Spatial_graph graph = edge_graph(meso_skeleton);
-    return intrinsic_layout(Spatial_graph_view(graph)).extents;
   }
 };
 

@@ -20,7 +20,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Normals of vertices, the mean of their faces' by area, pointing outwards.
+/// Outward normals of vertices: the mean of their faces', weighted by area.
 inline Points vertex_normals(const Part_mesh& mesh)
 {
   Points result = Points::Zero(3, mesh.points.cols());

@@ -119,7 +119,7 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
     work += std::pow(double(length), 3);
     if (length > longest_border || work > most_work) return false;
   }
-  // A surface that meets itself is worth no work: it still does so when its holes are filled.
+  // A surface that intersects itself is left as it is: it would still do so with its holes filled.
   const double much_work = 1e5;
   if (work > much_work && PMP::does_self_intersect(mesh)) return false;
   for (auto h : borders) {
@@ -146,7 +146,7 @@ bool is_solid(Halfedge_mesh& mesh)
   return fullness(mesh) > smallest_fullness;
 }
 
-/// Ends a wrap that takes too long: what it throws leaves the algorithm.
+/// Ends a wrap that takes too long, by an exception.
 struct Wrap_watch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor
 {
   explicit Wrap_watch(const Deadline& deadline) : deadline(&deadline) {}

@@ -62,6 +62,13 @@ public:
     converged_ = std::abs(area_ - last_area) < smallest_change * original_area_;
   }
 
+  void set_weights(const Flow_weights& weights)
+  {
+    weights_ = weights;
+    flow_.set_quality_speed_tradeoff(weights.velocity);
+    flow_.set_medially_centered_speed_tradeoff(weights.medial);
+  }
+
   bool converged() const { return converged_; }
   int iterations() const { return iterations_; }
   double area_kept() const { return area_ / original_area_; }
@@ -126,7 +133,7 @@ private:
 
   void contract_to_poles()
   {
-    const Points moved = contracted(contracting_mesh(), Flow_weights());
+    const Points moved = contracted(contracting_mesh(), weights_);
     Eigen::Index i = 0;
     for (auto v : vertices(flow_mesh()))
       v->point() = to_mesh_point(moved.col(i++));
@@ -136,6 +143,7 @@ private:
   int most_iterations_;
   const Deadline* deadline_;
   Flow flow_;
+  Flow_weights weights_;
   std::size_t original_vertices_;
   double original_area_, original_volume_;
   Part_mesh mesh_; // what the flow has made of the mesh
@@ -153,6 +161,8 @@ Stepwise_flow::Stepwise_flow(const Part_mesh& mesh, const Points& poles, int ite
 {}
 
 Stepwise_flow::~Stepwise_flow() = default;
+
+void Stepwise_flow::set_weights(const Flow_weights& weights) { state_->set_weights(weights); }
 
 void Stepwise_flow::run_to_volume(double fraction)
 {

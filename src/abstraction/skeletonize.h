@@ -13,6 +13,17 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
+/// Weights of the flow: w_H keeps a vertex in place, w_P draws it to its pole. CGAL calls them
+/// `quality_speed_tradeoff()` and `medially_centered_speed_tradeoff()`; the larger, the slower the flow.
+struct Flow_weights
+{
+  double velocity = 0.1; ///< w_H
+  double medial = 0.2;   ///< w_P
+};
+
+/// For the meso-skeleton: at CGAL's speed, a narrow sheet may become a curve in the first step.
+constexpr Flow_weights slow_flow{0.3, 0.6};
+
 /// The mean curvature flow of one closed mesh (Tagliasacchi et al. 2012), run step by step.
 class Stepwise_flow
 {
@@ -26,6 +37,8 @@ public:
   Stepwise_flow(const Stepwise_flow&) = delete;
   Stepwise_flow& operator=(const Stepwise_flow&) = delete;
 
+  /// Weights of the steps to come.
+  void set_weights(const Flow_weights& weights);
   /// Runs until the enclosed volume falls under a fraction of the original one, or until nothing changes any more.
   /// \throw Flow_failure
   void run_to_volume(double fraction);

@@ -88,6 +88,10 @@ void add_structure_options(Option_table& table, Common_options& options)
       "largest gap between parts in contact, as a fraction of the diagonal of the shape")
       .between(0, 0.5)
       .in_python();
+  add(contact_points_option, "WHERE",
+      choice<bool>(options.structure.contacts.closest_points, {{"middle", false}, {"closest", true}}),
+      "where parts touch: in the middle of all that is nearly as close, or at a closest pair of points, as in the "
+      "paper");
   add("cache", "FOLDER", &options.cache,
       "keep structural graphs in this folder and reuse them when model and options are the same")
       .in_python();
@@ -96,10 +100,11 @@ void add_structure_options(Option_table& table, Common_options& options)
 void add_abstraction_options(Option_table& table, Abstraction_options& abstraction)
 {
   Option_table::Group add = table.rare_group(abstraction_group);
-  add("abstraction", "METHOD", abstraction_method(abstraction),
+  add(abstraction_option, "METHOD", abstraction_method(abstraction),
       "method of part abstraction: fitted (sheets on the medial axis, curves by mean curvature flow, axes of round "
       "parts and blocks), flow (mean curvature flow alone, as in the paper) or boxes (axes of bounding boxes: fast and "
-      "rough)");
+      "rough)")
+      .in_python();
   add("kind", "KIND", choice(abstraction.kind, abstraction_kinds),
       "abstract parts by curve, sheet, or auto (what fits each part)")
       .in_python();

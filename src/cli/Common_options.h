@@ -39,8 +39,8 @@ struct Common_options
   std::array<Of_input, 2> of_pair; ///< of the source and the target
   /// By which the upright axes of models are found where nothing says them; null: by how the models stand.
   std::shared_ptr<const Role_model> roles;
-  /// Told of the progress in place of a bar: what is done, how much of it, of how much. It may throw, which ends the
-  /// work.
+  /// Called with the progress in place of a bar: what is done, how much of it, of how much. It may throw, which ends
+  /// the work.
   std::function<void(const std::string&, std::size_t, std::size_t)> on_progress;
   bool graphs_suffice = false; ///< shapes may be loaded without their models, where the cache has their graphs
   bool quiet = false, verbose = false, help = false, help_all = false;
@@ -65,6 +65,7 @@ std::vector<std::string> words_of(const std::string& list);
 
 constexpr const char* reading_group = "Options on model files";
 constexpr const char* abstraction_group = "Options on part abstraction";
+constexpr const char *abstraction_option = "abstraction", *contact_points_option = "contact-points";
 
 // Each adds options to the table of a command
 

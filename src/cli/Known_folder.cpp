@@ -17,7 +17,7 @@
 namespace CGAL::Shape_correspondence::cli {
 namespace {
 
-/// To be raised with every change that reads other parts, or other warnings, from the same files.
+/// Raise it with every change that reads other parts, or other warnings, from the same files.
 constexpr int reader_version = 1;
 
 /// Whether the files are the parts, and the options say which axis is up.

@@ -8,6 +8,7 @@
 #include "cli/text.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
+#include <CGAL/Shape_correspondence/match_as_in_paper.h>
 
 #include <algorithm>
 #include <charconv>
@@ -24,7 +25,7 @@ namespace {
 /// Of a contact of a group that is left unmatched; about what a badly deformed contact costs.
 constexpr double default_unmatched_cost = 0.5;
 
-/// A number that makes up the whole text, or an error that names the option.
+/// Parses a whole text as a number; the error names the option.
 template <typename Number>
 Number parse_number(const std::string& label, const std::string& text)
 {
@@ -64,6 +65,22 @@ Text_field left_out_term(Energy_weights& weights)
   result.set = [&weights, known = result.known](const std::string& label, const std::string& term) {
     check_word(label, term, known);
     (term == "distortion" ? weights.distortion : term == "split" ? weights.split : weights.connectedness) = 0;
+  };
+  return result;
+}
+
+/// The shapes that are deformed, and which result is taken of two.
+Text_field deformed_shapes(Search_options& search)
+{
+  Text_field result;
+  result.known = {"both", "least", "forward"};
+  result.get = [&search] {
+    return !search.both_directions ? "forward" : search.direction_by_energy ? "least" : "both";
+  };
+  result.set = [&search, known = result.known](const std::string& label, const std::string& word) {
+    check_word(label, word, known);
+    search.both_directions = word != "forward";
+    search.direction_by_energy = word == "least";
   };
   return result;
 }
@@ -151,7 +168,9 @@ void add_match_options(Option_table& table, Match_options& match)
       "direction; the direction with less energy per pair of connected parts is taken). auto: parts, unless another "
       "option asks for beam or exact")
       .usual();
-  add("paper", &match.paper, "the method of the paper: --search beam --front auto, and --max-parts of the source only")
+  add("paper", &match.paper,
+      "the method of the paper: --search beam --front auto --direction least --fit extremities --proximity hard, and "
+      "--max-parts of the source only; graphs of --abstraction flow --contact-points closest")
       .usual();
   add("roles", "MODEL", &match.roles,
       "role model for --search parts and --role-weight: auto (the one that comes with the program), none, or a file "
@@ -181,8 +200,9 @@ void add_match_options(Option_table& table, Match_options& match)
       .only_for({"beam"})
       .asks_for("beam")
       .in_python();
-  add("direction", "WHICH", choice<bool>(search.both_directions, {{"both", true}, {"forward", false}}),
-      "shapes that beam and exact search deform: both, or forward (the source only)")
+  add("direction", "WHICH", deformed_shapes(search),
+      "shapes that beam and exact search deform: both (less energy per pair of connected parts is taken), least (both, "
+      "but less energy is taken, as in the paper) or forward (the source only). Default with --paper: least")
       .only_for(by_energy);
   add("max-parts", "N", &search.maximum_parts,
       "match the N largest parts only (coarse correspondence); default: all parts")
@@ -217,6 +237,18 @@ void add_match_options(Option_table& table, Match_options& match)
       "distortion of all pairs of connected parts: sum (of the norms of each pair, as in the paper) or pooled (one "
       "norm over the rods of all pairs)")
       .in_python("energy_norm");
+  add("fit", "HOW",
+      choice<Deform_to_fit>(search.matching.fit,
+                            {{"samples", Deform_to_fit::SAMPLES}, {"extremities", Deform_to_fit::EXTREMITIES}}),
+      "how a matched part is deformed: samples (it becomes the other part) or extremities (its ends or corners take "
+      "the "
+      "places of the other's, and it keeps its bow in between, as in the paper). Default with --paper: extremities")
+      .in_python("deform_to_fit");
+  add("proximity", "HOW", choice<bool>(search.matching.hard_proximity, {{"soft", false}, {"hard", true}}),
+      "how parts that are not matched yet follow those that they touch, for the beam search: soft (they resist being "
+      "stretched a little) or hard (to the point, as in the paper). Default with --paper: hard")
+      .only_for({"beam"})
+      .asks_for("beam");
   add("no-cut", Switched_off{&search.matching.cut_curves}, "do not cut curves into segments; for beam and exact search")
       .only_for(by_energy);
   add("allow-unmatched", "COST", &search.matching.unmatched_cost,
@@ -277,8 +309,22 @@ Search_options search_options(const Match_options& match, const Option_table& gi
   search.alignments = match.alignments.value_or(has_one_front ? 1 : 0);
   search.front_is_sure = match.front == "given";
   search.coarse_target = match.coarse_target.value_or(!match.paper);
+  if (match.paper) {
+    const Search_options paper = paper_options();
+    if (!given.is_given("direction")) search.direction_by_energy = paper.direction_by_energy;
+    if (!given.is_given("fit")) search.matching.fit = paper.matching.fit;
+    if (!given.is_given("proximity")) search.matching.hard_proximity = paper.matching.hard_proximity;
+  }
   search.roles = role_model(match, search.method);
   return search;
+}
+
+void take_graphs_of_paper(const Match_options& match, const Option_table& given, Structure_options& options)
+{
+  if (!match.paper) return;
+  const Structure_options paper = paper_structure_options();
+  if (!given.is_given(abstraction_option)) options.abstraction.abstractor = paper.abstraction.abstractor;
+  if (!given.is_given(contact_points_option)) options.contacts.closest_points = paper.contacts.closest_points;
 }
 
 void add_examples(const Match_options& match, const Common_options& common, Search_options& search)

@@ -41,6 +41,9 @@ void add_match_options(Option_table& table, Match_options& match);
 /// The search that the options ask for, but for `choose_parts()`. \throw Usage_error
 Search_options search_options(const Match_options& match, const Option_table& given);
 
+/// Sets what graphs have by `--paper`, where options do not say otherwise.
+void take_graphs_of_paper(const Match_options& match, const Option_table& given, Structure_options& options);
+
 /// For commands that take a correspondence in place of a search. `min-confidence` is of both.
 /// \throw Usage_error if an option of the search is given
 void refuse_search_options(const Option_table& given);

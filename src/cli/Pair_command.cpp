@@ -26,6 +26,7 @@ void Pair_command::check()
 {
   refuse_abstraction_of_graphs();
   search = search_options(match, table);
+  take_graphs_of_paper(match, table, common.structure);
   if (!result.empty()) refuse_search_options(table);
 }
 

@@ -103,6 +103,7 @@ private:
     for (const Option& option : table.options())
       if (option.is_given && option.is_for_pairs) refuse_option(option.name, "on a set of shapes");
     matching_.search = search_options(match_, table);
+    take_graphs_of_paper(match_, table, common.structure);
     matching_.unmatched_energy = options_.unmatched_energy;
     if (table.is_given("count") && options_.nearest.empty()) throw Usage_error("-k has no effect without --nearest");
     if (!options_.nearest.empty() && (has_files() || options_.matches))

@@ -15,8 +15,8 @@
 namespace CGAL::Shape_correspondence::cli {
 namespace {
 
-/// To be raised with every change that makes other energies or pairs of the same graphs and options.
-constexpr int matching_version = 8;
+/// Raise it with every change that makes other energies or pairs of the same graphs and options.
+constexpr int matching_version = 9;
 
 // Shapes on a side of a tile
 constexpr std::size_t least_block = 4, largest_block = 128;

@@ -57,7 +57,7 @@ struct Judged_result
   Correspondence_score score;
 };
 
-/// The files themselves, and the results in folders; other JSON in folders is none of this command's.
+/// The files themselves, and the results in folders; other JSON files in folders are ignored.
 std::vector<std::string> result_files(const std::vector<std::string>& inputs)
 {
   std::vector<std::string> files;
@@ -164,7 +164,7 @@ std::string fixed(double number)
   return text;
 }
 
-/// A mean with its interval, which a single result does not have.
+/// A mean with its interval; of a single result, without.
 std::string text_of(const Estimate& e, std::size_t results)
 {
   return fixed(e.mean) + (results > 1 ? " [" + fixed(e.low) + ", " + fixed(e.high) + "]" : "");

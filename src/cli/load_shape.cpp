@@ -32,6 +32,17 @@ bool has_extension(const std::string& path, const char* wanted)
   return IO::lower_extension(path) == wanted && !fs::is_directory(path);
 }
 
+/// Whether the parts were abstracted by mean curvature flow alone; none if their reports do not tell.
+std::optional<bool> is_of_flow(const Structural_graph& graph)
+{
+  using Method = Abstraction_report::Method;
+  for (const Part_abstraction& part : structure(graph).parts) {
+    if (part.report.method == Method::MESO_SKELETON) return true;
+    if (part.report.method == Method::MEDIAL_AXIS || part.report.method == Method::PRISM) return false;
+  }
+  return std::nullopt;
+}
+
 void load_graph(const std::string& path, const Common_options& common, const Structure_options& options,
                 Loaded_shape& shape)
 {
@@ -41,6 +52,9 @@ void load_graph(const std::string& path, const Common_options& common, const Str
     throw Invalid_input("the upright axis of a graph without surfaces cannot be estimated; give --up x, y or z");
   shape.graph = has_extension(path, ".xml") ? IO::read_structural_graph_xml(in, path, common.up_vector(), options)
                                             : IO::read_structural_graph_json(in, path, options);
+  const bool is_flow_wanted = options.abstraction.abstractor.target<Mean_curvature_abstraction>() != nullptr;
+  if (const std::string note = note_on_abstraction(shape.graph, is_flow_wanted); !note.empty())
+    structure(shape.graph).warnings.push_back(note);
   shape.read_seconds = now() - begin;
 }
 
@@ -83,7 +97,7 @@ std::optional<Structural_graph> cached_graph(const std::string& content, const C
   }
 }
 
-/// What cannot be kept is not the worse for that.
+/// Puts a graph into the cache; a failure is a warning.
 void cache_graph(const Structural_graph& graph, const Common_options& common)
 {
   if (common.cache.empty()) return;
@@ -126,6 +140,14 @@ void load_turned(Read_model& model, const Common_options& common, const Structur
 }
 
 } // namespace
+
+std::string note_on_abstraction(const Structural_graph& graph, bool is_flow_wanted)
+{
+  if (is_of_flow(graph) != !is_flow_wanted) return "";
+  return is_flow_wanted
+             ? "The parts of this graph were not abstracted by mean curvature flow, as the paper's method has it."
+             : "The parts of this graph were abstracted by mean curvature flow, as for the paper's method alone.";
+}
 
 bool is_json_file(const std::string& path) { return has_extension(path, ".json"); }
 

@@ -64,6 +64,10 @@ void note_appearance(const std::string& path, const Loaded_shape& shape, const C
 /// What the graphs of inputs warn of; every line names its input.
 std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes);
 
+/// What to warn of a graph the parts of which are known to be abstracted in another way: by mean curvature flow alone,
+/// or not. Empty: nothing.
+std::string note_on_abstraction(const Structural_graph& graph, bool is_flow_wanted);
+
 /// By index.
 std::vector<std::string> part_names(const Structural_graph& graph);
 

@@ -37,7 +37,8 @@ public:
   virtual std::vector<std::size_t> from_first(std::vector<std::size_t> numbers) { return numbers; }
 };
 
-/// Makes the team of this process; the program `shape_correspondence_mpi` puts its own function here. \throw Usage_error
+/// Makes the team of this process; the program `shape_correspondence_mpi` puts its own function here.
+/// \throw Usage_error
 extern std::unique_ptr<Team> (*make_team)();
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -41,7 +41,7 @@ private:
   std::string failure_;
 };
 
-/// The first process hands out numbers whenever it is between two of its own.
+/// The first process answers requests between two numbers of its own.
 void lead(const mpi::communicator& world, std::size_t n, Kept_work& work)
 {
   std::size_t next = 0;

@@ -22,7 +22,7 @@ constexpr const char* extension = ".tile";
 using Small = std::uint16_t; // confidences
 constexpr double largest_confidence = 65535;
 
-/// Bytes of a tile. Whole numbers take seven bits a byte, the low ones first (LEB128).
+/// Writes the bytes of a tile. Whole numbers are in LEB128: seven bits per byte, the low ones first.
 class Byte_writer
 {
 public:
@@ -45,7 +45,7 @@ private:
   std::string bytes_;
 };
 
-/// Reads them; says at the end whether they were as many as were there.
+/// Reads the bytes of a tile; knows at the end whether all were used.
 class Byte_reader
 {
 public:
@@ -85,7 +85,7 @@ private:
   bool failed_ = false;
 };
 
-// In place of the number of pairs of parts, which is written as one more: the map before, inverted.
+// Stands in the place of the number of pairs plus 1: the map is the one before, inverted.
 constexpr std::size_t inverse_of_last = 0;
 
 Small as_small(double confidence) { return Small(std::lround(confidence * largest_confidence)); }

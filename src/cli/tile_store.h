@@ -12,8 +12,8 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// Finished work by name, in a folder or, without one, in memory. In a folder a tile is there as a whole or not at all,
-/// whenever the program is killed, and many processes may use it at a time. One that is damaged counts as missing.
+/// Finished tiles by name, in a folder or, without one, in memory. In a folder a tile is there as a whole or not at
+/// all, whenever the program is killed, and many processes may use it at a time. One that is damaged counts as missing.
 class Tile_store
 {
 public:

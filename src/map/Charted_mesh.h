@@ -55,7 +55,7 @@ public:
   /// \param normals of the vertices
   Place_finder(const Points& coordinates, const Eigen::Matrix3Xi& triangles, const Points& normals);
 
-  /// The nearest place; on a thin part that of the same side, as normals tell.
+  /// The nearest place; on a thin part the one on the same side, by normals.
   Mesh_place operator()(const Point& p, const Point& normal) const;
 
 private:

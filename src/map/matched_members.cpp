@@ -34,7 +34,7 @@ std::vector<Connected_parts> connected_parts(const Part_pairs& pairs, std::size_
   return result;
 }
 
-/// Where parts lie among each other: their middles in the box around all of them.
+/// Relative places of parts: their middles in the box around all of them.
 Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
 {
   constexpr double least_extent = 0.02; // of the shape's height: below it, an axis tells no places apart

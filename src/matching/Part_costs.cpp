@@ -15,7 +15,7 @@ using namespace internal;
 
 namespace {
 
-// Cost of what never corresponds: more than all other terms of a pair add up to.
+// Cost of a pair that never corresponds: more than the sum of all other terms of a pair.
 constexpr double incompatible = 50;
 
 // The costs that do not depend on places.

@@ -95,6 +95,9 @@ Search_options paper_options()
   options.method = Search_method::BEAM;
   options.alignments = 0;
   options.coarse_target = false;
+  options.direction_by_energy = true;
+  options.matching.fit = Deform_to_fit::EXTREMITIES;
+  options.matching.hard_proximity = true;
   return options;
 }
 

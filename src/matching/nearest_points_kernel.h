@@ -77,7 +77,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void nearest_squared(const Point_lanes& 
   constexpr int at_once = 4; // points of p
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::fill_n(q_from_p, q.padded(), infinity);
-  // The pointers are kept: the compiler does not know that results are not written over them
+  // Copies of the pointers: the compiler cannot know that writing results leaves the members alone
   const double *px = p[0], *py = p[1], *pz = p[2], *qx = q[0], *qy = q[1], *qz = q[2];
   const Eigen::Index count = p.count(), padded = q.padded();
   for (Eigen::Index k = 0; k < count; k += at_once) {

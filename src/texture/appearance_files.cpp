@@ -29,7 +29,7 @@ void write_bytes(const std::string& path, const std::string& bytes)
   write_atomically(path, [&](std::ostream& out) { out << bytes; });
 }
 
-/// An object a part; corners have texture coordinates, a number each.
+/// One object per part; every corner has texture coordinates of its own.
 void write_textured_obj(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance,
                         const std::string& library)
 {

@@ -3,13 +3,17 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "aligned_graphs.h"
 #include "brute_force.h"
-#include "hand_made_graphs.h"
+#include "search/Partial_energy.h"
 #include "search/beam_search.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
 
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
@@ -148,6 +152,39 @@ TEST_CASE("Parts not yet assigned move along")
   const Solution solution = best(source, target, {1, 1});
   CHECK(solution.assignment == Assignment{0, 2});
   CHECK(solution.energy == Approx(0).margin(1e-6));
+}
+
+TEST_CASE("A part not yet assigned follows hard contacts to the point, and resists others")
+{
+  // A bar on two posts, one at its start and one between its ends, which the target has elsewhere
+  const auto posts = [](double middle) {
+    Shape_structure shape;
+    shape.parts = {curve("bar", {0, 1, 0}, {1, 1, 0}), curve("start", {0, 0, 0}, {0, 1, 0}),
+                   curve("middle", {middle, 0, 0}, {middle, 1, 0})};
+    shape.contacts = {contact(shape, 0, 1, {0, 1, 0}), contact(shape, 0, 2, {middle, 1, 0})};
+    return align_shape(make_structural_graph(std::move(shape), {group({0}), group({1}), group({2})}));
+  };
+  const Aligned_shape source = posts(.4), target = posts(.8);
+  const auto moved_bar = [&](bool is_hard) {
+    Matching_options options;
+    options.hard_proximity = is_hard;
+    const Matching_problem problem(source, target, options);
+    internal::Partial_energy energy(problem);
+    Assignment assignment(3, unassigned);
+    for (std::size_t part : {1, 2}) {
+      const internal::Rating parent = energy.rating();
+      energy.set_parent(assignment, parent);
+      const std::size_t group = source.group_of[index_of(source, part)];
+      assignment[group] = int(target.group_of[index_of(target, part)]);
+      energy(assignment, group, 0, std::numeric_limits<double>::infinity());
+    }
+    const auto& motion = energy.rating().motions[index_of(source, 0)];
+    return (motion.shift + motion.stretch * Point(.4 - .5, 0, 0)).x(); // of the bar where it is on the second post
+  };
+  const double displacement =
+      target.parts[index_of(target, 2)].centroid.x() - source.parts[index_of(source, 2)].centroid.x();
+  CHECK(moved_bar(true) == Approx(displacement).margin(1e-6));
+  CHECK(std::abs(moved_bar(false) - displacement) > 1e-3);
 }
 
 TEST_CASE("The members of a group not yet assigned follow one of them by the group's generator")

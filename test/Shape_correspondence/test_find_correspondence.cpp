@@ -214,6 +214,9 @@ TEST_CASE("The paper's method: beam search of all alignments, coarse in the sour
   CHECK(paper.method == Search_method::BEAM);
   CHECK(paper.beam.beam_width == 20);
   CHECK(paper.beam.expansions == 4);
+  CHECK(paper.direction_by_energy);
+  CHECK(paper.matching.hard_proximity);
+  CHECK(paper.matching.fit == Deform_to_fit::EXTREMITIES);
 
   Structural_graph turned = moved(chair(), EIGEN_PI, 1, {0, 0, 0});
   structure(turned).frame.axes.setIdentity();

@@ -100,6 +100,22 @@ TEST_CASE("A plate becomes a sheet on the meso-skeleton")
   CHECK(width < 0.76);
 }
 
+TEST_CASE("A narrow plate becomes a sheet, a rod of the same length does not; a wheel becomes its axle")
+{
+  const Part_mesh slat = box({0, 0, 0}, {1, 0.18, 0.02});
+  CHECK(flow_abstraction_of(slat).is_sheet());
+  CHECK_FALSE(flow_abstraction_of(box({0, 0, 0}, {1, 0.18, 0.15})).is_sheet());
+
+  const Part_mesh wheel = turned({{0, 0}, {0.5, 0}, {0.5, 0.44}, {0, 0.44}});
+  const Part_abstraction axle = flow_abstraction_of(wheel);
+  REQUIRE_FALSE(axle.is_sheet());
+  CHECK(axle.report.method == Method::AXIS);
+  const Points& points = axle.control_points();
+  const Point extent = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).eval();
+  CHECK(extent.maxCoeff() == Approx(0.44).margin(1e-6));
+  CHECK(extent.sum() == Approx(0.44).margin(1e-6)); // along one axis
+}
+
 TEST_CASE("A ring becomes a closed curve, a cube a blob")
 {
   const Part_abstraction ring = flow_abstraction_of(torus(1, 0.1));

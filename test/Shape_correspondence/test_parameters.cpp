@@ -26,6 +26,17 @@ TEST_CASE("Named parameters set the fields of the option structures, in any orde
   CHECK(structure.symmetry.enabled);
 }
 
+TEST_CASE("Named parameters switch between the paper's ways and others")
+{
+  using Deform = Deform_to_fit;
+  const auto np = parameters::deform_to_fit(Deform::EXTREMITIES).hard_proximity(true).direction_by_energy(true);
+  const auto options = parameters::options_from<Search_options>(np);
+  CHECK(options.matching.fit == Deform::EXTREMITIES);
+  CHECK(options.matching.hard_proximity);
+  CHECK(options.direction_by_energy);
+  CHECK(parameters::options_from<Structure_options>(parameters::closest_points(true)).contacts.closest_points);
+}
+
 TEST_CASE("Functions take named parameters where they take options")
 {
   const Structural_graph chair = hand_made::chair();

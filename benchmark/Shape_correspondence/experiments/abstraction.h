@@ -64,21 +64,30 @@ inline Abstraction_scores abstract_all(const Structure_options& options, Dataset
 inline void compare_abstractions(Dataset dataset)
 {
   using benchmark::quantile;
-  const std::pair<const char*, decltype(Abstraction_options::abstractor)> ways[] = {
+  struct Way
+  {
+    const char* name;
+    decltype(Abstraction_options::abstractor) abstractor;
+    bool has_closest_points = false; // as contact points
+  };
+  const Way ways[] = {
+      {"flow, contacts at closest points: `paper_structure_options()`", Mean_curvature_abstraction(), true},
       {"flow: `Mean_curvature_abstraction`", Mean_curvature_abstraction()},
       {"fitted: `Fitted_abstraction`, the default", Fitted_abstraction()},
+      {"fitted, contacts at closest points", Fitted_abstraction(), true},
       {"boxes: `Bounding_box_abstraction`", Bounding_box_abstraction()}};
   std::size_t shapes = 0;
   for (const Category& category : dataset)
     shapes += category.shapes.size();
   write_heading({"abstraction", "kinds as stated", "curves off by, median", "95 %", "sheets off by, median", "95 %",
                  "residual, median", "95 %", "boxes stand in", "F1 paper", "F1 default", "CPU s / shape"});
-  for (const auto& [name, abstractor] : ways) {
+  for (const Way& way : ways) {
     Structure_options options;
-    options.abstraction.abstractor = abstractor;
+    options.abstraction.abstractor = way.abstractor;
+    options.contacts.closest_points = way.has_closest_points;
     const Abstraction_scores s = abstract_all(options, dataset);
     std::vector<std::string> cells{
-        name, s.stated == 0 ? "-" : std::to_string(s.kinds_right) + " of " + std::to_string(s.stated)};
+        way.name, s.stated == 0 ? "-" : std::to_string(s.kinds_right) + " of " + std::to_string(s.stated)};
     for (const std::vector<double>* deviations : {&s.curve_deviations, &s.sheet_deviations})
       for (double fraction : {0.5, 0.95})
         cells.push_back(deviations->empty() ? "-" : text(quantile(*deviations, fraction), 4));

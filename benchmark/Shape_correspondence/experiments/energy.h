@@ -30,6 +30,25 @@ inline void figure4(const Dataset& dataset)
   compare(dataset, methods, "energy");
 }
 
+/// The paper's method, and each of its ways that other searches do not take by default in the default's way.
+inline void switches(const Dataset& dataset)
+{
+  std::vector<std::pair<std::string, peers::Peer>> methods{{"the paper's method", ours(paper_options())}};
+  const auto add = [&](const char* name, const std::function<void(Search_options&)>& change) {
+    Search_options options = paper_options();
+    change(options);
+    methods.emplace_back(name, ours(options));
+  };
+  add("less energy per connected pair", [](Search_options& o) { o.direction_by_energy = false; });
+  add("deform-to-fit by samples", [](Search_options& o) { o.matching.fit = Deform_to_fit::SAMPLES; });
+  add("soft proximity", [](Search_options& o) { o.matching.hard_proximity = false; });
+  add("all three", [](Search_options& o) {
+    o.direction_by_energy = o.matching.hard_proximity = false;
+    o.matching.fit = Deform_to_fit::SAMPLES;
+  });
+  compare(dataset, methods, "method");
+}
+
 /// Flips: the search for all alignments that the shapes' symmetry leaves, as in the paper, and for the one nearest to
 /// the given orientation; by both searches.
 inline void alignments(const Dataset& dataset)

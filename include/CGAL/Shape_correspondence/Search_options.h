@@ -75,9 +75,9 @@ struct Search_options
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// The paper's method: beam search with K = 20 and k = 4 over all alignments that the symmetry of the shapes allows
-/// (section 5, "Initial alignment"), in both directions; a coarse correspondence selects parts of the source only
-/// (section 6.1).
+/// The paper's method: beam search with K = 20 and k = 4 over all alignments that the shapes' symmetry allows (section
+/// 5), the direction of less energy, deform-to-fit by extremities, hard proximity; a coarse correspondence selects
+/// parts of the source only (section 6.1). For graphs, see `paper_structure_options()`.
 Search_options paper_options();
 
 } // namespace Shape_correspondence

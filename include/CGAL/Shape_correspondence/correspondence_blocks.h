@@ -39,8 +39,8 @@ struct Correspondence_block
 /// block. Blocks grow from the pairs of most confidence: the two sets of parts are joined whose pairs have the greatest
 /// mean confidence, where pairs of different roles count half and pairs that `correspondence` does not have count 0.
 /// Two sets that both have parts of source and target stay apart if that mean is less than half of the mean inside
-/// either, so that a few unsure pairs do not connect what corresponds well within itself. Pairs without confidences count
-/// 1; without roles, too, blocks are the connected components of the pairs.
+/// either, so that a few unsure pairs do not connect what corresponds well within itself. Pairs without confidences
+/// count 1; without roles, too, blocks are the connected components of the pairs.
 ///
 /// Does not depend on the order of parts, or on which shape is the source.
 /// Complexity: for <i>p</i> pairs and <i>n</i> parts, O(<i>p n</i>).

@@ -69,7 +69,7 @@ void add_mesh(const Part_mesh& more, Part_mesh& all);
 /// The looks of some triangles of a part.
 Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles);
 
-/// Adds the looks of more triangles to those of others; what only one of them has gets its default.
+/// Appends the looks of more triangles; what only one side has is filled with its default.
 void add_looks(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles, Part_appearance& all);
 
 } // namespace CGAL::Shape_correspondence::IO

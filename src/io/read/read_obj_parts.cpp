@@ -113,7 +113,7 @@ private:
     if (std::size_t(material_) == materials_.size()) materials_.push_back(name);
   }
 
-  /// What is no number is 0: looks do not decide whether a model is read.
+  /// An unreadable number counts as 0, so that damaged looks do not keep a model from being read.
   void read_texture_coordinates(std::string_view statement)
   {
     Eigen::Vector2f at(0, 0);

@@ -29,7 +29,7 @@ struct Ply_property
   int look = -1;                        ///< red, green, blue or a texture coordinate: which of them
 };
 
-/// Which look a property of a name is: 0 to 2 the channels of a colour, 3 and 4 texture coordinates; -1: none.
+/// The look that a property of this name is: 0 to 2 a channel of a colour, 3 and 4 a texture coordinate, -1 none.
 int look_of(const std::string& name)
 {
   static const std::map<std::string, int> looks{

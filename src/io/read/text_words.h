@@ -46,7 +46,7 @@ bool parse(std::string_view word, Number& number)
   return error == std::errc() && end == word.data() + word.size();
 }
 
-/// A word of a file in a message: in quotes, the beginning of a long one.
+/// A word of a file as messages quote it; a long one is cut.
 inline std::string cited(std::string_view word)
 {
   constexpr std::size_t longest = 40;

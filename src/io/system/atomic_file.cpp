@@ -75,7 +75,7 @@ pid_t maker_of(const std::string& name)
   return count_error == std::errc() && last == end ? process : 0;
 }
 
-/// Puts what is written on the disk, before it takes the place of what was there.
+/// Flushes a file to the disk before it replaces the old one.
 void synchronize(const std::string& name, const std::string& path)
 {
   const int descriptor = open(name.c_str(), O_RDONLY);

@@ -59,7 +59,7 @@ Eigen::Matrix3d deuteranopia()
   return result;
 }
 
-/// A colour as all see it, and by those who do not see red or green.
+/// A colour in Oklab: by normal sight, and by sight without red or green cones.
 struct Seen_colour
 {
   explicit Seen_colour(const Oklab& lab)

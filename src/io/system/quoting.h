@@ -22,7 +22,7 @@ std::string quote_ply(const std::string& name);
 /// A name as a quoted string of Graphviz's language.
 std::string quote_dot(const std::string& name);
 
-/// A name in GraphML: control characters, which XML cannot hold, are %XX. Boost's writer sees to markup.
+/// A name in GraphML: control characters, which XML cannot hold, are %XX. Boost's writer escapes markup.
 std::string quote_graphml(const std::string& name);
 
 /// A text in a table with commas (RFC 4180). One that a spreadsheet would take for a formula begins with '.

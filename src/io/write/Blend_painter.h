@@ -17,7 +17,7 @@ namespace CGAL::Shape_correspondence::IO {
 class Blend_painter
 {
 public:
-  /// Some triangles of a surface, to be drawn; they come without points.
+  /// Triangles of a surface to be drawn with one look; the caller adds their points.
   struct Painted_mesh
   {
     Drawn_mesh mesh;

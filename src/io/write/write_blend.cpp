@@ -39,7 +39,7 @@ Json quality_json(const Blend_quality& quality)
   return result;
 }
 
-/// Numbers with as many digits as it takes to read the same ones again.
+/// The shortest decimals that read back to the same numbers.
 template <typename Numbers>
 void append_line(std::string& lines, char keyword, const Numbers& numbers)
 {

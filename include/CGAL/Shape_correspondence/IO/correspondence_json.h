@@ -64,12 +64,12 @@ struct Named_part_correspondence
 /// A correspondence by the names of parts, as read from a file.
 struct Named_correspondence
 {
-  std::string source;                           ///< the source as the user named it
-  std::string target;                           ///< the target as the user named it
-  std::vector<Named_part_correspondence> pairs; ///< in the order of the file
-  bool complete = false;                        ///< see `Correspondence::complete`
-  int target_quarter_turns = 0;                 ///< see `Correspondence::target_quarter_turns`
-  std::string category;                         ///< of both shapes; empty if the method does not use roles
+  std::string source;                              ///< the source as the user named it
+  std::string target;                              ///< the target as the user named it
+  std::vector<Named_part_correspondence> pairs;    ///< in the order of the file
+  bool complete = false;                           ///< see `Correspondence::complete`
+  int target_quarter_turns = 0;                    ///< see `Correspondence::target_quarter_turns`
+  std::string category;                            ///< of both shapes; empty if the method does not use roles
   std::map<std::string, std::string> source_roles; ///< by name of a part; empty if there is no category
   std::map<std::string, std::string> target_roles; ///< the same
 };
