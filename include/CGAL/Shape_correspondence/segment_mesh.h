@@ -23,10 +23,9 @@ namespace Shape_correspondence {
 /// Options of `segment_mesh()`.
 struct Segmentation_options
 {
-  std::size_t patches =
-      256;                  ///< patches of the surface that segments are made of, at least 1; details are lost with few
-  double probability = 0.5; ///< neighbours that are one part with this probability become one, in (0, 1)
-  double least_area = 0.01; ///< smaller segments join a neighbour; a fraction of the area of their component
+  std::size_t patches = 256; ///< patches of the surface that segments are made of, at least 1
+  double probability = 0.5;  ///< neighbours that are one part with this probability become one, in (0, 1)
+  double least_area = 0.01;  ///< smaller segments join a neighbour; a fraction of the area of their component
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
