@@ -38,8 +38,8 @@ Cross-validated on labelled shapes: the model was trained without the shapes tha
 confidence of .7 or more, and *share* their share of all pairs.
 
 {roles}
-So roles help for categories that they were learned from, but not for others. A few labelled shapes of a category that is left out (`--examples`), with the
-category given, help again; *labels* is the share of the parts of one shape that get their label from another one by `collection --labels-from`:
+So roles help for categories that they were learned from, but not for others. Five or more labelled shapes of a category that is left out (`--examples`), with
+the category given, help again, while one does harm; *labels* is the share of the parts of one shape that get their label from another one by `collection --labels-from`:
 
 {few}
 With roles in the energy (`--role-weight`), exact search gives for pairs of shapes that were left out of the training:

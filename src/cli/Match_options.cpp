@@ -176,7 +176,7 @@ void add_match_options(Option_table& table, Match_options& match)
       "role model for --search parts and --role-weight: auto (the one that comes with the program), none, or a file "
       "that `roles train` wrote. Shapes must be upright and face +z");
   add("examples", "FOLDER", &match.examples,
-      "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition; three or "
+      "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition; five or "
       "more of a category that the model does not know help. If they are of one category, both shapes are taken to be "
       "of it")
       .usual();

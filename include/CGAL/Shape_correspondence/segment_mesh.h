@@ -23,7 +23,7 @@ namespace Shape_correspondence {
 /// Options of `segment_mesh()`.
 struct Segmentation_options
 {
-  std::size_t patches = 256; ///< patches of the surface that segments are made of, at least 1; details are lost with few
+  std::size_t patches = 256; ///< patches of the surface that segments are made of, at least 1
   double probability = 0.5;  ///< neighbours that are one part with this probability become one, in (0, 1)
   double least_area = 0.01;  ///< smaller segments join a neighbour; a fraction of the area of their component
 };
@@ -38,12 +38,12 @@ struct Mesh_segmentation
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// Divides a mesh into parts: its connected components, each closed one divided further where it is concave or where its
-/// thickness changes. The surface is cut into patches, which are merged, the likeliest first: neighbours are of one part
-/// if most of their points see each other through the inside (Asafi, Goren and Cohen-Or 2013), if their common border is
-/// not concave, and if they are equally thick; how likely was fitted to labelled shapes. Pieces without area are left
-/// out, and counted. Part names are `segment_0`, `segment_1`, … `up` is the upright direction of the result. O(n log n)
-/// in the number of triangles, and O(patches² log n).
+/// Divides a mesh into parts: its connected components, each closed one divided further where it is concave or where
+/// its thickness changes. The surface is cut into patches, which are merged, the likeliest first: neighbours are of one
+/// part if most of their points see each other through the inside (Asafi, Goren and Cohen-Or 2013), if their common
+/// border is not concave, and if they are equally thick; how likely was fitted to labelled shapes. Pieces without area
+/// are left out, and counted. Part names are `segment_0`, `segment_1`, … `up` is the upright direction of the result.
+/// O(n log n) in the number of triangles, and O(patches² log n).
 /// \throw Invalid_input if the mesh cannot be used, or `patches` is 0
 Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options = {},
                                std::string name = "shape", const Point& up = Point(0, 1, 0));
