@@ -6,8 +6,10 @@ from __future__ import annotations
 
 import json
 import os
+import webbrowser
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path as _Path
 from typing import Any, ClassVar, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -15,6 +17,7 @@ import numpy as np
 from . import _core
 from ._matches import Match
 from ._options import defaults, with_names_of_program, with_options
+from ._pages import framed
 from ._records import Record
 from ._shapes import Graph, Input, Path, Progress, Shape, _graphs
 from .roles import LabelledShape, PartRole, PartRoles, _examples, _model_of
@@ -104,6 +107,20 @@ class Collection(Record):
     energies: Optional[np.ndarray] = None  #: distances, source × target; 0 on the diagonal; None for over 1000 shapes
     matches: Optional[List[PairMatch]] = None  #: of ordered pairs of shapes, if they were asked for
     warnings: List[str] = field(default_factory=list)  #: what was approximated, in whole sentences
+    _page: Optional[str] = field(default=None, repr=False, compare=False)
+
+    def show(self) -> str:
+        """Opens the page that `collection()` wrote in the browser. Returns its file.
+
+        :raises InvalidInput: if `collection()` was not called with ``html``
+        """
+        if self._page is None:
+            raise _core.InvalidInput("there is no page of this collection; call collection(..., html=FILE)")
+        webbrowser.open(_Path(self._page).absolute().as_uri())
+        return self._page
+
+    def _repr_html_(self) -> Optional[str]:
+        return None if self._page is None else framed(_Path(self._page))
 
     def __repr__(self) -> str:
         return f"<Collection of {len(self.shapes)} shapes: {len(self.clusters)} clusters of parts>"
@@ -159,7 +176,7 @@ def collection(
     graphs = _collection_graphs(shapes, _of_graphs(further, cache, threads), progress)
     text = _core.collection([graph._handle for graph in graphs], _model_of(roles, further), threads, further, own,
                             "" if html is None else os.fspath(html), progress)
-    return Collection.from_dict(json.loads(text))
+    return Collection.from_dict(json.loads(text), _page=None if html is None else os.fspath(html))
 
 
 @with_names_of_program

@@ -25,5 +25,10 @@ class Page:
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "page.html"
             self.save(file)
-            page = html.escape(file.read_text(encoding="utf-8"))
-        return f'<iframe srcdoc="{page}" style="width: 100%; height: 600px; border: 0"></iframe>'
+            return framed(file)
+
+
+def framed(file: Path) -> str:
+    """A page as a notebook shows it."""
+    page = html.escape(file.read_text(encoding="utf-8"))
+    return f'<iframe srcdoc="{page}" style="width: 100%; height: 600px; border: 0"></iframe>'

@@ -131,6 +131,18 @@ def test_a_collection_of_named_shapes(table):
     found = sc.collection({"small": table(), "wide": {name: (v, f) for name, v, f in table(width=2)}})
     assert [shape.name for shape in found.shapes] == ["small", "wide"]
     assert repr(found) == f"<Collection of 2 shapes: {len(found.clusters)} clusters of parts>"
+    assert found._repr_html_() is None
+    with pytest.raises(sc.InvalidInput, match="html=FILE"):
+        found.show()
+
+
+def test_the_page_of_a_collection_is_shown(table, monkeypatch, tmp_path):
+    opened = []
+    monkeypatch.setattr(webbrowser, "open", opened.append)
+    found = sc.collection({"small": table(), "wide": table(width=2)}, html=tmp_path / "page.html")
+    assert found.show() == str(tmp_path / "page.html") and opened[-1].endswith("page.html")
+    assert found._repr_html_().startswith('<iframe srcdoc="')
+    assert "_page" not in found.to_dict()
 
 
 def test_results_are_shown(table, monkeypatch):
