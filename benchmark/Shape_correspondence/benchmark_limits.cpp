@@ -31,11 +31,14 @@ struct Limit
   const char* name;
   SC::Search_method method;
   std::size_t parts;
+  int coarse_parts = 0; // that are matched first; 0: all at once
 };
 
 constexpr Limit limits[] = {{"parts", SC::Search_method::PARTS, SC::internal::most_parts},
                             {"beam search", SC::Search_method::BEAM, SC::internal::most_beam_groups},
-                            {"exact search", SC::Search_method::EXACT, SC::internal::most_exact_groups}};
+                            {"exact search", SC::Search_method::EXACT, SC::internal::most_exact_groups},
+                            {"beam search, coarse to fine", SC::Search_method::BEAM, 500, 50},
+                            {"exact search, coarse to fine", SC::Search_method::EXACT, SC::internal::most_parts, 50}};
 
 // Boxes of random heights in a ring, each in contact with the next.
 SC::Structural_graph ring(std::size_t parts, unsigned seed)
@@ -60,11 +63,12 @@ double seconds_of_match(const Limit& limit)
   const SC::Structural_graph source = ring(limit.parts, 0), target = ring(limit.parts, 1);
   SC::Search_options options;
   options.method = limit.method;
+  options.coarse_to_fine = limit.coarse_parts;
   CGAL::Timer timer;
   timer.start();
   const SC::Correspondence found = find_correspondence(source, target, options);
   const double seconds = timer.time();
-  std::printf("%-12s %zu parts, %zu groups, %zu contacts: %.1f s, %zu pairs\n", limit.name, limit.parts,
+  std::printf("%-29s %zu parts, %zu groups, %zu contacts: %.1f s, %zu pairs\n", limit.name, limit.parts,
               num_vertices(source), SC::structure(source).contacts.size(), seconds, found.pairs.size());
   return seconds;
 }

@@ -130,6 +130,20 @@ inline bool is_moved(const Segmented_shape& a, const Segmented_shape& b)
   if (a.parts().size() != b.parts().size()) return false;
   const Points &first = a.parts()[0].mesh.points, &second = b.parts()[0].mesh.points;
   if (first.cols() != second.cols()) return false;
+  const auto orientation =
+      [](const Segmented_shape& shape) { // of points from all parts, a mirror image has another sign
+        Point middle = Point::Zero();
+        for (const Shape_part& part : shape.parts())
+          middle += part.mesh.points.rowwise().mean() / double(shape.parts().size());
+        double sum = 0;
+        for (const Shape_part& part : shape.parts())
+          for (const auto triangle : part.mesh.triangles.colwise()) {
+            const auto corner = [&](int i) { return Point(part.mesh.points.col(triangle[i]) - middle); };
+            sum += corner(0).dot(corner(1).cross(corner(2)));
+          }
+        return sum;
+      };
+  if (std::abs(orientation(a) - orientation(b)) > rounding * std::abs(orientation(a))) return false;
   const std::array<Eigen::Index, 4> some = {0, first.cols() / 3, first.cols() / 2, first.cols() - 1};
   return std::equal(a.parts().begin(), a.parts().end(), b.parts().begin(), [&](const auto& p, const auto& q) {
     if (p.name != q.name || p.mesh.triangles != q.mesh.triangles) return false;

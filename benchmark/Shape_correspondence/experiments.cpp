@@ -83,6 +83,7 @@ Experiment experiment(const std::string& name)
                                                       {"switches", of_data_alone(switches)},
                                                       {"figure10", figure10},
                                                       {"figure11", of_data_alone(figure11)},
+                                                      {"coarse_to_fine", of_data_alone(coarse_to_fine)},
                                                       {"figure13", of_data_alone(figure13)},
                                                       {"figure14", of_data_alone(figure14)},
                                                       {"figure15", figure15},

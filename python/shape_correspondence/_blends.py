@@ -28,7 +28,8 @@ class BlendTask(Record):
     source: Optional[str] = None  #: the source part, if there is one
     target: Optional[str] = None  #: the target part, if there is one
     #: why the surfaces of the two are exchanged: ``"torn"`` or ``"thin"``, if the one became the other, or
-    #: ``"unmatched"``: they do not correspond, but are alike in place and size
+    #: ``"unmatched"``: they do not correspond, but are alike in place and size; ``"unlike"``: of a part that shrinks or
+    #: grows, as it is too unlike its counterparts to become them
     exchanged: Optional[str] = None
 
 

@@ -31,7 +31,7 @@ def test_options_and_defaults_of_a_match():
                 "distortion_weight": 1, "connectedness_weight": 0.6, "split_weight": 0.4, "role_weight": 0,
                 "energy_norm": "sum", "cut_curves": True, "unmatched_cost": float("inf"), "both_directions": True,
                 "deform_to_fit": "samples", "hard_proximity": False, "direction_by_energy": False,
-                "maximum_parts": 0, "coarse_target": True, "alignments": 1, "front_is_sure": False, "solutions": 1,
+                "maximum_parts": 0, "coarse_target": True, "coarse_to_fine": 0, "alignments": 1, "front_is_sure": False, "solutions": 1,
                 "min_marginals": False}
     assert {name: value for name, value, _ in _core.options_of("match")} == expected
 

@@ -7,6 +7,7 @@
 #include "blend/Rest_surface.h"
 #include "blend/Thinning_part.h"
 #include "map/Charted_mesh.h"
+#include "map/matched_members.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
@@ -44,6 +45,7 @@ struct Blend_part
   bool is_reflected = false;                        ///< computed as the image's image, in its charts
   bool stands = false;                              ///< on the ground, at all ends that have it
   std::array<double, 2> foot = {0, 0};              ///< by end, how high its lowest point is
+  std::array<contacts::Box, 2> ridden;              ///< of an unmatched part: by end, the box that it goes with
   double needless_turn = 0;                         ///< of a matched part, beyond the least one, in radians
   std::array<std::optional<Tree>, 2> trees;         ///< by surface, at an end
   std::array<std::optional<Rest_surface>, 2> rests; ///< by surface, at that end
@@ -78,12 +80,13 @@ struct Blend_part
 /// What becomes of a part of an end, or of pieces of it.
 std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end, std::size_t given);
 
-/// The parts of a blend that become each other: one for every two parts, or pieces of parts, that correspond or are
-/// left over alike and, if the ends are symmetric, for their mirror images.
-std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence);
+/// The parts of a blend: one for every two parts, or pieces of parts, that correspond or are left over alike and, if
+/// the ends are symmetric, for their mirror images; and the parts of both ends that become no part.
+std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence);
 
 /// Adds the parts of both ends that become no part.
-void add_unmatched_parts(const Blend_stage& stage, std::vector<Blend_part>& parts);
+/// \param unlike pairs of parts that go with each other's boxes, if these are near each other
+void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std::vector<Blend_part>& parts);
 
 inline contacts::Box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
 

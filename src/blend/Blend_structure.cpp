@@ -29,14 +29,13 @@ Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const
 Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const Blend_stage& stage,
                                  const Correspondence& correspondence, const Blend_options& options)
     : shapes(stage.moved_shapes(inputs, options.size)),
-      parts(matched_parts(stage, correspondence)),
+      parts(blend_parts(stage, correspondence)),
       is_symmetric(stage.are_symmetric),
       boxes(stage.boxes),
       widest_gap(stage.widest_gap),
       axes_(structure(inputs[0].graph).frame.axes),
       heights_(stage.heights(options.size))
 {
-  add_unmatched_parts(stage, parts);
   contacts = contacts_to_keep(stage, parts, options.contact_tolerance);
   for (std::size_t end : {0u, 1u}) {
     looks.emplace_back(parts, int(end));

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "blend/Affine_motion.h"
 #include "blend/Blend_structure.h"
+#include "blend/Box_motion.h"
 
 #include <array>
 #include <cstddef>
@@ -63,6 +63,8 @@ private:
   void set_progress(const Task_times& times, double t);
   void ride_the_whole();
   void close_contacts();
+  /// How high the foot of a part that stands is to be.
+  double foot_level(std::size_t part) const;
   void put_on_ground(std::size_t part);
   void fill_the_box();
   void place(std::size_t part, const Eigen::Affine3d& map);

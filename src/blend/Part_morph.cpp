@@ -50,6 +50,25 @@ void Part_morph::exchange()
   is_exchange_ = true;
 }
 
+double Part_morph::turned_share(int surface) const
+{
+  constexpr double turned = 0.5; // cosine
+  const Moving_surface& mesh = moving(surface);
+  const Point extents = (source_.half_extents() + target_.half_extents()) / 2;
+  double sum = 0, all = 0;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const auto normal = [&](const Points& at) -> Point {
+      const auto corner = [&](int i) -> Point { return extents.cwiseProduct(at.col(mesh.triangles(i, t))); };
+      return (corner(1) - corner(0)).cross(corner(2) - corner(0));
+    };
+    const Point from = normal(mesh.coordinates[0]), to = normal(mesh.coordinates[1]);
+    const double area = std::max(from.norm(), to.norm());
+    all += area;
+    if (from.dot(to) < turned * from.norm() * to.norm()) sum += area;
+  }
+  return all > 0 ? sum / all : 0;
+}
+
 double Part_morph::remaining(int surface, double t)
 {
   const double gone = surface == 0 ? t : 1 - t;

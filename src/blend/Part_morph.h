@@ -48,6 +48,9 @@ public:
   /// The points of a surface at `t`, also where it is not the one that there is.
   /// \param remaining how much there is of it, in [0, 1]
   Points points(int surface, double t, double remaining = 1) const;
+  /// The share of a surface that the other one turns by more than 60 degrees on the way: where a hull goes from one of
+  /// its layers to the other.
+  double turned_share(int surface) const;
   /// In an exchange, how much there is of a surface.
   static double remaining(int surface, double t);
 

@@ -14,7 +14,7 @@ constexpr int ring_stations = 48;
 /// Whether the least extent is more than a share of the greatest one.
 bool is_block(const Point& half_extents)
 {
-  constexpr double thick = 0.35;
+  constexpr double thick = 0.6;
   return half_extents.minCoeff() > thick * half_extents.maxCoeff();
 }
 
@@ -56,9 +56,11 @@ Thinning_part::Middle Thinning_part::middle_of(const Point& p) const
     return {on_curve, on_curve};
   }
   default:
+    constexpr double square = 1.5; // the most of the longer extent over the shorter one
     const Point half = chart_.half_extents(), k = chart_.coordinates(p);
     const int length = half[0] < half[1] ? 1 : 0;
-    return {chart_(Point(k[0], k[1], 0)), chart_(k[length] * Point::Unit(length))};
+    const bool is_square = half[length] < square * half[1 - length];
+    return {chart_(Point(k[0], k[1], 0)), chart_((is_square ? 0 : k[length]) * Point::Unit(length))};
   }
 }
 

@@ -10,7 +10,8 @@
 namespace CGAL::Shape_correspondence::internal {
 
 /// A part without counterpart, which thins where it is, or thickens in reverse: a rod or a ring to its curve, a plate
-/// to its middle plane and then, across, to a line; a block shrinks to its middle.
+/// to its middle plane and then, across, to a line, or to its middle if it is about as wide as long; a block shrinks to
+/// its middle.
 class Thinning_part
 {
 public:
@@ -32,7 +33,8 @@ private:
   };
   struct Middle
   {
-    Point middle, line; ///< the nearest places on the middle plane or curve, and on the line that the plane narrows to
+    Point middle, line; ///< the nearest places on the middle plane or curve, and on the line, or the point, that the
+                        ///< plane narrows to
   };
 
   Scales scales(double remaining) const;

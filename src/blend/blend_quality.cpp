@@ -226,12 +226,14 @@ private:
     return worst;
   }
 
+  /// What is left over at both ends and exchanged is not one part that stays.
   Worst_parts gap() const
   {
+    const auto stays = [&](std::size_t i) { return part(i).morph && part(i).task.type != Blend_task_type::EXCHANGE; };
     Worst_parts worst;
     for (const Kept_contact& contact : blend().contacts) {
       const auto [a, b] = contact.parts;
-      if (!part(a).morph || !part(b).morph) continue;
+      if (!stays(a) || !stays(b)) continue;
       const double allowed = contact.allowed_gap(shape_.progress());
       worst.improve(std::sqrt(trees_[a]->nearly_closest(*trees_[b], allowed).squared) - allowed, a, b);
     }

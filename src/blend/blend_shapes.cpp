@@ -7,6 +7,7 @@
 #include "blend/schedules.h"
 #include "map/check_model.h"
 #include "matching/unlikely_pairs.h"
+#include "shape/has_area.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
@@ -117,8 +118,11 @@ Segmented_shape Shape_blend::operator()(double t) const
   const std::shared_ptr<const In_between_shape> in_between = shapes_->at(t);
   const In_between_shape& shape = *in_between;
   Segmented_shape result(blend_->shapes[0].name() + '~' + blend_->shapes[1].name(), blend_->shapes[0].up());
-  for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
-    if (shape.is_there(part)) result.add_part(shape.part(part).name, mesh_of(shape, part, eased(t)));
+  for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
+    if (!shape.is_there(part)) continue;
+    const Part_mesh mesh = mesh_of(shape, part, eased(t));
+    if (has_area(mesh)) result.add_part(shape.part(part).name, mesh);
+  }
   return result;
 }
 

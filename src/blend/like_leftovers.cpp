@@ -7,6 +7,7 @@
 #include "base/quantized.h"
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
+#include "blend/unlike_pairs.h"
 
 #include <array>
 #include <cstddef>
@@ -66,7 +67,11 @@ Part_pairs like_leftovers(const Blend_stage& stage, const Part_pairs& paired)
   for (Eigen::Index i = 0; i < cost.rows(); ++i)
     for (Eigen::Index j = 0; j < cost.cols(); ++j) {
       const contacts::Box &a = rows.boxes[std::size_t(i)], &b = columns.boxes[std::size_t(j)];
-      cost(i, j) = are_alike(a, b) ? double(quantized(difference(a, b))) * comparison_grid : never;
+      cost(i, j) =
+          are_alike(a, b) && !are_unlike(stage, is_swapped ? columns.parts[std::size_t(j)] : rows.parts[std::size_t(i)],
+                                         is_swapped ? rows.parts[std::size_t(i)] : columns.parts[std::size_t(j)])
+              ? double(quantized(difference(a, b))) * comparison_grid
+              : never;
     }
   const std::vector<std::size_t> assigned = optimal_assignment(cost);
   for (std::size_t i = 0; i < assigned.size(); ++i) {

@@ -6,6 +6,7 @@
 #include "blend/Blend_stage.h"
 #include "blend/like_leftovers.h"
 #include "blend/pair_boxes.h"
+#include "blend/unlike_pairs.h"
 #include "map/piece_of.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
@@ -26,6 +27,7 @@ struct Surface_fault
   double torn = 0;       ///< area
   double torn_share = 0; ///< of the surface
   double thinning = 0;
+  bool is_crumpled = false; ///< turned over, or another surface where the one takes over from the other
 };
 
 /// Of the surface that there is, at some times.
@@ -48,6 +50,13 @@ Surface_fault surface_fault(const Part_morph& morph)
     if (extent.area > 0) result.torn_share = std::max(result.torn_share, torn / extent.area);
     result.thinning = std::max(result.thinning, thinning_of(rests, extent, 1));
   }
+  // Where the one takes over from the other, both are the same surface, unless it is crumpled.
+  constexpr double most_area = 1.3;
+  const double before = rests[0]->extent(morph.points(0, change)).area;
+  const double after = rests[1]->extent(morph.points(1, change)).area;
+  constexpr double most_turned = 0.12; // of either surface
+  result.is_crumpled = std::max(before, after) > most_area * std::min(before, after) ||
+                       std::max(morph.turned_share(0), morph.turned_share(1)) > most_turned;
   return result;
 }
 
@@ -62,7 +71,10 @@ public:
     paired = matched_members(stage.charted[0], stage.charted[1], paired);
     add_mirrored(paired, stage.images[0], stage.images[1]);
     leave_rings_out(paired);
-    leftovers_ = like_leftovers(stage, paired);
+    unlike_ = take_unlike_pairs(stage, paired);
+    Part_pairs all = paired;
+    all.insert(all.end(), unlike_.begin(), unlike_.end());
+    leftovers_ = like_leftovers(stage, all);
     paired.insert(paired.end(), leftovers_.begin(), leftovers_.end());
     std::sort(paired.begin(), paired.end());
     pairs_ = piece_pairs(stage.charted[0], stage.charted[1], paired);
@@ -70,6 +82,9 @@ public:
     find_uses();
     turn_own_images();
   }
+
+  /// The pairs that do not become each other, as they are too unlike.
+  const Part_pairs& unlike_pairs() const { return unlike_; }
 
   std::vector<Blend_part> parts() const
   {
@@ -204,6 +219,7 @@ private:
     constexpr double bending = 0.35; // that own charts may turn more
     making.charts = {boxes(making, number)};
     if (is_upright_[number]) return;
+    if (pair_kind(pairs_[number], stage_.charted[0], stage_.charted[1]) == Pair_kind::BOXES) return;
     const Pair_charts straight = making.charts[0];
     const Pair_charts own = pair_charts(pairs_[number], stage_.charted[0], stage_.charted[1], making.pieces[0].points,
                                         making.pieces[1].points);
@@ -234,15 +250,16 @@ private:
   /// \param known of the mirror image
   static void choose_charts(Making& making, Blend_exchange known)
   {
-    constexpr double torn_part = 10; // tolerances, of a part by itself
+    constexpr double torn_part = 2; // tolerances, of a part by itself
     Blend_exchange reason = known;
     for (std::size_t i = 0; i < making.charts.size() && known == Blend_exchange::NONE; ++i) {
       set_morph(making, making.charts[i]);
       const Surface_fault fault = surface_fault(*making.morph);
       making.torn = fault.torn;
-      const Blend_exchange own = fault.torn_share > torn_part * Shape_blend::torn_tolerance ? Blend_exchange::TORN
-                                 : fault.thinning > Shape_blend::thinning_tolerance         ? Blend_exchange::THIN
-                                                                                            : Blend_exchange::NONE;
+      const Blend_exchange own = fault.is_crumpled || fault.torn_share > torn_part * Shape_blend::torn_tolerance
+                                     ? Blend_exchange::TORN
+                                 : fault.thinning > Shape_blend::thinning_tolerance ? Blend_exchange::THIN
+                                                                                    : Blend_exchange::NONE;
       if (own == Blend_exchange::NONE) return finish(making);
       if (i == 0) reason = own;
     }
@@ -298,7 +315,7 @@ private:
   }
 
   const Blend_stage& stage_;
-  Part_pairs leftovers_;
+  Part_pairs leftovers_, unlike_;
   std::vector<Piece_pair> pairs_;
   std::vector<std::size_t> images_;      ///< by pair, its mirror image
   std::vector<char> is_upright_;         ///< by pair
@@ -307,9 +324,12 @@ private:
 
 } // namespace
 
-std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence)
+std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence)
 {
-  return Matched_part_maker(stage, correspondence).parts();
+  const Matched_part_maker maker(stage, correspondence);
+  std::vector<Blend_part> result = maker.parts();
+  add_unmatched_parts(stage, maker.unlike_pairs(), result);
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -219,7 +219,7 @@ void add_reading_options(Option_table& table, Common_options& options)
       .usual();
   add("parts", "MODE", &options.parts,
       "how parts are made of a model file: file (its objects), components (its loose pieces), segments (loose pieces "
-      "divided by thickness) or auto (its objects, but objects of unrelated loose pieces are split). "
+      "divided where they are concave) or auto (its objects, but objects of unrelated loose pieces are split). "
       "`shape_correspondence parts MODEL` shows the result. Files in a folder are always parts as they are")
       .words({"auto", "file", "components", "segments"})
       .in_python()

@@ -176,7 +176,7 @@ void add_match_options(Option_table& table, Match_options& match)
       "role model for --search parts and --role-weight: auto (the one that comes with the program), none, or a file "
       "that `roles train` wrote. Shapes must be upright and face +z");
   add("examples", "FOLDER", &match.examples,
-      "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition; three or "
+      "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition; five or "
       "more of a category that the model does not know help. If they are of one category, both shapes are taken to be "
       "of it")
       .usual();
@@ -213,6 +213,14 @@ void add_match_options(Option_table& table, Match_options& match)
       choice<std::optional<bool>>(match.coarse_target, {{"auto", std::nullopt}, {"both", true}, {"source", false}}),
       "shapes to which --max-parts applies: both, or source (as in the paper); auto: source with --paper, otherwise "
       "both");
+  add("coarse-to-fine", "K", &search.coarse_to_fine,
+      "match the K largest parts of either shape first, then all others about them: for shapes of hundreds of symmetry "
+      "groups; for beam and exact search. Default: all at once")
+      .at_least(1)
+      .without_default()
+      .only_for(by_energy)
+      .asks_for("beam")
+      .in_python();
   add("front", "HOW", &match.front,
       "which alignments are tried: given (the one nearest to the orientation in the files), likely (the same, but a "
       "shape is turned by a multiple of 90° if the roles of its parts clearly say that its front is another side) or "

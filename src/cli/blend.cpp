@@ -214,6 +214,17 @@ void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, con
                  structure(target.graph).parts[task.target].name + "'";
     if (!pairs.empty()) warnings.push_back(pairs + " exchange surfaces in place, " + why);
   }
+  std::string unlike;
+  for (const Blend_task& task : blend.schedules()[0].tasks)
+    if (task.exchange == Blend_exchange::UNLIKE) {
+      const bool is_source = task.source != Blend_task::no_part;
+      const Loaded_shape& shape = is_source ? source : target;
+      unlike += (unlike.empty() ? "'" : ", '") +
+                structure(shape.graph).parts[is_source ? task.source : task.target].name + "'";
+    }
+  if (!unlike.empty())
+    warnings.push_back(unlike + " thin and thicken in place, as they would have to turn, to change their proportions, "
+                                "to travel or to be cut up too much to become their counterparts");
 }
 
 std::unique_ptr<Command> blend_command() { return std::make_unique<Blend_command>(); }

@@ -84,7 +84,7 @@ void warn_of_changes(const std::string& path, Read_model& model)
   const Part_split& split = model.split;
   if (split.by_segments) {
     model.warnings.push_back(
-        "The model is one piece: its parts come from an automatic segmentation by thickness, which is "
+        "The model is one piece: its parts come from an automatic segmentation, which is "
         "rough; `shape_correspondence parts " +
         path + " --html F` shows them.");
     return;
@@ -198,7 +198,7 @@ Read_model model_of_objects(const std::string& path, Model_objects objects, cons
     model.warnings.push_back("Loose pieces that were left out, since they have no area: " +
                              std::to_string(model.split.pieces_left_out) + ".");
   if (model.split.pieces_kept_whole > 0)
-    model.warnings.push_back("Pieces that were not divided into segments, since their thickness cannot be measured: " +
+    model.warnings.push_back("Pieces that were not divided into segments, since they have no inside: " +
                              std::to_string(model.split.pieces_kept_whole) + "; repair their triangles.");
   return model;
 }

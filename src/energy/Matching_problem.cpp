@@ -9,6 +9,7 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,17 +27,20 @@ double distance(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b)
   return difference.norm();
 }
 
-// The target groups that a source group may be matched to, ascending: those that the symmetry allows (all if it allows
-// none), at most the nearest `maximum_labels`.
-std::vector<std::size_t> candidates(const Aligned_shape& source, std::size_t group, const Aligned_shape& target)
+// The target groups that a source group may be matched to, ascending: of those that are allowed, those that the
+// symmetry allows, too (all if it allows none), at most the nearest `maximum_labels`. \param allowed empty: all
+std::vector<std::size_t> candidates(const Aligned_shape& source, std::size_t group, const Aligned_shape& target,
+                                    std::vector<std::size_t> allowed)
 {
-  const auto all = groups(target);
-  const bool none_may = std::none_of(all.begin(), all.end(),
-                                     [&](const Part_group& other) { return may_match(source.group(group), other); });
+  if (allowed.empty()) {
+    allowed.resize(target.number_of_groups());
+    std::iota(allowed.begin(), allowed.end(), std::size_t(0));
+  }
+  const auto may = [&](std::size_t h) { return may_match(source.group(group), target.group(h)); };
+  const bool none_may = std::none_of(allowed.begin(), allowed.end(), may);
   std::vector<std::pair<long, std::size_t>> nearest;
-  for (std::size_t h = 0; h < target.number_of_groups(); ++h)
-    if (none_may || may_match(source.group(group), target.group(h)))
-      nearest.emplace_back(quantized(distance(source.boxes[group], target.boxes[h])), h);
+  for (std::size_t h : allowed)
+    if (none_may || may(h)) nearest.emplace_back(quantized(distance(source.boxes[group], target.boxes[h])), h);
   if (nearest.size() > maximum_labels) {
     std::sort(nearest.begin(), nearest.end());
     nearest.resize(maximum_labels);
@@ -49,7 +53,8 @@ std::vector<std::size_t> candidates(const Aligned_shape& source, std::size_t gro
 }
 
 std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_t group, const Aligned_shape& target,
-                                         const Matching_options& options, const Match_constraints& constraints)
+                                         const std::vector<std::size_t>& allowed, const Matching_options& options,
+                                         const Match_constraints& constraints)
 {
   const std::size_t first_part = source.group(group).parts[0];
   const bool is_pinned = !constraints.empty() && !constraints.pinned(first_part).empty();
@@ -57,7 +62,7 @@ std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_
   if (is_pinned)
     result.push_back(pinned_label(source, group, target, constraints));
   else {
-    const std::vector<std::size_t> matched = candidates(source, group, target);
+    const std::vector<std::size_t> matched = candidates(source, group, target, allowed);
     result.reserve(2 * matched.size() + 1);
     for (std::size_t candidate : matched) {
       Group_label label = match_groups(source, group, target, candidate, constraints);
@@ -82,22 +87,23 @@ std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_
 }
 
 std::vector<std::vector<Group_label>> all_labels(const Aligned_shape& source, const Aligned_shape& target,
-                                                 const Matching_options& options)
+                                                 const Matching_options& options, const Group_candidates& allowed)
 {
   const Match_constraints constraints(source, target, options);
   std::vector<std::vector<Group_label>> result;
   for (std::size_t g = 0; g < source.number_of_groups(); ++g)
-    result.push_back(labels_of_group(source, g, target, options, constraints));
+    result.push_back(labels_of_group(source, g, target, allowed.empty() ? std::vector<std::size_t>() : allowed[g],
+                                     options, constraints));
   return result;
 }
 
 } // namespace
 
 Matching_problem::Matching_problem(const Shared_shape& source, const Shared_shape& target,
-                                   const Matching_options& options)
-    : Matching_problem(source, target, all_labels(*source, *target, options), options)
+                                   const Matching_options& options, const Group_candidates& allowed)
+    : Matching_problem(source, target, all_labels(*source, *target, options, allowed), options)
 {
-  has_shortlists_ = target_->number_of_groups() > maximum_labels;
+  has_shortlists_ = !allowed.empty() || target_->number_of_groups() > maximum_labels;
 }
 
 Matching_problem::Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options)

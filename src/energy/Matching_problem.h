@@ -21,6 +21,9 @@ namespace CGAL::Shape_correspondence {
 /// groups.
 constexpr std::size_t maximum_labels = 64;
 
+/// By source group, the target groups that it may be matched to, ascending; empty: all.
+using Group_candidates = std::vector<std::vector<std::size_t>>;
+
 /// The matching graph of a source and a target shape (paper, section 5) with its energies as tables. A part that
 /// is deformed to fit depends on itself and on its target part alone. Once every group has a label, E is therefore a
 /// sum over groups and over pairs of groups in contact of terms that depend on their labels alone; each is computed
@@ -31,7 +34,9 @@ class Matching_problem
 public:
   using Shared_shape = std::shared_ptr<const Deformable_shape>;
 
-  Matching_problem(const Shared_shape& source, const Shared_shape& target, const Matching_options& options = {});
+  /// \param allowed empty: all groups
+  Matching_problem(const Shared_shape& source, const Shared_shape& target, const Matching_options& options = {},
+                   const Group_candidates& allowed = {});
   Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options = {});
   /// With given labels, by source group: to rate a mapping that was found in another way. Members of a group may have
   /// no image; their contacts cost nothing. \pre at least one label a group, as many lists of images as it has members

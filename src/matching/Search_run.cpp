@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matching/Search_run.h"
+#include "matching/coarse_to_fine.h"
 #include "search/beam_search.h"
 
 #include <CGAL/Shape_correspondence/exact_search.h>
@@ -20,15 +21,27 @@ Matching_options without_cost_of_unmatched(Matching_options options)
   return options;
 }
 
+Search_options backward(Search_options options)
+{
+  options.matching = reversed(std::move(options.matching));
+  return options;
+}
+
+Matching_problem problem_of(const Matching_problem::Shared_shape& source, const Matching_problem::Shared_shape& target,
+                            const Search_options& options)
+{
+  return {source, target, options.matching, coarse_candidates(source, target, options)};
+}
+
 } // namespace
 
 Search_run::Search_run(const Shared_shape& source, const Shared_shape& target, Direction direction, int turns,
                        const Search_options& options)
-    : problem(direction == Direction::SOURCE_TO_TARGET ? source : target,
-              direction == Direction::SOURCE_TO_TARGET ? target : source,
-              direction == Direction::SOURCE_TO_TARGET ? options.matching : reversed(options.matching)),
+    : problem(direction == Direction::SOURCE_TO_TARGET ? problem_of(source, target, options)
+                                                       : problem_of(target, source, backward(options))),
       direction(direction),
-      turns(turns)
+      turns(turns),
+      coarse_parts(is_coarse_to_fine(*source, *target, options) ? std::size_t(options.coarse_to_fine) : 0)
 {
   if (options.method == Search_method::EXACT) {
     Exact_options exact = options.exact;
@@ -196,7 +209,10 @@ Correspondence correspondence_of(const Search_run& run, const Solution& solution
   correspondence.complete = true;
   correspondence.optimal = run.result.optimal;
   correspondence.search = run.result.summary;
-  if (run.problem.has_shortlists())
+  if (run.coarse_parts > 0)
+    correspondence.warnings.push_back("The " + std::to_string(run.coarse_parts) +
+                                      " largest parts were matched first; the others were matched about them.");
+  else if (run.problem.has_shortlists())
     correspondence.warnings.push_back("There are " + std::to_string(run.problem.target().number_of_groups()) +
                                       " groups to choose from; each was given the " + std::to_string(maximum_labels) +
                                       " nearest in place and size to choose from.");

@@ -18,7 +18,8 @@ struct Search_run
 {
   Matching_problem problem;
   Direction direction;
-  int turns; // of the target
+  int turns;                    // of the target
+  std::size_t coarse_parts = 0; // that were matched first; 0: all at once
   Search_result result;
 
   using Shared_shape = Matching_problem::Shared_shape;

@@ -32,14 +32,15 @@ std::size_t number_of_counted_pairs(const Aligned_shape& shape)
 }
 
 // Refuses shapes with more groups than `method` can deform.
-void check_size(const Aligned_shape& deformed, const std::string& name, Search_method method)
+void check_size(const Aligned_shape& deformed, const std::string& name, const Search_options& options)
 {
-  const bool is_beam = method == Search_method::BEAM;
+  const bool is_beam = options.method == Search_method::BEAM;
   const std::size_t most = is_beam ? most_beam_groups : most_exact_groups;
-  if (deformed.number_of_groups() <= most) return;
+  if (options.coarse_to_fine > 0 || deformed.number_of_groups() <= most) return;
   throw Invalid_input("find_correspondence: shape '" + name + "' has " + std::to_string(deformed.number_of_groups()) +
                       " groups of parts, and " + (is_beam ? "beam" : "exact") + " search takes at most " +
-                      std::to_string(most) + ": match its largest parts only, or use the default method");
+                      std::to_string(most) +
+                      " at once: match it coarse to fine, match its largest parts only, or use the default method");
 }
 
 } // namespace
@@ -57,7 +58,7 @@ Search_options Correspondence_finder::Impl::with_role_costs(const Prepared_shape
 
 std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prepared_shape& target) const
 {
-  check_size(*source_, structure(prepared_source_.graph()).name, options_.method);
+  check_size(*source_, structure(prepared_source_.graph()).name, options_);
   const std::vector<int> turns = tried_turns(target);
   Correspondence known;
   const Search_options options = with_role_costs(target, known);
@@ -70,7 +71,7 @@ std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prep
   bool cancelled = false;
   for (std::size_t t = 0; t < turns.size() && !cancelled; ++t) {
     const Shared_shape shape = aligned(target, turns[t]);
-    if (options.both_directions) check_size(*shape, structure(target.graph()).name, options.method);
+    if (options.both_directions) check_size(*shape, structure(target.graph()).name, options);
     for (Direction direction : directions) {
       cancelled = cancelled || (options_.progress && !options_.progress(double(done) / double(run_count)));
       if (cancelled) break;

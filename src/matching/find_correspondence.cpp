@@ -59,7 +59,7 @@ void check(const Search_options& options)
     throw Invalid_input("find_correspondence: the weight of roles must not be negative or beyond 1e50");
   if (!(options.matching.unmatched_cost >= 0))
     throw Invalid_input("find_correspondence: the cost of leaving a part unmatched must not be negative");
-  if (options.maximum_parts < 0 || options.alignments < 0)
+  if (options.maximum_parts < 0 || options.coarse_to_fine < 0 || options.alignments < 0)
     throw Invalid_input("find_correspondence: the numbers of parts and of alignments must not be negative");
   if (!(options.min_confidence >= 0 && options.min_confidence <= 1))
     throw Invalid_input("find_correspondence: the least confidence must be between 0 and 1");

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/limits.h"
 #include "shape/Loose_piece.h"
 #include "shape/all_vertices.h"
 #include "shape/group_pieces.h"

@@ -19,6 +19,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -131,8 +132,27 @@ TEST_CASE("Shapes between two models are closed, hang together, are symmetric an
       CHECK(blend.check(t).quality.ground <= Shape_blend::ground_tolerance);
       CHECK(blend.check(t).quality.thinning <= Shape_blend::thinning_tolerance);
       CHECK(blend.check(t).quality.area <= Shape_blend::area_tolerance);
-      // Known to fail for the stool at 0.5 by 0.64: old and new parts are there together
-      CHECK_NOFAIL(blend.check(t).quality.volume <= Shape_blend::volume_tolerance);
+      CHECK(blend.check(t).quality.volume <= Shape_blend::volume_tolerance);
+    }
+  }
+}
+
+TEST_CASE("Parts give way in place to what lies across: they do not turn through the shape, nor are they cut up")
+{
+  for (const auto& [source, target] :
+       {std::pair("chair_four_legged", "chair_slatted"), std::pair("chair_spindle", "chair_swivel")}) {
+    INFO(source << " and " << target);
+    const Shape_blend blend = blend_of(source, target);
+    std::array<std::size_t, 2> unlike = {0, 0};
+    for (const Blend_task& task : blend.schedules()[0].tasks)
+      if (task.exchange == Blend_exchange::UNLIKE) {
+        CHECK((task.type == Blend_task_type::SHRINK || task.type == Blend_task_type::GROW));
+        ++unlike[task.type == Blend_task_type::SHRINK ? 0 : 1];
+      }
+    CHECK(unlike[0] + unlike[1] > 0);
+    for (double t : {0.25, 0.5, 0.75}) {
+      CHECK(blend.check(t).quality.rotation <= Shape_blend::rotation_tolerance);
+      CHECK(blend.check(t).quality.gap <= Shape_blend::contact_tolerance);
     }
   }
 }
@@ -153,12 +173,13 @@ TEST_CASE("What one part becomes, its mirror image becomes the mirror image of; 
 
 TEST_CASE("What does not hold is told with the parts where it does not")
 {
-  // A peg on one side goes from the upper plate to the lower one: it lies flat on plates at the ends only
+  // A peg on one side goes from the upper plate to the lower one: it lies flat on plates at the ends only. Plates that
+  // are farther apart would make it thin and thicken.
   const auto stand = [](double height_of_peg) {
     Model result{Segmented_shape("stand"), {}};
     result.shape.add_part("base", box_shapes::box({0, 0.05, 0}, {1, 0.1, 0.6}));
     result.shape.add_part("column", box_shapes::box({0, 0.5, 0}, {0.1, 0.8, 0.1}));
-    result.shape.add_part("top", box_shapes::box({0, 0.95, 0}, {1, 0.1, 0.6}));
+    result.shape.add_part("top", box_shapes::box({0, 0.45, 0}, {1, 0.1, 0.6}));
     result.shape.add_part("peg", box_shapes::box({0.4, height_of_peg, 0}, {0.02, 0.02, 0.02}));
     Structure_options options;
     options.abstraction.abstractor = Bounding_box_abstraction();
@@ -166,7 +187,7 @@ TEST_CASE("What does not hold is told with the parts where it does not")
     structure(result.graph).frame.mirror_x = true;
     return result;
   };
-  const Model high = stand(0.89), low = stand(0.11);
+  const Model high = stand(0.39), low = stand(0.11);
   Correspondence same;
   same.pairs = {{0, 0}, {1, 1}, {2, 2}, {3, 3}};
   const Shape_blend blend = blend_of(high, low, same);

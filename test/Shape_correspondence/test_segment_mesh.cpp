@@ -5,13 +5,20 @@
 
 #include "part_meshes.h"
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/segment_mesh.h>
 
 #include <CGAL/Timer.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+#include <vector>
 
 using namespace CGAL::Shape_correspondence;
 
@@ -57,7 +64,75 @@ Part_mesh twice(const Part_mesh& mesh)
   return result;
 }
 
+/// The surface of the unit cubes that are in a solid, in a box of 12 x 12 x 12 of them.
+Part_mesh surface_of_cubes(const std::function<bool(int, int, int)>& in_solid)
+{
+  constexpr int n = 12;
+  using Corner = std::array<int, 3>;
+  const auto is_in = [&](const Corner& c) {
+    return std::all_of(c.begin(), c.end(), [](int x) { return x >= 0 && x < n; }) && in_solid(c[0], c[1], c[2]);
+  };
+  std::map<Corner, int> numbers;
+  std::vector<std::array<int, 3>> triangles;
+  const auto number = [&](const Corner& c) { return numbers.try_emplace(c, int(numbers.size())).first->second; };
+  for (int cube = 0; cube < n * n * n; ++cube)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (int side : {0, 1}) {
+        const Corner c{cube / (n * n), cube / n % n, cube % n};
+        Corner beyond = c;
+        beyond[axis] += 2 * side - 1;
+        if (!is_in(c) || is_in(beyond)) continue;
+        std::array<int, 4> corners;
+        for (std::size_t k = 0; k < 4; ++k) {
+          Corner corner = c;
+          corner[axis] += side;
+          corner[(axis + 1) % 3] += int(k == 1 || k == 2);
+          corner[(axis + 2) % 3] += int(k >= 2);
+          corners[k] = number(corner);
+        }
+        if (side == 0) std::swap(corners[1], corners[3]);
+        triangles.push_back({corners[0], corners[1], corners[2]});
+        triangles.push_back({corners[0], corners[2], corners[3]});
+      }
+  Part_mesh mesh;
+  mesh.points.resize(3, Eigen::Index(numbers.size()));
+  for (const auto& [corner, point] : numbers)
+    mesh.points.col(point) << corner[0], corner[1], corner[2];
+  mesh.triangles.resize(3, Eigen::Index(triangles.size()));
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    mesh.triangles.col(Eigen::Index(t)) << triangles[t][0], triangles[t][1], triangles[t][2];
+  return mesh;
+}
+
 } // namespace
+
+TEST_CASE("A surface is divided where it is concave, also if it is everywhere equally thick")
+{
+  const Part_mesh table = surface_of_cubes(
+      [](int x, int y, int z) { return y == 10 || (y < 10 && (x == 0 || x == 11) && (z == 0 || z == 11)); });
+  const Part_mesh block = surface_of_cubes([](int, int, int) { return true; });
+  CHECK(segment_mesh(table).shape.parts().size() == 5);
+  CHECK(segment_mesh(block).shape.parts().size() == 1);
+
+  SECTION("the same of every size and turned about up")
+  {
+    Part_mesh turned = table;
+    turned.points = Eigen::AngleAxisd(1, Point::UnitY()).toRotationMatrix() * (1000 * table.points);
+    CHECK(segment_mesh(turned).shape.parts().size() == 5);
+  }
+
+  SECTION("options")
+  {
+    Segmentation_options options;
+    options.least_area = 0.2; // a leg has less
+    CHECK(segment_mesh(table, options).shape.parts().size() == 1);
+    options = {};
+    options.patches = 1;
+    CHECK(segment_mesh(table, options).shape.parts().size() == 1);
+    options.patches = 0;
+    CHECK_THROWS_AS(segment_mesh(table, options), Invalid_input);
+  }
+}
 
 TEST_CASE("Thick and thin pieces of a mesh become parts")
 {
@@ -102,7 +177,7 @@ TEST_CASE("Components without area are left out, and counted")
   CHECK(whole.pieces_left_out == 0);
 }
 
-TEST_CASE("A closed surface without an inside, where the thickness cannot be measured, stays one part")
+TEST_CASE("A closed surface without an inside stays one part")
 {
   Part_mesh both_sides;
   both_sides.points.resize(3, 4);

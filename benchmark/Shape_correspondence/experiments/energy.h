@@ -11,6 +11,11 @@
 #include "options.h"
 #include "tables.h"
 
+#include <CGAL/Timer.h>
+
+#include <algorithm>
+#include <numeric>
+
 namespace CGAL {
 namespace Shape_correspondence {
 namespace experiments {
@@ -163,6 +168,52 @@ inline void figure11(const Dataset& dataset)
       write_row({parts ? std::to_string(parts) : "all", name, text(mean.coarse_precision.mean),
                  text(mean.precision.mean), text(mean.recall.mean), text(of_parts.seconds, 4)});
     }
+}
+
+/// Coarse to fine against the search at once, on the pairs with most parts: ratios of energies and of times.
+inline void coarse_to_fine(const Dataset& dataset)
+{
+  constexpr std::size_t most_pairs = 50;
+  using Pair = std::pair<const Structural_graph*, const Structural_graph*>;
+  std::vector<Pair> pairs;
+  for (const Category& category : dataset)
+    for (const auto& [s, t] : category.pairs)
+      pairs.emplace_back(&category.graphs[s], &category.graphs[t]);
+  const auto parts = [](const Pair& pair) {
+    return structure(*pair.first).parts.size() + structure(*pair.second).parts.size();
+  };
+  std::stable_sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return parts(a) > parts(b); });
+  pairs.resize(std::min(pairs.size(), most_pairs));
+  std::cout << pairs.size() << " pairs of " << parts(pairs.back()) << " to " << parts(pairs.front()) << " parts\n";
+
+  write_heading({"search", "parts matched first", "energy, mean", "median", "largest", "time, median"});
+  for (const auto& [name, method] :
+       {std::pair("beam", Search_method::BEAM), std::pair("exact", Search_method::EXACT)}) {
+    std::vector<double> energies, seconds; // at once
+    for (const int first : {0, 6, 10, 15}) {
+      Search_options options;
+      options.method = method;
+      options.both_directions = false;
+      options.coarse_to_fine = first;
+      std::vector<double> of_energies, of_seconds;
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        CGAL::Timer timer;
+        timer.start();
+        const double energy = find_correspondence(*pairs[i].first, *pairs[i].second, options).energy;
+        if (first == 0) {
+          energies.push_back(energy);
+          seconds.push_back(timer.time());
+        }
+        of_energies.push_back(energies[i] > 0 ? energy / energies[i] : 1);
+        of_seconds.push_back(seconds[i] > 0 ? timer.time() / seconds[i] : 1);
+      }
+      std::sort(of_energies.begin(), of_energies.end());
+      std::sort(of_seconds.begin(), of_seconds.end());
+      const double sum = std::accumulate(of_energies.begin(), of_energies.end(), 0.);
+      write_row({name, first ? std::to_string(first) : "all", text(sum / double(pairs.size())),
+                 text(of_energies[pairs.size() / 2]), text(of_energies.back()), text(of_seconds[pairs.size() / 2])});
+    }
+  }
 }
 
 } // namespace experiments

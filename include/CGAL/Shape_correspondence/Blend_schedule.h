@@ -35,7 +35,9 @@ enum class Blend_exchange {
   NONE,     ///< it is not
   TORN,     ///< it would be torn or folded
   THIN,     ///< it would be far thinner than at both ends
-  UNMATCHED ///< the two do not correspond; neither has a counterpart, and they are alike in place and size
+  UNMATCHED, ///< the two do not correspond; neither has a counterpart, and they are alike in place and size
+  UNLIKE     ///< it would have to turn, to change its proportions or to be cut up too much: the part thins, its
+             ///< counterparts thicken, each by itself in the box that goes from those of the ones to those of the others
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps

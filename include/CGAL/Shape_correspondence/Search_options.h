@@ -58,6 +58,10 @@ struct Search_options
   /// Whether `maximum_parts` applies to both shapes. Otherwise it applies to the source only, which is deformed into
   /// the whole target (paper, section 6.1).
   bool coarse_target = true;
+  /// Coarse to fine (paper, section 3), for shapes of many parts: `BEAM` and `EXACT` first match this number of largest
+  /// parts of either shape. Every other group of parts may then become only what its nearest large parts became, or
+  /// what is about that, so that time and memory grow with the number of groups about a large part. 0: all at once.
+  int coarse_to_fine = 0;
   std::vector<std::size_t> source_parts; ///< only these parts of the source, by their index; empty: all parts
   std::vector<std::size_t> target_parts; ///< only these parts of the target, by their index; empty: all parts
   /// Number of alignments to try, at least 0: turns of the target about the upright axis by 90° or 180°. 1: only the

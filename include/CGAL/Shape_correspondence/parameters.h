@@ -52,6 +52,7 @@ struct Named_parameters;
   X(direction_by_energy, Search_options, direction_by_energy)                                                          \
   X(maximum_parts, Search_options, maximum_parts)                                                                      \
   X(coarse_target, Search_options, coarse_target)                                                                      \
+  X(coarse_to_fine, Search_options, coarse_to_fine)                                                                    \
   X(source_parts, Search_options, source_parts)                                                                        \
   X(target_parts, Search_options, target_parts)                                                                        \
   X(alignments, Search_options, alignments)                                                                            \
@@ -157,7 +158,7 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 /// | parameter | field |
 /// |---|---|
 /// | `search_method` | `Search_options::method` |
-/// | `min_confidence`, `both_directions`, `direction_by_energy`, `maximum_parts`, `coarse_target`, `source_parts`, `target_parts`, `alignments`, `front_is_sure`, `solutions`, `min_marginals` | of this name in `Search_options` |
+/// | `min_confidence`, `both_directions`, `direction_by_energy`, `maximum_parts`, `coarse_target`, `coarse_to_fine`, `source_parts`, `target_parts`, `alignments`, `front_is_sure`, `solutions`, `min_marginals` | of this name in `Search_options` |
 /// | `beam_width`, `expansions` | of this name in `Beam_options` |
 /// | `distortion_weight`, `connectedness_weight`, `split_weight`, `role_weight` | `Energy_weights::distortion`, `connectedness`, `split`, `roles` |
 /// | `energy_norm`, `deform_to_fit` | `Matching_options::norm`, `fit` |

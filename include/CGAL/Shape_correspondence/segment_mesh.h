@@ -20,11 +20,12 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// Options of `segment_mesh()`, those of `CGAL::segmentation_from_sdf_values()`.
+/// Options of `segment_mesh()`.
 struct Segmentation_options
 {
-  int clusters = 2;         ///< levels of thickness that are distinguished in each connected component, at least 1
-  double smoothness = 0.26; ///< weight of short borders between segments, in [0, 1]
+  std::size_t patches = 256; ///< patches of the surface that segments are made of, at least 1
+  double probability = 0.5;  ///< neighbours that are one part with this probability become one, in (0, 1)
+  double least_area = 0.01;  ///< smaller segments join a neighbour; a fraction of the area of their component
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
@@ -33,15 +34,17 @@ struct Mesh_segmentation
 {
   Segmented_shape shape;             ///< the parts
   std::size_t pieces_left_out = 0;   ///< number of components and segments without area, which cannot be parts
-  std::size_t pieces_kept_whole = 0; ///< number of closed components whose thickness cannot be measured: one part each
+  std::size_t pieces_kept_whole = 0; ///< number of closed components without an inside, one part each
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// Divides a mesh into parts: its connected components, each closed one divided further into the segments that CGAL's
-/// package Triangulated Surface Mesh Segmentation finds by the shape diameter function (Shapira, Shamir and Cohen-Or
-/// 2008). Pieces without area are left out, and counted. Part names are `segment_0`, `segment_1`, … The segments are
-/// rough compared with a manual segmentation. `up` is the upright direction of the result.
-/// \throw Invalid_input if the mesh cannot be used
+/// Divides a mesh into parts: its connected components, each closed one divided further where it is concave or where
+/// its thickness changes. The surface is cut into patches, which are merged, the likeliest first: neighbours are of one
+/// part if most of their points see each other through the inside (Asafi, Goren and Cohen-Or 2013), if their common
+/// border is not concave, and if they are equally thick; how likely was fitted to labelled shapes. Pieces without area
+/// are left out, and counted. Part names are `segment_0`, `segment_1`, … `up` is the upright direction of the result.
+/// O(n log n) in the number of triangles, and O(patches² log n).
+/// \throw Invalid_input if the mesh cannot be used, or `patches` is 0
 Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options = {},
                                std::string name = "shape", const Point& up = Point(0, 1, 0));
 

@@ -72,7 +72,7 @@ struct Part_split
   bool by_segments = false;           ///< whether pieces are segments
   bool by_materials = false;          ///< whether pieces also end where the material changes
   std::size_t pieces_left_out = 0;    ///< pieces without area
-  std::size_t pieces_kept_whole = 0;  ///< closed pieces without segments, since their thickness cannot be measured
+  std::size_t pieces_kept_whole = 0;  ///< closed pieces without segments, since they have no inside
 
   /// Whether the parts are others than the objects.
   bool changes_objects() const;

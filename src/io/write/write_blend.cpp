@@ -27,7 +27,7 @@ const char* task_name(Blend_task_type type)
 
 const char* exchange_name(Blend_exchange exchange)
 {
-  static constexpr const char* names[] = {"", "torn", "thin", "unmatched"};
+  static constexpr const char* names[] = {"", "torn", "thin", "unmatched", "unlike"};
   return names[int(exchange)];
 }
 

@@ -51,9 +51,10 @@ export class BlendPlayer {
     tasks.prepend(element('summary', `${blend.tasks.length} tasks`, tasks));
     bars.className = 'bars';
     for (const task of blend.tasks) {
-      const isExchange = task.task === 'exchange';
-      const kind = task.exchanged && !isExchange ? `${task.task}, exchanged` : task.task;
+      const isExchange = task.task === 'exchange', isUnlike = task.exchanged === 'unlike';
+      const kind = task.exchanged && !isExchange && !isUnlike ? `${task.task}, exchanged` : task.task;
       const reason = isExchange ? ': neither has a counterpart, and they are alike in place and size'
+        : isUnlike ? ': too unlike its counterparts to become them'
         : task.exchanged ? `, exchanged: one surface would be ${task.exchanged} on its way to the other` : '';
       element('span', `${kind}: ${taskName(task)}`, bars).title = taskName(task) + reason;
       const bar = element('b', '', element('span', '', bars));
