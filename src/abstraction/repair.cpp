@@ -146,7 +146,10 @@ bool is_solid(Halfedge_mesh& mesh)
   return fullness(mesh) > smallest_fullness;
 }
 
-/// Ends a wrap that takes too long, by an exception.
+// Points that a wrap may insert where it has one. As its distances are rounded, it can insert the same point for ever.
+constexpr int most_repeated_points = 1000;
+
+/// Ends a wrap that takes too long, or does not end, by an exception.
 struct Wrap_watch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor
 {
   explicit Wrap_watch(const Deadline& deadline) : deadline(&deadline) {}
@@ -157,7 +160,17 @@ struct Wrap_watch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visit
     deadline->check();
   }
 
+  template <typename Wrapper, typename Vertex>
+  void after_Steiner_point_insertion(const Wrapper& wrapper, const Vertex&)
+  {
+    const std::size_t now = wrapper.triangulation().number_of_vertices();
+    if (now == vertices && ++repeated == most_repeated_points) throw Flow_failure("a surface around it is not found");
+    vertices = now;
+  }
+
   const Deadline* deadline;
+  std::size_t vertices = 0;
+  int repeated = 0;
 };
 
 #ifdef CGAL_SHAPE_CORRESPONDENCE_HAS_WRAP_ORACLE

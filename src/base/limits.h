@@ -30,9 +30,8 @@ inline std::string too_many_parts(std::size_t parts)
 /// Triangles at one vertex: they are put together to a surface in time quadratic in them.
 constexpr std::size_t most_triangles_of_vertex = 10000;
 
-/// Triangles of a model of one piece that is divided by its thickness without being asked to, which takes minutes
-/// above.
-constexpr std::size_t most_measured_triangles = 200000;
+/// Triangles of a model of one piece that is divided into segments without being asked to.
+constexpr std::size_t most_segmented_triangles = 200000;
 
 /// Loose pieces that are grouped into parts, in time quadratic in them.
 constexpr std::size_t most_grouped_pieces = 10000;

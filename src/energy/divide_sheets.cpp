@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/divide_sheets.h"
+#include "base/clamped.h"
 #include "base/divide_box.h"
 
 #include <CGAL/assertions.h>
@@ -77,7 +78,7 @@ Sampled_part rectangle(const Sampled_part& sheet, const std::array<double, 2>& l
   for (std::size_t axis : {0, 1})
     for (int i = 0; i < e; ++i) {
       const double at = (low[axis] + (high[axis] - low[axis]) * i / (e - 1)) * (e - 1);
-      const int cell = std::clamp(int(at), 0, e - 2);
+      const int cell = clamped_cell(at, e - 2);
       places[axis][std::size_t(i)] = {cell, at - cell};
     }
   for (int i = 0; i < e; ++i)

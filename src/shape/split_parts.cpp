@@ -113,7 +113,7 @@ public:
   Part_split automatic(const Part_splitting_options& options)
   {
     if (pieces_.size() == 1)
-      return std::size_t(pieces_[0].mesh.triangles.cols()) > most_measured_triangles ? pieces() : segments_of_whole();
+      return std::size_t(pieces_[0].mesh.triangles.cols()) > most_segmented_triangles ? pieces() : segments_of_whole();
     std::vector<std::string> names;
     for (const Model_piece& piece : result_.pieces)
       names.push_back(piece.name);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "texture/bake.h"
+#include "base/clamped.h"
 #include "base/for_each_index.h"
 #include "base/srgb.h"
 
@@ -31,8 +32,7 @@ std::vector<Shown_triangle> shown_triangles(const Texture_layout& layout, int si
     for (std::size_t t = 0; t < layout[part].size(); ++t) {
       const Flat_triangle& flat = layout[part][t];
       const Eigen::Vector2d middle = (flat[0] + flat[1] + flat[2]) / 3;
-      const auto pixel = [size](double at) { return std::clamp(int(std::floor(at)), 0, size - 1); };
-      show(pixel(middle.x()), pixel(middle.y()), part, t);
+      show(clamped_cell(middle.x(), size - 1), clamped_cell(middle.y(), size - 1), part, t);
     }
   return result;
 }

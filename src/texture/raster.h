@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "base/clamped.h"
 #include "base/planar_hull.h"
 
 #include <Eigen/Core>
@@ -31,9 +32,9 @@ template <typename Visit>
 void for_each_pixel(const Flat_triangle& t, int size, const Visit& visit, double inside = -1e-9)
 {
   const Eigen::Vector2d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
-  const auto pixel = [size](double x) { return std::clamp(int(std::floor(x)), 0, size - 1); };
-  for (int y = pixel(low.y()); y <= pixel(high.y()); ++y)
-    for (int x = pixel(low.x()); x <= pixel(high.x()); ++x)
+  const int last = size - 1;
+  for (int y = clamped_cell(low.y(), last); y <= clamped_cell(high.y(), last); ++y)
+    for (int x = clamped_cell(low.x(), last); x <= clamped_cell(high.x(), last); ++x)
       if (barycentric_coordinates(t, {x + 0.5, y + 0.5}).minCoeff() >= inside) visit(x, y);
 }
 

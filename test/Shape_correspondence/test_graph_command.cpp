@@ -176,3 +176,16 @@ TEST_CASE("A model of one file through the program")
   CHECK(json::parse(self.out)["energy"].get<double>() == Approx(0).margin(1e-9));
   CHECK(json::parse(self.out)["pairs"].size() == 5);
 }
+
+TEST_CASE("A part whose wrap would insert the same point for ever gets a box")
+{
+  std::string table = obj_table();
+  for (const std::string face : {"f 1 2 6 5 \n", "f 3 7 8 4 \n"}) { // below and above the top
+    REQUIRE(table.find(face) != std::string::npos);
+    table.erase(table.find(face), face.size());
+  }
+  const Temporary_folder folder;
+  const Run open = run("graph " + quoted(folder.write("open.obj", table)) + " --json -");
+  CHECK(open.status == 0);
+  CHECK_THAT(open.out, Contains("a surface around it is not found"));
+}

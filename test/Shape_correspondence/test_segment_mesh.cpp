@@ -3,12 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "part_meshes.h"
-
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/segment_mesh.h>
-
-#include <CGAL/Timer.h>
 
 #include <catch2/catch.hpp>
 
@@ -188,15 +184,4 @@ TEST_CASE("A closed surface without an inside stays one part")
   CHECK(segmentation.shape.parts().size() == 1);
   CHECK(segmentation.pieces_kept_whole == 1);
   CHECK(segment_mesh(dumb_bell()).pieces_kept_whole == 0);
-}
-
-TEST_CASE("A closed surface of needles, each of whose rays would meet most of them, stays one part")
-{
-  CGAL::Timer timer;
-  timer.start();
-  const Mesh_segmentation segmentation = segment_mesh(part_meshes::bipyramid(8000));
-  CHECK(segmentation.shape.parts().size() == 1);
-  CHECK(segmentation.pieces_kept_whole == 1);
-  CHECK(timer.time() < 20); // of processor time; measuring its thickness took minutes
-  CHECK(segment_mesh(part_meshes::bipyramid(500)).pieces_kept_whole == 0);
 }
