@@ -6,6 +6,8 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/segment_mesh.h>
 
+#include <Eigen/Geometry>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
