@@ -53,7 +53,7 @@ const Model& model(const std::string& name)
 Shape_blend blend_of(const Model& source, const Model& target, const Correspondence& correspondence)
 {
   Blend_options options;
-  options.samples = 2;
+  options.samples = 3; // one is half-way
   return Shape_blend(source.graph, source.shape, target.graph, target.shape, correspondence, options);
 }
 
