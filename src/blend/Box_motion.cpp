@@ -30,13 +30,16 @@ Box_motion_solver::Box_motion_solver(std::vector<Moving_body> bodies)
   constexpr double inertia = 0.005, stiffness = 0.02; // against 1, the weight of a contact
   for (std::size_t body = 0; body < bodies_.size(); ++body)
     for (int axis = 0; axis < 3; ++axis)
-      add(axis, body, body, bodies_[body].rigidity * Eigen::Vector2d(inertia, stiffness).asDiagonal());
+      add(axis, body, body, Eigen::Vector2d(inertia, stiffness).asDiagonal());
 }
 
 void Box_motion_solver::add_contact(std::size_t a, const Point& p, std::size_t b, const Point& q, double weight)
 {
   for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::Vector2d from = row(axis, a, p), to = row(axis, b, q);
+    const auto row = [&](std::size_t body, const Point& at) {
+      return Eigen::Vector2d(1, (at[axis] - bodies_[body].middle[axis]) / bodies_[body].size);
+    };
+    const Eigen::Vector2d from = row(a, p), to = row(b, q);
     add(axis, a, a, weight * from * from.transpose());
     add(axis, b, b, weight * to * to.transpose());
     add(axis, a, b, -weight * from * to.transpose());
@@ -45,13 +48,6 @@ void Box_motion_solver::add_contact(std::size_t a, const Point& p, std::size_t b
     right_.row(axis).segment<unknowns>(Eigen::Index(unknowns * a)) += step * from.transpose();
     right_.row(axis).segment<unknowns>(Eigen::Index(unknowns * b)) -= step * to.transpose();
   }
-}
-
-void Box_motion_solver::add_anchor(int axis, std::size_t body, const Point& p, double to, double weight)
-{
-  const Eigen::Vector2d from = row(axis, body, p);
-  add(axis, body, body, weight * from * from.transpose());
-  right_.row(axis).segment<unknowns>(Eigen::Index(unknowns * body)) += weight * (to - p[axis]) * from.transpose();
 }
 
 std::vector<Box_motion> Box_motion_solver::solve(double least_stretch, double most_stretch) const
@@ -71,11 +67,6 @@ std::vector<Box_motion> Box_motion_solver::solve(double least_stretch, double mo
     }
   }
   return result;
-}
-
-Eigen::Vector2d Box_motion_solver::row(int axis, std::size_t body, const Point& p) const
-{
-  return {1, (p[axis] - bodies_[body].middle[axis]) / bodies_[body].size};
 }
 
 void Box_motion_solver::add(int axis, std::size_t a, std::size_t b, const Eigen::Matrix2d& block)

@@ -30,8 +30,7 @@ struct Box_motion
 struct Moving_body
 {
   Point middle = Point::Zero();
-  double size = 1;     ///< a change of shape counts as much as a motion this far from the middle; not 0
-  double rigidity = 1; ///< how much its motion and change of shape count; more than 0
+  double size = 1; ///< a change of shape counts as much as a motion this far from the middle; not 0
 };
 
 /// Finds the motions of bodies that close the gaps of their contacts, in the least squares sense, with as little motion
@@ -44,9 +43,6 @@ public:
   /// Asks that `p` on body `a` and `q` on body `b` come to one place.
   void add_contact(std::size_t a, const Point& p, std::size_t b, const Point& q, double weight);
 
-  /// Asks that `p` on a body comes to a place along an axis.
-  void add_anchor(int axis, std::size_t body, const Point& p, double to, double weight);
-
   /// The motions, by body. Stretches are bounded: what is stretched more looks like another part, what is compressed
   /// more looks crushed.
   std::vector<Box_motion> solve(double least_stretch, double most_stretch) const;
@@ -54,8 +50,6 @@ public:
 private:
   static constexpr int unknowns = 2; // of a body and axis: the translation, and what the stretch adds
 
-  /// How far `p` moves along an axis, by the unknowns of its body.
-  Eigen::Vector2d row(int axis, std::size_t body, const Point& p) const;
   void add(int axis, std::size_t a, std::size_t b, const Eigen::Matrix2d& block);
 
   std::vector<Moving_body> bodies_;

@@ -123,36 +123,24 @@ void In_between_shape::ride_the_whole()
   }
 }
 
-/// Parts that come or go follow those that stay, which hold together and stand where they do.
 void In_between_shape::close_contacts()
 {
   constexpr double least_stretch = 0.7, most_stretch = 1.4, least_size = 1e-3;
-  constexpr double rigidity_of_unmatched = 0.05, weight_of_matched = 4, weight_of_ground = 10;
   std::vector<Moving_body> bodies(points_.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!is_there(i)) continue;
     const contacts::Box box = box_of(points_[i]);
-    bodies[i] = {box.center(), std::max(box.diagonal().norm() / 2, least_size),
-                 blend_.parts[i].morph ? 1 : rigidity_of_unmatched};
+    bodies[i] = {box.center(), std::max(box.diagonal().norm() / 2, least_size)};
   }
   Box_motion_solver solver(bodies);
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (is_there(i) && blend_.parts[i].morph && blend_.parts[i].stands) {
-      constexpr int up = 1;
-      Point foot = bodies[i].middle;
-      foot[up] = points_[i].row(up).minCoeff();
-      solver.add_anchor(up, i, foot, foot_level(i), weight_of_ground);
-    }
   for (const Kept_contact& contact : blend_.contacts) {
     const auto [a, b] = contact.parts;
-    const bool stay = blend_.parts[a].morph && blend_.parts[b].morph;
     if (!is_there(a) || !is_there(b)) continue;
     const auto at = [&](std::size_t part, const Carried_point& p) -> Point {
       return placements_[part] * blend_.parts[part].place(p, progress_[part], remaining_[part]);
     };
     for (const auto& [first, second] : contact.points)
-      solver.add_contact(a, at(a, first), b, at(b, second),
-                         stay ? weight_of_matched : std::min(remaining_[a], remaining_[b]));
+      solver.add_contact(a, at(a, first), b, at(b, second), std::min(remaining_[a], remaining_[b]));
   }
   const std::vector<Box_motion> motions = solver.solve(least_stretch, most_stretch);
   for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -163,12 +151,6 @@ void In_between_shape::close_contacts()
   }
 }
 
-double In_between_shape::foot_level(std::size_t part) const
-{
-  const std::array<double, 2>& foot = blend_.parts[part].foot;
-  return (1 - progress_[part]) * foot[0] + progress_[part] * foot[1];
-}
-
 /// Stretches a part that stands to its height above the ground, and one that is in the ground up out of it; what is
 /// highest stays. What would be stretched too much moves as a whole.
 void In_between_shape::put_on_ground(std::size_t part)
@@ -176,7 +158,7 @@ void In_between_shape::put_on_ground(std::size_t part)
   constexpr double least_stretch = 0.5, most_stretch = 2;
   const Blend_part& own = blend_.parts[part];
   const double low = points_[part].row(1).minCoeff(), high = points_[part].row(1).maxCoeff();
-  const double level = own.stands ? foot_level(part) : 0;
+  const double level = own.stands ? (1 - progress_[part]) * own.foot[0] + progress_[part] * own.foot[1] : 0;
   if (!own.stands && low >= 0) return;
   Eigen::Affine3d map = Eigen::Affine3d::Identity();
   const double stretch = high - low > no_extent ? (high - level) / (high - low) : 0;

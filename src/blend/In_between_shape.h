@@ -63,8 +63,6 @@ private:
   void set_progress(const Task_times& times, double t);
   void ride_the_whole();
   void close_contacts();
-  /// How high the foot of a part that stands is to be.
-  double foot_level(std::size_t part) const;
   void put_on_ground(std::size_t part);
   void fill_the_box();
   void place(std::size_t part, const Eigen::Affine3d& map);
