@@ -190,8 +190,11 @@ TEST_CASE("A part without counterpart thins where it is: a rod and a ring to a c
   CHECK(sizes(thin_plate.points(0.2)).isApprox(Point(1, 0.008, 0.3), 1e-6));
   CHECK(sizes(thin_plate.points(0)).isApprox(Point(1, 0, 0), 1e-6));
 
-  const Part_mesh block = box_shapes::box({0, 0, 0}, {1, 0.8, 0.6});
-  CHECK(sizes(thinning(block, Sheet{corners, 2, 2}).points(0.125)).isApprox(Point(0.5, 0.4, 0.3), 1e-6));
+  const Part_mesh square = box_shapes::box({0, 0, 0}, {0.8, 0.04, 0.6}); // to its middle, not a line
+  CHECK(sizes(thinning(square, Sheet{corners, 2, 2}).points(0)).norm() < 1e-6);
+
+  const Part_mesh block = box_shapes::box({0, 0, 0}, {1, 0.8, 0.7});
+  CHECK(sizes(thinning(block, Sheet{corners, 2, 2}).points(0.125)).isApprox(Point(0.5, 0.4, 0.35), 1e-6));
 
   constexpr int around = 24;
   Points circle(3, around);

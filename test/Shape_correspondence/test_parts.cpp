@@ -127,7 +127,7 @@ TEST_CASE("Objects of loose pieces are split, and what to type if they are not t
   const Run shown = run("parts " + model + " --html " + quoted(folder.path("parts.html")));
   CHECK(shown.status == 0);
   CHECK_THAT(shown.out, Contains("4 pieces, split into 4 parts") && Contains("wood#4"));
-  CHECK_THAT(text_of(folder.path("parts.html")), Contains("id=\"parts.glb\">Z2xURgIAAAA") && Contains("5 parts"));
+  CHECK_THAT(text_of(folder.path("parts.html")), Contains("id=\"parts.glb\">Z2xURgIAAA") && Contains("5 parts"));
   folder.write("models/a/table.obj", obj_table());
   folder.write("models/b/bad.obj", "v 0 0\n");
   const Run all = run("parts " + quoted(folder.path("models")) + " --all");

@@ -70,8 +70,10 @@ void check_accessors(const Glb& glb)
     const json& view = glb.document["bufferViews"][accessor["bufferView"].get<std::size_t>()];
     const std::size_t offset = view["byteOffset"], count = accessor["count"];
     const std::size_t components = accessor["type"] == "VEC3" ? 3 : 1;
-    REQUIRE(view["byteLength"] == count * components * 4);
-    REQUIRE(offset + count * components * 4 <= glb.buffer.size());
+    const std::size_t bytes = accessor["componentType"] == 5123 ? 2 : 4; // numbers of 16 bits, or of 32
+    REQUIRE(view["byteLength"] == count * components * bytes);
+    REQUIRE(offset % 4 == 0);
+    REQUIRE(offset + count * components * bytes <= glb.buffer.size());
     if (!accessor.contains("min")) continue;
     for (std::size_t i = 0; i < 3 * count; ++i) {
       const float value = float_at(glb.buffer, offset + 4 * i);
@@ -100,7 +102,7 @@ void check_normals(const Glb& glb)
       for (std::size_t t = 0; t < indices["count"].get<std::size_t>(); t += 3) {
         std::uint32_t v[3];
         for (std::size_t k = 0; k < 3; ++k)
-          v[k] = number_at(glb.buffer, offset + 4 * (t + k));
+          v[k] = number_at(glb.buffer, offset + 2 * (t + k)) & 0xFFFF; // fewer than 2^16 - 1 points
         const Point a = vector_at(glb, positions, v[0]);
         const Point face = (vector_at(glb, positions, v[1]) - a).cross(vector_at(glb, positions, v[2]) - a);
         for (std::uint32_t i : v) {
