@@ -72,8 +72,7 @@ void build_graph(const Common_options& common, const Structure_options& options,
 void check_has_parts(const Part_split& split, const Common_options& common)
 {
   if (split.shape.parts().size() > 1) return;
-  std::string why =
-      "of one piece, which has no segments either; cut it into objects in a program for modelling";
+  std::string why = "of one piece, which has no segments either; cut it into objects in a program for modelling";
   if (split.pieces.size() > 1)
     why = "of " + std::to_string(split.pieces.size()) + " pieces; " +
           (common.parts_from.empty() ? "say --parts components" : "name several parts in " + common.parts_from);

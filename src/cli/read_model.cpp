@@ -83,10 +83,9 @@ void warn_of_changes(const std::string& path, Read_model& model)
 {
   const Part_split& split = model.split;
   if (split.by_segments) {
-    model.warnings.push_back(
-        "The model is one piece: its parts come from an automatic segmentation, which is "
-        "rough; `shape_correspondence parts " +
-        path + " --html F` shows them.");
+    model.warnings.push_back("The model is one piece: its parts come from an automatic segmentation, which is "
+                             "rough; `shape_correspondence parts " +
+                             path + " --html F` shows them.");
     return;
   }
   if (split.by_materials)

@@ -190,7 +190,10 @@ namespace {
 /// What `mpirun` runs with some processes. \param wrapper of the program, for the shell; empty: none
 int run_in_team(const std::string& processes, const std::string& arguments, const std::string& wrapper = "")
 {
-  return std::system((SHAPE_CORRESPONDENCE_MPIRUN " --allow-run-as-root --oversubscribe -n " + processes + " " +
+  // mpirun itself may wait for ever for a process that was killed as it began
+  const std::string seconds = wrapper.empty() ? "120" : "20";
+  return std::system(("timeout -s KILL " + seconds +
+                      " " SHAPE_CORRESPONDENCE_MPIRUN " --allow-run-as-root --oversubscribe -n " + processes + " " +
                       wrapper + quoted(SHAPE_CORRESPONDENCE_MPI_PROGRAM) + " collection " + arguments + " 2>/dev/null")
                          .c_str());
 }
