@@ -189,6 +189,8 @@ def main():
         if not os.path.isdir(folder) or (only and category not in only):
             continue
         names = sorted(name[:-4] for name in os.listdir(folder) if name.endswith(".off"))
+        if not names:
+            continue
         meshes = [Labelled_mesh(folder, name) for name in names]
         if kinds:
             for mesh in meshes:
