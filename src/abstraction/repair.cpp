@@ -99,6 +99,27 @@ std::vector<Halfedge_mesh> components_by_area(const Halfedge_mesh& mesh)
   return result;
 }
 
+/// Whether points of a border stay apart when CGAL's filling by a planar triangulation projects them along the mean of
+/// the border's normals, all turned to one side. Where two become one, it crashes (CGAL 5.5).
+bool projects_apart(const std::vector<Halfedge_mesh::Point>& border)
+{
+  constexpr double least_sine = 1e-6;
+  Mesh_kernel::Vector_3 normal(0, 0, 0);
+  for (std::size_t i = 1; i + 1 < border.size(); ++i) {
+    const auto n = CGAL::normal(border[0], border[i], border[i + 1]);
+    const double side = n.x() != 0 ? n.x() : n.y() != 0 ? n.y() : n.z();
+    normal = side > 0 ? normal + n : normal - n;
+  }
+  const double length = std::sqrt(normal.squared_length());
+  for (std::size_t i = 0; i < border.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto apart = border[i] - border[j];
+      const double across = std::sqrt(CGAL::cross_product(apart, normal).squared_length());
+      if (!(across > least_sine * std::sqrt(apart.squared_length()) * length)) return false;
+    }
+  return true;
+}
+
 /// Closes all holes by flat or minimal patches.
 /// \return whether that gave a solid to rely on; `mesh` is unchanged if not
 /// \throw Out_of_time
@@ -125,9 +146,12 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
   for (auto h : borders) {
     deadline.check();
     std::vector<Halfedge_mesh::Face_index> patch;
+    std::vector<Halfedge_mesh::Point> border;
+    for (auto vertex : vertices_around_face(h, filled))
+      border.push_back(filled.point(vertex));
     // The search in a 3D Delaunay triangulation does not always fill the same hole alike
-    const auto parameters =
-        CGAL::parameters::use_2d_constrained_delaunay_triangulation(true).use_delaunay_triangulation(false);
+    const auto parameters = CGAL::parameters::use_2d_constrained_delaunay_triangulation(projects_apart(border))
+                                .use_delaunay_triangulation(false);
     PMP::triangulate_hole(filled, h, std::back_inserter(patch), parameters);
   }
   if (!CGAL::is_closed(filled) || PMP::does_self_intersect(filled)) return false;

@@ -388,3 +388,19 @@ TEST_CASE("Another abstractor can be put in place of the skeletonizer")
                       "part 'leg': the abstractor returned too few points; correct it or use another one");
   }
 }
+
+TEST_CASE("A hole around an edge is filled, also where the mean of its normals projects two corners to one place")
+{
+  Points corners(3, 8);
+  corners << 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1;
+  Eigen::Matrix3Xi triangles(3, 10); // of a cube, without (1, 3, 2) and (1, 2, 6)
+  triangles << 1, 1, 0, 0, 0, 0, 3, 3, 4, 4, 0, 6, 4, 7, 1, 5, 7, 6, 5, 6, 3, 5, 7, 3, 5, 4, 6, 2, 6, 7;
+  // Whatever corner of the hole is the first one
+  for (int axis = 0; axis < 3; ++axis) {
+    Part_mesh mesh{corners, triangles};
+    for (int i = 0; i < axis; ++i)
+      mesh.points = Points(Eigen::PermutationMatrix<3>(Eigen::Vector3i(1, 2, 0)) * mesh.points);
+    const internal::Deadline deadline(1e9);
+    CHECK_NOTHROW(internal::repair_part(mesh, deadline));
+  }
+}
