@@ -249,8 +249,7 @@ void add_match_options(Option_table& table, Match_options& match)
       choice<Deform_to_fit>(search.matching.fit,
                             {{"samples", Deform_to_fit::SAMPLES}, {"extremities", Deform_to_fit::EXTREMITIES}}),
       "how a matched part is deformed: samples (it becomes the other part) or extremities (its ends or corners take "
-      "the "
-      "places of the other's, and it keeps its bow in between, as in the paper). Default with --paper: extremities")
+      "the places of the other's, and it keeps its bow in between, as in the paper). Default with --paper: extremities")
       .in_python("deform_to_fit");
   add("proximity", "HOW", choice<bool>(search.matching.hard_proximity, {{"soft", false}, {"hard", true}}),
       "how parts that are not matched yet follow those that they touch, for the beam search: soft (they resist being "

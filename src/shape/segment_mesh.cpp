@@ -28,6 +28,8 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
                                const Point& up)
 {
   if (options.patches < 1) throw Invalid_input("the number of patches of a segmentation is 0; give at least 1");
+  if (!(options.probability > 0 && options.probability < 1) || !(options.least_area >= 0 && options.least_area <= 1))
+    throw Invalid_input("the probability and the least area of a segmentation must be between 0 and 1");
   Halfedge_mesh surface = manifold_surface(mesh);
   std::vector<Halfedge_mesh> components;
   CGAL::Polygon_mesh_processing::split_connected_components(surface, components);

@@ -389,7 +389,7 @@ TEST_CASE("Another abstractor can be put in place of the skeletonizer")
   }
 }
 
-TEST_CASE("A hole around an edge is filled, also where the mean of its normals projects two corners to one place")
+TEST_CASE("A hole around an edge is filled")
 {
   Points corners(3, 8);
   corners << 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1;

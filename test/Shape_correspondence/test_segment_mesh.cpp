@@ -153,6 +153,18 @@ TEST_CASE("Thick and thin pieces of a mesh become parts")
   }
 }
 
+TEST_CASE("Options of a segmentation that are out of their ranges are refused")
+{
+  for (const double wrong : {-0.1, 1.1, std::nan("")}) {
+    Segmentation_options options;
+    options.probability = wrong;
+    CHECK_THROWS_AS(segment_mesh(dumb_bell(), options), Invalid_input);
+    options = {};
+    options.least_area = wrong;
+    CHECK_THROWS_AS(segment_mesh(dumb_bell(), options), Invalid_input);
+  }
+}
+
 TEST_CASE("Connected components are parts, open ones as they are")
 {
   CHECK(segment_mesh(twice(dumb_bell())).shape.parts().size() == 6);

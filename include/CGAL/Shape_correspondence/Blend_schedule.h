@@ -32,12 +32,12 @@ enum class Blend_task_type {
 /// \ingroup PkgShapeCorrespondenceMaps
 /// Why the surface of a part does not become that of its counterpart, but is *exchanged* for it on the way.
 enum class Blend_exchange {
-  NONE,     ///< it is not
-  TORN,     ///< it would be torn or folded
-  THIN,     ///< it would be far thinner than at both ends
+  NONE,      ///< it is not
+  TORN,      ///< it would be torn or folded
+  THIN,      ///< it would be far thinner than at both ends
   UNMATCHED, ///< the two do not correspond; neither has a counterpart, and they are alike in place and size
-  UNLIKE     ///< it would have to turn, to change its proportions or to be cut up too much: the part thins, its
-             ///< counterparts thicken, each by itself in the box that goes from those of the ones to those of the others
+  UNLIKE     ///< it would have to turn, to change its proportions or to be cut up too much: it thins in place while its
+             ///< counterparts thicken in theirs
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps

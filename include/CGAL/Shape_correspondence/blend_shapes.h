@@ -49,13 +49,14 @@ struct Blend_surface
 ///   the axes of the source; the source and the target are the inputs, moved there.
 /// - *Layout*: every matched part has a box at either end, and goes straight from the one to the other in place, size
 ///   and rotation; the axes of boxes are paired for the least rotation. Then all parts are moved and
-///   stretched along the axes as little as it takes to keep contacts; mirror images stay that, what stands on the ground stands, and the whole has the
-///   height, width and depth that are due between the ends.
+///   stretched along the axes as little as it takes to keep contacts; mirror images stay that, what stands on the
+///   ground stands, and the whole has the height, width and depth that are due between the ends.
 /// - *Matched parts* morph in their boxes: along their curves and sheets, with rotation-minimising frames, unless boxes
 ///   change less. A part that corresponds to many is cut into closed pieces, one for each. Where a surface would be
 ///   torn or crushed on the way, the two are *exchanged* in place: the one thickens in the middle of the other, which
 ///   then thins (`Blend_exchange`). So are parts without counterpart that are alike in place and size.
-/// - Parts that are too *unlike* their counterparts, as they would have to turn, to change their proportions, to travel or
+/// - Parts that are too *unlike* their counterparts, as they would have to turn, to change their proportions, to travel
+/// or
 ///   to be cut up too much, thin in place while their counterparts thicken, both in the box that goes from the one's to
 ///   the other's (`Blend_exchange::UNLIKE`).
 /// - *Unmatched parts* go with the box of the whole, and thin or thicken in place: rods and rings to their curves,
@@ -63,7 +64,8 @@ struct Blend_surface
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two, and both move alike.
 ///
-/// Closing gaps moves parts and stretches them along the axes, by factors between 0.7 and 1.4 only; `check()` reports gaps that remain.
+/// Closing gaps moves parts and stretches them along the axes, by factors between 0.7 and 1.4 only; `check()` reports
+/// gaps that remain.
 ///
 /// The schedule with the best `Blend_quality` is used, that is the least sum of its measures,
 /// each divided by its tolerance. `check()` returns which tolerances are exceeded. Deterministic.
