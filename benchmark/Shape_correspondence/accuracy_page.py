@@ -136,12 +136,15 @@ def confidence(results):
 
 
 def abstraction(results):
-    rows = results.rows("Methods of part abstraction: deviations from the true curves and sheets, and F1 of matching: "
-                        "generated shapes")
+    title = ("Methods of part abstraction: deviations from the true curves and sheets, and F1 of matching: "
+             "generated shapes")
+    rows = results.rows(title)
+    is_old = "\nCommit " not in results.section(title)
+    note = "\nThis table is older than the other figures of the flow in this manual.\n" if is_old else ""
     heads = ["abstraction", "kinds as stated", "curves off by, median", "sheets off by, median", "F1 paper", "F1 default",
              "CPU s / shape"]
     return table(["abstraction", "right kinds", "curves, median", "sheets, median", "F1 of the paper's method", "F1 default",
-                  "seconds per shape"], [[row[head] for head in heads] for row in rows])
+                  "seconds per shape"], [[row[head] for head in heads] for row in rows]) + note
 
 
 def search(results):
