@@ -154,7 +154,7 @@ class Fitter : public Solid_abstractor
         return;
       }
     }
-    const Fitted_curve fitted = contracted_curve(solid, poles, axis.points);
+    const Fitted_curve fitted = contracted_curve(solid, axis.points);
     const bool is_net = fitted.residual > (fitted.curve.closed ? 0.5 : 1.) * most; // a ring is its whole skeleton
     if (wanted_kind() == Abstraction_kind::AUTOMATIC &&
         (report().tube || (is_net && is_flat(box.extents)) || (kind == Intrinsic_kind::FLAT && !fitted.curve.closed))) {
@@ -177,10 +177,10 @@ private:
   }
 
   /// The curve that the flow finds. Whether the part is a tube shows on the way.
-  Fitted_curve contracted_curve(const Part_mesh& solid, const Points& poles, const Points& axis)
+  Fitted_curve contracted_curve(const Part_mesh& solid, const Points& axis)
   {
     const double tube_area = 0.5; // share of the area that a tube has left when its volume is gone
-    Stepwise_flow flow(solid, poles, options().maximum_iterations, deadline());
+    Stepwise_flow flow(solid, options().maximum_iterations, deadline());
     flow.run_to_volume(options().stop_volume);
     const double area_kept = flow.area_kept();
     flow.run_to_convergence();

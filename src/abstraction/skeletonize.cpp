@@ -2,49 +2,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "abstraction/skeletonize.h"
-#include "abstraction/contraction.h"
 #include "abstraction/reproducible_flow.h"
 #include "abstraction/surface_samples.h"
 #include "shape/meshes.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 class Stepwise_flow::State
 {
 public:
-  /// \param poles of the vertices; null: as CGAL finds them
-  State(const Part_mesh& mesh, const Points* poles, int iterations, const Deadline& deadline)
-      : has_poles_(poles != nullptr),
-        most_iterations_(iterations),
+  State(const Part_mesh& mesh, int iterations, const Deadline& deadline)
+      : most_iterations_(iterations),
         deadline_(&deadline),
         flow_(to_halfedge_mesh(mesh)),
-        original_vertices_(std::size_t(mesh.points.cols())),
         original_area_(surface_area(mesh)),
         original_volume_(enclosed_volume(mesh)),
         mesh_(mesh_of_flow()),
         area_(original_area_),
         volume_(original_volume_)
-  {
-    if (has_poles_) {
-      for (auto v : vertices(flow_mesh()))
-        v->pole = to_mesh_point(poles->col(Eigen::Index(v->vertices.front().idx())));
-    }
-  }
+  {}
 
   void step()
   {
     if (iterations_ == most_iterations_) throw Flow_failure("the flow needs more iterations than allowed");
     ++iterations_;
-    if (has_poles_)
-      contract_to_poles();
-    else
-      flow_.contract_geometry();
+    flow_.contract_geometry();
     deadline_->check();
     flow_.collapse_edges();
     deadline_->check();
@@ -64,7 +49,6 @@ public:
 
   void set_weights(const Flow_weights& weights)
   {
-    weights_ = weights;
     flow_.set_quality_speed_tradeoff(weights.velocity);
     flow_.set_medially_centered_speed_tradeoff(weights.medial);
   }
@@ -112,39 +96,11 @@ private:
     return result;
   }
 
-  /// Its descriptors, like those of every face graph of CGAL, give access to what they describe, so that vertices can
-  /// be moved between the steps of the flow.
   const Flow_mesh& flow_mesh() const { return flow_.meso_skeleton(); }
 
-  Contracting_mesh contracting_mesh() const
-  {
-    Contracting_mesh result;
-    result.mesh = mesh_;
-    result.poles.setConstant(3, result.mesh.points.cols(), std::numeric_limits<double>::quiet_NaN());
-    Eigen::Index i = 0;
-    for (auto v : vertices(flow_mesh())) {
-      result.fixed.push_back(v->is_fixed);
-      // Vertices that splits have made have no pole.
-      if (v->id() < original_vertices_) result.poles.col(i) = to_point(v->pole);
-      ++i;
-    }
-    return result;
-  }
-
-  void contract_to_poles()
-  {
-    const Points moved = contracted(contracting_mesh(), weights_);
-    Eigen::Index i = 0;
-    for (auto v : vertices(flow_mesh()))
-      v->point() = to_mesh_point(moved.col(i++));
-  }
-
-  bool has_poles_;
   int most_iterations_;
   const Deadline* deadline_;
   Flow flow_;
-  Flow_weights weights_;
-  std::size_t original_vertices_;
   double original_area_, original_volume_;
   Part_mesh mesh_; // what the flow has made of the mesh
   double area_, volume_;
@@ -153,11 +109,7 @@ private:
 };
 
 Stepwise_flow::Stepwise_flow(const Part_mesh& mesh, int iterations, const Deadline& deadline)
-    : state_(std::make_unique<State>(mesh, nullptr, iterations, deadline))
-{}
-
-Stepwise_flow::Stepwise_flow(const Part_mesh& mesh, const Points& poles, int iterations, const Deadline& deadline)
-    : state_(std::make_unique<State>(mesh, &poles, iterations, deadline))
+    : state_(std::make_unique<State>(mesh, iterations, deadline))
 {}
 
 Stepwise_flow::~Stepwise_flow() = default;

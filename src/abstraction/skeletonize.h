@@ -24,15 +24,13 @@ struct Flow_weights
 /// For the meso-skeleton: at CGAL's speed, a narrow sheet may become a curve in the first step.
 constexpr Flow_weights slow_flow{0.3, 0.6};
 
-/// The mean curvature flow of one closed mesh (Tagliasacchi et al. 2012), run step by step.
+/// The mean curvature flow of one closed mesh (Tagliasacchi et al. 2012), run step by step:
+/// `CGAL::Mean_curvature_flow_skeletonization`, as it is.
 class Stepwise_flow
 {
 public:
-  /// `CGAL::Mean_curvature_flow_skeletonization`, as it is.
   /// \param iterations the flow fails that needs more
   Stepwise_flow(const Part_mesh& mesh, int iterations, const Deadline& deadline);
-  /// The same equations, solved by `contracted()`, with given poles of the vertices, which is faster.
-  Stepwise_flow(const Part_mesh& mesh, const Points& poles, int iterations, const Deadline& deadline);
   ~Stepwise_flow();
   Stepwise_flow(const Stepwise_flow&) = delete;
   Stepwise_flow& operator=(const Stepwise_flow&) = delete;

@@ -1,4 +1,3 @@
-#include "abstraction/medial_poles.h"
 #include "abstraction/remesh.h"
 #include "abstraction/repair.h"
 #include "abstraction/skeletonize.h"
@@ -146,7 +145,7 @@ TEST_CASE("Long steps look at the clock again and again, and stop when the time 
   SECTION("the flow")
   {
     check_that_it_stops(9, [&](const internal::Deadline& deadline) {
-      internal::Stepwise_flow flow(solid, internal::medial_poles(solid), 300, deadline);
+      internal::Stepwise_flow flow(solid, 300, deadline);
       flow.run_to_convergence();
     });
   }

@@ -1,4 +1,3 @@
-#include "abstraction/medial_poles.h"
 #include "abstraction/remesh.h"
 #include "abstraction/reproducible_flow.h"
 #include "abstraction/skeletonize.h"
@@ -59,10 +58,6 @@ TEST_CASE("Step by step, the flow leaves the skeleton that CGAL's leaves in one 
   CHECK(stepwise.area_kept() < 0.5);
   stepwise.run_to_convergence();
   CHECK(sorted(stepwise.curve_skeleton().points) == sorted(expected_points));
-  // The medial poles of the package are near to CGAL's, but not the same
-  internal::Stepwise_flow nearest(solid, internal::medial_poles(solid), 300, deadline);
-  nearest.run_to_convergence();
-  CHECK(sorted(nearest.curve_skeleton().points) != sorted(expected_points));
 }
 
 TEST_CASE("The converged skeleton of a leg is a curve, which the flow has shortened")

@@ -18,9 +18,9 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-/// Raise it with every change that makes another graph of the same shape and options. Before 13, the flow was as fast
-/// as CGAL's default, and contacts at closest points were taken for those in the middle.
-constexpr int algorithms_version = 13;
+/// Raise it with every change that makes another graph of the same shape and options. Before 14, steps of the flow
+/// were not CGAL's.
+constexpr int algorithms_version = 14;
 
 /// Values in their bytes, one after the other.
 class Bytes
