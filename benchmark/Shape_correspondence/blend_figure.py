@@ -24,6 +24,12 @@ def write_figure(program, source, target, out, frames, options=()):
 
 
 def draw_frames(folder, out):
+    picture = Picture(len(os.listdir(folder)))
+    draw_row(picture, folder, 0)
+    picture.write(out)
+
+
+def draw_row(picture, folder, row):
     """Draws the frames in a folder of OBJ files, the first one the source and the last one the target."""
     shapes = [read_obj(os.path.join(folder, name)) for name in sorted(os.listdir(folder))]
     numbers = {}  # of source parts that stay
@@ -41,11 +47,9 @@ def draw_frames(folder, out):
 
     def colour_by(known):
         return lambda name: numbered_colour(known[name]) if name in known else GREY
-    picture = Picture(len(shapes))
     for i, parts in enumerate(shapes):
         colours = {0: colour_by(of_source), len(shapes) - 1: colour_by(of_target)}
-        picture.draw(parts, colours.get(i, colour_in_between), i)
-    picture.write(out)
+        picture.draw(parts, colours.get(i, colour_in_between), i, row)
 
 
 def main():

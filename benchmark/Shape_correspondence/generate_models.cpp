@@ -33,7 +33,7 @@ constexpr int bad_input = 1, bad_usage = 2;
 struct Options
 {
   bool help = false, list = false, single_file = false, raw = false, textured = false, benchmark = false;
-  bool degrades = false, random_styles = false;
+  bool gallery = false, degrades = false, random_styles = false;
   gen::Degradation degradation;
   std::uint64_t seed = 1;
   std::string folder;
@@ -42,7 +42,8 @@ struct Options
 const char* const help_text =
     R"(Usage: generate_models [--single-file | --raw | --textured] OUTPUT_FOLDER
        generate_models --benchmark [--random-styles] [--degrade WAYS] [--seed N] OUTPUT_FOLDER
-       generate_models [--benchmark] --list
+       generate_models --gallery OUTPUT_FOLDER
+       generate_models [--benchmark | --gallery] --list
 
 Writes labelled models of man-made shapes; the same bytes every time.
   OUTPUT_FOLDER/NAME/parts/PART.obj  one closed mesh a part; metres, y up, front +z, left +x
@@ -56,6 +57,7 @@ Writes labelled models of man-made shapes; the same bytes every time.
                  flips show
   --benchmark    make the shapes that methods are compared on instead, fifteen of each of six categories, in
                  OUTPUT_FOLDER/CATEGORY/NAME
+  --gallery      make boats and carts, three of each, in OUTPUT_FOLDER/CATEGORY/NAME
   --random-styles  draw their styles, too: shapes that no method was set on
   --degrade      make them worse; WAYS are any of segmentation, open, gaps, noise, scale, rotation, with commas
                  in between: parts cut and joined, surfaces with holes, parts that do not meet, vertices off
@@ -100,6 +102,8 @@ Options parsed(int argc, char** argv)
       options.textured = true;
     else if (word == "--benchmark")
       options.benchmark = true;
+    else if (word == "--gallery")
+      options.gallery = true;
     else if (word == "--degrade") {
       options.degrades = true;
       options.degradation = parsed_ways(line.value());
@@ -115,6 +119,8 @@ Options parsed(int argc, char** argv)
   }
   if (options.raw + options.single_file + options.textured > 1)
     throw std::invalid_argument("of --raw, --single-file and --textured, only one may be given");
+  if (options.gallery && options.benchmark)
+    throw std::invalid_argument("of --benchmark and --gallery, only one may be given");
   if (options.degrades && !options.benchmark) throw std::invalid_argument("--degrade is of --benchmark");
   if (options.random_styles && !options.benchmark) throw std::invalid_argument("--random-styles is of --benchmark");
   if (!options.help && !options.list && options.folder.empty()) throw std::invalid_argument("no output folder");
@@ -134,6 +140,7 @@ std::vector<gen::Assembly> shapes(const Options& options)
 {
   if (options.random_styles) return gen::random_shapes(options.seed);
   if (options.benchmark) return gen::benchmark_shapes();
+  if (options.gallery) return gen::gallery_shapes();
   std::vector<gen::Assembly> result;
   for (const gen::Model& model : gen::models())
     result.push_back(model.make());
@@ -152,7 +159,8 @@ void write_models(const Options& options)
   for (gen::Assembly shape : shapes(options)) {
     if (options.degrades) shape = gen::degraded(std::move(shape), options.degradation, seed);
     seed += 100;
-    const fs::path folder = options.benchmark ? fs::path(options.folder) / shape.category : fs::path(options.folder);
+    const fs::path folder =
+        options.benchmark || options.gallery ? fs::path(options.folder) / shape.category : fs::path(options.folder);
     for (const auto& [path, content] : files_of(shape, options))
       write(folder / path, content);
   }

@@ -17,14 +17,16 @@ import subprocess
 import tempfile
 
 import blend_figure
+from blend_study import find_model
 from contact_sheet import screenshot
 from picture import GREY, Picture, colours_of_match, connected_blocks, numbered_colour, read_model
 
 DEMO = "chair_four_legged", "chair_swivel"
 CHAIRS = ["chair_four_legged", "chair_slatted", "chair_spindle", "chair_swivel", "stool"]
-# Generated shapes of different topology, of every category but beds
-GALLERY = [("airplane", "biplane", "biplane_twin"), ("chair", "office_slats", "windsor_arms"), ("lamp", "desk_clamp", "desk_three_rods"),
-           ("table", "leaves_up", "writing"), ("velocipede", "tandem", "tandem_step_through"), ("bed", "cot_bars", "slats")]
+# Generated shapes of different topology; the first pair is the main example of the paper
+GALLERY = [("velocipede", "city", "adult_tricycle"), ("airplane", "biplane", "biplane_twin"), ("chair", "office_slats", "windsor_arms"),
+           ("lamp", "desk_clamp", "desk_three_rods"), ("table", "leaves_up", "writing"), ("bed", "cot_bars", "slats"),
+           ("boat", "dinghy", "yawl"), ("cart", "handcart", "wagon")]
 WIDTH, HEIGHT = 1000, 520  # of a screenshot
 
 
@@ -294,16 +296,30 @@ class Pictures:
 
     def gallery_figure1(self):
         """Figures 1 and 9: correspondences by the method of the paper."""
-        folder = self.generated("--benchmark")
-        picture = Picture(6, 2)
+        folders = [self.generated("--benchmark"), self.generated("--gallery")]
+        picture = Picture(8, 2)
         for i, (category, a, b) in enumerate(GALLERY):
-            shapes = [os.path.join(folder, category, f"{category}_{name}") for name in (a, b)]
-            self.draw_pair(picture, *shapes, options=["--paper"], column=i % 3 * 2, row=i // 3)
+            folder = next(path for path in (os.path.join(f, category) for f in folders) if os.path.isdir(path))
+            shapes = [os.path.join(folder, f"{category}_{name}") for name in (a, b)]
+            self.draw_pair(picture, *shapes, options=["--paper"], column=i % 4 * 2, row=i // 4)
         picture.write(self.out("gallery_figure1"))
 
-    def gallery_figure12(self):
-        """Figure 12: blends."""
+    def blend(self):
         blend_figure.write_figure(self.args.program, self.data("table_pedestal"), self.data("table_trestle"), self.out("blend"), 7)
+
+    def gallery_figure12(self):
+        """Figure 12: blends, of the pairs that `results.py` measures, too."""
+        folders, frames = [self.generated("--benchmark"), self.generated("--gallery")], 7
+        with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "figure12_pairs.txt")) as file:
+            pairs = [line.split() for line in file if line.strip() and not line.startswith("#")]
+        picture = Picture(frames, len(pairs))
+        for row, (category, *names) in enumerate(pairs):
+            source, target = (find_model(folders, category, name) for name in names)
+            with tempfile.TemporaryDirectory() as scratch:
+                out = os.path.join(scratch, "frames")
+                self.run("blend", source, target, "-o", out, "--frames", str(frames))
+                blend_figure.draw_row(picture, out, row)
+        picture.write(self.out("gallery_figure12"))
 
     def gallery_figure13(self):
         """Figure 13: a pair directly, and by way of the chain of least energy."""

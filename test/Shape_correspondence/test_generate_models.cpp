@@ -322,6 +322,24 @@ TEST_CASE("the benchmark has fifteen whole shapes of each category, the same bit
   CHECK(hash_of(shapes) == 0xf6e58f439869a403);
 }
 
+TEST_CASE("boats and carts of the gallery are whole, and the same bits every time", "[benchmark_shapes]")
+{
+  const std::vector<gen::Assembly> shapes = gen::gallery_shapes();
+  std::map<std::string, int> counts;
+  for (const gen::Assembly& shape : shapes) {
+    INFO(shape.name);
+    ++counts[shape.category];
+    CHECK(number_of_pieces(shape) == 1);
+    for (const gen::Part& part : shape.parts) {
+      INFO(part.name);
+      CHECK(is_closed(part.solid.mesh));
+      CHECK_FALSE(part.label.coarse.empty());
+    }
+  }
+  CHECK(counts == std::map<std::string, int>{{"boat", 3}, {"cart", 3}});
+  CHECK(hash_of(shapes) == hash_of(gen::gallery_shapes()));
+}
+
 TEST_CASE("raw models have one object for each coarse label, z up, and all faces")
 {
   const auto lines_of = [](const gen::Files& files, const std::string& keyword) {

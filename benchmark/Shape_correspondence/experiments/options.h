@@ -36,6 +36,16 @@ inline Dataset load(const std::string& folder, const Options& options)
   return dataset;
 }
 
+/// The categories of DATA, and those of FURTHER_DATA after them.
+inline Dataset with_further_data(const Dataset& of_data, const Options& options)
+{
+  Dataset dataset = of_data;
+  for (std::size_t i = 1; i < options.data.size(); ++i)
+    for (const Category& category : load(options.data[i], options))
+      dataset.push_back(category);
+  return dataset;
+}
+
 inline std::ofstream picture(const Options& options, const std::string& name)
 {
   fs::create_directories(options.out);

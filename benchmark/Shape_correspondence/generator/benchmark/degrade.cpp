@@ -5,6 +5,8 @@
 
 #include "degrade.h"
 
+#include "../surface_distance.h"
+
 namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {

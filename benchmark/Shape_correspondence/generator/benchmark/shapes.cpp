@@ -7,6 +7,8 @@
 
 #include "aeroplane_designs.h"
 #include "bed_designs.h"
+#include "boat_designs.h"
+#include "cart_designs.h"
 #include "chair_designs.h"
 #include "lamp_designs.h"
 #include "table_designs.h"
@@ -39,6 +41,14 @@ std::vector<Assembly> benchmark_shapes()
   add_shapes(table_designs(), 500, table, shapes);
   for (const Assembly& velocipede : velocipedes(600))
     shapes.push_back(velocipede);
+  return shapes;
+}
+
+std::vector<Assembly> gallery_shapes()
+{
+  std::vector<Assembly> shapes = boats();
+  for (const Assembly& cart : carts())
+    shapes.push_back(cart);
   return shapes;
 }
 

@@ -16,6 +16,9 @@ namespace generator {
 /// from fixed seeds.
 std::vector<Assembly> benchmark_shapes();
 
+/// Boats and carts, three of each: further kinds of the paper's gallery, which no method is set or compared on.
+std::vector<Assembly> gallery_shapes();
+
 } // namespace generator
 } // namespace Shape_correspondence
 } // namespace CGAL
