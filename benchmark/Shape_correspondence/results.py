@@ -119,14 +119,17 @@ def table(args, programs, data, further_data, name, pairs, out, generated):
 
 
 def commit():
-    describe = ["git", "-C", HERE, "describe", "--always", "--dirty", "--exclude", "*"]
-    return subprocess.run(describe, stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
+    """The commit that is measured, `-dirty` if more than the results has changed since."""
+    git = lambda *words: subprocess.run(["git", "-C", HERE, *words], stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
+    written = "RESULTS.md", "The_paper.txt", "Accuracy.txt"
+    changed = [file for file in git("diff", "--name-only", "HEAD").splitlines() if os.path.basename(file) not in written]
+    return git("rev-parse", "--short", "HEAD") + "-dirty" * bool(changed)
 
 
 def figure12(args, out, folders):
     pairs = os.path.join(HERE, "figure12_pairs.txt")
     command = [os.path.join(HERE, "blend_study.py"), os.path.join(args.build, "shape_correspondence"), os.path.join(out, "figure12"), "--data", *folders,
-               "--pairs", pairs, "--frames", "25", "--cache", os.path.join(args.work, "cache")]
+               "--pairs", pairs, "--frames", "25", "--no-pictures", "--cache", os.path.join(args.work, "cache")]
     done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
     return (f"## Figure 12: blends: generated shapes\n\n`blend_study.py PROGRAM OUT --data DATA GALLERY --pairs figure12_pairs.txt --frames 25`\n\n{FIGURE12_NOTE}\n\n"
             f"{done.stdout.strip()}\n\nCommit {commit()}.\n")
