@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/documents/collection_json.h"
 #include "io/system/colours.h"
 #include "io/write/part_labels.h"
 #include "io/write/pictures.h"
@@ -22,13 +23,15 @@ namespace {
 using Models = std::function<std::optional<Segmented_shape>(std::size_t)>;
 
 constexpr std::size_t collection_triangles = 400000, fewest_of_shape = 400;
+constexpr std::size_t most_fine = 50; // shapes whose curves and sheets are drawn as in a picture of one pair
 
-/// The shapes with their surfaces simplified, parts in the colours of their clusters.
+/// The shapes, their surfaces or else curves and sheets simplified, parts in the colours of their clusters.
 class Collection_models
 {
 public:
   Collection_models(std::size_t shapes, int labels)
-      : triangles_of_shape_(std::max(fewest_of_shape, collection_triangles / std::max<std::size_t>(1, shapes)))
+      : triangles_of_shape_(std::max(fewest_of_shape, collection_triangles / std::max<std::size_t>(1, shapes))),
+        is_coarse_(shapes > most_fine)
   {
     int number = 0;
     for (const Colour& colour : distinct_colours(std::size_t(labels)))
@@ -44,7 +47,9 @@ public:
     const Drawn_shape drawn(graph, simplified ? &*simplified : nullptr, 0);
     std::vector<int> nodes;
     for (std::size_t part = 0; part < drawn.number_of_parts(); ++part) {
-      Drawn_mesh mesh = drawn.model() ? drawn.flat_surface(part) : drawn.abstraction(part);
+      Drawn_mesh mesh = drawn.model() ? drawn.flat_surface(part)
+                        : is_coarse_  ? drawn.coarse_abstraction(part)
+                                      : drawn.abstraction(part);
       mesh.material = labels[part] == Co_analysis::none ? unclustered_ : labels[part];
       nodes.push_back(glb_.add_node(drawn.name(part), {std::move(mesh)}));
     }
@@ -60,6 +65,7 @@ public:
 
 private:
   std::size_t triangles_of_shape_;
+  bool is_coarse_;
   Glb_file glb_;
   int unclustered_ = 0;
   std::vector<int> roots_;
@@ -164,7 +170,9 @@ Page collection_page(const Collection& collection, std::size_t total,
     models.add(graph(i), shape ? &*shape : nullptr, collection.co_analysis.labels[i]);
   }
   std::ostringstream json, stored;
-  write_collection_json(json, collection);
+  Json outline = collection_outline_json(collection);
+  outline["warnings"] = collection.warnings;
+  outline.write(json);
   Json labels = Json::array();
   for (const auto& shape : collection.shapes)
     labels.push_back(part_labels(shape.parts));

@@ -52,7 +52,10 @@ TEST_CASE("The page holds all shapes, their clusters, the tree and the maps, and
   CHECK(page.find("<script src=") == std::string::npos);
   std::ostringstream same;
   IO::write_collection_json(same, collection);
-  CHECK(json::parse(document_of(page, "collection")) == json::parse(same.str()));
+  json shown = json::parse(same.str());
+  for (const char* large : {"bridge_count", "bridges", "co_analysis", "clusters", "energies"})
+    shown.erase(large);
+  CHECK(json::parse(document_of(page, "collection")) == shown);
   const json stored = json::parse(document_of(page, "maps"));
   CHECK(stored["total"] == 2);
   CHECK(stored["labels"][1].size() == 5);

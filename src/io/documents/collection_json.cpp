@@ -1,9 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/write/Json.h"
-
-#include <CGAL/Shape_correspondence/IO/collection_json.h>
+#include "io/documents/collection_json.h"
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -117,14 +115,18 @@ Json clusters_json(const Collection& collection)
 
 } // namespace
 
+Json collection_outline_json(const Collection& collection)
+{
+  return {{"format", "shape_correspondence/collection"},
+          {"version", 1},
+          {"shapes", shapes_json(collection)},
+          {"medoid", medoid_json(collection)},
+          {"spanning_tree", tree_json(collection)}};
+}
+
 void write_collection_json(std::ostream& out, const Collection& collection)
 {
-  Json result;
-  result["format"] = "shape_correspondence/collection";
-  result["version"] = 1;
-  result["shapes"] = shapes_json(collection);
-  result["medoid"] = medoid_json(collection);
-  result["spanning_tree"] = tree_json(collection);
+  Json result = collection_outline_json(collection);
   result["bridge_count"] = collection.bridge_count;
   result["bridges"] = bridges_json(collection);
   result["co_analysis"] = {{"shape_pairs", collection.co_analysis_shape_pairs},

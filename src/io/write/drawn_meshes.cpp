@@ -164,14 +164,14 @@ Drawn_mesh shaded(const Points& points, const Eigen::Matrix3Xi& triangles)
   return mesh;
 }
 
-Drawn_mesh tube(const Points& polyline, bool closed, double radius)
+Drawn_mesh open_tube(const Points& polyline, bool closed, double radius, int sides)
 {
   const Points centres = without_repetitions(polyline);
   const int n = static_cast<int>(centres.cols());
   Drawn_mesh mesh;
   if (n < 2) return mesh;
-  mesh.points.resize(3, Eigen::Index(n) * tube_sides);
-  mesh.normals.resize(3, Eigen::Index(n) * tube_sides);
+  mesh.points.resize(3, Eigen::Index(n) * sides);
+  mesh.normals.resize(3, Eigen::Index(n) * sides);
   Point across = unit(centres.col(1) - centres.col(0)).unitOrthogonal();
   for (int i = 0; i < n; ++i) {
     const int before = closed ? (i + n - 1) % n : std::max(i - 1, 0);
@@ -179,17 +179,23 @@ Drawn_mesh tube(const Points& polyline, bool closed, double radius)
     const Point along = unit(centres.col(after) - centres.col(before));
     const Point projected = across - across.dot(along) * along;
     across = projected.norm() > 1e-6 ? unit(projected) : along.unitOrthogonal(); // carried along, so no twist
-    for (int k = 0; k < tube_sides; ++k) {
-      const double angle = two_pi * k / tube_sides;
+    for (int k = 0; k < sides; ++k) {
+      const double angle = two_pi * k / sides;
       const Point normal = std::cos(angle) * across + std::sin(angle) * along.cross(across);
-      mesh.normals.col(i * tube_sides + k) = unit(normal);
-      mesh.points.col(i * tube_sides + k) = centres.col(i) + radius * normal;
+      mesh.normals.col(i * sides + k) = unit(normal);
+      mesh.points.col(i * sides + k) = centres.col(i) + radius * normal;
     }
   }
-  mesh.triangles = grid_triangles(n, tube_sides, closed, true);
-  if (closed) return mesh;
+  mesh.triangles = grid_triangles(n, sides, closed, true);
+  return mesh;
+}
+
+Drawn_mesh tube(const Points& polyline, bool closed, double radius)
+{
+  const Drawn_mesh mesh = open_tube(polyline, closed, radius, tube_sides);
+  if (closed || mesh.empty()) return mesh;
   const double round = radius * 1.05; // a little more than the tube, so that the ends look round
-  return joined({mesh, sphere(centres.col(0), round), sphere(centres.col(n - 1), round)});
+  return joined({mesh, sphere(polyline.col(0), round), sphere(polyline.col(polyline.cols() - 1), round)});
 }
 
 Drawn_mesh patch(const Points& grid, int rows, int cols)

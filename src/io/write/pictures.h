@@ -23,6 +23,9 @@ constexpr const char *surface_layer = "surfaces", *abstraction_layer = "curves a
 /// A surface that is smooth where faces meet at less than 35° and has edges elsewhere.
 Drawn_mesh shaded(const Points& points, const Eigen::Matrix3Xi& triangles);
 
+/// A tube along a polyline, without caps.
+Drawn_mesh open_tube(const Points& polyline, bool closed, double radius, int sides);
+
 /// A round tube along a polyline.
 Drawn_mesh tube(const Points& polyline, bool closed, double radius);
 
@@ -49,6 +52,8 @@ public:
   Drawn_mesh flat_surface(std::size_t part) const;
   /// A tube or a patch.
   Drawn_mesh abstraction(std::size_t part) const;
+  /// The same with few triangles, shaded flat.
+  Drawn_mesh coarse_abstraction(std::size_t part) const;
   /// The surface, or the abstraction if there is none.
   Drawn_mesh best_mesh(std::size_t part) const { return model_ ? surface(part) : abstraction(part); }
   /// A line for each contact, from the middle of one part's curve or sheet by way of the contact to that of the other.

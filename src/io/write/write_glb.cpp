@@ -30,6 +30,16 @@ Drawn_mesh of_material(int material, Drawn_mesh mesh)
   return mesh;
 }
 
+/// At most `most` of the indices 0 to `count` - 1 at even steps, the first and the last among them.
+std::vector<int> evenly(int count, int most)
+{
+  const int n = std::min(count, most);
+  std::vector<int> result(1, 0);
+  for (int i = 1; i < n; ++i)
+    result.push_back(i * (count - 1) / (n - 1));
+  return result;
+}
+
 /// Where two shapes go so that they stand side by side.
 std::array<Point, 2> side_by_side(const Drawn_shape& left, const Drawn_shape& right)
 {
@@ -68,6 +78,28 @@ Drawn_mesh Drawn_shape::flat_surface(std::size_t part) const
 {
   const Part_mesh& mesh = model_->parts()[part].mesh;
   return on_layer(surface_layer, {to_picture(mesh.points), {}, mesh.triangles});
+}
+
+Drawn_mesh Drawn_shape::coarse_abstraction(std::size_t part) const
+{
+  const int most_open = 5, most_closed = 8, most_rows = 4, sides = 4;
+  const auto& geometry = structure_.parts[part].geometry;
+  Drawn_mesh mesh;
+  if (const Sheet* sheet = std::get_if<Sheet>(&geometry)) {
+    const std::vector<int> rows = evenly(sheet->rows, most_rows), cols = evenly(sheet->cols, most_rows);
+    Points grid(3, Eigen::Index(rows.size() * cols.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t j = 0; j < cols.size(); ++j)
+        grid.col(Eigen::Index(i * cols.size() + j)) = sheet->points.col(Eigen::Index(rows[i]) * sheet->cols + cols[j]);
+    mesh = patch(to_picture(grid), int(rows.size()), int(cols.size()));
+  } else {
+    const Curve& curve = std::get<Curve>(geometry);
+    const Points rings =
+        curve.points(Eigen::all, evenly(int(curve.points.cols()), curve.closed ? most_closed : most_open));
+    mesh = open_tube(to_picture(rings), curve.closed, tube_radius * (upper_ - lower_).norm(), sides);
+  }
+  mesh.normals.resize(3, 0);
+  return on_layer(abstraction_layer, std::move(mesh));
 }
 
 Drawn_mesh Drawn_shape::abstraction(std::size_t part) const
