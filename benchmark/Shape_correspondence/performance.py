@@ -23,7 +23,7 @@ import time
 PAGE = """/*!
 \\page sc_performance Performance
 
-This page is written by `benchmark/Shape_correspondence/performance.py`, which measures what it states: on {machine}, {date}. {note}
+Measured by `benchmark/Shape_correspondence/performance.py`, which writes this page, on {machine}, {date}. {note}
 
 The shapes are generated ones, {shapes} of each category (`generate_models --benchmark`). Everything runs in one thread, except where threads are named.
 
@@ -36,26 +36,26 @@ copies of each other, one is abstracted. Graphs are kept with `--cache`, so that
 \\section sc_pf_search Search
 
 Milliseconds for one pair of shapes whose graphs are known: the default method, and the least energy by exact search and by the beam search of the paper,
-both in both directions and with their tables. All pairs within a category, each the fastest of three times.
+both in both directions, including the tables of their energies. All pairs within a category, each the fastest of three times; the columns "95 %" have 95th percentiles.
 
 {search}
 \\section sc_pf_growth Growth
 
-Milliseconds grow with the number n of parts about as n to the power of
+The time of a match grows with the number n of parts about as n to the power of
 
 {growth}
-The exponents are those of a least squares line through the logarithms, with the geometric mean of the two shapes' numbers of parts.
+The exponents are those of a least squares line through the logarithms, where n is the geometric mean of the two shapes' numbers of parts.
 
 \\section sc_pf_pair A Pair from Files
 
 Wall-clock seconds of the command `match` for the chairs {pair}, in as many threads as the machine has cores: {cold} the first time, and {warm} with
-`--cache` once their graphs are known (medians of three and of nine). A folder of part meshes is then known by the names and bytes of its files, which are parsed only
-where meshes are needed (`--glb`, `--html`); model files are parsed each time.
+`--cache` once their graphs are known (medians of three and of nine). With `--cache`, the meshes of a folder are parsed only where they are needed (`--glb`,
+`--html`); model files are parsed each time.
 
 \\section sc_pf_compare Comparing Builds
 
 `paired_times.py BEFORE AFTER MODEL...` runs two builds of the program in turn on the same models, and prints medians of the ratios of their processor
-seconds. Such ratios can be trusted even on a machine that does other work; seconds cannot.
+seconds. Unlike seconds, these ratios can be trusted on a machine that does other work.
 */
 """
 METHODS = ["default", "exact search", "beam search"]

@@ -65,13 +65,13 @@ private:
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// How clearly roles have to tell the category of shapes and where they face.
+/// Thresholds for the category of shapes and for the direction that they face.
 struct Role_options
 {
   /// Ratio. Shapes are of a category if their distance from its labelled parts is at most this much of that from any
   /// other one.
   double category_ratio = 0.78;
-  /// Standard deviations of a feature. They also are if it is at most this on average.
+  /// Standard deviations of a feature. They are also of a category if the distance is at most this on average.
   double category_distance = 0.25;
   /// Share, less than 1. Another front or alignment is preferred to the given one if it is better by more than this.
   double clearly_better = 0.05;

@@ -59,8 +59,8 @@ struct Search_options
   /// the whole target (paper, section 6.1).
   bool coarse_target = true;
   /// Coarse to fine (paper, section 3), for shapes of many parts: `BEAM` and `EXACT` first match this number of largest
-  /// parts of either shape. Every other group of parts may then become only what its nearest large parts became, or
-  /// what is about that, so that time and memory grow with the number of groups about a large part. 0: all at once.
+  /// parts of either shape. Every other group of parts may then become only the images of its nearest large parts, or
+  /// groups near these, so that time and memory depend on the number of groups near a large part. 0: all at once.
   int coarse_to_fine = 0;
   std::vector<std::size_t> source_parts; ///< only these parts of the source, by their index; empty: all parts
   std::vector<std::size_t> target_parts; ///< only these parts of the target, by their index; empty: all parts
@@ -70,7 +70,7 @@ struct Search_options
   /// in which the fronts of both shapes, by the roles of their parts, coincide.
   int alignments = 1;
   /// Whether the given orientation is right. Otherwise, with 1 alignment, `Search_method::PARTS` turns a shape by a
-  /// multiple of 90° if the roles of its parts, by `roles`, clearly say that its front is another side.
+  /// multiple of 90° if the roles of its parts, by `roles`, clearly show another front.
   bool front_is_sure = false;
   int solutions = 1;          ///< largest number of results of `find_correspondences()`, at least 1
   bool min_marginals = false; ///< compute `Group_match::min_marginal` by exact search, also with `Search_method::BEAM`

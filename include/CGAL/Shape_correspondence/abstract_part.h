@@ -49,11 +49,11 @@ struct Fitted_abstraction
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Finds curves and sheets by `CGAL::Mean_curvature_flow_skeletonization` as it is: a curve is the longest path, or the
-/// cycle, of the converged skeleton; a sheet is fitted to the meso-skeleton, the surface when
-/// `Abstraction_options::stop_volume` of the volume is left. The geodesic extents of the meso-skeleton determine which
-/// of the two a part becomes. Parts that cannot be skeletonized get `Bounding_box_abstraction`; the report has the
-/// reason.
+/// Finds curves and sheets by `CGAL::Mean_curvature_flow_skeletonization`, as in the paper: a curve is the longest path,
+/// or the cycle, of the converged skeleton; a sheet is fitted to the meso-skeleton, the surface when
+/// `Abstraction_options::stop_volume` of the volume is left. The area and the geodesic extents of the meso-skeleton
+/// determine which of the two a part becomes. Parts that cannot be skeletonized get `Bounding_box_abstraction`; the
+/// report has the reason.
 /// \cgalModels `PartAbstractor`
 struct Mean_curvature_abstraction
 {
@@ -88,7 +88,7 @@ struct Abstraction_options
   /// Seconds for one part; parts that need more get their bounding box, which the report states. Default: no limit, so
   /// that results do not depend on the speed of the machine.
   double time_limit = std::numeric_limits<double>::infinity();
-  int curve_points = 16; ///< control points of a curve, at least 2; as many more for every full turn
+  int curve_points = 16; ///< control points of a curve, at least 2; this number again for each full turn
   int sheet_points = 8;  ///< control points along each side of a sheet, at least 2
   /// Called after every part with the number of parts done and their total; from one thread at a time.
   std::function<void(std::size_t, std::size_t)> progress;

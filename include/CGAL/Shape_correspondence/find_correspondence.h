@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// A shape that is matched many times: it is aligned only once for every quarter turn that matches need. Threads may
+/// A shape that is matched many times: its alignments, by quarter turns, are computed once. Threads may
 /// share it; copies share what was computed.
 class Prepared_shape
 {

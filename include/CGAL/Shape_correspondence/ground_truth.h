@@ -37,8 +37,8 @@ struct Ground_truth
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
 /// The pairs of parts that correspond according to their labels, given by part. Parts correspond if their coarse labels
-/// are equal and, where every part of both shapes with that coarse label has a fine label and the two sets of fine
-/// labels share at least half of the smaller one, their fine labels are equal, too. O(n m).
+/// are equal. Their fine labels must be equal, too, if every part of both shapes with that coarse label has a fine one,
+/// and at least half of the fine labels of the shape with fewer of them occur in the other. O(n m).
 /// \throw Invalid_input if a coarse label is empty
 Ground_truth ground_truth(const std::vector<Part_label>& source, const std::vector<Part_label>& target);
 

@@ -31,8 +31,8 @@ void write_role_model(const std::string& path, const Role_model& model);
 Role_model read_role_model(const std::string& path);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// The role model that comes with the package: of airplanes, beds, cars, chairs, lamps, shelves, sofas, tables and
-/// velocipedes, read once. `data/roles/manifest.json` lists the training shapes and its accuracy.
+/// The role model that comes with the package: of airplanes, beds, cars, chairs, lamps, plants, shelves, sofas, tables
+/// and velocipedes, read once. `data/roles/manifest.json` lists the training shapes and its accuracy.
 std::shared_ptr<const Role_model> shipped_role_model();
 
 } // namespace IO
