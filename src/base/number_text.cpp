@@ -3,7 +3,6 @@
 
 #include "base/number_text.h"
 
-#ifndef __cpp_lib_to_chars
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -47,4 +46,3 @@ std::string internal::text_of_real(double number, bool is_single)
 }
 
 } // namespace CGAL::Shape_correspondence
-#endif

@@ -10,12 +10,10 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-#ifndef __cpp_lib_to_chars
 /// What `std::from_chars()` and `std::to_chars()` do with numbers that are no integers, for standard libraries that
-/// have these functions for integers only.
+/// have these functions for integers only. The locale must be that of C.
 std::from_chars_result real_of_text(const char* begin, const char* end, double& number);
 std::string text_of_real(double number, bool is_single);
-#endif
 
 /// Reads the number that `text` begins with, in any locale, as `std::from_chars()` does.
 template <typename Number>
