@@ -13,6 +13,7 @@ foreach(library CGAL::CGAL Boost::headers nanoflann::nanoflann nlohmann_json::nl
   target_include_directories(${library} SYSTEM INTERFACE ${headers})
 endforeach()
 target_include_directories(Eigen3::Eigen SYSTEM INTERFACE /usr/include/eigen3)
+add_library(Boost::program_options INTERFACE IMPORTED) # headers only; see src/cli/plain_command_line.cpp
 target_compile_definitions(CGAL::CGAL INTERFACE CGAL_DISABLE_GMP CGAL_ALWAYS_ROUND_TO_NEAREST)
-add_compile_options(-fwasm-exceptions)
+add_compile_options(-fwasm-exceptions -Xclang -fno-pch-timestamp)
 add_link_options(-fwasm-exceptions)
