@@ -136,7 +136,7 @@ Mirror_images::Mirror_images(const std::vector<Part_mesh>& parts) : images_(part
 {
   constexpr double tolerance = 0.05; // of the height: how far a part is from the mirror image of another at most
   const std::vector<contacts::Triangle_tree> trees = trees_of(parts);
-  std::vector<std::tuple<long, std::size_t, std::size_t>> likely;
+  std::vector<std::tuple<Steps, std::size_t, std::size_t>> likely;
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = i; j < parts.size(); ++j) {
       if (!are_mirror_images(trees[i].box(), trees[j].box(), 2 * tolerance)) continue;

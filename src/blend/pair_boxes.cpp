@@ -59,11 +59,11 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
   const Eigen::Matrix3d from = box_axes(*surfaces[0], own_axes[0]), to = box_axes(*surfaces[1], own_axes[1]);
   const Point extents = extents_along(*surfaces[0], from), other_extents = extents_along(*surfaces[1], to);
   Eigen::Matrix3d best = to;
-  std::tuple<long, long> least(std::numeric_limits<long>::max(), 0);
+  std::tuple<Steps, Steps> least(std::numeric_limits<Steps>::max(), 0);
   for (const Eigen::Matrix3d& rotation : cube_rotations()) {
     const Eigen::Matrix3d turned = to * rotation;
     const Point difference = extents - (rotation.transpose() * other_extents).cwiseAbs();
-    const std::tuple<long, long> cost(quantized(angle_of(turned * from.transpose())), quantized(difference.norm()));
+    const std::tuple<Steps, Steps> cost(quantized(angle_of(turned * from.transpose())), quantized(difference.norm()));
     if (cost < least) least = cost, best = turned;
   }
   return charts_along(surfaces, {from, best});

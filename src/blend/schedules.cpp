@@ -68,11 +68,11 @@ public:
     }
   }
 
-  const std::vector<long>& costs() const { return costs_; }
+  const std::vector<Steps>& costs() const { return costs_; }
 
 private:
   static constexpr double alike = 0.25; // of costs: among schedules as good, the first one, which has no idle time
-  static constexpr long not_judged = std::numeric_limits<long>::max();
+  static constexpr Steps not_judged = std::numeric_limits<Steps>::max();
 
   /// \param done samples
   bool goes_on(std::size_t done) const
@@ -89,13 +89,13 @@ private:
     });
     Blend_quality& result = schedules_[schedule].quality;
     result = std::accumulate(qualities.begin(), qualities.end(), result, worst);
-    costs_[schedule] = std::lround(cost_of(result, blend_) / alike);
+    costs_[schedule] = std::llround(cost_of(result, blend_) / alike);
   }
 
   const Blend_structure& blend_;
   const Blend_options& options_;
   std::vector<Blend_schedule>& schedules_;
-  std::vector<long> costs_;
+  std::vector<Steps> costs_;
 };
 
 /// The lowest and the highest corner of the box of every part.

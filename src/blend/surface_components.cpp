@@ -18,7 +18,7 @@ std::vector<Surface_connection> shortest_connections(const std::vector<const con
                                                      Disjoint_sets components)
 {
   constexpr bool measured = false, bounded = true; // what is measured comes first
-  using Candidate = std::tuple<long, bool, std::size_t, std::size_t, double>;
+  using Candidate = std::tuple<Steps, bool, std::size_t, std::size_t, double>;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue;
   for (std::size_t a = 0; a < surfaces.size(); ++a)
     for (std::size_t b = a + 1; b < surfaces.size(); ++b) {

@@ -93,24 +93,6 @@ void Command::refuse_abstraction_of_graphs() const
       refuse_option(option.name, "on structural graphs, which are abstracted already");
 }
 
-const std::vector<Command_entry>& commands()
-{
-  static const std::vector<Command_entry> result{
-      {"parts", "lists the objects of model files and the parts made of them", parts_command},
-      {"graph", "builds the structural graph of a shape", graph_command},
-      {"match", "finds the part correspondence of two shapes", match_command},
-      {"blend", "makes the in-between shapes of two shapes", blend_command},
-      {"transfer", "carries colours, textures or labels from one shape to the other", transfer_command},
-      {"collection", "matches all pairs of a set of shapes and analyses the set", collection_command},
-      {"evaluate", "scores correspondences against labelled parts", evaluate_command},
-      {"roles", "learns the roles of parts from labelled shapes and predicts them", roles_command},
-      {"label", "labels the parts of a shape by their roles", label_command},
-      {"demo", "matches and blends two chairs that come with the program", demo_command},
-      {"completion", "prints a script that completes commands in bash, zsh or fish", completion_command},
-      {"help", "prints this text, or all options of a command", help_command}};
-  return result;
-}
-
 std::unique_ptr<Command> command_of(const std::string& name)
 {
   std::vector<std::string> names;

@@ -3,6 +3,7 @@
 
 #include "cli/Match_options.h"
 #include "base/limits.h"
+#include "base/number_text.h"
 #include "cli/labelled_models.h"
 #include "cli/load_shape.h"
 #include "cli/text.h"
@@ -11,7 +12,6 @@
 #include <CGAL/Shape_correspondence/match_as_in_paper.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <utility>
 
@@ -30,7 +30,7 @@ template <typename Number>
 Number parse_number(const std::string& label, const std::string& text)
 {
   Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const auto [end, error] = internal::read_number(text, number);
   if (error != std::errc() || end != text.data() + text.size())
     throw Usage_error(label + ": '" + text + "' is not a number in its range");
   return number;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -169,6 +170,15 @@ public:
 private:
   std::deque<Option> options_;
 };
+
+/// Whether a field holds a number.
+template <typename Value>
+constexpr bool is_number = std::is_same_v<Value, int> || std::is_same_v<Value, long> ||
+                           std::is_same_v<Value, std::size_t> || std::is_same_v<Value, double>;
+
+/// What a pointer of `Option::Field` points to; other fields as they are.
+template <typename Field>
+using Value_of = std::remove_pointer_t<std::decay_t<Field>>;
 
 /// A field that has a word for each of its values.
 template <typename Value>

@@ -11,6 +11,7 @@
 #include "io/system/quoting.h"
 #include "viewer/parts_sheet.h"
 
+#include <CGAL/Shape_correspondence/IO/parts_json.h>
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -36,8 +37,7 @@ model files, each of several objects, or by its folders of part meshes. With --a
 FOLDER and its subfolders.
 
 If the parts are not the wanted ones: --parts file, components or segments makes others, in every command. For full
-control, `graph MODEL --parts-json FILE` writes which piece is in which part; edit the file and read it with
---parts-from.
+control, --parts-json FILE writes which piece is in which part; edit the file and read it with --parts-from.
 
 Examples: shape_correspondence parts chair.obj
           shape_correspondence parts furniture --all --html furniture.html --quiet
@@ -113,8 +113,10 @@ public:
     Option_table::Group add = table.group("Options of parts");
     add("output,o", "FILE", output_by_ending({{".html", &common.html}}), "the same as --html");
     add("html", "FILE", &common.html, "write a page with a picture of every model").output();
-    add("parts-from", "FILE", &common.parts_from,
-        "read the parts from a list of pieces and their parts, as `graph --parts-json` writes it");
+    add("parts-json", "FILE", &pieces_,
+        "write which loose piece of the one model is in which part, to be edited and read by --parts-from")
+        .output();
+    add("parts-from", "FILE", &common.parts_from, "read the parts of the models from such a list");
     add("all", &is_folder_of_models_, "the models are all model files in the folder and its subfolders");
     add_reading_options(table, common);
     add_common_options(table, common);
@@ -130,6 +132,7 @@ private:
   {
     common.roles = IO::shipped_role_model();
     const std::vector<std::string> paths = is_folder_of_models_ ? models_in(inputs[0]) : models();
+    if (!pieces_.empty() && paths.size() != 1) throw Usage_error("--parts-json takes one model");
     IO::Parts_sheet sheet(paths.size());
     std::string complaints;
     std::size_t shown = 0;
@@ -139,6 +142,7 @@ private:
         const Read_model model = read_model(path, common);
         if (common.prints_table()) print_model(path, model, common.verbose);
         if (!common.html.empty()) sheet.add(title, model.objects, model.split, summary(model));
+        write_output(pieces_, [&](std::ostream& out) { IO::write_parts_json(out, model.split); });
         ++shown;
       } catch (const Invalid_input& error) {
         const std::string message = message_about(path, error.what());
@@ -166,6 +170,7 @@ private:
   }
 
   bool is_folder_of_models_ = false;
+  std::string pieces_; // a file; empty: none
 };
 
 } // namespace

@@ -56,7 +56,7 @@ void Matching_problem::Contact_table::compute(std::vector<Rod_energy>& result)
   counts_.clear();
   compared_.clear();
   piece_rods_.clear();
-  piece_memory_.release();
+  piece_memory_.clear();
   used_blocks_ = 0;
 }
 
@@ -167,10 +167,9 @@ const Structural_rods& Matching_problem::Contact_table::rods(std::uint32_t a, st
     return *known;
   }
   const std::size_t blocks = Structural_rods::size(first.samples, second.samples);
-  void* const memory = piece_memory_.allocate(blocks * sizeof(Rod_block), alignof(Rod_block));
   used_blocks_ += blocks;
   piece_rods_.emplace_back(fitted_.source_samples(first), first.samples, fitted_.source_samples(second), second.samples,
-                           static_cast<Rod_block*>(memory));
+                           piece_memory_.take(blocks));
   known = &piece_rods_.back();
   return *known;
 }

@@ -4,12 +4,12 @@
 #pragma once
 
 #include "energy/Matching_problem.h"
+#include "energy/Rod_memory.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <memory_resource>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
@@ -74,8 +74,8 @@ private:
   std::vector<std::uint32_t> counts_;      // number of comparisons by contact and labels
   std::vector<std::uint32_t> compared_;    // the comparisons themselves, those of all labels in a row
   std::deque<Structural_rods> piece_rods_; // between pieces of which one is no whole part
-  std::pmr::monotonic_buffer_resource piece_memory_{internal::rod_chunk_bytes, &internal::rod_pool()};
-  std::size_t used_blocks_ = 0;                // of `piece_memory_`
+  internal::Rod_arena piece_memory_;       // of `piece_rods_`
+  std::size_t used_blocks_ = 0;            // of `piece_memory_`
   std::vector<std::vector<double>> distances_; // by target pieces; negative where not yet known
 
   // Of the contact that is being listed, by side

@@ -38,7 +38,7 @@ std::vector<std::size_t> candidates(const Aligned_shape& source, std::size_t gro
   }
   const auto may = [&](std::size_t h) { return may_match(source.group(group), target.group(h)); };
   const bool none_may = std::none_of(allowed.begin(), allowed.end(), may);
-  std::vector<std::pair<long, std::size_t>> nearest;
+  std::vector<std::pair<internal::Steps, std::size_t>> nearest;
   for (std::size_t h : allowed)
     if (none_may || may(h)) nearest.emplace_back(quantized(distance(source.boxes[group], target.boxes[h])), h);
   if (nearest.size() > maximum_labels) {

@@ -42,18 +42,10 @@ Rod_energy rod_energy(const Points& first, const Points& second, const Points& m
           connectedness_energy(shortest, shortest_after, longest)};
 }
 
-std::pmr::memory_resource& internal::rod_pool()
-{
-  // Chunks of growing sizes are asked for; never destroyed, so that it outlives static shapes
-  static auto* const pool = new std::pmr::synchronized_pool_resource({4, 8 * rod_chunk_bytes});
-  return *pool;
-}
-
 Structural_rods::Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats)
 {
   const int n = int(first.cols()) * first_repeats, m = int(second.cols()) * second_repeats;
-  void* const memory = rod_pool().allocate(size(n, m) * sizeof(Rod_block), alignof(Rod_block));
-  decltype(memory_) owner(static_cast<Rod_block*>(memory), {size(n, m)});
+  decltype(memory_) owner(rod_pool().take(size(n, m)), {size(n, m)});
   *this = Structural_rods(Sample_lanes(repeated(first, first_repeats), first_repeats), n,
                           Sample_lanes(repeated(second, second_repeats), second_repeats), m, owner.get());
   memory_ = std::move(owner);

@@ -3,31 +3,23 @@
 
 #pragma once
 
+#include "energy/Rod_memory.h"
 #include "energy/rod_kernel.h"
 
 #include <CGAL/Shape_correspondence/Points.h>
 
 #include <cstddef>
 #include <memory>
-#include <memory_resource>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
 
 namespace internal {
 
-/// Memory for rods. What is given back is kept for the next ones, since clearing memory that comes from the system
-/// takes long.
-std::pmr::memory_resource& rod_pool();
-constexpr std::size_t rod_chunk_bytes = 1u << 17;
-
 struct Rod_deleter
 {
   std::size_t blocks = 0;
-  void operator()(Rod_block* rods) const
-  {
-    rod_pool().deallocate(rods, blocks * sizeof(Rod_block), alignof(Rod_block));
-  }
+  void operator()(Rod_block* rods) const { rod_pool().give_back(rods, blocks); }
 };
 
 } // namespace internal

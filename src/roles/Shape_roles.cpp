@@ -152,7 +152,7 @@ double agreement_of_trees(const Shape_roles& shape, std::size_t category, int tr
   return (votes.rowwise().maxCoeff().cast<double>().array() / trees).log().mean();
 }
 
-long clear_difference(const Role_options& options) { return -quantized(std::log(1 - options.clearly_better)); }
+Steps clear_difference(const Role_options& options) { return -quantized(std::log(1 - options.clearly_better)); }
 
 } // namespace
 
@@ -162,13 +162,13 @@ int likely_front(const Turned_roles& shape, std::size_t category, int trees, con
   const auto likeness = [&](int turn, double agreement) {
     return quantized((agreement - shape[std::size_t(turn)]->distance(category)) / 2);
   };
-  long most = likeness(0, agreement(0)) + clear_difference(options);
+  Steps most = likeness(0, agreement(0)) + clear_difference(options);
   int best = 0;
   // The likeness is at most half of the agreement, which is at most 0: turns that cannot be clearly better are skipped
   for (int turn = 1; turn < 4 && most < 0; ++turn) {
     const double agreed = agreement(turn);
     if (quantized(agreed / 2) <= most) continue;
-    const long found = likeness(turn, agreed);
+    const Steps found = likeness(turn, agreed);
     if (found > most) most = found, best = turn;
   }
   return best != 0 && shape[std::size_t(best)]->is_nearest(category) ? best : 0;
@@ -218,10 +218,10 @@ Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& t
 
 std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees, const Role_options& options)
 {
-  std::array<long, 4> agreement{};
+  std::array<Steps, 4> agreement{};
   for (std::size_t turn = 0; turn < 4; ++turn)
     agreement[turn] = quantized(agreement_of_trees(*shape[turn], category, trees));
-  const long least = *std::max_element(agreement.begin(), agreement.end()) - clear_difference(options);
+  const Steps least = *std::max_element(agreement.begin(), agreement.end()) - clear_difference(options);
   std::vector<int> result;
   for (int turn = 0; turn < 4; ++turn)
     if (agreement[std::size_t(turn)] >= least) result.push_back(turn);

@@ -52,17 +52,17 @@ Eigen::ArrayXd probabilities(const Pair_terms& terms, const Pair_weights& weight
 
 std::vector<char> pairs_of_greatest_expected_f1(const Eigen::ArrayXd& probabilities)
 {
-  std::vector<long> steps;
+  std::vector<Steps> steps;
   for (double p : probabilities)
     steps.push_back(quantized(p));
-  std::vector<long> descending = steps;
+  std::vector<Steps> descending = steps;
   std::sort(descending.begin(), descending.end(), std::greater<>());
   double expected = 0; // pairs that are right, in steps
-  for (long step : descending)
+  for (Steps step : descending)
     expected += double(step);
   const double step_count = 1 / comparison_grid;
   double right = 0, best = 0;
-  long least = descending.empty() ? 0 : descending.front();
+  Steps least = descending.empty() ? 0 : descending.front();
   for (std::size_t k = 0; k < descending.size(); ++k) {
     right += double(descending[k]);
     const bool is_last_of_equals = k + 1 == descending.size() || descending[k + 1] < descending[k];
@@ -72,7 +72,7 @@ std::vector<char> pairs_of_greatest_expected_f1(const Eigen::ArrayXd& probabilit
     least = descending[k];
   }
   std::vector<char> result;
-  for (long step : steps)
+  for (Steps step : steps)
     result.push_back(step >= least);
   return result;
 }

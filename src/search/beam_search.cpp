@@ -46,7 +46,7 @@ std::vector<std::size_t> assignment_order(const Aligned_shape::Graph& graph)
 // A partial solution with one more group assigned.
 struct Expansion
 {
-  long energy; // quantized, so that ties are settled by the indices
+  Steps energy; // quantized, so that ties are settled by the indices
   std::size_t parent;
   int label;
   std::size_t rating; // index in the expander
@@ -84,13 +84,13 @@ public:
     }
     std::sort(bounds_.begin(), bounds_.end());
     const std::size_t begin = level.size();
-    const long kept_before = begin < most_ ? std::numeric_limits<long>::max() : nth_energy(level);
+    const Steps kept_before = begin < most_ ? std::numeric_limits<Steps>::max() : nth_energy(level);
     for (const auto& [bound, label] : bounds_) {
-      long worst = kept_before;
+      Steps worst = kept_before;
       if (level.size() == begin + count_) worst = std::min(worst, level.back().energy);
       // One step above the worst, since energies are rounded
-      const double greatest = worst == std::numeric_limits<long>::max() ? std::numeric_limits<double>::infinity()
-                                                                        : double(worst + 1) * comparison_grid;
+      const double greatest = worst == std::numeric_limits<Steps>::max() ? std::numeric_limits<double>::infinity()
+                                                                         : double(worst + 1) * comparison_grid;
       if (bound > greatest) break;
       assignment[group] = label;
       const double energy = energy_(assignment, group, bound, greatest);
@@ -118,7 +118,7 @@ private:
   }
 
   // The energy of the last of the `most_` best expansions.
-  long nth_energy(const std::vector<Expansion>& level)
+  Steps nth_energy(const std::vector<Expansion>& level)
   {
     sorted_ = level;
     const auto nth = sorted_.begin() + std::ptrdiff_t(most_ - 1);

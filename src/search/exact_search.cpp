@@ -167,7 +167,7 @@ private:
     for (int l = 0; l < int(count); ++l)
       if (bounds[l] < limit() && !(level == forbidden_level_ && l == forbidden_label_)) *end++ = l;
     std::sort(children, end, [bounds](int a, int b) {
-      const long first = quantized(bounds[a]), second = quantized(bounds[b]);
+      const Steps first = quantized(bounds[a]), second = quantized(bounds[b]);
       return first != second ? first < second : a < b;
     });
     for (const int* child = children; child != end && !stopped_; ++child) {

@@ -135,6 +135,8 @@ TEST_CASE("A correspondence that was written is read: its pairs by name, with co
     CHECK(named.pairs[2].target == "slat 2");
     const Correspondence read = IO::correspondence_of(named, source, target, file);
     CHECK(read.pairs == c.pairs);
+    CHECK(read.unmatched_source == c.unmatched_source);
+    CHECK(read.unmatched_target == std::vector<std::size_t>{3, 4, 5, 6, 7}); // all that no pair has
     CHECK(read.complete);
     CHECK(read.target_quarter_turns == 2);
     CHECK(read.category == "chair");

@@ -154,6 +154,10 @@ TEST_CASE("A list of pieces and their parts, written, edited and read")
   const std::string list = folder.path("parts.json"), graph = "graph " + model + " --abstraction boxes --json - ";
   const Run written = run(graph + "--parts-json " + quoted(list));
   REQUIRE(written.status == 0);
+  const std::string of_parts = folder.path("of_parts.json");
+  CHECK(run("parts " + model + " --quiet --parts-json " + quoted(of_parts)).status == 0);
+  CHECK(text_of(of_parts) == text_of(list));
+  CHECK(run("parts " + model + " " + model + " --quiet --parts-json " + quoted(of_parts)).status == 2);
   const Run again = run(graph + "--parts-from " + quoted(list));
   REQUIRE(again.status == 0);
   CHECK(part_names(json::parse(again.out)) == part_names(json::parse(written.out)));

@@ -3,6 +3,7 @@
 
 #include "io/read/Json_field.h"
 #include "io/write/Json.h"
+#include "matching/Search_run.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -231,6 +232,7 @@ Correspondence correspondence_of(const Named_correspondence& named, const Struct
     result.pairs.push_back({s, t, pair.confidence});
   }
   std::sort(result.pairs.begin(), result.pairs.end(), is_before);
+  internal::collect_unmatched(structure(source).parts.size(), structure(target).parts.size(), result);
   if (!named.category.empty()) {
     result.category = named.category;
     result.source_roles = roles_of_parts(named.source_roles, source);

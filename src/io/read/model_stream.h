@@ -114,7 +114,7 @@ private:
     std::uint64_t result = 0;
     number(result);
     if (result > rest_.size() / of_element) fail();
-    return result;
+    return std::size_t(result);
   }
 
   std::string_view rest_;

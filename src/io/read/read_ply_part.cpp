@@ -256,7 +256,7 @@ private:
     const double count = next(property.count_type);
     const std::size_t least = encoding_ == Ply_encoding::ASCII ? 2 : size_of(property.type);
     if (!(count >= 0) || count * double(least) > double(text_.size() + 1) || count != std::floor(count))
-      fail("it has a list of " + number_text(count) +
+      fail("it has a list of " + internal::number_text(count) +
            " numbers, which is more than the rest of the file holds; it is cut off or damaged");
     std::vector<double> list(static_cast<std::size_t>(count));
     for (double& number : list)
@@ -278,15 +278,9 @@ private:
   std::size_t checked_index(double index) const
   {
     if (!(index >= 0) || index >= double(points_.size()) || index != std::floor(index))
-      fail("a face uses vertex " + number_text(index) + ", but there are only " + std::to_string(points_.size()) +
-           " (numbered from 0)");
+      fail("a face uses vertex " + internal::number_text(index) + ", but there are only " +
+           std::to_string(points_.size()) + " (numbered from 0)");
     return static_cast<std::size_t>(index);
-  }
-
-  static std::string number_text(double number)
-  {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
   }
 
   double next(Ply_type type)

@@ -54,7 +54,7 @@ std::string content_of(const std::string& file)
   if (size > largest_model)
     throw Invalid_input(file + ": it is larger than " + std::to_string(largest_model >> 30) +
                         " GB; simplify the model, or cut it into parts");
-  std::string text(size, '\0');
+  std::string text(std::size_t(size), '\0');
   in.read(text.data(), std::streamsize(size));
   text.resize(std::size_t(in.gcount()));
   return text;

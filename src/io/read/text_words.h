@@ -3,8 +3,9 @@
 
 #pragma once
 
+#include "base/number_text.h"
+
 #include <algorithm>
-#include <charconv>
 #include <string>
 #include <string_view>
 
@@ -42,7 +43,7 @@ template <typename Number>
 bool parse(std::string_view word, Number& number)
 {
   if (!word.empty() && word[0] == '+') word.remove_prefix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const auto [end, error] = internal::read_number(word, number);
   return error == std::errc() && end == word.data() + word.size();
 }
 

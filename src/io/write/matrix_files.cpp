@@ -1,12 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/number_text.h"
 #include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>
 
 #include <algorithm>
-#include <charconv>
 #include <ostream>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -15,12 +15,6 @@ namespace {
 constexpr std::size_t npy_alignment = 64;
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "files of doubles are written as they are in memory");
-
-std::string shortest(double number)
-{
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
 
 constexpr Eigen::Index rows_at_a_time = 512; // of each column as many as are in a page of a file
 
@@ -61,7 +55,7 @@ void write_csv(std::ostream& out, const Eigen::Ref<const Eigen::MatrixXd>& matri
   for_each_row(matrix, [&](Eigen::Index i, const auto& row) {
     out << quote_csv(names[std::size_t(i)]);
     for (double number : row)
-      out << ',' << shortest(number);
+      out << ',' << internal::number_text(number);
     out << "\r\n";
   });
 }

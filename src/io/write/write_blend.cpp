@@ -3,6 +3,7 @@
 
 #include "base/for_each_index.h"
 #include "base/limits.h"
+#include "base/number_text.h"
 #include "io/system/little_endian.h"
 #include "io/system/quoting.h"
 #include "io/write/Json.h"
@@ -11,8 +12,6 @@
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cstdint>
 #include <ostream>
 
@@ -43,10 +42,9 @@ Json quality_json(const Blend_quality& quality)
 template <typename Numbers>
 void append_line(std::string& lines, char keyword, const Numbers& numbers)
 {
-  std::array<char, 32> digits;
   lines += keyword;
   for (const auto number : numbers)
-    (lines += ' ').append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+    (lines += ' ') += internal::number_text(number);
   lines += '\n';
 }
 

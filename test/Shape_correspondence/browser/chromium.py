@@ -43,6 +43,7 @@ class Browser:
         os.close(write_there)
         self.out, self.into = open(read_here, "rb", 0), open(write_here, "wb", 0)
         self.rest, self.number, self.events = b"", 0, []
+        self.contexts = {}  # of scripts, by frame
         self.session = None
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
@@ -78,18 +79,26 @@ class Browser:
                 if "error" in message:
                     raise RuntimeError(f"{method}: {message['error']['message']}")
                 return message["result"]
+            if message["method"] == "Runtime.executionContextCreated":
+                context = message["params"]["context"]
+                self.contexts[context["auxData"]["frameId"]] = context["id"]
             self.events.append(message)
 
-    def evaluate(self, expression):
-        result = self.call("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True)
+    def inner_frame(self):
+        """The one frame that is in the page."""
+        return self.call("Page.getFrameTree")["frameTree"]["childFrames"][0]["frame"]["id"]
+
+    def evaluate(self, expression, frame=None):
+        context = {"contextId": self.contexts[frame]} if frame else {}
+        result = self.call("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True, **context)
         if "exceptionDetails" in result:
             raise RuntimeError(str(result["exceptionDetails"]))
         return result["result"].get("value")
 
-    def wait_for(self, expression):
+    def wait_for(self, expression, frame=None):
         end = time.monotonic() + SECONDS
         while time.monotonic() < end:
-            value = self.evaluate(expression)
+            value = self.evaluate(expression, frame)
             if value:
                 return value
             time.sleep(0.05)
@@ -100,15 +109,24 @@ class Browser:
         self.call("Emulation.setTouchEmulationEnabled", enabled=is_phone)
 
     def open(self, file):
-        """Opens a file. Returns the errors and the requests for anything else."""
+        """Opens a file, or an address. Returns the errors and the requests for anything else."""
         self.events = []
-        url = "file://" + os.path.abspath(file)
-        self.call("Page.navigate", url=url)
+        self.url = file if "://" in file else "file://" + os.path.abspath(file)
+        self.call("Page.navigate", url=self.url)
         self.wait_for("document.readyState === 'complete'")
+        return self.heard()
+
+    def heard(self):
+        """The errors since the page was opened, and the requests for anything else."""
         errors = [e["params"] for e in self.events if e["method"] == "Runtime.exceptionThrown"
                   or (e["method"] == "Log.entryAdded" and e["params"]["entry"]["level"] == "error")]
         requests = [e["params"]["request"]["url"] for e in self.events if e["method"] == "Network.requestWillBeSent"]
-        return errors, [r for r in requests if r != url]
+        return errors, [r for r in requests if r != self.url]
+
+    def drop(self, x, y, files):
+        data = {"items": [], "files": [os.path.abspath(file) for file in files], "dragOperationsMask": 1}
+        for kind in ("dragEnter", "dragOver", "drop"):
+            self.call("Input.dispatchDragEvent", type=kind, x=x, y=y, data=data)
 
     def mouse(self, kind, x, y, button="none", **more):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button=button, clickCount=int(button != "none"), **more)

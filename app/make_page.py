@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Makes one file of the page, the program as a WebAssembly module, and the models of data/; the same bytes from the same files.
+
+  make_page.py MODULE.js VIEWER.js DATA OUTPUT.html
+"""
+import base64
+import gzip
+import hashlib
+import io
+import os
+import re
+import sys
+import tarfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def read(*path):
+    with open(os.path.join(*path), encoding="utf-8") as file:
+        return file.read()
+
+
+def script(*modules):
+    """Modules as one script: each import is one line, and what they define differs in name."""
+    text = re.sub(r"^import .*\n", "", "".join(read(module) for module in modules), flags=re.M)
+    return "(() => {\n'use strict';\n" + re.sub(r"^export ", "", text, flags=re.M) + "})();\n"
+
+
+def policy_of(text):
+    return "'sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() + "'"
+
+
+def packed(data):
+    return base64.b64encode(gzip.compress(data, 9, mtime=0)).decode()
+
+
+def archive(data, names):
+    """The folders of parts in one file, with nothing in it of who made it, or when."""
+    out = io.BytesIO()
+    with tarfile.open(fileobj=out, mode="w", format=tarfile.USTAR_FORMAT) as tar:
+        for name in names:
+            for part in sorted(os.listdir(os.path.join(data, name, "parts"))):
+                path = os.path.join(name, "parts", part)
+                entry = tarfile.TarInfo(path)
+                entry.size = os.path.getsize(os.path.join(data, path))
+                with open(os.path.join(data, path), "rb") as file:
+                    tar.addfile(entry, file)
+    return out.getvalue()
+
+
+def main(module, viewer, data, output):
+    page = os.path.join(HERE, "page")
+    names = sorted(name for name in os.listdir(data) if os.path.isdir(os.path.join(data, name, "parts")))
+    unpacked = os.path.join(page, "unpacked.js")
+    own = script(os.path.join(HERE, "..", "src", "viewer", "page", "dom.js"), unpacked, os.path.join(page, "app.js"))
+    with open(os.path.splitext(module)[0] + ".wasm", "rb") as file:
+        program = packed(file.read())
+    content = {"HASHES": policy_of(own) + " " + policy_of(read(viewer)), "STYLE": read(page, "app.css"), "MODULE": read(module),
+               "WORKER": script(unpacked, os.path.join(page, "worker.js")), "PROGRAM": program, "NAMES": " ".join(names),
+               "EXAMPLES": packed(archive(data, names)), "SCRIPT": own}
+    for name in ("MODULE", "WORKER", "SCRIPT"):
+        if re.search(r"</script|<!--", content[name], re.I):
+            sys.exit(f"make_page.py: the script {name} would end its element")
+    with open(output, "w", encoding="utf-8", newline="\n") as file:
+        file.write(re.sub("@([A-Z]+)@", lambda place: content[place[1]], read(page, "app.html")))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

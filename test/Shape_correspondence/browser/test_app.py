@@ -1,0 +1,237 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Opens the page that computes in the browser, in Chromium, and uses it as people do.
+
+  test_app.py PAGE.html DATA [--screenshots FOLDER]
+
+Ends with status 77, which ctest counts as skipped, where there is no Chromium.
+"""
+import argparse
+import functools
+import gzip
+import http.server
+import json
+import os
+import sys
+import tempfile
+import threading
+import unittest
+
+import chromium
+from test_pages import AFTER_DRAWING, DESKTOP, LIT, PHONE, PLACE_OF
+
+LARGEST_PAGE = 2 << 20  # bytes, as a host sends it
+LONGEST_START = 1000  # milliseconds until one can choose models
+SCREEN = (1200, 760)
+arguments = None
+browser = None
+
+# The pages that the program wrote, by the names of their tabs
+TABS = "[...document.querySelectorAll('#tabs button')].map(b => b.textContent)"
+IS_IDLE = "document.querySelector('#work').hidden"
+ERROR = "document.querySelector('#error').textContent"
+
+
+class Silent(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+def raw(name):
+    return os.path.join(arguments.data, "raw", name + ".obj")
+
+
+class App(unittest.TestCase):
+    def setUp(self):
+        browser.resize(*SCREEN)
+        self.open(arguments.page)
+
+    def open(self, page):
+        browser.open(page)
+        browser.wait_for("document.body.dataset.ready")
+
+    def tearDown(self):
+        errors, requests = browser.heard()
+        self.assertEqual(errors, [])
+        self.assertEqual([request for request in requests if not request.startswith(("data:", "blob:"))], [])
+
+    def picture(self, name):
+        if arguments.screenshots:
+            os.makedirs(arguments.screenshots, exist_ok=True)
+            with open(os.path.join(arguments.screenshots, name + ".png"), "wb") as file:
+                file.write(browser.screenshot())
+
+    def wait(self):
+        browser.wait_for(IS_IDLE)
+        return browser.evaluate(ERROR)
+
+    def click(self, selector):
+        browser.evaluate(f"document.querySelector('{selector}').click()")
+
+    def choose_example(self, side, name):
+        browser.evaluate(f"(s => {{ s.value = '{name}'; s.onchange(); }})(document.querySelector('#{side} .choices select'))")
+        browser.wait_for(f"document.querySelector('#{side}').classList.contains('chosen') && {IS_IDLE}")
+
+    def choose_option(self, title, value):
+        browser.evaluate(f"(s => {{ s.value = '{value}'; s.onchange(); }})([...document.querySelectorAll('#options label')]"
+                         f".find(l => l.firstChild.textContent === '{title}').lastChild)")
+
+    def shown(self):
+        """The frame of the page that is shown, once it is drawn."""
+        browser.wait_for("document.body.dataset.shown === document.querySelector('#shown').dataset.name")
+        frame = browser.inner_frame()
+        browser.wait_for("document.body && document.body.dataset.ready", frame)
+        browser.evaluate(AFTER_DRAWING, frame)
+        return frame
+
+    def drop_two_chairs(self):
+        browser.drop(600, 300, [raw("chair_four_legged"), raw("chair_swivel")])
+        browser.wait_for(f"document.querySelector('#target').classList.contains('chosen') && {IS_IDLE} && !document.querySelector('#match').disabled")
+        self.assertEqual(browser.evaluate(ERROR), "")
+
+    def place_in_window(self, frame, view, name):
+        x, y = browser.evaluate(f"{PLACE_OF}({view}, '{name}')", frame)
+        box = browser.evaluate("(({x, y}) => [x, y])(document.querySelector('#shown').getBoundingClientRect())")
+        return x + box[0], y + box[1]
+
+    def test_two_dropped_files_are_shown_matched_and_blended(self):
+        self.picture("before")
+        self.drop_two_chairs()
+        self.assertEqual(browser.evaluate(TABS), ["First model", "Second model"])
+        self.shown()
+        self.picture("chosen")
+        self.click("#match")
+        browser.wait_for("document.querySelector('#work p').textContent.includes(' of ')")
+        self.picture("during")
+        self.assertEqual(self.wait(), "")
+        self.assertEqual(browser.evaluate(TABS), ["First model", "Second model", "Match"])
+        frame = self.shown()
+        self.picture("match")
+        self.assertGreater(browser.evaluate("document.querySelectorAll('tbody tr').length", frame), 3)
+        seat = browser.evaluate("document.querySelector('#stage').stage.items.map(i => i.node.name).find(n => /seat/.test(n))", frame)
+        browser.click(*self.place_in_window(frame, 0, seat))
+        browser.evaluate(AFTER_DRAWING, frame)
+        self.assertEqual(browser.evaluate(LIT + "(0)", frame), [seat])
+        self.assertEqual(len(browser.evaluate(LIT + "(1)", frame)), 1)
+        self.click("#blend")
+        self.assertEqual(self.wait(), "")
+        frame = self.shown()
+        self.picture("blend")
+        triangles = "document.querySelector('#stage').stage.items.filter(i => i.tracks).map(i => [i.isHidden, i.object.geometry.attributes.position.array[0]]).join()"
+        move = "(s => { s.value = %s; s.oninput(); })(document.querySelector('#player input'))"
+        poses = []
+        for t in (0, 0.5, 1):
+            browser.evaluate(move % t, frame)
+            poses.append(browser.evaluate(triangles, frame))
+        self.assertEqual(len(set(poses)), 3)
+        saves = browser.evaluate("[...document.querySelectorAll('#saves button')].map(b => b.textContent)")
+        self.assertEqual(saves, ["match.html", "match.json", "match.glb", "blend.html", "blend.json", "blend.glb"])
+
+    def test_examples_are_matched_by_every_method(self):
+        self.choose_example("source", "stool")
+        self.choose_example("target", "chair_four_legged")
+        found = {}
+        for method in ("", "exact", "paper"):
+            self.choose_option("method", method)
+            self.click("#match")
+            self.assertEqual(self.wait(), "")
+            frame = self.shown()
+            result = json.loads(browser.evaluate("document.getElementById('match').textContent", frame))
+            found[method] = result["search"]["method"] if "search" in result else result["method"]
+            self.assertGreater(len(result["pairs"]), 2)
+        self.assertEqual(len(set(found.values())), 3)
+
+    def test_parts_are_joined_by_hand(self):
+        self.choose_example("source", "stool")
+        count = "document.querySelector('#source details summary').textContent"
+        before = browser.evaluate(count)
+        browser.evaluate("document.querySelectorAll('#source .pieces input[type=checkbox]').forEach((b, i) => { b.checked = i < 2; })")
+        browser.evaluate("[...document.querySelectorAll('#source details button')].find(b => b.textContent === 'One part').click()")
+        self.assertEqual(self.wait(), "")
+        parts, pieces = [int(word) for word in before.split() if word.isdigit()]
+        self.assertEqual(browser.evaluate(count), f"Parts by hand: {parts - 1} of {pieces} pieces")
+        self.choose_example("target", "chair_four_legged")
+        self.click("#match")
+        self.assertEqual(self.wait(), "")
+        frame = self.shown()
+        source = "document.querySelector('#stage').stage.items.filter(i => i.layer === 'surfaces' && i.view.caption.textContent === 'stool').length"
+        self.assertEqual(browser.evaluate(source, frame), parts - 1)
+
+    def test_errors_say_what_is_wrong_and_the_page_goes_on(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, content, words in (("torn.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n", ("torn.obj", "vertex")),
+                                         ("empty.stl", "", ("empty.stl", "empty")),
+                                         ("chair.glb", "glTF", ("chair.glb", "save the model as OBJ")),
+                                         ("notes.txt", "chair", ("There is no model",))):
+                path = os.path.join(folder, name)
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write(content)
+                browser.drop(600, 300, [path])
+                browser.wait_for(f"{IS_IDLE} && {ERROR}")
+                if name == "torn.obj":
+                    self.picture("error")
+                for word in words:
+                    self.assertIn(word, browser.evaluate(ERROR))
+                browser.evaluate("document.querySelector('#error').textContent = ''")
+            browser.drop(600, 300, [raw("chair_swivel")] * 3)
+            browser.wait_for(ERROR)
+            self.assertIn("3 models", browser.evaluate(ERROR))
+        self.drop_two_chairs()
+
+    def test_a_match_is_cancelled_and_made_again(self):
+        self.choose_example("source", "bicycle")
+        self.choose_example("target", "tricycle")
+        self.click("#match")
+        browser.wait_for("document.querySelector('#work p').textContent.includes(' of ')")
+        self.click("#cancel")
+        self.assertEqual(self.wait(), "")
+        self.assertNotIn("Match", browser.evaluate(TABS))
+        self.click("#match")
+        self.assertEqual(self.wait(), "")
+        self.assertIn("Match", browser.evaluate(TABS))
+
+    def test_a_phone(self):
+        browser.resize(*PHONE, is_phone=True)
+        self.open(arguments.page)
+        self.picture("phone_before")
+        self.choose_example("source", "chair_four_legged")
+        self.choose_example("target", "chair_swivel")
+        self.click("#match")
+        self.assertEqual(self.wait(), "")
+        self.shown()
+        self.assertEqual(browser.evaluate("document.documentElement.scrollWidth"), browser.evaluate("innerWidth"))
+        self.picture("phone_after")
+        browser.evaluate("document.querySelector('#results').scrollIntoView()")
+        self.picture("phone_match")
+
+    def test_from_a_static_host(self):
+        handler = functools.partial(Silent, directory=os.path.dirname(os.path.abspath(arguments.page)))
+        with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+            threading.Thread(target=server.serve_forever, daemon=True).start()
+            self.open(f"http://127.0.0.1:{server.server_port}/{os.path.basename(arguments.page)}")
+            self.choose_example("source", "stool")
+            self.shown()
+            server.shutdown()
+
+    def test_the_page_is_small_and_starts_soon(self):
+        with open(arguments.page, "rb") as file:
+            size = len(gzip.compress(file.read(), 6))
+        starts = browser.evaluate("Number(document.body.dataset.ready)")
+        print(f"{size} bytes packed; {starts} ms until models can be chosen")
+        self.assertLess(size, LARGEST_PAGE)
+        self.assertLess(starts, LONGEST_START)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("page")
+    parser.add_argument("data")
+    parser.add_argument("--screenshots", metavar="FOLDER", help="keep pictures of the page here")
+    arguments, rest = parser.parse_known_args()
+    if not chromium.find():
+        print("skipped: there is no Chromium")
+        sys.exit(77)
+    with chromium.Browser(chromium.find()) as browser:
+        outcome = unittest.main(argv=[sys.argv[0], *rest], exit=False).result
+    sys.exit(not outcome.wasSuccessful())
