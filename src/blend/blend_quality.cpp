@@ -29,7 +29,8 @@ const std::vector<Blend_measure>& blend_measures()
        "share by which its volume is too large or small"},
       {"support", &Blend_quality::support, Shape_blend::support_tolerance,
        "share of the parts on the ground that is missing"},
-      {"gone", &Blend_quality::gone, Shape_blend::gone_tolerance, "share by which a part that stays is too small"},
+      {"gone", &Blend_quality::gone, Shape_blend::gone_tolerance,
+       "share by which a part that stays is too large or small"},
       {"rotation", &Blend_quality::rotation, Shape_blend::rotation_tolerance,
        "radians by which a part turns more than it has to"},
       {"travel", &Blend_quality::travel, Shape_blend::travel_tolerance, "distance of a part from its straight way"},
@@ -199,8 +200,8 @@ private:
     for (std::size_t i = 0; i < extents_.size(); ++i) {
       if (!part(i).morph) continue;
       const auto across = [](const contacts::Box& box) { return box.diagonal().norm(); };
-      const double t = shape_.progress(i), due = (1 - t) * across(end_box(i, 0)) + t * across(end_box(i, 1));
-      worst.improve(1 - across(trees_[i]->box()) / due, i);
+      const double t = shape_.progress(), due = (1 - t) * across(end_box(i, 0)) + t * across(end_box(i, 1));
+      worst.improve(off_due(across(trees_[i]->box()), due), i);
     }
     return worst;
   }
@@ -219,7 +220,7 @@ private:
     Worst_parts worst;
     for (std::size_t i = 0; i < extents_.size(); ++i) {
       if (!part(i).morph) continue;
-      const double t = shape_.progress(i);
+      const double t = shape_.progress();
       const Point due = (1 - t) * end_box(i, 0).center() + t * end_box(i, 1).center();
       worst.improve((trees_[i]->box().center() - due).norm(), i);
     }
@@ -390,7 +391,8 @@ std::vector<std::string> Shape_measure::faults(const Blend_quality& quality) con
   if (is_over(&Blend_quality::support))
     add("Of the parts that are due to stand on the ground, " + percent(quality.support) + " do not.");
   if (is_over(&Blend_quality::gone))
-    add(quoted(gone().parts[0]) + ", which both ends have, is smaller than is due by " + percent(quality.gone) + '.');
+    add(quoted(gone().parts[0]) + ", which both ends have, is larger or smaller than is due by " +
+        percent(quality.gone) + '.');
   if (is_over(&Blend_quality::rotation))
     add(quoted(rotation().parts[0]) + " turns by " + two_digits(quality.rotation) + " radians more than it has to.");
   if (is_over(&Blend_quality::travel))

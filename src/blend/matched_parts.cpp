@@ -4,7 +4,7 @@
 #include "base/quantized.h"
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
-#include "blend/like_leftovers.h"
+#include "blend/exchange_sets.h"
 #include "blend/pair_boxes.h"
 #include "blend/unlike_pairs.h"
 #include "map/piece_of.h"
@@ -64,17 +64,18 @@ Surface_fault surface_fault(const Part_morph& morph)
 class Matched_part_maker
 {
 public:
-  Matched_part_maker(const Blend_stage& stage, const Correspondence& correspondence) : stage_(stage)
+  /// \param torn pairs of pieces that are not to be
+  Matched_part_maker(const Blend_stage& stage, const Correspondence& correspondence, const Part_pairs& torn)
+      : stage_(stage)
   {
     Part_pairs paired = part_pairs(correspondence.pairs);
     add_mirrored(paired, stage.images[0], stage.images[1]);
     paired = matched_members(stage.charted[0], stage.charted[1], paired);
     add_mirrored(paired, stage.images[0], stage.images[1]);
     leave_rings_out(paired);
-    unlike_ = take_unlike_pairs(stage, paired);
-    Part_pairs all = paired;
-    all.insert(all.end(), unlike_.begin(), unlike_.end());
-    leftovers_ = like_leftovers(stage, all);
+    const Part_pairs unlike = take_unlike_pairs(stage, torn, paired);
+    sets_ = exchange_sets(stage, paired, unlike);
+    take_alike();
     paired.insert(paired.end(), leftovers_.begin(), leftovers_.end());
     std::sort(paired.begin(), paired.end());
     pairs_ = piece_pairs(stage.charted[0], stage.charted[1], paired);
@@ -83,8 +84,19 @@ public:
     turn_own_images();
   }
 
-  /// The pairs that do not become each other, as they are too unlike.
-  const Part_pairs& unlike_pairs() const { return unlike_; }
+  /// Of parts that become no part.
+  const std::vector<Exchange_set>& sets() const { return sets_; }
+
+  /// The pairs of pieces that are exchanged: each by itself they come apart, their parts as a whole do not.
+  Part_pairs exchanged_pieces(const std::vector<Blend_part>& parts) const
+  {
+    Part_pairs result;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (parts[i].is_exchange() && parts[i].task.type != Blend_task_type::EXCHANGE &&
+          parts[i].task.type != Blend_task_type::MORPH)
+        result.emplace_back(pairs_[i].source, pairs_[i].target);
+    return result;
+  }
 
   std::vector<Blend_part> parts() const
   {
@@ -123,6 +135,23 @@ private:
     for (const auto& pair : paired)
       if (!is_torn(pair) || !has_other(pair)) kept.push_back(pair);
     paired = std::move(kept);
+  }
+
+  /// Takes out the sets of two parts without counterpart that are alike in place and size.
+  void take_alike()
+  {
+    const auto is_alike = [&](const Exchange_set& set) {
+      return set.reason == Blend_exchange::UNMATCHED && set.parts[0].size() == 1 && set.parts[1].size() == 1 &&
+             !are_unlike(stage_, set.parts[0][0], set.parts[1][0]);
+    };
+    std::vector<Exchange_set> others;
+    for (Exchange_set& set : sets_)
+      if (is_alike(set))
+        leftovers_.emplace_back(set.parts[0][0], set.parts[1][0]);
+      else
+        others.push_back(std::move(set));
+    sets_ = std::move(others);
+    std::sort(leftovers_.begin(), leftovers_.end());
   }
 
   void find_images(const Part_pairs& paired)
@@ -180,7 +209,8 @@ private:
   {
     Blend_part part;
     std::array<Part_mesh, 2> pieces;
-    std::vector<Pair_charts> charts; ///< that may be used, the better ones first
+    Pair_charts boxes;
+    std::vector<Pair_charts> charts; ///< by which it may morph, the better ones first
     std::optional<bool> forward;
     std::shared_ptr<Part_morph> morph;
     double torn = 0; ///< area
@@ -201,9 +231,9 @@ private:
     result.pieces = {piece(0, pair.source, charted.source, charted.source_piece, part.is_reflected),
                      piece(1, pair.target, charted.target, charted.target_piece, part.is_reflected)};
     if (image) result.forward = image->morph->is_forward();
+    result.boxes = boxes(result, charted_as);
     if (std::binary_search(leftovers_.begin(), leftovers_.end(), std::pair(pair.source, pair.target))) {
       part.task.type = Blend_task_type::EXCHANGE;
-      result.charts = {boxes(result, charted_as)};
       exchange(result, Blend_exchange::UNMATCHED);
     } else {
       set_charts(result, charted_as);
@@ -217,14 +247,14 @@ private:
   void set_charts(Making& making, std::size_t number) const
   {
     constexpr double bending = 0.35; // that own charts may turn more
-    making.charts = {boxes(making, number)};
+    making.charts = {making.boxes};
     if (is_upright_[number]) return;
     if (pair_kind(pairs_[number], stage_.charted[0], stage_.charted[1]) == Pair_kind::BOXES) return;
-    const Pair_charts straight = making.charts[0];
     const Pair_charts own = pair_charts(pairs_[number], stage_.charted[0], stage_.charted[1], making.pieces[0].points,
                                         making.pieces[1].points);
-    making.charts.insert(change(own) <= change(straight) + bending ? making.charts.begin() : making.charts.end(), own);
-    making.part.needless_turn = std::max(0., turn(making.charts[0]) - turn(straight));
+    making.charts.insert(change(own) <= change(making.boxes) + bending ? making.charts.begin() : making.charts.end(),
+                         own);
+    making.part.needless_turn = std::max(0., turn(making.charts[0]) - turn(making.boxes));
   }
 
   Pair_charts boxes(const Making& making, std::size_t number) const
@@ -266,16 +296,13 @@ private:
     exchange(making, reason);
   }
 
-  /// In the first charts that do not tear surfaces: boxes do not.
+  /// In boxes, which do not bend surfaces.
   static void exchange(Making& making, Blend_exchange reason)
   {
     making.part.task.exchange = reason;
+    making.part.needless_turn = 0;
     making.torn = 0;
-    for (const Pair_charts& charts : making.charts) {
-      set_morph(making, charts);
-      making.morph->exchange();
-      if (surface_fault(*making.morph).torn_share <= Shape_blend::torn_tolerance) break;
-    }
+    making.morph = std::make_shared<Part_morph>(Part_morph::exchange(making.boxes, making.pieces[0], making.pieces[1]));
     finish(making);
   }
 
@@ -315,7 +342,8 @@ private:
   }
 
   const Blend_stage& stage_;
-  Part_pairs leftovers_, unlike_;
+  Part_pairs leftovers_;
+  std::vector<Exchange_set> sets_;
   std::vector<Piece_pair> pairs_;
   std::vector<std::size_t> images_;      ///< by pair, its mirror image
   std::vector<char> is_upright_;         ///< by pair
@@ -326,10 +354,17 @@ private:
 
 std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence)
 {
-  const Matched_part_maker maker(stage, correspondence);
-  std::vector<Blend_part> result = maker.parts();
-  add_unmatched_parts(stage, maker.unlike_pairs(), result);
-  return result;
+  Part_pairs torn;
+  for (;;) {
+    const Matched_part_maker maker(stage, correspondence, torn);
+    std::vector<Blend_part> result = maker.parts();
+    const Part_pairs found = maker.exchanged_pieces(result);
+    if (found.empty()) {
+      add_unmatched_parts(stage, maker.sets(), result);
+      return result;
+    }
+    torn.insert(torn.end(), found.begin(), found.end());
+  }
 }
 
 } // namespace CGAL::Shape_correspondence::internal
