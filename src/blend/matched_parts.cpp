@@ -1,7 +1,6 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "base/quantized.h"
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
 #include "blend/exchange_sets.h"
@@ -21,18 +20,13 @@ namespace {
 
 constexpr std::size_t none = Blend_task::no_part;
 
-/// What is wrong with the surfaces of a matched part on their way, where it is worst, as `Blend_quality` measures it.
-struct Surface_fault
+/// Whether, and why, the surface of a matched part is not to become the other: it is torn, turned over or far thinner
+/// on the way, or another surface where the one takes over from the other.
+Blend_exchange reason_to_exchange(const Part_morph& morph)
 {
-  double torn = 0;       ///< area
-  double torn_share = 0; ///< of the surface
-  double thinning = 0;
-  bool is_crumpled = false; ///< turned over, or another surface where the one takes over from the other
-};
-
-/// Of the surface that there is, at some times.
-Surface_fault surface_fault(const Part_morph& morph)
-{
+  constexpr double most_torn = 2 * Shape_blend::torn_tolerance; // of a part by itself
+  constexpr double most_area = 1.3;    // of either surface over the other, where both are to be the same
+  constexpr double most_turned = 0.12; // of either surface
   std::array<std::optional<Rest_surface>, 2> rests;
   for (int end : {0, 1})
     rests[std::size_t(end)].emplace(morph.points(end, end), morph.triangles(end));
@@ -40,24 +34,20 @@ Surface_fault surface_fault(const Part_morph& morph)
   std::vector<std::pair<int, double>> samples = {{0, change}, {1, change}};
   for (double t : {0.25, 0.5, 0.75})
     if (t != change) samples.emplace_back(morph.surface(t), t);
-  Surface_fault result;
+  double torn = 0, thinning = 0;
   for (const auto& [surface, t] : samples) {
     const Rest_surface& rest = *rests[std::size_t(surface)];
     const Points points = morph.points(surface, t);
     const Surface_extent extent = rest.extent(points);
-    const double torn = rest.torn_area(points, extent);
-    result.torn = std::max(result.torn, torn);
-    if (extent.area > 0) result.torn_share = std::max(result.torn_share, torn / extent.area);
-    result.thinning = std::max(result.thinning, thinning_of(rests, extent, 1));
+    if (extent.area > 0) torn = std::max(torn, rest.torn_area(points, extent) / extent.area);
+    thinning = std::max(thinning, thinning_of(rests, extent, 1));
   }
-  // Where the one takes over from the other, both are the same surface, unless it is crumpled.
-  constexpr double most_area = 1.3;
   const double before = rests[0]->extent(morph.points(0, change)).area;
   const double after = rests[1]->extent(morph.points(1, change)).area;
-  constexpr double most_turned = 0.12; // of either surface
-  result.is_crumpled = std::max(before, after) > most_area * std::min(before, after) ||
-                       std::max(morph.turned_share(0), morph.turned_share(1)) > most_turned;
-  return result;
+  if (torn > most_torn || std::max(before, after) > most_area * std::min(before, after) ||
+      std::max(morph.turned_share(0), morph.turned_share(1)) > most_turned)
+    return Blend_exchange::TORN;
+  return thinning > Shape_blend::thinning_tolerance ? Blend_exchange::THIN : Blend_exchange::NONE;
 }
 
 /// Makes the parts of a blend from pairs of pieces.
@@ -72,7 +62,6 @@ public:
     add_mirrored(paired, stage.images[0], stage.images[1]);
     paired = matched_members(stage.charted[0], stage.charted[1], paired);
     add_mirrored(paired, stage.images[0], stage.images[1]);
-    leave_rings_out(paired);
     const Part_pairs unlike = take_unlike_pairs(stage, torn, paired);
     sets_ = exchange_sets(stage, paired, unlike);
     take_alike();
@@ -103,7 +92,6 @@ public:
     std::vector<Making> makings;
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       makings.push_back(making(i, images_[i] < i ? &makings[images_[i]] : nullptr));
-    exchange_most_torn(makings);
     std::vector<Blend_part> result;
     for (Making& making : makings)
       result.push_back(std::move(making.part));
@@ -117,25 +105,6 @@ private:
     int count = 0;
     bool all_have_images = true;
   };
-
-  /// Takes out pairs of a closed curve and what is none, if either becomes something of its own kind as well: the hole
-  /// would be torn open. The ring shrinks or grows instead.
-  void leave_rings_out(Part_pairs& paired) const
-  {
-    const auto is_torn = [&](const std::pair<std::size_t, std::size_t>& pair) {
-      return stage_.charted[0].parts[pair.first]->is_closed_curve() !=
-             stage_.charted[1].parts[pair.second]->is_closed_curve();
-    };
-    const auto has_other = [&](const std::pair<std::size_t, std::size_t>& pair) {
-      return std::any_of(paired.begin(), paired.end(), [&](const auto& other) {
-        return (other.first == pair.first || other.second == pair.second) && !is_torn(other);
-      });
-    };
-    Part_pairs kept;
-    for (const auto& pair : paired)
-      if (!is_torn(pair) || !has_other(pair)) kept.push_back(pair);
-    paired = std::move(kept);
-  }
 
   /// Takes out the sets of two parts without counterpart that are alike in place and size.
   void take_alike()
@@ -213,7 +182,6 @@ private:
     std::vector<Pair_charts> charts; ///< by which it may morph, the better ones first
     std::optional<bool> forward;
     std::shared_ptr<Part_morph> morph;
-    double torn = 0; ///< area
   };
 
   /// \param image its mirror image, if it is there, which becomes its counterpart in the same way
@@ -280,16 +248,10 @@ private:
   /// \param known of the mirror image
   static void choose_charts(Making& making, Blend_exchange known)
   {
-    constexpr double torn_part = 2; // tolerances, of a part by itself
     Blend_exchange reason = known;
     for (std::size_t i = 0; i < making.charts.size() && known == Blend_exchange::NONE; ++i) {
       set_morph(making, making.charts[i]);
-      const Surface_fault fault = surface_fault(*making.morph);
-      making.torn = fault.torn;
-      const Blend_exchange own = fault.is_crumpled || fault.torn_share > torn_part * Shape_blend::torn_tolerance
-                                     ? Blend_exchange::TORN
-                                 : fault.thinning > Shape_blend::thinning_tolerance ? Blend_exchange::THIN
-                                                                                    : Blend_exchange::NONE;
+      const Blend_exchange own = reason_to_exchange(*making.morph);
       if (own == Blend_exchange::NONE) return finish(making);
       if (i == 0) reason = own;
     }
@@ -301,35 +263,8 @@ private:
   {
     making.part.task.exchange = reason;
     making.part.needless_turn = 0;
-    making.torn = 0;
     making.morph = std::make_shared<Part_morph>(Part_morph::exchange(making.boxes, making.pieces[0], making.pieces[1]));
     finish(making);
-  }
-
-  /// Exchanges the parts that are torn most, until little of the whole surface is.
-  void exchange_most_torn(std::vector<Making>& makings) const
-  {
-    constexpr double most_torn = 0.5; // of the tolerance: the layout tears, too
-    std::array<double, 2> areas = {0, 0};
-    std::vector<std::size_t> order(makings.size());
-    double torn = 0;
-    for (std::size_t i = 0; i < makings.size(); ++i) {
-      order[i] = i;
-      torn += makings[i].torn;
-      for (std::size_t end : {0u, 1u})
-        areas[end] += makings[i].part.rests[end]->extent().area;
-    }
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return quantized(makings[a].torn) > quantized(makings[b].torn);
-    });
-    for (std::size_t i : order) {
-      if (torn <= most_torn * Shape_blend::torn_tolerance * std::min(areas[0], areas[1])) return;
-      for (std::size_t part : {i, images_[i]}) {
-        if (part == none || makings[part].part.is_exchange()) continue;
-        torn -= makings[part].torn;
-        exchange(makings[part], Blend_exchange::TORN);
-      }
-    }
   }
 
   /// The piece of a part that a box of a chart cuts out.
