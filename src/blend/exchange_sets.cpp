@@ -106,7 +106,7 @@ private:
     bool result = false;
     for (std::size_t i = 0; i < all_.size(); ++i) {
       if (changes(i)) continue;
-      std::size_t carrier = morphs;
+      std::vector<std::size_t> carriers;
       bool touches_morphing = false;
       for (const Contact& contact : structure(stage_.graphs[all_[i].end]).contacts) {
         const auto [a, b] = contact.parts;
@@ -114,11 +114,12 @@ private:
         const std::size_t other = numbers_[all_[i].end][a == all_[i].part ? b : a];
         if (other == morphs)
           touches_morphing = true;
-        else if (carrier == morphs && changes(other))
-          carrier = other;
+        else if (changes(other))
+          carriers.push_back(other);
       }
-      if (touches_morphing || carrier == morphs) continue;
-      sets_.unite(i, carrier);
+      if (touches_morphing || carriers.empty()) continue;
+      for (std::size_t carrier : carriers) // all of them, so that it stays between them
+        sets_.unite(i, carrier);
       result = true;
     }
     return result;
