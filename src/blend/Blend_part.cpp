@@ -72,27 +72,9 @@ std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end,
   return result;
 }
 
-namespace {
-
-/// The boxes around a part, of an end, and its counterparts; empty where it has none.
-std::array<contacts::Box, 2> boxes_of_set(const Blend_stage& stage, const Part_pairs& unlike, int end, std::size_t part)
+void add_unmatched_parts(const Blend_stage& stage, const std::vector<Exchange_set>& sets,
+                         std::vector<Blend_part>& parts)
 {
-  std::array<contacts::Box, 2> result;
-  for (const auto& [s, t] : unlike)
-    if ((end == 0 ? s : t) == part)
-      for (const auto& [source, target] : unlike)
-        if (source == s || target == t) {
-          result[0].extend(box_of(stage.meshes[0][source].points));
-          result[1].extend(box_of(stage.meshes[1][target].points));
-        }
-  return result;
-}
-
-} // namespace
-
-void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std::vector<Blend_part>& parts)
-{
-  constexpr double near = 0.3; // of the height, between the middles of boxes that turn into each other
   for (int end : {0, 1}) {
     const auto e = std::size_t(end);
     const Shape_structure& shape = structure(stage.graphs[e]);
@@ -115,10 +97,14 @@ void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std
           charted = image;
         }
       }
-      result.ridden = boxes_of_set(stage, unlike, end, part);
-      if (!result.ridden[0].isEmpty()) result.task.exchange = Blend_exchange::UNLIKE;
-      if (result.ridden[0].isEmpty() || (result.ridden[0].center() - result.ridden[1].center()).norm() > near)
-        result.ridden = stage.boxes;
+      result.ridden = stage.boxes;
+      const auto set = std::find_if(sets.begin(), sets.end(), [&](const Exchange_set& other) {
+        return std::binary_search(other.parts[e].begin(), other.parts[e].end(), part);
+      });
+      if (set != sets.end()) {
+        result.ridden = set->boxes;
+        result.task.exchange = set->reason;
+      }
       Part_mesh mesh = stage.meshes[e][part];
       if (result.is_reflected) mesh.points = mirrored(std::move(mesh.points));
       result.thinning = std::make_shared<Thinning_part>(shape.parts[charted],

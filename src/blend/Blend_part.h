@@ -6,6 +6,7 @@
 #include "blend/Part_morph.h"
 #include "blend/Rest_surface.h"
 #include "blend/Thinning_part.h"
+#include "blend/exchange_sets.h"
 #include "map/Charted_mesh.h"
 #include "map/matched_members.h"
 
@@ -85,8 +86,9 @@ std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end,
 std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence);
 
 /// Adds the parts of both ends that become no part.
-/// \param unlike pairs of parts that go with each other's boxes, if these are near each other
-void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std::vector<Blend_part>& parts);
+/// \param sets of parts that give way to each other
+void add_unmatched_parts(const Blend_stage& stage, const std::vector<Exchange_set>& sets,
+                         std::vector<Blend_part>& parts);
 
 inline contacts::Box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
 

@@ -30,17 +30,6 @@ bool is_inside(const Point& p, const Seen_surface& surface)
   return (surface.looks_outwards ? 1 : -1) * normal.dot(way) > across * depth * normal.norm();
 }
 
-/// Whether a surface, which may be open, is in the way in six directions.
-bool is_enclosed(const Point& p, const contacts::Triangle_tree& surface)
-{
-  if (!surface.box().contains(p)) return false;
-  const Point tilt(0.011, 0.017, 0.013); // meshes have edges in planes of the coordinates
-  for (int axis = 0; axis < 3; ++axis)
-    for (double sign : {1., -1.})
-      if (surface.crossings(p, sign * Point::Unit(axis) + tilt) == 0) return false;
-  return true;
-}
-
 double share_inside(const Points& samples, const Seen_surface& surface)
 {
   int inside = 0;
@@ -50,15 +39,6 @@ double share_inside(const Points& samples, const Seen_surface& surface)
 }
 
 } // namespace
-
-double hidden_share(const Points& samples, const contacts::Triangle_tree& surface, bool is_on_hidden)
-{
-  int hidden = 0;
-  for (Eigen::Index i = 0; i < samples.cols(); ++i)
-    hidden += surface.is_near(samples.col(i), least_depth * least_depth) ? is_on_hidden
-                                                                         : is_enclosed(samples.col(i), surface);
-  return samples.cols() > 0 ? double(hidden) / double(samples.cols()) : 0;
-}
 
 Overlaps overlaps_of(const std::vector<Seen_surface>& surfaces)
 {

@@ -28,10 +28,6 @@ struct Seen_surface
 /// The overlaps of closed parts, those that are 0 left out.
 Overlaps overlaps_of(const std::vector<Seen_surface>& surfaces);
 
-/// The share of a surface that another one, which may be open, hides from all sides.
-/// \param is_on_hidden whether what is on the other one is hidden, too
-double hidden_share(const Points& samples, const contacts::Triangle_tree& surface, bool is_on_hidden);
-
 /// The volume of the convex hull of surfaces, nearly; 0 of what is flat.
 double hull_volume(const std::vector<const Points*>& surfaces);
 

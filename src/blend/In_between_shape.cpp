@@ -3,7 +3,7 @@
 
 #include "blend/In_between_shape.h"
 
-#include "blend/ease.h"
+#include "blend/exchange.h"
 
 #include <algorithm>
 
@@ -47,7 +47,7 @@ In_between_shape::In_between_shape(const Blend_structure& blend, const Task_time
       points_[i] = part.points(surface_[i], progress_[i]);
       if (!part.is_exchange()) continue;
       const int other = 1 - surface_[i];
-      const double there = Part_morph::remaining(other, progress_[i]);
+      const double there = exchange_remaining(other, progress_[i]);
       has_other_[i] = there > nothing;
       others_[i] = part.points(other, progress_[i], there);
     } else if (remaining_[i] > nothing) {
@@ -56,7 +56,8 @@ In_between_shape::In_between_shape(const Blend_structure& blend, const Task_time
     }
   }
   ride_the_whole();
-  close_contacts();
+  for (bool of_matched : {true, false})
+    close_contacts(of_matched);
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (is_there(i)) put_on_ground(i);
   fill_the_box();
@@ -72,6 +73,8 @@ void In_between_shape::set_progress(const Task_times& times, double t)
     if (part.morph) {
       sum += part.size * progress_[i];
       sizes += part.size;
+    } else if (part.task.exchange != Blend_exchange::NONE) {
+      remaining_[i] = exchange_remaining(part.end(), progress_[i]);
     } else {
       remaining_[i] = part.end() == 0 ? 1 - progress_[i] : progress_[i];
     }
@@ -115,27 +118,30 @@ void In_between_shape::ride_the_whole()
     const Blend_part& part = blend_.parts[i];
     if (part.morph || !is_there(i)) continue;
     const contacts::Box own = box_of(points_[i]);
+    const double done = part.task.exchange != Blend_exchange::NONE ? progress_[i] : whole_;
     const Eigen::Affine3d map =
-        box_map(part.ridden[std::size_t(part.end())], between(part.ridden[0], part.ridden[1], whole_));
+        box_map(part.ridden[std::size_t(part.end())], between(part.ridden[0], part.ridden[1], done));
     Eigen::Affine3d bounded(map.linear().diagonal().cwiseMax(least_stretch).cwiseMin(most_stretch).asDiagonal());
     bounded.translation() = map * own.center() - bounded.linear() * own.center();
     place(i, bounded);
   }
 }
 
-void In_between_shape::close_contacts()
+/// First those of matched parts with each other; then unmatched parts follow, which do not pull at matched ones.
+void In_between_shape::close_contacts(bool of_matched)
 {
   constexpr double least_stretch = 0.7, most_stretch = 1.4, least_size = 1e-3;
+  const auto moves = [&](std::size_t i) { return is_there(i) && bool(part(i).morph) == of_matched; };
   std::vector<Moving_body> bodies(points_.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!is_there(i)) continue;
     const contacts::Box box = box_of(points_[i]);
-    bodies[i] = {box.center(), std::max(box.diagonal().norm() / 2, least_size)};
+    bodies[i] = {box.center(), std::max(box.diagonal().norm() / 2, least_size), !moves(i)};
   }
   Box_motion_solver solver(bodies);
   for (const Kept_contact& contact : blend_.contacts) {
     const auto [a, b] = contact.parts;
-    if (!is_there(a) || !is_there(b)) continue;
+    if (of_matched ? !moves(a) || !moves(b) : !is_there(a) || !is_there(b) || !(moves(a) || moves(b))) continue;
     const auto at = [&](std::size_t part, const Carried_point& p) -> Point {
       return placements_[part] * blend_.parts[part].place(p, progress_[part], remaining_[part]);
     };
@@ -144,7 +150,7 @@ void In_between_shape::close_contacts()
   }
   const std::vector<Box_motion> motions = solver.solve(least_stretch, most_stretch);
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    if (!is_there(i)) continue;
+    if (!moves(i)) continue;
     const std::size_t image = blend_.parts[i].image;
     const bool has_image = blend_.is_symmetric && image != Blend_task::no_part && is_there(image);
     place(i, (has_image ? motions[i].symmetrised(motions[image]) : motions[i]).map());

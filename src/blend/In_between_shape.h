@@ -62,7 +62,7 @@ public:
 private:
   void set_progress(const Task_times& times, double t);
   void ride_the_whole();
-  void close_contacts();
+  void close_contacts(bool of_matched);
   void put_on_ground(std::size_t part);
   void fill_the_box();
   void place(std::size_t part, const Eigen::Affine3d& map);

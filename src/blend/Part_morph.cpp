@@ -3,13 +3,14 @@
 
 #include "blend/Part_morph.h"
 
-#include "blend/ease.h"
+#include "blend/exchange.h"
 #include "blend/smooth_places.h"
 #include "map/Charted_mesh.h"
 #include "map/Piece_pair.h"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -36,18 +37,20 @@ Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const
   surfaces_ = std::move(forward_ ? ahead : back);
 }
 
-void Part_morph::exchange()
+Part_morph Part_morph::exchange(const Pair_charts& boxes, const Part_mesh& source, const Part_mesh& target)
 {
-  for (std::size_t i : {0u, 1u}) { // each stays as it is at its own end
-    Moving_surface& surface = i == 0 ? surfaces_.first : surfaces_.second;
-    const Chart_outline& outline = outlines_[(i == 0) == forward_ ? 0 : 1];
-    for (Eigen::Index k = 0; k < surface.coordinates[i].cols(); ++k)
-      surface.coordinates[i].col(k) = outline.absolute(surface.coordinates[i].col(k));
-    surface.coordinates[1 - i] = surface.coordinates[i];
-    surface.offsets[1 - i] = surface.offsets[i];
+  Part_morph result(boxes);
+  for (const auto& [mesh, chart, surface] : {std::tie(source, result.source_, result.surfaces_.first),
+                                             std::tie(target, result.target_, result.surfaces_.second)}) {
+    Charted_mesh charted{mesh.points, mesh.triangles, Points(3, mesh.points.cols()),
+                         Points::Zero(3, mesh.points.cols())};
+    for (Eigen::Index i = 0; i < mesh.points.cols(); ++i)
+      charted.coordinates.col(i) = chart.coordinates(mesh.points.col(i));
+    surface = at_rest(charted);
   }
-  surfaces_.change = 0.5;
-  is_exchange_ = true;
+  result.surfaces_.change = exchange_time;
+  result.is_exchange_ = true;
+  return result;
 }
 
 double Part_morph::turned_share(int surface) const
@@ -69,17 +72,12 @@ double Part_morph::turned_share(int surface) const
   return all > 0 ? sum / all : 0;
 }
 
-double Part_morph::remaining(int surface, double t)
-{
-  const double gone = surface == 0 ? t : 1 - t;
-  return gone <= 0.5 ? 1 : eased(2 * (1 - gone));
-}
-
 Points Part_morph::points(int surface, double t, double remaining) const
 {
   constexpr double instant = 1e-12; // the least time for a motion
   const Part_chart chart = Part_chart::between(source_, target_, t);
-  const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], t);
+  std::optional<Chart_outline> outline;
+  if (!is_exchange_) outline = Chart_outline::between(outlines_[0], outlines_[1], t);
   const Moving_surface& mesh = moving(surface);
   const double own_time = forward_ ? t : 1 - t;
   const double moved = std::clamp((own_time - mesh.begin) / std::max(mesh.end - mesh.begin, instant), 0., 1.);
@@ -88,7 +86,7 @@ Points Part_morph::points(int surface, double t, double remaining) const
   Points result(3, mesh.coordinates[0].cols());
   for (Eigen::Index i = 0; i < result.cols(); ++i) {
     const Point q = (1 - moved) * mesh.coordinates[0].col(i) + moved * mesh.coordinates[1].col(i);
-    const Point k = is_exchange_ ? scale.cwiseProduct(q) : outline.absolute(q);
+    const Point k = is_exchange_ ? Point(scale.cwiseProduct(q)) : outline->absolute(q);
     const Point off = left.minCoeff() * ((1 - own_time) * mesh.offsets[0].col(i) + own_time * mesh.offsets[1].col(i));
     result.col(i) = chart(k) + chart.frame(k) * off;
   }

@@ -5,6 +5,7 @@
 
 #include "map/Chart_outline.h"
 #include "map/Part_chart.h"
+#include "map/Piece_pair.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
@@ -15,7 +16,6 @@
 namespace CGAL::Shape_correspondence::internal {
 
 struct Charted_mesh;
-struct Pair_charts;
 
 /// A surface that becomes another.
 ///
@@ -24,8 +24,8 @@ struct Pair_charts;
 /// reach grows out of it. So both ends are exact, nothing jumps, and the surface is that of one input or the other at
 /// any time: closed if both are.
 ///
-/// Where that fails, the surfaces are *exchanged*: both go the way of the pair's charts as they are. In the first half
-/// the target's thickens in the middle of the source's; in the second half the source's thins to there.
+/// Where that fails, the surfaces are *exchanged*: both go the way of the pair's boxes as they are. Before the change
+/// the target's thickens in the middle of the source's; then the source's thins to there.
 class Part_morph
 {
 public:
@@ -35,8 +35,8 @@ public:
 
   bool is_forward() const { return forward_; }
   bool is_exchange() const { return is_exchange_; }
-  /// Makes it an exchange.
-  void exchange();
+  /// An exchange in straight charts.
+  static Part_morph exchange(const Pair_charts& boxes, const Part_mesh& source, const Part_mesh& target);
 
   /// The surfaces, the one at the source's end first.
   const Eigen::Matrix3Xi& triangles(int surface) const { return moving(surface).triangles; }
@@ -51,8 +51,6 @@ public:
   /// The share of a surface that the other one turns by more than 60 degrees on the way: where a hull goes from one of
   /// its layers to the other.
   double turned_share(int surface) const;
-  /// In an exchange, how much there is of a surface.
-  static double remaining(int surface, double t);
 
   /// Coordinates of a point at an end, and where such coordinates are at `t`, before the surfaces fit in exactly.
   Point coordinates(int end, const Point& p) const;
@@ -74,6 +72,8 @@ private:
     Moving_surface first, second;
     double change = 1; ///< when the second takes over
   };
+
+  explicit Part_morph(const Pair_charts& charts) : source_(charts.source), target_(charts.target) {}
 
   bool is_block() const;
   Point narrowing(double t) const;

@@ -29,7 +29,8 @@ const std::vector<Blend_measure>& blend_measures()
        "share by which its volume is too large or small"},
       {"support", &Blend_quality::support, Shape_blend::support_tolerance,
        "share of the parts on the ground that is missing"},
-      {"gone", &Blend_quality::gone, Shape_blend::gone_tolerance, "share by which a part that stays is too small"},
+      {"gone", &Blend_quality::gone, Shape_blend::gone_tolerance,
+       "share by which a part that stays is too large or small"},
       {"rotation", &Blend_quality::rotation, Shape_blend::rotation_tolerance,
        "radians by which a part turns more than it has to"},
       {"travel", &Blend_quality::travel, Shape_blend::travel_tolerance, "distance of a part from its straight way"},
@@ -76,13 +77,12 @@ class Shape_measure
 {
 public:
   explicit Shape_measure(const In_between_shape& shape)
-      : shape_(shape), trees_(shape.trees()), extents_(shape.number_of_parts()), others_(shape.number_of_parts())
+      : shape_(shape), trees_(shape.trees()), extents_(shape.number_of_parts())
   {
     for (std::size_t part = 0; part < extents_.size(); ++part) {
       if (!shape.is_there(part)) continue;
       extents_[part] = rest(part).extent(shape.points(part));
       area_ += extents_[part].area;
-      if (shape.has_other(part)) add_other(part);
     }
   }
 
@@ -111,38 +111,11 @@ public:
   std::vector<std::string> faults(const Blend_quality& quality) const;
 
 private:
-  /// The other surface of an exchange.
-  struct Other_surface
-  {
-    Surface_extent extent;
-    Points samples;
-    contacts::Triangle_tree tree;
-    double seen, others_seen; ///< shares of it, and of the one that is there as a whole
-  };
-
-  void add_other(std::size_t i)
-  {
-    const Points& points = shape_.other_points(i);
-    const Rest_surface& own = other_rest(i);
-    others_[i].emplace(Other_surface{own.extent(points), own.samples(points),
-                                     *part(i).trees[std::size_t(1 - shape_.surface(i))], 1, 1});
-    Other_surface& other = *others_[i];
-    const Eigen::Matrix3Xi& triangles = part(i).triangles(1 - shape_.surface(i));
-    other.tree.move([&](std::size_t t) { return triangle_of(points, triangles, t); });
-    area_ += other.extent.area;
-    other.seen = 1 - hidden_share(other.samples, *trees_[i], true);
-    other.others_seen = 1 - hidden_share(rest(i).samples(shape_.points(i)), other.tree, false);
-  }
-
   const Blend_structure& blend() const { return shape_.blend(); }
   const Blend_part& part(std::size_t part) const { return shape_.part(part); }
   const Rest_surface& rest(std::size_t part) const
   {
     return *shape_.part(part).rests[std::size_t(shape_.surface(part))];
-  }
-  const Rest_surface& other_rest(std::size_t part) const
-  {
-    return *shape_.part(part).rests[std::size_t(1 - shape_.surface(part))];
   }
   const End_look& look(std::size_t end) const { return blend().looks[end]; }
   const contacts::Box& end_box(std::size_t i, int end) const
@@ -166,21 +139,11 @@ private:
     return result;
   }
 
-  double volume_of(std::size_t i) const
-  {
-    const auto own = [](const Rest_surface& rest, const Surface_extent& extent) {
-      return rest.is_closed() ? std::abs(extent.volume) : 0;
-    };
-    const double there = own(rest(i), extents_[i]);
-    return others_[i] ? others_[i]->others_seen * there + others_[i]->seen * own(other_rest(i), others_[i]->extent)
-                      : there;
-  }
-
   double volume() const
   {
     double sum = 0;
     for (std::size_t i = 0; i < extents_.size(); ++i)
-      if (shape_.is_there(i)) sum += volume_of(i);
+      if (shape_.is_there(i) && rest(i).is_closed()) sum += std::abs(extents_[i].volume);
     return sum;
   }
 
@@ -199,8 +162,8 @@ private:
     for (std::size_t i = 0; i < extents_.size(); ++i) {
       if (!part(i).morph) continue;
       const auto across = [](const contacts::Box& box) { return box.diagonal().norm(); };
-      const double t = shape_.progress(i), due = (1 - t) * across(end_box(i, 0)) + t * across(end_box(i, 1));
-      worst.improve(1 - across(trees_[i]->box()) / due, i);
+      const double t = shape_.progress(), due = (1 - t) * across(end_box(i, 0)) + t * across(end_box(i, 1));
+      worst.improve(off_due(across(trees_[i]->box()), due), i);
     }
     return worst;
   }
@@ -219,7 +182,7 @@ private:
     Worst_parts worst;
     for (std::size_t i = 0; i < extents_.size(); ++i) {
       if (!part(i).morph) continue;
-      const double t = shape_.progress(i);
+      const double t = shape_.progress();
       const Point due = (1 - t) * end_box(i, 0).center() + t * end_box(i, 1).center();
       worst.improve((trees_[i]->box().center() - due).norm(), i);
     }
@@ -276,13 +239,11 @@ private:
     double sum = 0;
     for (std::size_t i = 0; i < extents_.size(); ++i) {
       if (!shape_.is_there(i)) continue;
-      double own = extents_[i].area;
-      if (others_[i]) own = others_[i]->others_seen * own + others_[i]->seen * others_[i]->extent.area;
       double at_ends = 0;
       for (const std::optional<Rest_surface>& surface : part(i).rests)
         if (surface) at_ends = std::max(at_ends, surface->extent().area);
-      worst.improve(own - at_ends, i);
-      sum += own;
+      worst.improve(extents_[i].area - at_ends, i);
+      sum += extents_[i].area;
     }
     const double most = std::max(look(0).area, look(1).area);
     worst.value = most > 0 ? std::max(0., sum / most - 1) : 0;
@@ -295,8 +256,7 @@ private:
     double sum = 0;
     for (std::size_t i = 0; i < extents_.size(); ++i) {
       if (!shape_.is_there(i) || !part(i).morph) continue;
-      double area = rest(i).torn_area(shape_.points(i), extents_[i]);
-      if (others_[i]) area += other_rest(i).torn_area(shape_.other_points(i), others_[i]->extent);
+      const double area = rest(i).torn_area(shape_.points(i), extents_[i]);
       worst.improve(area, i);
       sum += area;
     }
@@ -336,7 +296,6 @@ private:
   const In_between_shape& shape_;
   const In_between_shape::Trees trees_;
   std::vector<Surface_extent> extents_; ///< by part
-  std::vector<std::optional<Other_surface>> others_;
   double area_ = 0;
 };
 
@@ -390,7 +349,8 @@ std::vector<std::string> Shape_measure::faults(const Blend_quality& quality) con
   if (is_over(&Blend_quality::support))
     add("Of the parts that are due to stand on the ground, " + percent(quality.support) + " do not.");
   if (is_over(&Blend_quality::gone))
-    add(quoted(gone().parts[0]) + ", which both ends have, is smaller than is due by " + percent(quality.gone) + '.');
+    add(quoted(gone().parts[0]) + ", which both ends have, is larger or smaller than is due by " +
+        percent(quality.gone) + '.');
   if (is_over(&Blend_quality::rotation))
     add(quoted(rotation().parts[0]) + " turns by " + two_digits(quality.rotation) + " radians more than it has to.");
   if (is_over(&Blend_quality::travel))

@@ -3,7 +3,7 @@
 
 #include "blend/In_between_cache.h"
 #include "blend/blend_quality.h"
-#include "blend/ease.h"
+#include "blend/exchange.h"
 #include "blend/schedules.h"
 #include "map/check_model.h"
 #include "matching/unlikely_pairs.h"
@@ -140,20 +140,21 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
   for (std::size_t i = 0; i < blend_->parts.size(); ++i) {
     const Blend_part& part = blend_->parts[i];
     const Blend_task& task = schedules_[0].tasks[i];
+    const auto time = [&](double progress) { return task.begin + time_of(progress) * (task.end - task.begin); };
+    const bool is_exchange = task.exchange != Blend_exchange::NONE;
+    std::array<double, 2> change = {is_exchange ? time(exchange_time - exchange_overlap) : task.begin,
+                                    is_exchange ? time(exchange_time + exchange_overlap) : task.end};
     if (!part.morph) {
-      const bool shrinks = task.type == Blend_task_type::SHRINK;
-      result.push_back({part.name, task, part.triangles(0), shrinks ? 0 : task.begin, shrinks ? task.end : 1});
+      const bool shrinks = part.end() == 0;
+      result.push_back({part.name, task, part.triangles(0), shrinks ? 0 : change[0], shrinks ? change[1] : 1});
       continue;
     }
-    if (part.is_exchange()) {
-      result.push_back({part.name, task, part.triangles(0), 0, task.end});
-      result.push_back({part.name, task, part.triangles(1), task.begin, 1});
-      continue;
+    if (!is_exchange) {
+      const double progress = part.morph->switch_time();
+      change[0] = change[1] = progress <= 0 ? 0 : progress >= 1 ? 1 : time(progress);
     }
-    const double change = time_of(part.morph->switch_time());
-    const double at = change <= 0 ? 0 : change >= 1 ? 1 : task.begin + change * (task.end - task.begin);
-    result.push_back({part.name, task, part.triangles(0), 0, at});
-    result.push_back({part.name, task, part.triangles(1), at, 1});
+    result.push_back({part.name, task, part.triangles(0), 0, change[1]});
+    result.push_back({part.name, task, part.triangles(1), change[0], 1});
   }
   return result;
 }

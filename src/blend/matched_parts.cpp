@@ -1,10 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "base/quantized.h"
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
-#include "blend/like_leftovers.h"
+#include "blend/exchange_sets.h"
 #include "blend/pair_boxes.h"
 #include "blend/unlike_pairs.h"
 #include "map/piece_of.h"
@@ -21,18 +20,13 @@ namespace {
 
 constexpr std::size_t none = Blend_task::no_part;
 
-/// What is wrong with the surfaces of a matched part on their way, where it is worst, as `Blend_quality` measures it.
-struct Surface_fault
+/// Whether, and why, the surface of a matched part is not to become the other: it is torn, turned over or far thinner
+/// on the way, or another surface where the one takes over from the other.
+Blend_exchange reason_to_exchange(const Part_morph& morph)
 {
-  double torn = 0;       ///< area
-  double torn_share = 0; ///< of the surface
-  double thinning = 0;
-  bool is_crumpled = false; ///< turned over, or another surface where the one takes over from the other
-};
-
-/// Of the surface that there is, at some times.
-Surface_fault surface_fault(const Part_morph& morph)
-{
+  constexpr double most_torn = 2 * Shape_blend::torn_tolerance; // of a part by itself
+  constexpr double most_area = 1.3;    // of either surface over the other, where both are to be the same
+  constexpr double most_turned = 0.12; // of either surface
   std::array<std::optional<Rest_surface>, 2> rests;
   for (int end : {0, 1})
     rests[std::size_t(end)].emplace(morph.points(end, end), morph.triangles(end));
@@ -40,41 +34,37 @@ Surface_fault surface_fault(const Part_morph& morph)
   std::vector<std::pair<int, double>> samples = {{0, change}, {1, change}};
   for (double t : {0.25, 0.5, 0.75})
     if (t != change) samples.emplace_back(morph.surface(t), t);
-  Surface_fault result;
+  double torn = 0, thinning = 0;
   for (const auto& [surface, t] : samples) {
     const Rest_surface& rest = *rests[std::size_t(surface)];
     const Points points = morph.points(surface, t);
     const Surface_extent extent = rest.extent(points);
-    const double torn = rest.torn_area(points, extent);
-    result.torn = std::max(result.torn, torn);
-    if (extent.area > 0) result.torn_share = std::max(result.torn_share, torn / extent.area);
-    result.thinning = std::max(result.thinning, thinning_of(rests, extent, 1));
+    if (extent.area > 0) torn = std::max(torn, rest.torn_area(points, extent) / extent.area);
+    thinning = std::max(thinning, thinning_of(rests, extent, 1));
   }
-  // Where the one takes over from the other, both are the same surface, unless it is crumpled.
-  constexpr double most_area = 1.3;
   const double before = rests[0]->extent(morph.points(0, change)).area;
   const double after = rests[1]->extent(morph.points(1, change)).area;
-  constexpr double most_turned = 0.12; // of either surface
-  result.is_crumpled = std::max(before, after) > most_area * std::min(before, after) ||
-                       std::max(morph.turned_share(0), morph.turned_share(1)) > most_turned;
-  return result;
+  if (torn > most_torn || std::max(before, after) > most_area * std::min(before, after) ||
+      std::max(morph.turned_share(0), morph.turned_share(1)) > most_turned)
+    return Blend_exchange::TORN;
+  return thinning > Shape_blend::thinning_tolerance ? Blend_exchange::THIN : Blend_exchange::NONE;
 }
 
 /// Makes the parts of a blend from pairs of pieces.
 class Matched_part_maker
 {
 public:
-  Matched_part_maker(const Blend_stage& stage, const Correspondence& correspondence) : stage_(stage)
+  /// \param torn pairs of pieces that are not to be
+  Matched_part_maker(const Blend_stage& stage, const Correspondence& correspondence, const Part_pairs& torn)
+      : stage_(stage)
   {
     Part_pairs paired = part_pairs(correspondence.pairs);
     add_mirrored(paired, stage.images[0], stage.images[1]);
     paired = matched_members(stage.charted[0], stage.charted[1], paired);
     add_mirrored(paired, stage.images[0], stage.images[1]);
-    leave_rings_out(paired);
-    unlike_ = take_unlike_pairs(stage, paired);
-    Part_pairs all = paired;
-    all.insert(all.end(), unlike_.begin(), unlike_.end());
-    leftovers_ = like_leftovers(stage, all);
+    const Part_pairs unlike = take_unlike_pairs(stage, torn, paired);
+    sets_ = exchange_sets(stage, paired, unlike);
+    take_alike();
     paired.insert(paired.end(), leftovers_.begin(), leftovers_.end());
     std::sort(paired.begin(), paired.end());
     pairs_ = piece_pairs(stage.charted[0], stage.charted[1], paired);
@@ -83,15 +73,25 @@ public:
     turn_own_images();
   }
 
-  /// The pairs that do not become each other, as they are too unlike.
-  const Part_pairs& unlike_pairs() const { return unlike_; }
+  /// Of parts that become no part.
+  const std::vector<Exchange_set>& sets() const { return sets_; }
+
+  /// The pairs of pieces that are exchanged: each by itself they come apart, their parts as a whole do not.
+  Part_pairs exchanged_pieces(const std::vector<Blend_part>& parts) const
+  {
+    Part_pairs result;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (parts[i].is_exchange() && parts[i].task.type != Blend_task_type::EXCHANGE &&
+          parts[i].task.type != Blend_task_type::MORPH)
+        result.emplace_back(pairs_[i].source, pairs_[i].target);
+    return result;
+  }
 
   std::vector<Blend_part> parts() const
   {
     std::vector<Making> makings;
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       makings.push_back(making(i, images_[i] < i ? &makings[images_[i]] : nullptr));
-    exchange_most_torn(makings);
     std::vector<Blend_part> result;
     for (Making& making : makings)
       result.push_back(std::move(making.part));
@@ -106,23 +106,21 @@ private:
     bool all_have_images = true;
   };
 
-  /// Takes out pairs of a closed curve and what is none, if either becomes something of its own kind as well: the hole
-  /// would be torn open. The ring shrinks or grows instead.
-  void leave_rings_out(Part_pairs& paired) const
+  /// Takes out the sets of two parts without counterpart that are alike in place and size.
+  void take_alike()
   {
-    const auto is_torn = [&](const std::pair<std::size_t, std::size_t>& pair) {
-      return stage_.charted[0].parts[pair.first]->is_closed_curve() !=
-             stage_.charted[1].parts[pair.second]->is_closed_curve();
+    const auto is_alike = [&](const Exchange_set& set) {
+      return set.reason == Blend_exchange::UNMATCHED && set.parts[0].size() == 1 && set.parts[1].size() == 1 &&
+             !are_unlike(stage_, set.parts[0][0], set.parts[1][0]);
     };
-    const auto has_other = [&](const std::pair<std::size_t, std::size_t>& pair) {
-      return std::any_of(paired.begin(), paired.end(), [&](const auto& other) {
-        return (other.first == pair.first || other.second == pair.second) && !is_torn(other);
-      });
-    };
-    Part_pairs kept;
-    for (const auto& pair : paired)
-      if (!is_torn(pair) || !has_other(pair)) kept.push_back(pair);
-    paired = std::move(kept);
+    std::vector<Exchange_set> others;
+    for (Exchange_set& set : sets_)
+      if (is_alike(set))
+        leftovers_.emplace_back(set.parts[0][0], set.parts[1][0]);
+      else
+        others.push_back(std::move(set));
+    sets_ = std::move(others);
+    std::sort(leftovers_.begin(), leftovers_.end());
   }
 
   void find_images(const Part_pairs& paired)
@@ -180,10 +178,10 @@ private:
   {
     Blend_part part;
     std::array<Part_mesh, 2> pieces;
-    std::vector<Pair_charts> charts; ///< that may be used, the better ones first
+    Pair_charts boxes;
+    std::vector<Pair_charts> charts; ///< by which it may morph, the better ones first
     std::optional<bool> forward;
     std::shared_ptr<Part_morph> morph;
-    double torn = 0; ///< area
   };
 
   /// \param image its mirror image, if it is there, which becomes its counterpart in the same way
@@ -201,9 +199,9 @@ private:
     result.pieces = {piece(0, pair.source, charted.source, charted.source_piece, part.is_reflected),
                      piece(1, pair.target, charted.target, charted.target_piece, part.is_reflected)};
     if (image) result.forward = image->morph->is_forward();
+    result.boxes = boxes(result, charted_as);
     if (std::binary_search(leftovers_.begin(), leftovers_.end(), std::pair(pair.source, pair.target))) {
       part.task.type = Blend_task_type::EXCHANGE;
-      result.charts = {boxes(result, charted_as)};
       exchange(result, Blend_exchange::UNMATCHED);
     } else {
       set_charts(result, charted_as);
@@ -217,14 +215,14 @@ private:
   void set_charts(Making& making, std::size_t number) const
   {
     constexpr double bending = 0.35; // that own charts may turn more
-    making.charts = {boxes(making, number)};
+    making.charts = {making.boxes};
     if (is_upright_[number]) return;
     if (pair_kind(pairs_[number], stage_.charted[0], stage_.charted[1]) == Pair_kind::BOXES) return;
-    const Pair_charts straight = making.charts[0];
     const Pair_charts own = pair_charts(pairs_[number], stage_.charted[0], stage_.charted[1], making.pieces[0].points,
                                         making.pieces[1].points);
-    making.charts.insert(change(own) <= change(straight) + bending ? making.charts.begin() : making.charts.end(), own);
-    making.part.needless_turn = std::max(0., turn(making.charts[0]) - turn(straight));
+    making.charts.insert(change(own) <= change(making.boxes) + bending ? making.charts.begin() : making.charts.end(),
+                         own);
+    making.part.needless_turn = std::max(0., turn(making.charts[0]) - turn(making.boxes));
   }
 
   Pair_charts boxes(const Making& making, std::size_t number) const
@@ -250,59 +248,23 @@ private:
   /// \param known of the mirror image
   static void choose_charts(Making& making, Blend_exchange known)
   {
-    constexpr double torn_part = 2; // tolerances, of a part by itself
     Blend_exchange reason = known;
     for (std::size_t i = 0; i < making.charts.size() && known == Blend_exchange::NONE; ++i) {
       set_morph(making, making.charts[i]);
-      const Surface_fault fault = surface_fault(*making.morph);
-      making.torn = fault.torn;
-      const Blend_exchange own = fault.is_crumpled || fault.torn_share > torn_part * Shape_blend::torn_tolerance
-                                     ? Blend_exchange::TORN
-                                 : fault.thinning > Shape_blend::thinning_tolerance ? Blend_exchange::THIN
-                                                                                    : Blend_exchange::NONE;
+      const Blend_exchange own = reason_to_exchange(*making.morph);
       if (own == Blend_exchange::NONE) return finish(making);
       if (i == 0) reason = own;
     }
     exchange(making, reason);
   }
 
-  /// In the first charts that do not tear surfaces: boxes do not.
+  /// In boxes, which do not bend surfaces.
   static void exchange(Making& making, Blend_exchange reason)
   {
     making.part.task.exchange = reason;
-    making.torn = 0;
-    for (const Pair_charts& charts : making.charts) {
-      set_morph(making, charts);
-      making.morph->exchange();
-      if (surface_fault(*making.morph).torn_share <= Shape_blend::torn_tolerance) break;
-    }
+    making.part.needless_turn = 0;
+    making.morph = std::make_shared<Part_morph>(Part_morph::exchange(making.boxes, making.pieces[0], making.pieces[1]));
     finish(making);
-  }
-
-  /// Exchanges the parts that are torn most, until little of the whole surface is.
-  void exchange_most_torn(std::vector<Making>& makings) const
-  {
-    constexpr double most_torn = 0.5; // of the tolerance: the layout tears, too
-    std::array<double, 2> areas = {0, 0};
-    std::vector<std::size_t> order(makings.size());
-    double torn = 0;
-    for (std::size_t i = 0; i < makings.size(); ++i) {
-      order[i] = i;
-      torn += makings[i].torn;
-      for (std::size_t end : {0u, 1u})
-        areas[end] += makings[i].part.rests[end]->extent().area;
-    }
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return quantized(makings[a].torn) > quantized(makings[b].torn);
-    });
-    for (std::size_t i : order) {
-      if (torn <= most_torn * Shape_blend::torn_tolerance * std::min(areas[0], areas[1])) return;
-      for (std::size_t part : {i, images_[i]}) {
-        if (part == none || makings[part].part.is_exchange()) continue;
-        torn -= makings[part].torn;
-        exchange(makings[part], Blend_exchange::TORN);
-      }
-    }
   }
 
   /// The piece of a part that a box of a chart cuts out.
@@ -315,7 +277,8 @@ private:
   }
 
   const Blend_stage& stage_;
-  Part_pairs leftovers_, unlike_;
+  Part_pairs leftovers_;
+  std::vector<Exchange_set> sets_;
   std::vector<Piece_pair> pairs_;
   std::vector<std::size_t> images_;      ///< by pair, its mirror image
   std::vector<char> is_upright_;         ///< by pair
@@ -326,10 +289,17 @@ private:
 
 std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence)
 {
-  const Matched_part_maker maker(stage, correspondence);
-  std::vector<Blend_part> result = maker.parts();
-  add_unmatched_parts(stage, maker.unlike_pairs(), result);
-  return result;
+  Part_pairs torn;
+  for (;;) {
+    const Matched_part_maker maker(stage, correspondence, torn);
+    std::vector<Blend_part> result = maker.parts();
+    const Part_pairs found = maker.exchanged_pieces(result);
+    if (found.empty()) {
+      add_unmatched_parts(stage, maker.sets(), result);
+      return result;
+    }
+    torn.insert(torn.end(), found.begin(), found.end());
+  }
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -22,7 +22,7 @@ Point extents_along(const Points& surface, const Eigen::Matrix3d& axes)
 /// The axes of the world, or own ones if the box along them is much smaller.
 Eigen::Matrix3d box_axes(const Points& surface, const Eigen::Matrix3d& own_axes)
 {
-  constexpr double much = 0.5;
+  constexpr double much = 0.45; // a square that is turned by 45 degrees needs none
   const auto volume = [&](const Eigen::Matrix3d& axes) {
     return extents_along(surface, axes).cwiseMax(2 * Part_chart::least_half_extent).prod();
   };

@@ -140,9 +140,11 @@ public:
   bool is_divided(const Part_pair& pair) const { return uses_[pair.first] > 1 || uses_[target(pair)] > 1; }
 
   /// By set, whether some pair in it is of pieces, or parts, that are too unlike: a part is divided as a whole.
-  std::vector<char> are_unlike() const
+  std::vector<char> are_unlike(const Part_pairs& torn) const
   {
     std::vector<char> result(sets_.size(), 0);
+    for (const Part_pair& pair : torn)
+      result[of(pair)] = 1;
     const std::vector<Piece_pair> pieces = piece_pairs(stage_.charted[0], stage_.charted[1], pairs_);
     for (const Piece_pair& piece : pieces) {
       const Part_pair pair(piece.source, piece.target);
@@ -214,7 +216,7 @@ bool are_unlike(const Blend_stage& stage, std::size_t source, std::size_t target
   return Difference({stage.charted[0].charts[source], stage.charted[1].charts[target]}, stage).is_too_much(false);
 }
 
-Part_pairs take_unlike_pairs(const Blend_stage& stage, Part_pairs& paired)
+Part_pairs take_unlike_pairs(const Blend_stage& stage, const Part_pairs& torn, Part_pairs& paired)
 {
   const Pair_sets all(stage, paired);
   Part_pairs fitting;
@@ -222,7 +224,7 @@ Part_pairs take_unlike_pairs(const Blend_stage& stage, Part_pairs& paired)
     if (!all.is_divided(pair) || !(are_across(stage, pair) || are_across(stage, image_of(stage, pair).value_or(pair))))
       fitting.push_back(pair);
   const Pair_sets sets(stage, fitting);
-  const std::vector<char> is_unlike = sets.are_unlike();
+  const std::vector<char> is_unlike = sets.are_unlike(torn);
   Part_pairs kept, others;
   for (const Part_pair& pair : fitting)
     (is_unlike[sets.of(pair)] ? others : kept).push_back(pair);

@@ -28,8 +28,8 @@ const char* const blend_help =
 
 Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. All stand on one
 ground, in the axes of the source. Every part goes straight to the place of its counterpart and morphs on the way; where
-its surface would be torn, the other one thickens inside it, and it thins. Parts without counterpart thin or thicken in
-place; parts in contact stay in contact. The first frame is the source, the last one the target.
+its surface would be torn, the other one takes its place a little before half-way. Parts without counterpart give way to
+those in the same place, or thin or thicken; parts in contact stay in contact. The first frame is the source, the last one the target.
 
 With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
 plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb, with --solid as one closed surface.
@@ -203,28 +203,25 @@ std::vector<std::string> remove_unlikely(Correspondence& correspondence, double 
 void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
                        std::vector<std::string>& warnings)
 {
+  const std::vector<Blend_task>& tasks = blend.schedules()[0].tasks;
+  const auto add_name = [](std::string& names, const Loaded_shape& shape, std::size_t part) {
+    names += (names.empty() ? "'" : ", '") + structure(shape.graph).parts[part].name + "'";
+  };
   for (const auto& [reason, why] :
-       {std::pair(Blend_exchange::TORN, "as one would be torn on its way to the other"),
-        std::pair(Blend_exchange::THIN, "as one would be crushed on its way to the other"),
-        std::pair(Blend_exchange::UNMATCHED, "as neither has a counterpart and they are alike in place and size")}) {
-    std::string pairs;
-    for (const Blend_task& task : blend.schedules()[0].tasks)
-      if (task.exchange == reason)
-        pairs += (pairs.empty() ? "'" : ", '") + structure(source.graph).parts[task.source].name + "' and '" +
-                 structure(target.graph).parts[task.target].name + "'";
-    if (!pairs.empty()) warnings.push_back(pairs + " exchange surfaces in place, " + why);
-  }
-  std::string unlike;
-  for (const Blend_task& task : blend.schedules()[0].tasks)
-    if (task.exchange == Blend_exchange::UNLIKE) {
-      const bool is_source = task.source != Blend_task::no_part;
-      const Loaded_shape& shape = is_source ? source : target;
-      unlike += (unlike.empty() ? "'" : ", '") +
-                structure(shape.graph).parts[is_source ? task.source : task.target].name + "'";
+       {std::pair(Blend_exchange::TORN, "surfaces would be torn on their way"),
+        std::pair(Blend_exchange::THIN, "surfaces would be crushed on their way"),
+        std::pair(Blend_exchange::UNMATCHED, "they have no counterparts and are in one place"),
+        std::pair(Blend_exchange::UNLIKE,
+                  "they would have to turn, to change their proportions, to travel or to be cut "
+                  "up too much to become their counterparts")}) {
+    std::string names, others;
+    for (const Blend_task& task : tasks) {
+      if (task.exchange != reason) continue;
+      if (task.source != Blend_task::no_part) add_name(names, source, task.source);
+      if (task.target != Blend_task::no_part) add_name(others, target, task.target);
     }
-  if (!unlike.empty())
-    warnings.push_back(unlike + " thin and thicken in place, as they would have to turn, to change their proportions, "
-                                "to travel or to be cut up too much to become their counterparts");
+    if (!names.empty()) warnings.push_back(names + " give way in place to " + others + ", as " + why);
+  }
 }
 
 std::unique_ptr<Command> blend_command() { return std::make_unique<Blend_command>(); }

@@ -99,6 +99,11 @@ TEST_CASE("Contacts are closed by moving all bodies as little as that takes, wit
   const Eigen::Matrix3d linear = motions[0].map().linear();
   CHECK(linear.isDiagonal(0));
 
+  internal::Box_motion_solver beside({{Point::Zero(), 1, true}, {Point(1, 0, 0), 1}});
+  beside.add_contact(0, Point(0.4, 0.5, 0), 1, Point(0.6, 0.5, 0), 1);
+  CHECK(beside.solve(least, most)[0].translation.norm() < 1e-6);
+  CHECK(beside.solve(least, most)[1].translation.x() == Approx(-0.2).epsilon(0.05));
+
   internal::Box_motion_solver pulled({{Point::Zero(), 1}, {Point::Zero(), 1}});
   pulled.add_contact(0, Point(1, 0.1, 0), 1, Point(5, 0.01, 0), 1);
   pulled.add_contact(0, Point(-1, -0.1, 0), 1, Point(-5, -0.01, 0), 1);
@@ -155,7 +160,8 @@ TEST_CASE("What is wrong with a shape in between is told, with the part, by its 
   CHECK(is_said(faults(column, scaled({5, 1, 5})), "volume is larger"));
   CHECK(!is_said(faults(column, scaled({5, 1, 5})), "hull is larger"));
   CHECK(is_said(faults(base, shifted({0, 0.05, 0})), "due to stand on the ground, 100 % do not"));
-  CHECK(is_told(faults(top, scaled({0.4, 1, 0.4})), "smaller than is due", "top~top"));
+  for (double factor : {0.4, 2.})
+    CHECK(is_told(faults(top, scaled({factor, 1, factor})), "larger or smaller than is due", "top~top"));
   CHECK(!is_told(faults(top, scaled({0.8, 1, 0.8})), "smaller than is due", "top~top"));
   CHECK(is_told(faults(column, shifted({0.15, 0, 0})), "off its way", "column~column"));
   CHECK(!is_told(faults(column, shifted({0.05, 0, 0})), "off its way", "column~column"));

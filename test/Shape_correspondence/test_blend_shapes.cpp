@@ -371,7 +371,7 @@ TEST_CASE("Without a correspondence parts thin and thicken, or are exchanged for
   const Model& stool = model("stool");
   const Shape_blend blend = blend_of(stool, stool, Correspondence());
   for (const Blend_task& task : blend.schedules()[0].tasks)
-    CHECK(task.type == Blend_task_type::EXCHANGE);
+    CHECK(task.exchange == Blend_exchange::UNMATCHED);
   const Shape_blend other = blend_of(stool, model("airplane_propeller"), Correspondence());
   for (const Blend_task& task : other.schedules()[0].tasks)
     CHECK((task.source == Blend_task::no_part || task.target == Blend_task::no_part ||

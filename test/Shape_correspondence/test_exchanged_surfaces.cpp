@@ -6,6 +6,7 @@
 #include "blend/Part_morph.h"
 #include "blend/Rest_surface.h"
 #include "blend/Thinning_part.h"
+#include "blend/exchange.h"
 #include "blend/pair_boxes.h"
 #include "blend_checks.h"
 #include "box_models.h"
@@ -64,9 +65,14 @@ TEST_CASE("Surfaces of which one would be torn on its way to the other are excha
       CHECK(check.faults.empty());
       CHECK(check.quality.torn == 0);
     }
-    // Both are there between the ends, and each comes from nothing or goes to nothing
-    CHECK(area(blend((tasks[2].begin + tasks[2].end) / 2)) ==
+    // Both are there when the one takes over, but one alone half-way; each comes from nothing or goes to nothing
+    const auto at_progress = [&](double progress) {
+      return tasks[2].begin + internal::time_of(progress) * (tasks[2].end - tasks[2].begin);
+    };
+    CHECK(area(blend(at_progress(internal::exchange_time))) ==
           Approx(area(source.shape) + area(target.shape)).epsilon(0.05));
+    CHECK(area(blend(at_progress(0.25))) == Approx(area(source.shape)).epsilon(0.05));
+    CHECK(area(blend(at_progress(0.5))) == Approx(area(target.shape)).epsilon(0.05));
     CHECK(area(blend(0)) == Approx(area(source.shape)).epsilon(0.01));
     CHECK(area(blend(1)) == Approx(area(target.shape)).epsilon(0.01));
     const std::vector<Blend_surface> surfaces = blend.surfaces();
@@ -74,21 +80,62 @@ TEST_CASE("Surfaces of which one would be torn on its way to the other are excha
         std::find_if(surfaces.begin(), surfaces.end(), [](const auto& s) { return s.name == "top~top"; });
     REQUIRE(first + 1 < surfaces.end());
     CHECK(first->begin == 0);
-    CHECK(first->end == tasks[2].end);
-    CHECK((first + 1)->begin == tasks[2].begin);
+    CHECK(first->end <= tasks[2].end);
+    CHECK((first + 1)->begin >= tasks[2].begin);
+    CHECK((first + 1)->begin < first->end);
     CHECK((first + 1)->end == 1);
     const auto at = std::size_t(first - surfaces.begin());
     const auto extent = [&](double t, std::size_t surface) { // of the thickness
       return internal::box_of(blend.points(t)[surface]).sizes().minCoeff();
     };
-    CHECK(extent(tasks[2].begin, at + 1) < 1e-6);
-    CHECK(extent(tasks[2].end, at) < 1e-6);
+    CHECK(extent((first + 1)->begin, at + 1) < 1e-6);
+    CHECK(extent(first->end, at) < 1e-6);
     std::ostringstream json;
     IO::write_blend_json(json, blend, source.graph, target.graph, "a", "b", "c", 2, {});
     CHECK_THAT(json.str(), Contains("\"exchanged\":\"torn\""));
   }
   for (const Blend_task& task : blend_of(grille, grille, same_parts(3)).schedules()[0].tasks)
     CHECK(task.exchange == Blend_exchange::NONE);
+}
+
+TEST_CASE("Four legs give way to a column at once, with the foot that touches nothing but the column")
+{
+  std::vector<Named_box> legged = {{"top", {0, 0.95, 0}, {1, 0.1, 1}}};
+  for (double x : {-0.45, 0.45})
+    for (double z : {-0.45, 0.45})
+      legged.push_back({"leg_" + std::to_string(legged.size()), {x, 0.45, z}, {0.1, 0.9, 0.1}});
+  const std::vector<Named_box> pedestal = {{"top", {0, 0.95, 0}, {1, 0.1, 1}},
+                                           {"column", {0, 0.475, 0}, {0.4, 0.85, 0.4}},
+                                           {"foot", {0.3, 0.025, 0}, {0.8, 0.05, 0.1}}};
+  Correspondence correspondence = same_parts(1);
+  for (std::size_t leg = 1; leg <= 4; ++leg)
+    correspondence.pairs.push_back({leg, 1});
+  const Box_model source = model_of(legged), target = model_of(pedestal);
+  const Shape_blend blend = blend_of(source, target, correspondence);
+  for (const Blend_task& task : blend.schedules()[0].tasks)
+    CHECK(task.exchange == (task.source == 0 ? Blend_exchange::NONE : Blend_exchange::UNLIKE));
+  CHECK(blend(0.25).parts().size() == source.shape.parts().size());
+  CHECK(blend(0.5).parts().size() == target.shape.parts().size());
+  for (double t : {0.25, 0.4, 0.5, 0.75}) {
+    INFO(t);
+    CHECK(blend.check(t).quality.height < 0.01);
+    if (t != 0.4) CHECK(blend.check(t).quality.apart <= Shape_blend::apart_tolerance);
+  }
+}
+
+TEST_CASE("Of parts without counterpart, those in one place give way to each other; others thin by themselves")
+{
+  std::vector<Named_box> armed = stand(), winged = stand();
+  armed.push_back({"arm", {0, 1.2, 0.28}, {0.9, 0.4, 0.04}});
+  winged.push_back({"left", {-0.25, 1.2, 0.28}, {0.4, 0.4, 0.04}});
+  winged.push_back({"right", {0.25, 1.2, 0.28}, {0.4, 0.4, 0.04}});
+  winged.push_back({"knob", {0, 1.02, -0.25}, {0.04, 0.04, 0.04}});
+  const Shape_blend blend = blend_of(model_of(armed), model_of(winged), same_parts(3));
+  for (const Blend_task& task : blend.schedules()[0].tasks) {
+    const bool is_above = task.source == 3 || task.target == 3 || task.target == 4;
+    CHECK(task.exchange == (is_above ? Blend_exchange::UNMATCHED : Blend_exchange::NONE));
+  }
+  CHECK(blend(0.5).parts().size() >= 5);
 }
 
 TEST_CASE("What is exchanged is as it is at its own end, and goes from there to nothing without being torn")
@@ -108,12 +155,11 @@ TEST_CASE("What is exchanged is as it is at its own end, and goes from there to 
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   for (bool are_plates : {false, true}) {
     const auto chart = are_plates ? internal::Part_chart::plate : internal::Part_chart::box;
-    internal::Part_morph morph({chart(hoop.points, axes), chart(board.points, axes)}, hoop, board);
-    const std::array<Points, 2> ends = {morph.points(0, 0), morph.points(1, 1)};
-    morph.exchange();
+    const auto morph =
+        internal::Part_morph::exchange({chart(hoop.points, axes), chart(board.points, axes)}, hoop, board);
     CHECK(morph.is_exchange());
     for (int end : {0, 1}) {
-      const Points& own = ends[std::size_t(end)];
+      const Points& own = end == 0 ? hoop.points : board.points;
       CHECK((morph.points(end, end) - own).cwiseAbs().maxCoeff() < 1e-12);
       const internal::Rest_surface rest(own, morph.triangles(end));
       for (double t : {0.2, 0.5, 0.8}) {
@@ -125,9 +171,10 @@ TEST_CASE("What is exchanged is as it is at its own end, and goes from there to 
         CHECK(internal::box_of(little).sizes().isApprox(left.cwiseProduct(sizes), 1e-9));
         CHECK(internal::box_of(half_way).center().x() == Approx(3 * t).margin(1e-9));
       }
-      CHECK(internal::Part_morph::remaining(end, end) == 1);
-      CHECK(internal::Part_morph::remaining(end, 0.5) == 1);
-      CHECK(internal::Part_morph::remaining(end, 1 - end) == 0);
+      CHECK(internal::exchange_remaining(end, end) == 1);
+      CHECK(internal::exchange_remaining(end, internal::exchange_time) == 1);
+      CHECK(internal::exchange_remaining(end, 0.5) == end);
+      CHECK(internal::exchange_remaining(end, 1 - end) == 0);
     }
     const Point sizes = internal::box_of(morph.points(0, 0.5)).sizes();
     CHECK(sizes.x() == Approx((2.2 + 1) / 2));
@@ -140,9 +187,8 @@ TEST_CASE("A rod that is exchanged for a net is not a block half-way: extents ac
 {
   const Part_mesh rod = box_shapes::box({0, 0, 0}, {4, 0.1, 0.1}), net = box_shapes::box({0, 0, 0}, {4, 1.6, 0.1});
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  internal::Part_morph morph({internal::Part_chart::box(rod.points, axes), internal::Part_chart::box(net.points, axes)},
-                             rod, net);
-  morph.exchange();
+  const auto morph = internal::Part_morph::exchange(
+      {internal::Part_chart::box(rod.points, axes), internal::Part_chart::box(net.points, axes)}, rod, net);
   CHECK(internal::box_of(morph.points(0, 0.5)).sizes().isApprox(Point(4, 0.4, 0.1)));
   CHECK(internal::box_of(morph.points(1, 0.5, 0.25)).sizes().isApprox(Point(4, 0.2, 0.05)));
 }

@@ -35,9 +35,9 @@ enum class Blend_exchange {
   NONE,      ///< it is not
   TORN,      ///< it would be torn or folded
   THIN,      ///< it would be far thinner than at both ends
-  UNMATCHED, ///< the two do not correspond; neither has a counterpart, and they are alike in place and size
-  UNLIKE     ///< it would have to turn, to change its proportions or to be cut up too much: it thins in place while its
-             ///< counterparts thicken in theirs
+  UNMATCHED, ///< it has no counterpart, but gives way to parts without counterpart in the same place, or comes for them
+  UNLIKE     ///< it would have to turn, to change its proportions or to be cut up too much: it gives way to its
+             ///< counterparts as it is, or comes for them
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
@@ -63,7 +63,7 @@ struct Blend_quality
   double hull = 0;      ///< share by which the volume of its convex hull is larger or smaller than is due
   double volume = 0;    ///< share by which the volume of closed parts is larger or smaller than is due
   double support = 0;   ///< share by which fewer parts stand on the ground than is due
-  double gone = 0;      ///< share by which a part that both ends have is smaller, across its box, than is due, at most
+  double gone = 0;      ///< share by which a part that both ends have is larger or smaller across than is due, at most
   double rotation = 0;  ///< angle in radians by which a part turns beyond the least rotation between its boxes, at most
   double travel = 0;    ///< how far the middle of a part that both ends have is from where it is due, at most
   double gap = 0;       ///< by how much a contact of parts that stay is wider than at the ends, at most

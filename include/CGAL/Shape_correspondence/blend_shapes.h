@@ -53,12 +53,12 @@ struct Blend_surface
 ///   ground stands, and the whole has the height, width and depth that are due between the ends.
 /// - *Matched parts* morph in their boxes: along their curves and sheets, with rotation-minimising frames, unless boxes
 ///   change less. A part that corresponds to many is cut into closed pieces, one for each. Where a surface would be
-///   torn or crushed on the way, the two are *exchanged* in place: the one thickens in the middle of the other, which
-///   then thins (`Blend_exchange`). So are parts without counterpart that are alike in place and size.
+///   torn or crushed on the way, the two are *exchanged* in place: a little before half of the way the one thickens in
+///   the middle of the other, which then thins (`Blend_exchange`); half-way there is one of them only.
 /// - Parts that are too *unlike* their counterparts, as they would have to turn, to change their proportions, to travel
-/// or
-///   to be cut up too much, thin in place while their counterparts thicken, both in the box that goes from the one's to
-///   the other's (`Blend_exchange::UNLIKE`).
+///   or to be cut up too much, give way to them as quickly, all at once, in the box that goes from the one's to the
+///   other's. So do parts without counterpart to those in the same place (`Blend_exchange::UNMATCHED`), and what touches
+///   nothing but such parts.
 /// - *Unmatched parts* go with the box of the whole, and thin or thicken in place: rods and rings to their curves,
 ///   plates to their middle planes; supports go last and come first.
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
