@@ -138,7 +138,10 @@ inline void figure10(const Dataset& dataset, const Options& options)
   std::size_t proven = 0;
   for (const Category& category : dataset)
     for (const auto& [s, t] : category.pairs) {
-      Search_options exact = exact_options();
+      Search_options exact = paper_options(); // of the energy that the beam search is to find
+      exact.method = Search_method::EXACT;
+      exact.exact.node_limit = exact_options().exact.node_limit;
+      exact.alignments = 1;
       exact.both_directions = false;
       const Correspondence best = find_correspondence(category.graphs[s], category.graphs[t], exact);
       if (!best.optimal || !(best.energy > 0)) continue;
