@@ -423,6 +423,45 @@ TEST_CASE("A shape in between is one closed surface for printing, of its size an
   CHECK_THROWS_AS(blend.solid(0.5, 2), Invalid_input);
 }
 
+TEST_CASE("In glTF files y is up, whatever is up in the shapes")
+{
+  const auto lying = [](const std::string& name) {
+    Model result{Segmented_shape(name, Point::UnitZ()), {}};
+    for (const Shape_part& part : model(name).shape.parts()) {
+      Part_mesh mesh = part.mesh;
+      mesh.points.row(1) = -part.mesh.points.row(2);
+      mesh.points.row(2) = part.mesh.points.row(1);
+      result.shape.add_part(part.name, mesh);
+    }
+    Structure_options options;
+    options.abstraction.abstractor = Bounding_box_abstraction();
+    result.graph = build_structural_graph(result.shape, options);
+    return result;
+  };
+  const Model stool = lying("stool"), chair = lying("chair_spindle");
+  const Correspondence correspondence = find_correspondence(stool.graph, chair.graph);
+  const Shape_blend blend = blend_of(stool, chair, correspondence);
+  std::ostringstream glb;
+  IO::write_blend_glb(glb, blend, correspondence, 4);
+  const std::string bytes = glb.str();
+  const auto length = static_cast<unsigned char>(bytes[12]) | static_cast<unsigned char>(bytes[13]) << 8 |
+                      static_cast<unsigned char>(bytes[14]) << 16;
+  const auto document = nlohmann::json::parse(bytes.substr(20, std::size_t(length)));
+  Eigen::AlignedBox3d of_ends, drawn;
+  for (const Segmented_shape& end : {blend(0), blend(1)})
+    for (const Shape_part& part : end.parts())
+      for (const auto& p : part.mesh.points.colwise())
+        of_ends.extend(Point(p.x(), p.z(), -p.y()));
+  for (const auto& mesh : document["meshes"]) {
+    const auto& accessor = document["accessors"][mesh["primitives"][0]["attributes"]["POSITION"].get<std::size_t>()];
+    for (const char* corner : {"min", "max"})
+      drawn.extend(Point(accessor[corner][0], accessor[corner][1], accessor[corner][2]));
+  }
+  const double tolerance = 0.05 * of_ends.diagonal().norm(); // parts in between may be a little outside
+  CHECK((drawn.min() - of_ends.min()).norm() < tolerance);
+  CHECK((drawn.max() - of_ends.max()).norm() < tolerance);
+}
+
 TEST_CASE("Frames as OBJ and PLY read back; the animation plays all surfaces one after the other")
 {
   const Model &stool = model("stool"), &chair = model("chair_spindle");

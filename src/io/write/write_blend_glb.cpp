@@ -68,14 +68,22 @@ Json parts_of(std::size_t source, std::size_t target)
   return {{"parts", parts}};
 }
 
-/// The shape at an end.
-int add_end(Glb_file& glb, const Segmented_shape& shape, std::size_t side, Blend_painter& painter)
+/// Turns a blend as glTF wants it: y is up.
+Eigen::Matrix3d turn_of(const Shape_blend& blend)
 {
+  return Eigen::Quaterniond::FromTwoVectors(blend(0).up(), Point::UnitY()).toRotationMatrix();
+}
+
+/// The shape at an end.
+int add_end(Glb_file& glb, const Shape_blend& blend, std::size_t side, Blend_painter& painter)
+{
+  const Segmented_shape shape = blend(double(side));
+  const Eigen::Matrix3d turn = turn_of(blend);
   std::vector<int> nodes;
   for (std::size_t part = 0; part < shape.parts().size(); ++part) {
     const Part_mesh& mesh = shape.parts()[part].mesh;
     nodes.push_back(
-        glb.add_node(shape.parts()[part].name, painter.end(side, part, shaded(mesh.points, mesh.triangles))));
+        glb.add_node(shape.parts()[part].name, painter.end(side, part, shaded(turn * mesh.points, mesh.triangles))));
     const std::size_t none = Blend_task::no_part;
     glb.set_node_extras(nodes.back(), side == 0 ? parts_of(part, none) : parts_of(none, part));
   }
@@ -125,14 +133,15 @@ double diagonal(const Segmented_shape& shape)
 }
 
 /// Adds a surface while it looks the same. \param points its points \param targets their morph targets
-int add_surface(Glb_file& glb, const Blend_surface& surface, std::vector<Blend_painter::Painted_mesh> painted,
-                const Points& points, const std::vector<Points>& targets = {})
+int add_surface(Glb_file& glb, const Eigen::Matrix3d& turn, const Blend_surface& surface,
+                std::vector<Blend_painter::Painted_mesh> painted, const Points& points,
+                const std::vector<Points>& targets = {})
 {
   std::vector<Drawn_mesh> meshes;
   for (Blend_painter::Painted_mesh& some : painted) {
-    some.mesh.points = points(Eigen::all, some.points);
+    some.mesh.points = turn * points(Eigen::all, some.points);
     for (const Points& target : targets)
-      some.mesh.morphs.emplace_back(target(Eigen::all, some.points));
+      some.mesh.morphs.emplace_back(turn * target(Eigen::all, some.points));
     meshes.push_back(std::move(some.mesh));
   }
   return glb.add_node(surface.name, meshes);
@@ -144,7 +153,8 @@ void write_blend_animation(std::ostream& out, const Shape_blend& blend, int fram
                            Blend_painter& painter)
 {
   internal::check_number_of_frames(frames);
-  std::vector<int> roots = {add_end(glb, blend(0), 0, painter)};
+  const Eigen::Matrix3d turn = turn_of(blend);
+  std::vector<int> roots = {add_end(glb, blend, 0, painter)};
   glb.animate_visibility(roots[0], 0, hold_seconds);
   const double distance = animation_tolerance * std::max(diagonal(blend(0)), diagonal(blend(1)));
   const std::vector<Blend_surface> surfaces = blend.surfaces();
@@ -167,14 +177,14 @@ void write_blend_animation(std::ostream& out, const Shape_blend& blend, int fram
         moving.push_back(&points[std::size_t(frame)][s]);
       }
       const Motion motion = principal_motion(moving, distance);
-      roots.push_back(
-          add_surface(glb, surfaces[s], painter.surface(s, (times[i] + times[i + 1]) / 2), *moving[0], motion.targets));
+      roots.push_back(add_surface(glb, turn, surfaces[s], painter.surface(s, (times[i] + times[i + 1]) / 2), *moving[0],
+                                  motion.targets));
       glb.animate_morphs(roots.back(), seconds, motion.weights);
       glb.animate_visibility(roots.back(), seconds_at(times[i]), seconds_at(times[i + 1]));
       glb.set_node_extras(roots.back(), parts_of(surfaces[s].task.source, surfaces[s].task.target));
     }
   }
-  roots.push_back(add_end(glb, blend(1), 1, painter));
+  roots.push_back(add_end(glb, blend, 1, painter));
   glb.animate_visibility(roots.back(), seconds_at(1), seconds_at(1) + hold_seconds);
   glb.set_animation_extras({{"begin", seconds_at(0)}, {"end", seconds_at(1)}});
   glb.write(out, {{"blend", roots}});
@@ -184,14 +194,15 @@ void write_blend_frame(std::ostream& out, const Shape_blend& blend, double t, Gl
 {
   if (t <= 0 || t >= 1) {
     const std::size_t side = t <= 0 ? 0 : 1;
-    return glb.write(out, {{"blend", {add_end(glb, blend(double(side)), side, painter)}}});
+    return glb.write(out, {{"blend", {add_end(glb, blend, side, painter)}}});
   }
   const std::vector<Blend_surface> surfaces = blend.surfaces();
   const std::vector<Points> points = blend.points(t);
+  const Eigen::Matrix3d turn = turn_of(blend);
   std::vector<int> nodes;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (t <= surfaces[s].begin || t >= surfaces[s].end) continue;
-    nodes.push_back(add_surface(glb, surfaces[s], painter.surface(s, t), points[s]));
+    nodes.push_back(add_surface(glb, turn, surfaces[s], painter.surface(s, t), points[s]));
     glb.set_node_extras(nodes.back(), parts_of(surfaces[s].task.source, surfaces[s].task.target));
   }
   glb.write(out, {{"blend", {glb.add_node("blend", nodes, Point::Zero())}}});
