@@ -87,6 +87,7 @@ FIT_NOTE = ("Coordinate descent by factors of 1.25 on the mean F1 of all categor
             "fitted score more than the present ones on the categories that they did not see, else with the present ones. They score less; so these stay.")
 CONSTANTS_NOTE = ("F1 is the mean of pairs by category, then of categories. Geometry is the method as it matches categories that are not known; with roles, the\n"
                   "training sees neither shape of a pair, and the weights of the terms are fitted anew without them. The changes are against the first row.")
+FIGURE12 = "Figure 12: blends"
 FIGURE12_NOTE = ("The four blends of the manual's gallery. The worst of 25 frames by each measure of a blend, in bold above its tolerance; 0 is best. Height, hull, volume:\n"
                  "how much of the interpolation of the ends is missing; the manual's page on blends has the others.")
 PRINCETON_NOTE = ("Label transfer: share of the area that gets its label from 1, 3 or 12 examples of the category, for segments as the labels give them (`given`) and for\n"
@@ -131,18 +132,24 @@ def figure12(args, out, folders):
     command = [os.path.join(HERE, "blend_study.py"), os.path.join(args.build, "shape_correspondence"), os.path.join(out, "figure12"), "--data", *folders,
                "--pairs", pairs, "--frames", "25", "--no-pictures", "--cache", os.path.join(args.work, "cache")]
     done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
-    return (f"## Figure 12: blends: generated shapes\n\n`blend_study.py PROGRAM OUT --data DATA GALLERY --pairs figure12_pairs.txt --frames 25`\n\n{FIGURE12_NOTE}\n\n"
+    return (f"## {FIGURE12}: generated shapes\n\n`blend_study.py PROGRAM OUT --data DATA GALLERY --pairs figure12_pairs.txt --frames 25`\n\n{FIGURE12_NOTE}\n\n"
             f"{done.stdout.strip()}\n\nCommit {commit()}.\n")
 
 
 def with_kept(sections, path):
-    """The sections of a file of results, those of the same headings replaced by new ones, the others after them."""
+    """The sections of a file of results, those of the same headings replaced by new ones, in the order of the experiments."""
     with open(path) as file:
         kept = ["## " + text for text in file.read().split("\n## ")[1:]]
     heading = lambda section: section.split("\n", 1)[0]
-    new = {heading(section): section for section in sections}
-    old = {heading(section) for section in kept}
-    return [new.get(heading(section), section) for section in kept] + [s for s in sections if heading(s) not in old]
+    by_heading = {heading(section): section for section in kept + sections}
+    titles = [title for _, _, title in EXPERIMENTS]
+    titles.insert(titles.index(next(title for title in titles if title.startswith("Figure 13"))), FIGURE12)
+
+    def place(text):
+        title = [i for i, title in enumerate(titles) if text.startswith("## " + title)] or [len(titles)]
+        shapes = [i for i, shapes in enumerate(("generated shapes", DRAWN)) if text.endswith(shapes)] or [2]
+        return title[-1], shapes[0]
+    return [by_heading[text] for text in sorted(by_heading, key=place)]
 
 
 def roles_evaluation(args, generated, name, options, out):
