@@ -146,7 +146,7 @@ def with_kept(sections, path):
     titles.insert(titles.index(next(title for title in titles if title.startswith("Figure 13"))), FIGURE12)
 
     def place(text):
-        title = [i for i, title in enumerate(titles) if text.startswith("## " + title)] or [len(titles)]
+        title = [i for i, title in enumerate(titles) if text.startswith(f"## {title}: ")] or [len(titles)]
         shapes = [i for i, shapes in enumerate(("generated shapes", DRAWN)) if text.endswith(shapes)] or [2]
         return title[-1], shapes[0]
     return [by_heading[text] for text in sorted(by_heading, key=place)]
