@@ -55,7 +55,7 @@ def main():
         return match[0][:len(match[0]) - len(value)] + cells.get(name, value)
 
     filled, count = FIGURE.subn(fill, page)
-    unmarked = re.findall(r"(?<!-->)\b0\.\d{3}\b", re.sub(r"0\.001 of the height", "", filled))
+    unmarked = re.findall(r"(?<!-->)(?<![\d.])0?\.\d{3}\b", re.sub(r"0\.001 of the height", "", filled))
     if args.check and unmarked:
         failures.append(f"{args.page}: figures without a comment that says where they are from: {', '.join(unmarked)}")
     if not args.check and filled != page:

@@ -49,8 +49,8 @@ struct Fitted_abstraction
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Finds curves and sheets by `CGAL::Mean_curvature_flow_skeletonization`, as in the paper: a curve is the longest path,
-/// or the cycle, of the converged skeleton; a sheet is fitted to the meso-skeleton, the surface when
+/// Finds curves and sheets by `CGAL::Mean_curvature_flow_skeletonization`, as in the paper: a curve is the longest
+/// path, or the cycle, of the converged skeleton; a sheet is fitted to the meso-skeleton, the surface when
 /// `Abstraction_options::stop_volume` of the volume is left. The area and the geodesic extents of the meso-skeleton
 /// determine which of the two a part becomes. Parts that cannot be skeletonized get `Bounding_box_abstraction`; the
 /// report has the reason.

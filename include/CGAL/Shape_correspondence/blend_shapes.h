@@ -57,8 +57,8 @@ struct Blend_surface
 ///   the middle of the other, which then thins (`Blend_exchange`); half-way there is one of them only.
 /// - Parts that are too *unlike* their counterparts, as they would have to turn, to change their proportions, to travel
 ///   or to be cut up too much, give way to them as quickly, all at once, in the box that goes from the one's to the
-///   other's. So do parts without counterpart to those in the same place (`Blend_exchange::UNMATCHED`), and what touches
-///   nothing but such parts.
+///   other's. So do parts without counterpart to those in the same place (`Blend_exchange::UNMATCHED`), and what
+///   touches nothing but such parts.
 /// - *Unmatched parts* go with the box of the whole, and thin or thicken in place: rods and rings to their curves,
 ///   plates to their middle planes; supports go last and come first.
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the

@@ -33,7 +33,8 @@ constexpr std::size_t largest_pictured = 1000;
 /// spanning tree with the medoid as its root, and the correspondence of two shapes that are clicked. Parts of one
 /// cluster have one colour everywhere. Surfaces are simplified to 400 000 triangles in all; curves and sheets of more
 /// than 50 shapes are drawn with few triangles. Of more than `largest_pictured` shapes the page shows only so many: the
-/// medoid, and others drawn evenly from all branches of the spanning tree. Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
+/// medoid, and others drawn evenly from all branches of the spanning tree. Needs nlohmann-json: link
+/// `CGAL::Shape_correspondence_IO`.
 /// \param out the stream
 /// \param collection what is shown
 /// \param graph the structural graph of a shape by its index, called once for each
