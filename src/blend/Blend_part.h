@@ -5,8 +5,8 @@
 
 #include "blend/Part_morph.h"
 #include "blend/Rest_surface.h"
-#include "blend/Thinning_part.h"
-#include "blend/exchange_sets.h"
+#include "blend/Retreating_part.h"
+#include "blend/carriers.h"
 #include "map/Charted_mesh.h"
 #include "map/matched_members.h"
 
@@ -40,13 +40,14 @@ struct Blend_part
   std::string name;
   Blend_task task;
   std::shared_ptr<const Part_morph> morph;          ///< of a matched part
-  std::shared_ptr<const Thinning_part> thinning;    ///< or else of one that shrinks or grows
+  std::shared_ptr<const Retreating_part> retreat;   ///< or else of one that shrinks or grows
+  std::vector<Root> roots;                          ///< of the latter, where parts before it carry it
   double height = 0;                                ///< of its middle, at the ends' mean
   std::size_t image = Blend_task::no_part;          ///< its mirror image, where the blend is to be symmetric
   bool is_reflected = false;                        ///< computed as the image's image, in its charts
   bool stands = false;                              ///< on the ground, at all ends that have it
+  bool supports = false;                            ///< an unmatched part that stands or carries one that does
   std::array<double, 2> foot = {0, 0};              ///< by end, how high its lowest point is
-  std::array<contacts::Box, 2> ridden;              ///< of an unmatched part: by end, the box that it goes with
   double needless_turn = 0;                         ///< of a matched part, beyond the least one, in radians
   std::array<std::optional<Tree>, 2> trees;         ///< by surface, at an end
   std::array<std::optional<Rest_surface>, 2> rests; ///< by surface, at that end
@@ -86,9 +87,8 @@ std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end,
 std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence);
 
 /// Adds the parts of both ends that become no part.
-/// \param sets of parts that give way to each other
-void add_unmatched_parts(const Blend_stage& stage, const std::vector<Exchange_set>& sets,
-                         std::vector<Blend_part>& parts);
+/// \param unlike pairs that correspond but do not morph
+void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std::vector<Blend_part>& parts);
 
 inline contacts::Box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
 

@@ -140,7 +140,7 @@ std::vector<Blend_schedule> plausible_schedules(const std::vector<Blend_part>& p
                                     : morphs                               ? plan.morph
                                     : task.type == Blend_task_type::SHRINK ? plan.shrink
                                                                            : plan.grow;
-      if (!is_exchange && !morphs && part.stands) times = reversed(times);
+      if (!is_exchange && !morphs && part.supports) times = reversed(times);
       task.begin = times[0] + delay;
       task.end = times[1] + delay;
       result.back().tasks.push_back(task);
