@@ -75,9 +75,49 @@ std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end,
 
 namespace {
 
+/// Whether a part that goes makes the shape much larger than what stays.
+bool reaches_out(const Blend_stage& stage, int end, std::size_t part, const std::vector<Blend_part>& parts)
+{
+  constexpr double much = 0.1; // of the extent of the shape
+  contacts::Box staying;
+  for (const Blend_part& other : parts)
+    if (other.morph) staying.extend(box_of(other.end_points(end)));
+  const contacts::Box own = box_of(stage.meshes[std::size_t(end)][part].points);
+  const Point beyond = (own.max() - staying.max()).cwiseMax(staying.min() - own.min());
+  return (beyond.array() > much * stage.boxes[std::size_t(end)].sizes().array()).any();
+}
+
+/// The axes of a part's box, for mirror images alike.
+Eigen::Matrix3d axes_of_box(const Blend_stage& stage, int end, std::size_t part)
+{
+  const auto e = std::size_t(end);
+  const auto axes = [&](std::size_t i) {
+    return box_axes(stage.meshes[e][i].points, stage.charted[e].charts[i].axes());
+  };
+  const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
+  const std::size_t image = stage.images[e][part];
+  if (image == Mirror_images::none) return axes(part);
+  return image == part || axes(image) == upright ? upright : axes(part);
+}
+
+/// By part of a shape, where it is carried if it goes: the places of mirror images are mirror images, too.
+std::vector<std::vector<Point>> places_of(const std::vector<Carried_part>& going, const Mirror_images& images,
+                                          std::size_t parts)
+{
+  std::vector<std::vector<Point>> result(parts);
+  for (const Carried_part& part : going)
+    for (const Root& root : part.roots) {
+      result[part.part].push_back(root.at);
+      const std::size_t image = images[part.part];
+      if (image != Mirror_images::none) result[image].push_back(mirrored(root.at));
+    }
+  return result;
+}
+
 /// The part of a shape that goes.
+/// \param places where it is carried
 Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part& carried,
-                          const std::vector<Blend_part>& parts)
+                          const std::vector<Point>& places, const std::vector<Blend_part>& parts)
 {
   const auto e = std::size_t(end);
   Blend_part result;
@@ -86,16 +126,12 @@ Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part&
   result.task.type = end == 0 ? Blend_task_type::SHRINK : Blend_task_type::GROW;
   (end == 0 ? result.task.source : result.task.target) = carried.part;
   const Part_mesh& mesh = stage.meshes[e][carried.part];
-  std::vector<Point> places;
-  for (const Root& root : carried.roots) {
-    places.push_back(root.at);
+  for (const Root& root : carried.roots)
     result.roots.push_back({root.at, root.carriers.empty() ? root.carriers : parts_of(parts, end, root.carriers[0])});
-  }
-  const Eigen::Matrix3d own_axes = stage.charted[e].charts[carried.part].axes();
-  result.retreat = std::make_shared<Retreating_part>(mesh, box_axes(mesh.points, own_axes), places,
-                                                     carried.joins);
+  result.retreat =
+      std::make_shared<Retreating_part>(mesh, axes_of_box(stage, end, carried.part), places, carried.joins);
   result.set_ends();
-  result.supports = result.stands;
+  result.is_needed = result.stands || carried.joins || reaches_out(stage, end, carried.part, parts);
   return result;
 }
 
@@ -121,8 +157,10 @@ void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std
       stays[part] = !parts_of(parts, end, part).empty();
     for (const auto& [s, t] : unlike)
       corresponds[end == 0 ? s : t] = 1;
-    for (const Carried_part& carried : carried_parts(stage, end, stays)) {
-      Blend_part part = unmatched_part(stage, end, carried, parts);
+    const std::vector<Carried_part> going = carried_parts(stage, end, stays);
+    const std::vector<std::vector<Point>> places = places_of(going, stage.images[std::size_t(end)], stays.size());
+    for (const Carried_part& carried : going) {
+      Blend_part part = unmatched_part(stage, end, carried, places[carried.part], parts);
       bool is_exchange = corresponds[carried.part];
       for (const Root& root : part.roots) // what unlike parts carry goes with them
         for (std::size_t carrier : root.carriers)
@@ -136,7 +174,7 @@ void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std
   for (std::size_t i = parts.size(); i-- > matched;) // carriers come before what they carry
     for (const Root& root : parts[i].roots)
       for (std::size_t carrier : root.carriers)
-        parts[carrier].supports = parts[carrier].supports || parts[i].supports;
+        parts[carrier].is_needed = parts[carrier].is_needed || parts[i].is_needed;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

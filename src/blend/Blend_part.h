@@ -7,6 +7,7 @@
 #include "blend/Rest_surface.h"
 #include "blend/Retreating_part.h"
 #include "blend/carriers.h"
+#include "blend/exchange.h"
 #include "map/Charted_mesh.h"
 #include "map/matched_members.h"
 
@@ -39,14 +40,14 @@ struct Blend_part
 
   std::string name;
   Blend_task task;
-  std::shared_ptr<const Part_morph> morph;          ///< of a matched part
-  std::shared_ptr<const Retreating_part> retreat;   ///< or else of one that shrinks or grows
-  std::vector<Root> roots;                          ///< of the latter, where parts before it carry it
-  double height = 0;                                ///< of its middle, at the ends' mean
-  std::size_t image = Blend_task::no_part;          ///< its mirror image, where the blend is to be symmetric
-  bool is_reflected = false;                        ///< computed as the image's image, in its charts
-  bool stands = false;                              ///< on the ground, at all ends that have it
-  bool supports = false;                            ///< an unmatched part that stands or carries one that does
+  std::shared_ptr<const Part_morph> morph;        ///< of a matched part
+  std::shared_ptr<const Retreating_part> retreat; ///< or else of one that shrinks or grows
+  std::vector<Root> roots;                        ///< of the latter, where parts before it carry it
+  double height = 0;                              ///< of its middle, at the ends' mean
+  std::size_t image = Blend_task::no_part;        ///< its mirror image, where the blend is to be symmetric
+  bool is_reflected = false;                      ///< computed as the image's image, in its charts
+  bool stands = false;                            ///< on the ground, at all ends that have it
+  bool is_needed = false; ///< an unmatched part that stands, joins others or makes the shape larger, or carries one
   std::array<double, 2> foot = {0, 0};              ///< by end, how high its lowest point is
   double needless_turn = 0;                         ///< of a matched part, beyond the least one, in radians
   std::array<std::optional<Tree>, 2> trees;         ///< by surface, at an end
@@ -55,6 +56,7 @@ struct Blend_part
 
   bool has_image() const { return image != Blend_task::no_part; }
   bool is_exchange() const { return morph && morph->is_exchange(); }
+  const Exchange_times& exchange_times() const { return morph ? in_place : is_needed ? of_needed : of_others; }
   /// Of an unmatched part: the end that has it.
   int end() const { return task.type == Blend_task_type::SHRINK ? 0 : 1; }
   /// Whether an end has it.

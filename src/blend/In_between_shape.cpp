@@ -3,6 +3,7 @@
 
 #include "blend/In_between_shape.h"
 
+#include "blend/ease.h"
 #include "blend/exchange.h"
 
 #include <algorithm>
@@ -75,7 +76,7 @@ void In_between_shape::set_progress(const Task_times& times, double t)
       sum += part.size * progress_[i];
       sizes += part.size;
     } else if (part.task.exchange != Blend_exchange::NONE) {
-      remaining_[i] = of_sets.remaining(part.end(), progress_[i]);
+      remaining_[i] = part.exchange_times().remaining(part.end(), progress_[i]);
     } else {
       remaining_[i] = part.end() == 0 ? 1 - progress_[i] : progress_[i];
     }

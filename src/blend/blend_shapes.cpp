@@ -3,6 +3,7 @@
 
 #include "blend/In_between_cache.h"
 #include "blend/blend_quality.h"
+#include "blend/ease.h"
 #include "blend/exchange.h"
 #include "blend/schedules.h"
 #include "map/check_model.h"
@@ -141,7 +142,7 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
     const Blend_part& part = blend_->parts[i];
     const Blend_task& task = schedules_[0].tasks[i];
     const auto time = [&](double progress) { return task.begin + time_of(progress) * (task.end - task.begin); };
-    const Exchange_times& times = part.morph ? in_place : of_sets;
+    const Exchange_times& times = part.exchange_times();
     const bool is_exchange = task.exchange != Blend_exchange::NONE;
     std::array<double, 2> change = {is_exchange ? time(times.come[0]) : task.begin,
                                     is_exchange ? time(times.go[1]) : task.end};

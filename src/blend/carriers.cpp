@@ -54,7 +54,8 @@ private:
         if (is_found_[part] || !is_found_[carrier] || size(carrier) < least_size * size(part)) continue;
         if (!next[part].roots.empty()) {
           const std::size_t other = next[part].roots[0].carriers[0];
-          next[part].joins = next[part].joins || (stays_[carrier] && stays_[other] && joined_[carrier] != joined_[other]);
+          next[part].joins =
+              next[part].joins || (stays_[carrier] && stays_[other] && joined_[carrier] != joined_[other]);
         }
         for (const Point& place : stage_.places_of(end_, contact))
           next[part].roots.push_back({place, {carrier}});
@@ -91,7 +92,7 @@ private:
   int end_;
   const std::vector<char>& stays_;
   std::vector<char> is_found_; ///< or stays
-  Disjoint_sets joined_; ///< parts that stay
+  Disjoint_sets joined_;       ///< parts that stay
   std::vector<contacts::Box> boxes_;
   std::vector<Carried_part> found_;
 };

@@ -3,8 +3,7 @@
 
 #pragma once
 
-#include "blend/ease.h"
-
+#include <algorithm>
 #include <array>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -18,7 +17,7 @@ struct Exchange_times
   double remaining(int end, double progress) const
   {
     const auto done = [&](const std::array<double, 2>& times) {
-      return eased((progress - times[0]) / (times[1] - times[0]));
+      return std::clamp((progress - times[0]) / (times[1] - times[0]), 0., 1.);
     };
     return end == 0 ? 1 - done(go) : done(come);
   }
@@ -26,7 +25,8 @@ struct Exchange_times
 
 /// Of two surfaces in one place: quickly, before half of the way, so that most of the time there is one of them only.
 constexpr Exchange_times in_place = {{0.34, 0.42}, {0.42, 0.5}};
-/// Of sets of parts: the one is there as a whole, and carries, before half of the other has gone.
-constexpr Exchange_times of_sets = {{0.16, 0.5}, {0.33, 0.69}};
+/// Of parts that come and go, one set after the other: first those come that the shape needs to stand, or to hang
+/// together; the others wait until there is room for them.
+constexpr Exchange_times of_needed = {{0.15, 0.45}, {0.45, 0.75}}, of_others = {{0.4, 0.75}, {0.15, 0.5}};
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -298,7 +298,7 @@ TEST_CASE("Mirror images of round parts and of what hangs in the middle stay mir
   const Shape_blend blend = blend_of("table_four_legged", "table_pedestal");
   const double ends = std::max(blend.check(0).quality.asymmetry, blend.check(1).quality.asymmetry);
   for (double t : {0.3, 0.6}) {
-    INFO("t = " << t);
+    INFO("t = " << t << " " << (blend.check(t).faults.empty() ? "" : blend.check(t).faults[0]));
     CHECK(blend.check(t).quality.asymmetry <= ends + Shape_blend::symmetry_tolerance);
     CHECK(blend.check(t).quality.gap <= Shape_blend::contact_tolerance);
     CHECK(blend.check(t).quality.ground <= Shape_blend::ground_tolerance);
