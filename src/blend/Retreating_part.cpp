@@ -85,7 +85,7 @@ Roots lowest(const Roots& roots, int axis)
 } // namespace
 
 Retreating_part::Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& axes, const Roots& roots, bool joins)
-    : mesh_(mesh)
+    : mesh_(mesh), staying_(Eigen::Matrix3d::Zero())
 {
   const Part_box box(mesh.points, axes);
   const Roots low = lowest(roots, 1); // what is carried at several ends grows upwards, or from the back
@@ -93,19 +93,20 @@ Retreating_part::Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& a
     for (const Roots& some : {roots, low, lowest(low, 2)})
       if (const std::optional<int> axis = box.retreat(some)) {
         root_ = mean(some);
-        onto_ = box.directions.col(*axis) * box.directions.col(*axis).transpose();
+        vanishing_ = box.directions.col(*axis) * box.directions.col(*axis).transpose();
         return;
       }
   root_ = mean(roots);
-  onto_ = Eigen::Matrix3d::Identity();
-  if (box.has_roots_at_both_ends(roots)) onto_ -= box.directions.col(0) * box.directions.col(0).transpose();
+  if (box.has_roots_at_both_ends(roots)) staying_ = box.directions.col(0) * box.directions.col(0).transpose();
+  vanishing_ = Eigen::Matrix3d::Identity() - staying_;
 }
 
 /// Of the way from the root.
 Eigen::Matrix3d Retreating_part::scale(double remaining) const
 {
   constexpr double little = 0.3;
-  return remaining * onto_ + std::min(1., remaining / little) * (Eigen::Matrix3d::Identity() - onto_);
+  const Eigen::Matrix3d others = Eigen::Matrix3d::Identity() - vanishing_ - staying_;
+  return remaining * vanishing_ + std::min(1., remaining / little) * others + staying_;
 }
 
 Point Retreating_part::place(const Point& p, double remaining) const { return root_ + scale(remaining) * (p - root_); }

@@ -14,7 +14,8 @@ namespace CGAL::Shape_correspondence::internal {
 
 /// A part without counterpart, which draws back into what carries it, or grows out of it in reverse: a leg into the
 /// seat along its length, a cushion across, a wheel into its hub as a whole; what joins parts that nothing else joins
-/// thins. Its roots, where it is carried, stay. When little remains, it shrinks in all directions.
+/// thins. Its roots, where it is carried, stay. When little remains, it shrinks in all directions but that of its
+/// roots.
 class Retreating_part
 {
 public:
@@ -36,7 +37,7 @@ private:
 
   Part_mesh mesh_;
   Point root_;
-  Eigen::Matrix3d onto_; ///< what vanishes first of the way from the root: its projection onto some of the axes
+  Eigen::Matrix3d vanishing_, staying_; ///< the ways from the root that vanish first, and not: projections onto axes
 };
 
 } // namespace CGAL::Shape_correspondence::internal

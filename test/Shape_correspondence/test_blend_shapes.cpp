@@ -137,7 +137,7 @@ TEST_CASE("Shapes between two models are closed, hang together, are symmetric an
   }
 }
 
-TEST_CASE("Parts give way in place to what lies across: they do not turn through the shape, nor are they cut up")
+TEST_CASE("Parts give way to what lies across: they do not turn through the shape, nor are they cut up")
 {
   for (const auto& [source, target] :
        {std::pair("chair_four_legged", "chair_slatted"), std::pair("chair_spindle", "chair_swivel")}) {
@@ -366,7 +366,7 @@ TEST_CASE("Tasks are those of the correspondence, within the time of the blend")
   CHECK(*std::min_element(to.begin(), to.end()) > 0);
 }
 
-TEST_CASE("Without a correspondence parts thin and thicken, or are exchanged for what is alike in place and size")
+TEST_CASE("Without a correspondence parts come and go, or are exchanged for what is alike in place and size")
 {
   const Model& stool = model("stool");
   const Shape_blend blend = blend_of(stool, stool, Correspondence());
