@@ -94,7 +94,8 @@ TEST_CASE("Surfaces of which one would be torn on its way to the other are excha
     IO::write_blend_json(json, blend, source.graph, target.graph, "a", "b", "c", 2, {});
     CHECK_THAT(json.str(), Contains("\"exchanged\":\"torn\""));
   }
-  for (const Blend_task& task : blend_of(grille, grille, same_parts(3)).schedules()[0].tasks)
+  const Shape_blend same = blend_of(grille, grille, same_parts(3));
+  for (const Blend_task& task : same.schedules()[0].tasks)
     CHECK(task.exchange == Blend_exchange::NONE);
 }
 
