@@ -13,7 +13,7 @@ namespace {
 [[noreturn]] void fail_to_run(const std::string& program)
 {
   throw Invalid_input("files of this format are read by another program (" + program +
-                      "), and a browser runs none; save the model as OBJ, PLY, STL or OFF");
+                      "), and a browser runs none; save the model as GLB, OBJ, PLY, STL or OFF");
 }
 
 } // namespace
