@@ -298,8 +298,9 @@ TEST_CASE("What is wrong in a glTF document is refused by its place")
 {
   CHECK(refused(tetrahedron().glb()).empty());
   CHECK_THAT(refused_with("/asset/version", "3.0"), Contains("version '3.0'"));
+  CHECK_THAT(refused_with("/asset/version", 1), Contains("needs glTF 1.0"));
   CHECK_THAT(refused_with("/extensionsRequired/0", "KHR_draco_mesh_compression"),
-             Contains("KHR_draco_mesh_compression"));
+             Contains("needs the extension KHR_draco_mesh_compression"));
   CHECK_THAT(refused_with("/extensionsRequired/0", "EXT_meshopt_compression"), Contains("EXT_meshopt_compression"));
   CHECK_THAT(refused_with("/scene", 1), Contains("scene is 1, but there are 1 scenes"));
   CHECK_THAT(refused_with("/scenes/0/nodes/0", 4294967296), Contains("scenes[0].nodes[0] is beyond"));

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::uint64_t most_numbers =
     200'000'000; // of ten million triangles: three corners each, and what they are of
+const char* const version_1 = "glTF 1.0";
 
 template <typename Number>
 Number number_in(const char* bytes)
@@ -64,7 +65,8 @@ std::optional<std::string> from_base64(std::string_view text)
 /// Whether shapes are read right by those who do not know the extension.
 bool is_of_looks(const std::string& extension)
 {
-  const auto beginnings = {"KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_", "KHR_xmp"};
+  const auto beginnings = {"KHR_materials_", "KHR_texture_",  "EXT_texture_", "MSFT_texture_",
+                           "KHR_lights_",    "KHR_technique", "KHR_xmp"};
   return std::any_of(beginnings.begin(), beginnings.end(), [&](const char* b) { return begins_with(extension, b); });
 }
 
@@ -82,14 +84,16 @@ Gltf_document::Gltf_document(std::string_view text, const std::string& file, con
     : text_(text), file_(file), options_(options)
 {
   if (begins_with(text, "glTF")) split_glb();
-  if (is_version_1_) return;
+  if (!needs_.empty()) return;
   root_ = parse_json(text_, file_);
-  const std::string version = (*root_)["asset"]["version"].text();
-  is_version_1_ = begins_with(version, "1.");
-  if (is_version_1_) return;
-  if (!begins_with(version, "2."))
+  const Json_field number = (*root_)["asset"]["version"];
+  const std::string version = number.is_text() ? number.text() : "1.0"; // of old files, a number
+  if (begins_with(version, "1."))
+    needs_ = version_1;
+  else if (!begins_with(version, "2."))
     throw Invalid_input(file_ + ": it is glTF of version " + cited(version) + "; save it as glTF 2.0");
-  check_extensions();
+  else
+    check_extensions();
 }
 
 void Gltf_document::split_glb()
@@ -98,8 +102,10 @@ void Gltf_document::split_glb()
   constexpr std::uint32_t json = 0x4E4F534A, binary = 0x004E4942;
   const auto cut_off = [&] { return Invalid_input(file_ + ": it cannot be read as GLB: it is cut off, or damaged"); };
   if (text_.size() < header + chunk_header) throw cut_off();
-  is_version_1_ = number_in<std::uint32_t>(text_.data() + 4) == 1;
-  if (is_version_1_) return;
+  if (number_in<std::uint32_t>(text_.data() + 4) == 1) {
+    needs_ = version_1;
+    return;
+  }
   const std::size_t length = number_in<std::uint32_t>(text_.data() + 8);
   if (length < header || length > text_.size()) throw cut_off();
   std::string_view rest = text_.substr(header, length - header);
@@ -116,11 +122,13 @@ void Gltf_document::split_glb()
   if (text_.empty()) throw cut_off();
 }
 
-void Gltf_document::check_extensions() const
+void Gltf_document::check_extensions()
 {
   if (!root_->has("extensionsRequired")) return;
   for (const Json_field& extension : (*root_)["extensionsRequired"].elements())
-    if (const std::string name = extension.text(); name != "KHR_mesh_quantization" && !is_of_looks(name))
+    if (const std::string name = extension.text(); name == "KHR_draco_mesh_compression")
+      needs_ = "the extension " + name;
+    else if (name != "KHR_mesh_quantization" && !is_of_looks(name))
       throw Invalid_input(file_ + ": it needs the extension " + cited(name) +
                           " of glTF, which is not known here; save it without compression or instancing");
 }

@@ -20,8 +20,8 @@ public:
   /// \param text of a GLB or glTF file; it must outlive this \param file its name
   Gltf_document(std::string_view text, const std::string& file, const Reading_options& options);
 
-  /// Whether it is of version 1; all the rest is for version 2.
-  bool is_version_1() const { return is_version_1_; }
+  /// What it needs that is not known here but to assimp, version 1 or Draco; all the rest is for documents without.
+  const std::string& needs() const { return needs_; }
 
   const Json_field& root() const { return *root_; }
 
@@ -57,7 +57,7 @@ private:
 
   static const Component& component_at(const Json_field& field);
   void split_glb();
-  void check_extensions() const;
+  void check_extensions();
   std::string_view buffer(std::size_t index);
   std::string load(const Json_field& buffer);
   Eigen::MatrixXd decode(const Json_field& place, const Component& component, bool is_normalized,
@@ -67,7 +67,7 @@ private:
   std::string_view text_, binary_; ///< the document, and the bytes that follow it in a GLB file
   const std::string& file_;
   const Reading_options& options_;
-  bool is_version_1_ = false;
+  std::string needs_;
   std::optional<Json_field> root_;
   std::map<std::string, std::vector<Json_field>> lists_;
   std::map<std::size_t, std::string> loaded_; ///< buffers, by index

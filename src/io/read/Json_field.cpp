@@ -103,6 +103,8 @@ bool Json_field::boolean() const
 
 bool Json_field::is_null() const { return value_->is_null(); }
 
+bool Json_field::is_text() const { return value_->is_string(); }
+
 std::string Json_field::text() const
 {
   if (!value_->is_string()) fail("is not a string");

@@ -39,6 +39,7 @@ public:
   int integer() const;
   bool boolean() const;
   bool is_null() const;
+  bool is_text() const;
   std::string text() const;
   std::vector<std::string> texts() const;                  ///< of an array
   std::map<std::string, std::string> texts_by_key() const; ///< of an object

@@ -268,7 +268,12 @@ private:
 Model_content read_gltf_parts(std::string_view text, const std::string& file, const Reading_options& options)
 {
   Gltf_document document(text, file, options);
-  return document.is_version_1() ? import_parts(file, options) : Gltf_reader(document).read(file);
+  if (document.needs().empty()) return Gltf_reader(document).read(file);
+  try {
+    return import_parts(file, options);
+  } catch (const Invalid_input& error) {
+    throw Invalid_input(error.what() + (" (it needs " + document.needs() + ")"));
+  }
 }
 
 } // namespace CGAL::Shape_correspondence::IO
