@@ -15,5 +15,6 @@ endforeach()
 target_include_directories(Eigen3::Eigen SYSTEM INTERFACE /usr/include/eigen3)
 add_library(Boost::program_options INTERFACE IMPORTED) # headers only; see src/cli/plain_command_line.cpp
 target_compile_definitions(CGAL::CGAL INTERFACE CGAL_DISABLE_GMP CGAL_ALWAYS_ROUND_TO_NEAREST)
+target_compile_options(Eigen3::Eigen INTERFACE -msimd128 "SHELL:-include ${CMAKE_CURRENT_LIST_DIR}/browser_eigen.h")
 add_compile_options(-fwasm-exceptions -Xclang -fno-pch-timestamp)
 add_link_options(-fwasm-exceptions)

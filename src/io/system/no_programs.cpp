@@ -12,8 +12,8 @@ namespace {
 
 [[noreturn]] void fail_to_run(const std::string& program)
 {
-  throw Invalid_input("files of this format are read by another program (" + program +
-                      "), and a browser runs none; save the model as OBJ, PLY, STL or OFF");
+  throw Invalid_input("it is read by another program (" + program +
+                      "), and a browser runs none; save it as GLB without compression, OBJ, PLY, STL or OFF");
 }
 
 } // namespace
