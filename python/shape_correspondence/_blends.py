@@ -27,10 +27,11 @@ class BlendTask(Record):
     end: float  #: time at which it ends
     source: Optional[str] = None  #: the source part, if there is one
     target: Optional[str] = None  #: the target part, if there is one
-    #: why the surfaces of the two are exchanged: ``"torn"`` or ``"thin"``, if the one became the other, or
-    #: ``"unmatched"``: they do not correspond, but are alike in place and size; ``"unlike"``: of a part that shrinks or
-    #: grows, as it is too unlike its counterparts to become them
-    exchanged: Optional[str] = None
+    other_sources: Optional[List[str]] = None  #: further source parts, if several become one surface
+    other_targets: Optional[List[str]] = None  #: further target parts
+    #: why there is no map onto the counterpart: the surface would be ``"torn"`` or ``"thin"``, or the two are too
+    #: ``"unlike"``
+    obstacle: Optional[str] = None
 
 
 class Blend(Page):

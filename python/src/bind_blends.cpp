@@ -52,7 +52,7 @@ std::shared_ptr<Blend> blend(const std::shared_ptr<Match>& match, int threads, c
     if (!has_size) options.size = SC::cli::likely_size(source.shape, target.shape, warnings);
     const SC::Shape_blend blend(source.shape.graph, *source.shape.model, target.shape.graph, *target.shape.model, pairs,
                                 options);
-    SC::cli::warn_of_exchanges(blend, source.shape, target.shape, warnings);
+    SC::cli::warn_of_obstacles(blend, source.shape, target.shape, warnings);
     return std::make_shared<Blend>(Blend{match, blend, warnings});
   });
 }

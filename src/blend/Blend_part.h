@@ -7,7 +7,7 @@
 #include "blend/Rest_surface.h"
 #include "blend/Retreating_part.h"
 #include "blend/carriers.h"
-#include "blend/exchange.h"
+#include "blend/change_times.h"
 #include "map/Charted_mesh.h"
 #include "map/matched_members.h"
 
@@ -31,8 +31,8 @@ struct Carried_point
   std::array<Point, 2> offsets;     ///< from where the part has the coordinates to the point, by end
 };
 
-/// A part of the shapes in between: what becomes of one part, or a piece of one. If it is matched, it has two surfaces,
-/// one after the other; if not, one. Ends are numbered: 0 is the source, 1 the target.
+/// A part of the shapes in between: what becomes of one part, of a piece of one, or of several together. If it is
+/// matched, it has surfaces that follow each other; if not, one. Ends are numbered: 0 is the source, 1 the target.
 struct Blend_part
 {
   using Tree = contacts::Triangle_tree;
@@ -47,24 +47,26 @@ struct Blend_part
   std::size_t image = Blend_task::no_part;        ///< its mirror image, where the blend is to be symmetric
   bool is_reflected = false;                      ///< computed as the image's image, in its charts
   bool stands = false;                            ///< on the ground, at all ends that have it
+  bool contracts = false; ///< an unmatched part towards the middle of those that come in its place
   bool is_needed = false; ///< an unmatched part that stands, joins others or makes the shape larger, or carries one
-  std::array<double, 2> foot = {0, 0};              ///< by end, how high its lowest point is
-  double needless_turn = 0;                         ///< of a matched part, beyond the least one, in radians
-  std::array<std::optional<Tree>, 2> trees;         ///< by surface, at an end
-  std::array<std::optional<Rest_surface>, 2> rests; ///< by surface, at that end
-  double size = 0;                                  ///< the longer diagonal of the boxes of its surfaces
+  std::array<double, 2> foot = {0, 0}; ///< by end, how high its lowest point is
+  double needless_turn = 0;            ///< of a matched part, beyond the least one, in radians
+  std::vector<Tree> trees;             ///< by surface; of those at the ends, there
+  std::vector<Rest_surface> rests;     ///< by surface
+  double size = 0;                     ///< the longer diagonal of the boxes of its surfaces
 
   bool has_image() const { return image != Blend_task::no_part; }
-  bool is_exchange() const { return morph && morph->is_exchange(); }
-  const Exchange_times& exchange_times() const { return morph ? in_place : is_needed ? of_needed : of_others; }
+  /// Of an unmatched part that changes when its like do.
+  const Change_times& change_times() const { return is_needed ? of_needed : of_others; }
   /// Of an unmatched part: the end that has it.
   int end() const { return task.type == Blend_task_type::SHRINK ? 0 : 1; }
   /// Whether an end has it.
   bool is_at(int at_end) const { return morph || end() == at_end; }
 
   const Eigen::Matrix3Xi& triangles(int surface) const;
+  int number_of_surfaces() const { return morph ? morph->number_of_surfaces() : 1; }
   /// \param progress of a matched part, its own time
-  /// \param remaining how much there is of the surface
+  /// \param remaining how much there is of an unmatched one
   Points points(int surface, double progress, double remaining = 1) const;
 
   /// A point of the part at an end, which has it.
@@ -74,7 +76,7 @@ struct Blend_part
   Point place(const Carried_point& p, double progress, double remaining) const;
 
   /// The surface at an end and its points there. \pre the end has the part
-  int end_surface(int at_end) const { return morph ? at_end : 0; }
+  int end_surface(int at_end) const { return at_end * (number_of_surfaces() - 1); }
   Points end_points(int at_end) const { return points(end_surface(at_end), at_end); }
 
   /// Sets what follows from the surfaces: trees, rests, size, height and feet.
@@ -84,13 +86,15 @@ struct Blend_part
 /// What becomes of a part of an end, or of pieces of it.
 std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end, std::size_t given);
 
-/// The parts of a blend: one for every two parts, or pieces of parts, that correspond or are left over alike and, if
-/// the ends are symmetric, for their mirror images; and the parts of both ends that become no part.
+/// The parts of a blend: one for every two parts, or pieces or sets of parts, that correspond or are left over alike
+/// and, if the ends are symmetric, for their mirror images; and the parts of both ends that become no part.
 std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence);
 
 /// Adds the parts of both ends that become no part.
 /// \param unlike pairs that correspond but do not morph
-void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std::vector<Blend_part>& parts);
+/// \param corresponding all pairs that the correspondence has
+void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, const Part_pairs& corresponding,
+                         std::vector<Blend_part>& parts);
 
 inline contacts::Box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
 

@@ -87,13 +87,13 @@ End_look::End_look(const std::vector<Blend_part>& parts, int end)
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (!parts[i].is_at(end)) continue;
     const auto surface = std::size_t(parts[i].end_surface(end));
-    const Rest_surface& rest = *parts[i].rests[surface];
+    const Rest_surface& rest = parts[i].rests[surface];
     area += rest.extent().area;
     if (rest.is_closed()) volume += std::abs(rest.extent().volume);
     supports += parts[i].foot[std::size_t(end)] <= Blend_part::on_ground;
     points.push_back(parts[i].end_points(end));
     seen.push_back(
-        {i, rest.samples(points.back()), &*parts[i].trees[surface], rest.is_closed(), rest.extent().volume > 0});
+        {i, rest.samples(points.back()), &parts[i].trees[surface], rest.is_closed(), rest.extent().volume > 0});
   }
   overlaps = overlaps_of(seen);
   std::vector<const Points*> surfaces;

@@ -12,7 +12,7 @@ std::size_t number_of_points(const In_between_shape& shape)
 {
   Eigen::Index result = 0;
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
-    result += shape.points(part).cols() + shape.other_points(part).cols();
+    result += shape.points(part).cols();
   return std::size_t(result);
 }
 

@@ -3,10 +3,11 @@
 
 #include "blend/In_between_shape.h"
 
+#include "blend/change_times.h"
 #include "blend/ease.h"
-#include "blend/exchange.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
@@ -35,9 +36,7 @@ In_between_shape::In_between_shape(const Blend_structure& blend, const Task_time
       progress_(blend.parts.size(), 0),
       remaining_(blend.parts.size(), 1),
       points_(blend.parts.size()),
-      others_(blend.parts.size()),
       surface_(blend.parts.size(), -1),
-      has_other_(blend.parts.size(), 0),
       placements_(blend.parts.size(), Eigen::Affine3d::Identity())
 {
   set_progress(times, t);
@@ -46,11 +45,6 @@ In_between_shape::In_between_shape(const Blend_structure& blend, const Task_time
     if (part.morph) {
       surface_[i] = part.morph->surface(progress_[i]);
       points_[i] = part.points(surface_[i], progress_[i]);
-      if (!part.is_exchange()) continue;
-      const int other = 1 - surface_[i];
-      const double there = in_place.remaining(other, progress_[i]);
-      has_other_[i] = there > nothing;
-      others_[i] = part.points(other, progress_[i], there);
     } else if (remaining_[i] > nothing) {
       surface_[i] = 0;
       points_[i] = part.points(0, 0);
@@ -75,8 +69,10 @@ void In_between_shape::set_progress(const Task_times& times, double t)
     if (part.morph) {
       sum += part.size * progress_[i];
       sizes += part.size;
-    } else if (part.task.exchange != Blend_exchange::NONE) {
-      remaining_[i] = part.exchange_times().remaining(part.end(), progress_[i]);
+    } else if (part.contracts) { // quickly out of what would be as thin as a hair
+      remaining_[i] = std::sqrt(part.end() == 0 ? 1 - progress_[i] : progress_[i]);
+    } else if (part.task.obstacle != Blend_obstacle::NONE) {
+      remaining_[i] = part.change_times().remaining(part.end(), progress_[i]);
     } else {
       remaining_[i] = part.end() == 0 ? 1 - progress_[i] : progress_[i];
     }
@@ -90,7 +86,6 @@ Points In_between_shape::points(std::size_t part, int surface) const
 {
   const Blend_part& own = blend_.parts[part];
   if (surface == surface_[part]) return points_[part];
-  if (own.is_exchange() && surface == 1 - surface_[part]) return others_[part];
   return placements_[part] * own.points(surface, progress_[part], remaining_[part]);
 }
 
@@ -110,7 +105,6 @@ void In_between_shape::place(std::size_t part, const Eigen::Affine3d& map)
 {
   placements_[part] = map * placements_[part];
   if (points_[part].cols() > 0) points_[part] = map * points_[part];
-  if (others_[part].cols() > 0) others_[part] = map * others_[part];
 }
 
 /// Stretches unmatched parts as the whole, and moves them to where what carries them has taken their roots.
@@ -137,7 +131,7 @@ Eigen::Affine3d In_between_shape::carrier_map(const std::vector<std::size_t>& pi
   if (blend_.parts[pieces[0]].retreat) return placements_[pieces[0]];
   contacts::Box from, to;
   for (std::size_t piece : pieces) {
-    from.extend(blend_.parts[piece].trees[end]->box());
+    from.extend(blend_.parts[piece].trees[std::size_t(blend_.parts[piece].end_surface(int(end)))].box());
     to.extend(box_of(points_[piece]));
   }
   return box_map(from, to);

@@ -41,18 +41,15 @@ public:
   /// The box that the whole is to fill.
   contacts::Box due_box() const;
 
-  /// The one of a part's surfaces that there is, or -1; in an exchange, the one that is there as a whole.
+  /// The one of a part's surfaces that there is, or -1.
   int surface(std::size_t part) const { return surface_[part]; }
   bool is_there(std::size_t part) const { return surface_[part] >= 0; }
   /// Of the surface that there is.
   const Points& points(std::size_t part) const { return points_[part]; }
   /// The same, to be changed.
   Points& moving_points(std::size_t part) { return points_[part]; }
-  /// Of either; for one that there is not, its motion is continued.
+  /// Of any; for one that there is not, its motion is continued.
   Points points(std::size_t part, int surface) const;
-  /// In an exchange, whether there is something of the other surface, and its points.
-  bool has_other(std::size_t part) const { return has_other_[part]; }
-  const Points& other_points(std::size_t part) const { return others_[part]; }
   /// How much there is of an unmatched part, in [0, 1].
   double remaining(std::size_t part) const { return remaining_[part]; }
 
@@ -72,9 +69,8 @@ private:
   const Blend_structure& blend_;
   double whole_ = 0;
   std::vector<double> progress_, remaining_; ///< by part
-  std::vector<Points> points_, others_;      ///< by part, of an exchange the latter are those of the other surface
+  std::vector<Points> points_;               ///< by part
   std::vector<int> surface_;
-  std::vector<char> has_other_;
   std::vector<Eigen::Affine3d> placements_; ///< by part, from where it is by itself
 };
 

@@ -156,21 +156,16 @@ Points Rest_surface::samples(const Points& points) const
   return result;
 }
 
-double thinning_of(const std::array<std::optional<Rest_surface>, 2>& ends, const Surface_extent& extent,
-                   double remaining)
+double thinning_of(const Rest_surface& source, const Rest_surface& target, const Surface_extent& extent)
 {
-  bool are_closed = true, is_flat = false;
-  for (const std::optional<Rest_surface>& surface : ends)
-    if (surface) {
-      are_closed = are_closed && surface->is_closed() && surface->extent().thickness > Surface_extent::least_thickness;
-      is_flat = is_flat || surface->extent().is_flat();
-    }
-  if (is_flat) return 0;
+  bool are_closed = true;
+  for (const Rest_surface* surface : {&source, &target}) {
+    if (surface->extent().is_flat()) return 0;
+    are_closed = are_closed && surface->is_closed() && surface->extent().thickness > Surface_extent::least_thickness;
+  }
   const auto thickness = [&](const Surface_extent& of) { return are_closed ? of.thickness : of.spread(); };
-  double at_ends = std::numeric_limits<double>::infinity();
-  for (const std::optional<Rest_surface>& surface : ends)
-    if (surface) at_ends = std::min(at_ends, thickness(surface->extent()));
-  return std::max(0., 1 - thickness(extent) / (at_ends * remaining));
+  const double at_ends = std::min(thickness(source.extent()), thickness(target.extent()));
+  return std::max(0., 1 - thickness(extent) / at_ends);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

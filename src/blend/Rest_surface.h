@@ -60,9 +60,7 @@ private:
   std::vector<Eigen::Index> chosen_; ///< triangles
 };
 
-/// By what share a surface is thinner than surfaces at the ends, where they are thinnest, or than what is left of them.
-/// \param remaining how much there is of it
-double thinning_of(const std::array<std::optional<Rest_surface>, 2>& ends, const Surface_extent& extent,
-                   double remaining);
+/// By what share a surface is thinner than surfaces at the ends, where they are thinnest.
+double thinning_of(const Rest_surface& source, const Rest_surface& target, const Surface_extent& extent);
 
 } // namespace CGAL::Shape_correspondence::internal

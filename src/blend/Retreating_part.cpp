@@ -102,6 +102,15 @@ Retreating_part::Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& a
 }
 
 /// Of the way from the root.
+Retreating_part Retreating_part::contracting(const Part_mesh& mesh, const Point& axis)
+{
+  Retreating_part result(mesh);
+  result.root_ = axis;
+  result.staying_ = Point::UnitY() * Point::UnitY().transpose();
+  result.vanishing_ = Eigen::Matrix3d::Identity() - result.staying_;
+  return result;
+}
+
 Eigen::Matrix3d Retreating_part::scale(double remaining) const
 {
   constexpr double little = 0.3;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/internal/part_mesh.h>
 
 #include <Eigen/Core>
@@ -24,6 +25,9 @@ public:
   /// \param joins whether it joins parts that nothing else joins
   Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& axes, const std::vector<Point>& roots, bool joins);
 
+  /// One that stands and contracts towards an upright axis, or comes out of it.
+  static Retreating_part contracting(const Part_mesh& mesh, const Point& axis);
+
   const Eigen::Matrix3Xi& triangles() const { return mesh_.triangles; }
   /// The middle of those of its roots that it draws back to.
   const Point& root() const { return root_; }
@@ -33,6 +37,7 @@ public:
   Points points(double remaining) const;
 
 private:
+  explicit Retreating_part(const Part_mesh& mesh) : mesh_(mesh) {}
   Eigen::Matrix3d scale(double remaining) const;
 
   Part_mesh mesh_;

@@ -115,12 +115,12 @@ private:
   const Blend_part& part(std::size_t part) const { return shape_.part(part); }
   const Rest_surface& rest(std::size_t part) const
   {
-    return *shape_.part(part).rests[std::size_t(shape_.surface(part))];
+    return shape_.part(part).rests[std::size_t(shape_.surface(part))];
   }
   const End_look& look(std::size_t end) const { return blend().looks[end]; }
   const contacts::Box& end_box(std::size_t i, int end) const
   {
-    return part(i).trees[std::size_t(part(i).end_surface(end))]->box();
+    return part(i).trees[std::size_t(part(i).end_surface(end))].box();
   }
 
   std::vector<const Points*> surfaces() const
@@ -189,7 +189,7 @@ private:
     return worst;
   }
 
-  /// What is left over at both ends and exchanged is not one part that stays.
+  /// Of two parts that are left over, the one that becomes the other need not keep contacts.
   Worst_parts gap() const
   {
     const auto stays = [&](std::size_t i) { return part(i).morph && part(i).task.type != Blend_task_type::EXCHANGE; };
@@ -228,7 +228,7 @@ private:
   {
     Worst_parts worst;
     for (std::size_t i = 0; i < extents_.size(); ++i)
-      if (part(i).morph) worst.improve(thinning_of(part(i).rests, extents_[i], 1), i);
+      if (part(i).morph) worst.improve(thinning_of(part(i).rests.front(), part(i).rests.back(), extents_[i]), i);
     return worst;
   }
 
@@ -239,9 +239,7 @@ private:
     double sum = 0;
     for (std::size_t i = 0; i < extents_.size(); ++i) {
       if (!shape_.is_there(i)) continue;
-      double at_ends = 0;
-      for (const std::optional<Rest_surface>& surface : part(i).rests)
-        if (surface) at_ends = std::max(at_ends, surface->extent().area);
+      const double at_ends = std::max(part(i).rests.front().extent().area, part(i).rests.back().extent().area);
       worst.improve(extents_[i].area - at_ends, i);
       sum += extents_[i].area;
     }

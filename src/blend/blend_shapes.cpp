@@ -4,7 +4,6 @@
 #include "blend/In_between_cache.h"
 #include "blend/blend_quality.h"
 #include "blend/ease.h"
-#include "blend/exchange.h"
 #include "blend/schedules.h"
 #include "map/check_model.h"
 #include "matching/unlikely_pairs.h"
@@ -46,20 +45,10 @@ void check_options(const Blend_options& options)
     throw Invalid_input("Shape_blend: the contact tolerance must be between 0 and 1");
 }
 
-/// What there is of a part, both surfaces where there are two.
+/// What there is of a part.
 Part_mesh mesh_of(const In_between_shape& shape, std::size_t part, double done)
 {
-  const int surface = shape.surface(part);
-  Part_mesh result{shape.blend().to_world(shape.points(part), done), shape.part(part).triangles(surface)};
-  if (!shape.has_other(part)) return result;
-  const Points other = shape.blend().to_world(shape.other_points(part), done);
-  const Eigen::Matrix3Xi& triangles = shape.part(part).triangles(1 - surface);
-  const Eigen::Index points = result.points.cols(), given = result.triangles.cols();
-  result.points.conservativeResize(3, points + other.cols());
-  result.points.rightCols(other.cols()) = other;
-  result.triangles.conservativeResize(3, given + triangles.cols());
-  result.triangles.rightCols(triangles.cols()) = triangles.array() + int(points);
-  return result;
+  return {shape.blend().to_world(shape.points(part), done), shape.part(part).triangles(shape.surface(part))};
 }
 
 } // namespace
@@ -142,21 +131,22 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
     const Blend_part& part = blend_->parts[i];
     const Blend_task& task = schedules_[0].tasks[i];
     const auto time = [&](double progress) { return task.begin + time_of(progress) * (task.end - task.begin); };
-    const Exchange_times& times = part.exchange_times();
-    const bool is_exchange = task.exchange != Blend_exchange::NONE;
-    std::array<double, 2> change = {is_exchange ? time(times.come[0]) : task.begin,
-                                    is_exchange ? time(times.go[1]) : task.end};
     if (!part.morph) {
-      const bool shrinks = part.end() == 0;
-      result.push_back({part.name, task, part.triangles(0), shrinks ? 0 : change[0], shrinks ? change[1] : 1});
+      const Change_times& times = part.change_times();
+      const bool shrinks = part.end() == 0, is_unlike = task.obstacle != Blend_obstacle::NONE && !part.contracts;
+      const double come = is_unlike ? time(times.come[0]) : task.begin, go = is_unlike ? time(times.go[1]) : task.end;
+      result.push_back({part.name, task, part.triangles(0), shrinks ? 0 : come, shrinks ? go : 1, part.end()});
       continue;
     }
-    if (!is_exchange) {
-      const double progress = part.morph->switch_time();
-      change[0] = change[1] = progress <= 0 ? 0 : progress >= 1 ? 1 : time(progress);
-    }
-    result.push_back({part.name, task, part.triangles(0), 0, change[1]});
-    result.push_back({part.name, task, part.triangles(1), change[0], 1});
+    const int count = part.number_of_surfaces();
+    const auto change = [&](int number) {
+      if (number < 0 || number + 1 == count) return number < 0 ? 0. : 1.;
+      const double progress = part.morph->changes()[std::size_t(number)];
+      return progress <= 0 ? 0 : progress >= 1 ? 1 : time(progress);
+    };
+    for (int surface = 0; surface < count; ++surface)
+      result.push_back({part.name, task, part.triangles(surface), change(surface - 1), change(surface),
+                        surface < count / 2 ? 0 : 1});
   }
   return result;
 }
@@ -167,7 +157,7 @@ std::vector<Points> Shape_blend::points(double t) const
   const std::shared_ptr<const In_between_shape> in_between = shapes_->at(t);
   const In_between_shape& shape = *in_between;
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
-    for (int surface = 0; surface < (shape.part(part).morph ? 2 : 1); ++surface)
+    for (int surface = 0; surface < shape.part(part).number_of_surfaces(); ++surface)
       result.push_back(blend_->to_world(shape.points(part, surface), eased(t)));
   return result;
 }

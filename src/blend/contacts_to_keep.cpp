@@ -26,7 +26,7 @@ struct Touch
   double gap;
 };
 
-Point mean(const std::vector<Point>& points)
+Point middle(const std::vector<Point>& points)
 {
   return std::accumulate(points.begin(), points.end(), Point(Point::Zero())) / double(points.size());
 }
@@ -57,8 +57,8 @@ public:
         if (!other) continue;
         result.push_back({pair, {}, {touch.gap, other->gap}});
         const bool are_paired = touch.at.size() == other->at.size();
-        const std::vector<Point> from = are_paired ? touch.at : std::vector<Point>{mean(touch.at)};
-        const std::vector<Point> to = are_paired ? other->at : std::vector<Point>{mean(other->at)};
+        const std::vector<Point> from = are_paired ? touch.at : std::vector<Point>{middle(touch.at)};
+        const std::vector<Point> to = are_paired ? other->at : std::vector<Point>{middle(other->at)};
         for (std::size_t i = 0; i < from.size(); ++i)
           result.back().points.push_back({a.carried(from[i], to[i]), b.carried(from[i], to[i])});
       }
@@ -80,7 +80,11 @@ private:
           const Index_pair pair = {std::min(a, b), std::max(a, b)};
           std::optional<Touch> touch = touch_of(pair, end);
           if (are_whole) touch = Touch{stage_.places_of(end, contact), touch ? touch->gap : gap_of(pair, end)};
-          if (touch) result.emplace(pair, *touch);
+          if (!touch) continue;
+          const auto [known, is_new] = result.emplace(pair, *touch);
+          if (is_new) continue; // else of several parts that become one
+          known->second.at.insert(known->second.at.end(), touch->at.begin(), touch->at.end());
+          known->second.gap = std::max(known->second.gap, touch->gap);
         }
     }
     return result;
@@ -88,7 +92,7 @@ private:
 
   const contacts::Triangle_tree& tree(std::size_t part, int end) const
   {
-    return *parts_[part].trees[std::size_t(parts_[part].end_surface(end))];
+    return parts_[part].trees[std::size_t(parts_[part].end_surface(end))];
   }
 
   double gap_of(const Index_pair& pair, int end) const

@@ -3,7 +3,10 @@
 
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
+#include "blend/Map_morph.h"
+#include "blend/leftover_pairs.h"
 #include "blend/pair_boxes.h"
+#include "blend/part_sets.h"
 #include "blend/unlike_pairs.h"
 #include "map/piece_of.h"
 
@@ -19,80 +22,61 @@ namespace {
 
 constexpr std::size_t none = Blend_task::no_part;
 
-/// Whether, and why, the surface of a matched part is not to become the other: it is torn, turned over or far thinner
-/// on the way, or another surface where the one takes over from the other.
-Blend_exchange reason_to_exchange(const Part_morph& morph)
+/// Whether, and why, a map does not do: the surface is torn, turned over or far thinner on the way, or another one
+/// where the one takes over from the other.
+Blend_obstacle fault_of(const Map_morph& morph)
 {
   constexpr double most_torn = 2 * Shape_blend::torn_tolerance; // of a part by itself
   constexpr double most_area = 1.3;    // of either surface over the other, where both are to be the same
   constexpr double most_turned = 0.12; // of either surface
-  std::array<std::optional<Rest_surface>, 2> rests;
+  std::vector<Rest_surface> rests;
   for (int end : {0, 1})
-    rests[std::size_t(end)].emplace(morph.points(end, end), morph.triangles(end));
-  const double change = morph.switch_time();
+    rests.emplace_back(morph.points(end, end), morph.triangles(end));
+  const double change = morph.changes()[0];
   std::vector<std::pair<int, double>> samples = {{0, change}, {1, change}};
   for (double t : {0.25, 0.5, 0.75})
     if (t != change) samples.emplace_back(morph.surface(t), t);
   double torn = 0, thinning = 0;
   for (const auto& [surface, t] : samples) {
-    const Rest_surface& rest = *rests[std::size_t(surface)];
+    const Rest_surface& rest = rests[std::size_t(surface)];
     const Points points = morph.points(surface, t);
     const Surface_extent extent = rest.extent(points);
     if (extent.area > 0) torn = std::max(torn, rest.torn_area(points, extent) / extent.area);
-    thinning = std::max(thinning, thinning_of(rests, extent, 1));
+    thinning = std::max(thinning, thinning_of(rests[0], rests[1], extent));
   }
-  const double before = rests[0]->extent(morph.points(0, change)).area;
-  const double after = rests[1]->extent(morph.points(1, change)).area;
+  const double before = rests[0].extent(morph.points(0, change)).area;
+  const double after = rests[1].extent(morph.points(1, change)).area;
   if (torn > most_torn || std::max(before, after) > most_area * std::min(before, after) ||
       std::max(morph.turned_share(0), morph.turned_share(1)) > most_turned)
-    return Blend_exchange::TORN;
-  return thinning > Shape_blend::thinning_tolerance ? Blend_exchange::THIN : Blend_exchange::NONE;
+    return Blend_obstacle::TORN;
+  return thinning > Shape_blend::thinning_tolerance ? Blend_obstacle::THIN : Blend_obstacle::NONE;
 }
 
 /// Makes the parts of a blend from pairs of pieces.
 class Matched_part_maker
 {
 public:
-  /// \param torn pairs of pieces that are not to be
-  Matched_part_maker(const Blend_stage& stage, const Correspondence& correspondence, const Part_pairs& torn)
-      : stage_(stage)
+  /// \param paired parts, those of mirror images, too
+  Matched_part_maker(const Blend_stage& stage, const Part_pairs& paired)
+      : stage_(stage), pairs_(piece_pairs(stage.charted[0], stage.charted[1], paired))
   {
-    Part_pairs paired = part_pairs(correspondence.pairs);
-    add_mirrored(paired, stage.images[0], stage.images[1]);
-    paired = matched_members(stage.charted[0], stage.charted[1], paired);
-    add_mirrored(paired, stage.images[0], stage.images[1]);
-    unlike_ = take_unlike_pairs(stage, torn, paired);
-    leftovers_ = leftover_pairs(stage, paired, unlike_);
-    paired.insert(paired.end(), leftovers_.begin(), leftovers_.end());
-    std::sort(paired.begin(), paired.end());
-    pairs_ = piece_pairs(stage.charted[0], stage.charted[1], paired);
     find_images(paired);
     find_uses();
     turn_own_images();
   }
 
-  /// Those that correspond but are too unlike to morph.
-  const Part_pairs& unlike() const { return unlike_; }
-
-  /// The pairs of pieces that are exchanged: each by itself they come apart, their parts as a whole do not.
-  Part_pairs exchanged_pieces(const std::vector<Blend_part>& parts) const
-  {
-    Part_pairs result;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      if (parts[i].is_exchange() && parts[i].task.type != Blend_task_type::EXCHANGE &&
-          parts[i].task.type != Blend_task_type::MORPH)
-        result.emplace_back(pairs_[i].source, pairs_[i].target);
-    return result;
-  }
-
-  std::vector<Blend_part> parts() const
+  /// \param torn gets the pairs that have no map; their parts have no morph
+  std::vector<Blend_part> parts(Torn_pairs& torn) const
   {
     std::vector<Making> makings;
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       makings.push_back(making(i, images_[i] < i ? &makings[images_[i]] : nullptr));
     std::vector<Blend_part> result;
-    for (Making& making : makings)
+    for (Making& making : makings) {
+      const Blend_task& task = making.part.task;
+      if (task.obstacle != Blend_obstacle::NONE) torn.emplace(std::pair(task.source, task.target), task.obstacle);
       result.push_back(std::move(making.part));
+    }
     return result;
   }
 
@@ -162,7 +146,7 @@ private:
     Pair_charts boxes;
     std::vector<Pair_charts> charts; ///< by which it may morph, the better ones first
     std::optional<bool> forward;
-    std::shared_ptr<Part_morph> morph;
+    std::shared_ptr<Map_morph> morph;
   };
 
   /// \param image its mirror image, if it is there, which becomes its counterpart in the same way
@@ -179,15 +163,10 @@ private:
     const Piece_pair& charted = pairs_[charted_as];
     result.pieces = {piece(0, pair.source, charted.source, charted.source_piece, part.is_reflected),
                      piece(1, pair.target, charted.target, charted.target_piece, part.is_reflected)};
-    if (image) result.forward = image->morph->is_forward();
+    if (image && image->morph) result.forward = image->morph->is_forward();
     result.boxes = boxes(result, charted_as);
-    if (std::binary_search(leftovers_.begin(), leftovers_.end(), std::pair(pair.source, pair.target))) {
-      part.task.type = Blend_task_type::EXCHANGE;
-      exchange(result, Blend_exchange::UNMATCHED);
-    } else {
-      set_charts(result, charted_as);
-      choose_charts(result, image ? image->part.task.exchange : Blend_exchange::NONE);
-    }
+    set_charts(result, charted_as);
+    choose_charts(result, image ? image->part.task.obstacle : Blend_obstacle::NONE);
     return result;
   }
 
@@ -214,38 +193,22 @@ private:
     return pair_boxes(surfaces, {from.axes(), to.axes()});
   }
 
-  static void set_morph(Making& making, const Pair_charts& charts)
+  /// The first charts by which the surface becomes that of the counterpart, if there are any.
+  /// \param known why there are none for the mirror image
+  static void choose_charts(Making& making, Blend_obstacle known)
   {
-    making.morph = std::make_shared<Part_morph>(charts, making.pieces[0], making.pieces[1], making.forward);
-  }
-
-  static void finish(Making& making)
-  {
-    making.part.morph = making.morph;
-    making.part.set_ends();
-  }
-
-  /// The first charts by which the surface becomes that of the counterpart, or else an exchange.
-  /// \param known of the mirror image
-  static void choose_charts(Making& making, Blend_exchange known)
-  {
-    Blend_exchange reason = known;
-    for (std::size_t i = 0; i < making.charts.size() && known == Blend_exchange::NONE; ++i) {
-      set_morph(making, making.charts[i]);
-      const Blend_exchange own = reason_to_exchange(*making.morph);
-      if (own == Blend_exchange::NONE) return finish(making);
-      if (i == 0) reason = own;
+    Blend_obstacle& reason = making.part.task.obstacle = known;
+    for (std::size_t i = 0; i < making.charts.size() && known == Blend_obstacle::NONE; ++i) {
+      making.morph = std::make_shared<Map_morph>(making.charts[i], making.pieces[0], making.pieces[1], making.forward);
+      const Blend_obstacle fault = fault_of(*making.morph);
+      if (fault == Blend_obstacle::NONE) {
+        reason = fault;
+        making.part.morph = making.morph;
+        making.part.set_ends();
+        return;
+      }
+      if (i == 0) reason = fault;
     }
-    exchange(making, reason);
-  }
-
-  /// In boxes, which do not bend surfaces.
-  static void exchange(Making& making, Blend_exchange reason)
-  {
-    making.part.task.exchange = reason;
-    making.part.needless_turn = 0;
-    making.morph = std::make_shared<Part_morph>(Part_morph::exchange(making.boxes, making.pieces[0], making.pieces[1]));
-    finish(making);
   }
 
   /// The piece of a part that a box of a chart cuts out.
@@ -258,27 +221,77 @@ private:
   }
 
   const Blend_stage& stage_;
-  Part_pairs unlike_, leftovers_;
   std::vector<Piece_pair> pairs_;
   std::vector<std::size_t> images_;      ///< by pair, its mirror image
   std::vector<char> is_upright_;         ///< by pair
   std::array<std::vector<Use>, 2> uses_; ///< by end and part
 };
 
+/// All pairs of parts, with those of mirror images.
+Part_pairs corresponding_parts(const Blend_stage& stage, const Correspondence& correspondence)
+{
+  Part_pairs result = part_pairs(correspondence.pairs);
+  add_mirrored(result, stage.images[0], stage.images[1]);
+  return result;
+}
+
+/// The same with the members of sets paired with each other.
+Part_pairs paired_members(const Blend_stage& stage, const Part_pairs& corresponding)
+{
+  Part_pairs result = matched_members(stage.charted[0], stage.charted[1], corresponding);
+  add_mirrored(result, stage.images[0], stage.images[1]);
+  return result;
+}
+
+/// Those of the pairs whose parts are in sets.
+Part_pairs pairs_in(const std::vector<Part_set>& sets, const Part_pairs& pairs)
+{
+  Part_pairs result;
+  for (const auto& pair : pairs)
+    if (std::any_of(sets.begin(), sets.end(), [&](const Part_set& set) {
+          return std::binary_search(set.parts[0].begin(), set.parts[0].end(), pair.first) &&
+                 std::binary_search(set.parts[1].begin(), set.parts[1].end(), pair.second);
+        }))
+      result.push_back(pair);
+  return result;
+}
+
 } // namespace
 
 std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence)
 {
-  Part_pairs torn;
+  const Part_pairs corresponding = corresponding_parts(stage, correspondence);
+  const Part_pairs all = paired_members(stage, corresponding);
+  Part_set_maker maker(stage);
+  Torn_pairs torn;
   for (;;) {
-    const Matched_part_maker maker(stage, correspondence, torn);
-    std::vector<Blend_part> result = maker.parts();
-    const Part_pairs found = maker.exchanged_pieces(result);
-    if (found.empty()) {
-      add_unmatched_parts(stage, maker.unlike(), result);
-      return result;
+    Part_pairs mapped = all;
+    const Part_pairs unlike = take_unlike_pairs(stage, torn, mapped);
+    std::vector<Part_set> sets = connected_sets(stage, unlike, torn);
+    const std::vector<Part_set> broken = maker.take_broken(sets);
+    const Part_pairs leftover = leftover_pairs(stage, mapped, unlike);
+    Part_pairs others = most_alike(stage, pairs_in(broken, unlike));
+    others.insert(others.end(), leftover.begin(), leftover.end());
+    std::vector<Part_set> single;
+    for (const auto& pair : others) {
+      const auto found = torn.find(pair);
+      if (found == torn.end())
+        mapped.push_back(pair);
+      else
+        single.push_back({{{{pair.first}, {pair.second}}}, found->second});
     }
-    torn.insert(torn.end(), found.begin(), found.end());
+    std::sort(mapped.begin(), mapped.end());
+    const std::size_t known = torn.size();
+    std::vector<Blend_part> result = Matched_part_maker(stage, mapped).parts(torn);
+    if (torn.size() > known) continue;
+    maker.take_broken(single);
+    sets.insert(sets.end(), single.begin(), single.end());
+    maker.add(sets, result);
+    for (Blend_part& part : result)
+      if (std::binary_search(leftover.begin(), leftover.end(), std::pair(part.task.source, part.task.target)))
+        part.task.type = Blend_task_type::EXCHANGE;
+    add_unmatched_parts(stage, unlike, corresponding, result);
+    return result;
   }
 }
 

@@ -133,14 +133,14 @@ std::vector<Blend_schedule> plausible_schedules(const std::vector<Blend_part>& p
     result.back().name = plan.name;
     for (const Blend_part& part : parts) {
       Blend_task task = part.task;
-      const bool is_exchange = task.exchange != Blend_exchange::NONE; // all change at once
-      const bool morphs = part.morph && !is_exchange;
+      const auto morphs = bool(part.morph);
+      const bool is_unlike = !morphs && task.obstacle != Blend_obstacle::NONE; // all change at once
       const double delay = morphs ? plan.from_the_ground * std::clamp(part.height, 0., 1.) : 0;
-      std::array<double, 2> times = is_exchange                            ? std::array<double, 2>{0, 1}
+      std::array<double, 2> times = is_unlike                              ? std::array<double, 2>{0, 1}
                                     : morphs                               ? plan.morph
                                     : task.type == Blend_task_type::SHRINK ? plan.shrink
                                                                            : plan.grow;
-      if (!is_exchange && !morphs && part.is_needed) times = reversed(times);
+      if (!is_unlike && !morphs && part.is_needed) times = reversed(times);
       task.begin = times[0] + delay;
       task.end = times[1] + delay;
       result.back().tasks.push_back(task);

@@ -24,7 +24,8 @@ namespace {
 
 using Part_pair = Part_pairs::value_type;
 
-constexpr double most_change = 1.5, most_change_divided = 1.2; // of the extents of parts and pieces
+// Of the extents: of parts, of sets of parts, and of pieces
+constexpr double most_change = 2, most_change_of_sets = 1.5, most_change_divided = 1.2;
 
 /// The pair of the mirror images, if both parts have one.
 std::optional<Part_pair> image_of(const Blend_stage& stage, const Part_pair& pair)
@@ -88,13 +89,14 @@ struct Difference
     travels = travel(charts, stage);
   }
 
-  /// \param is_divided whether either is a piece: pieces have to fit better
-  bool is_too_much(bool is_divided) const
+  bool is_too_much(double most_travel, double most_changes) const
   {
     constexpr double most_turn = 0.6; // radians
-    const double most_travel = is_divided ? 0.25 + size / 8 : 0.4 + size / 2;
-    return travels > most_travel || turns > most_turn || changes > (is_divided ? most_change_divided : most_change);
+    return travels > most_travel || turns > most_turn || changes > most_changes;
   }
+  bool is_too_much_for_parts() const { return is_too_much(0.4 + size / 2, most_change); }
+  bool is_too_much_for_sets() const { return is_too_much(0.4 + size / 2, most_change_of_sets); }
+  bool is_too_much_for_pieces() const { return is_too_much(0.25 + size / 8, most_change_divided); }
 
   double sum() const { return turns + changes + travels; }
 
@@ -140,18 +142,18 @@ public:
   bool is_divided(const Part_pair& pair) const { return uses_[pair.first] > 1 || uses_[target(pair)] > 1; }
 
   /// By set, whether some pair in it is of pieces, or parts, that are too unlike: a part is divided as a whole.
-  std::vector<char> are_unlike(const Part_pairs& torn) const
+  std::vector<char> are_unlike(const Torn_pairs& torn) const
   {
     std::vector<char> result(sets_.size(), 0);
-    for (const Part_pair& pair : torn)
+    for (const auto& [pair, reason] : torn)
       result[of(pair)] = 1;
     const std::vector<Piece_pair> pieces = piece_pairs(stage_.charted[0], stage_.charted[1], pairs_);
     for (const Piece_pair& piece : pieces) {
       const Part_pair pair(piece.source, piece.target);
-      if (!result[of(pair)])
-        result[of(pair)] =
-            (is_divided(pair) && are_boxes_unlike(boxes_around(pair))) ||
-            Difference(piece_charts(piece, stage_.charted[0], stage_.charted[1]), stage_).is_too_much(is_divided(pair));
+      if (result[of(pair)]) continue;
+      const Difference difference(piece_charts(piece, stage_.charted[0], stage_.charted[1]), stage_);
+      result[of(pair)] = is_divided(pair) ? are_boxes_unlike(boxes_around(pair)) || difference.is_too_much_for_pieces()
+                                          : difference.is_too_much_for_parts();
     }
     return result;
   }
@@ -178,7 +180,18 @@ private:
 
 double area_of(const Part_mesh& mesh) { return Rest_surface(mesh.points, mesh.triangles).extent().area; }
 
-/// The most alike of some pairs, every part in one at most, images with images.
+} // namespace
+
+bool are_unlike(const Blend_stage& stage, std::size_t source, std::size_t target)
+{
+  return Difference({stage.charted[0].charts[source], stage.charted[1].charts[target]}, stage).is_too_much_for_parts();
+}
+
+bool are_unlike(const Blend_stage& stage, const Pair_charts& boxes)
+{
+  return Difference({boxes.source, boxes.target}, stage).is_too_much_for_sets();
+}
+
 Part_pairs most_alike(const Blend_stage& stage, const Part_pairs& pairs)
 {
   std::vector<std::pair<Steps, Part_pair>> order;
@@ -188,7 +201,7 @@ Part_pairs most_alike(const Blend_stage& stage, const Part_pairs& pairs)
     const double as_much =
         std::abs(std::log(area_of(stage.meshes[0][pair.first]) / area_of(stage.meshes[1][pair.second])));
     const Difference difference({stage.charted[0].charts[pair.first], stage.charted[1].charts[pair.second]}, stage);
-    if (as_much <= most_change && !difference.is_too_much(false))
+    if (as_much <= most_change && !difference.is_too_much_for_parts())
       order.emplace_back(quantized(difference.sum() + as_much), pair);
   }
   std::sort(order.begin(), order.end());
@@ -209,14 +222,7 @@ Part_pairs most_alike(const Blend_stage& stage, const Part_pairs& pairs)
   return result;
 }
 
-} // namespace
-
-bool are_unlike(const Blend_stage& stage, std::size_t source, std::size_t target)
-{
-  return Difference({stage.charted[0].charts[source], stage.charted[1].charts[target]}, stage).is_too_much(false);
-}
-
-Part_pairs take_unlike_pairs(const Blend_stage& stage, const Part_pairs& torn, Part_pairs& paired)
+Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, Part_pairs& paired)
 {
   const Pair_sets all(stage, paired);
   Part_pairs fitting;
@@ -225,12 +231,9 @@ Part_pairs take_unlike_pairs(const Blend_stage& stage, const Part_pairs& torn, P
       fitting.push_back(pair);
   const Pair_sets sets(stage, fitting);
   const std::vector<char> is_unlike = sets.are_unlike(torn);
-  Part_pairs kept, others;
+  Part_pairs kept;
   for (const Part_pair& pair : fitting)
-    (is_unlike[sets.of(pair)] ? others : kept).push_back(pair);
-  const Part_pairs single = most_alike(stage, others);
-  kept.insert(kept.end(), single.begin(), single.end());
-  std::sort(kept.begin(), kept.end());
+    if (!is_unlike[sets.of(pair)]) kept.push_back(pair);
   Part_pairs result;
   std::set_difference(paired.begin(), paired.end(), kept.begin(), kept.end(), std::back_inserter(result));
   paired = std::move(kept);

@@ -159,7 +159,7 @@ private:
     write_blend(output_, blend, pairs, output_.colours == "materials" || has_materials ? &appearance : nullptr);
     for (const std::vector<std::string>& more : {pairs.warnings, unlikely})
       warnings.insert(warnings.end(), more.begin(), more.end());
-    warn_of_exchanges(blend, source(), target(), warnings);
+    warn_of_obstacles(blend, source(), target(), warnings);
     const auto write_json = [&](std::ostream& out) {
       IO::write_blend_json(out, blend, source().graph, target().graph, inputs[0], inputs[1], output_.path,
                            output_.frames, warnings);
@@ -201,7 +201,7 @@ std::vector<std::string> remove_unlikely(Correspondence& correspondence, double 
   return result;
 }
 
-void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
+void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
                        std::vector<std::string>& warnings)
 {
   const std::vector<Blend_task>& tasks = blend.schedules()[0].tasks;
@@ -209,19 +209,22 @@ void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, con
     names += (names.empty() ? "'" : ", '") + structure(shape.graph).parts[part].name + "'";
   };
   for (const auto& [reason, why] :
-       {std::pair(Blend_exchange::TORN, "surfaces would be torn on their way"),
-        std::pair(Blend_exchange::THIN, "surfaces would be crushed on their way"),
-        std::pair(Blend_exchange::UNMATCHED, "they have no counterparts and are alike in place and size"),
-        std::pair(Blend_exchange::UNLIKE,
+       {std::pair(Blend_obstacle::TORN, "surfaces would be torn"),
+        std::pair(Blend_obstacle::THIN, "surfaces would be crushed"),
+        std::pair(Blend_obstacle::UNLIKE,
                   "they would have to turn, to change their proportions, to travel or to be cut "
                   "up too much to become their counterparts")}) {
     std::string names, others;
     for (const Blend_task& task : tasks) {
-      if (task.exchange != reason) continue;
+      if (task.obstacle != reason) continue;
       if (task.source != Blend_task::no_part) add_name(names, source, task.source);
       if (task.target != Blend_task::no_part) add_name(others, target, task.target);
+      for (std::size_t part : task.other_sources)
+        add_name(names, source, part);
+      for (std::size_t part : task.other_targets)
+        add_name(others, target, part);
     }
-    if (!names.empty()) warnings.push_back(names + " give way to " + others + ", as " + why);
+    if (!names.empty()) warnings.push_back(names + " have no map onto " + others + ", as " + why);
   }
 }
 

@@ -19,8 +19,8 @@ std::vector<std::string> remove_unlikely(Correspondence& correspondence, double 
 /// The size of the frames where none is asked for: `SAME`, with a warning, for shapes that seem to be in other units.
 Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, std::vector<std::string>& warnings);
 
-/// Tells which parts exchange their surfaces, and why.
-void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
+/// Tells which parts have no map onto their counterparts, and why.
+void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
                        std::vector<std::string>& warnings);
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/read/model_parts.h"
 #include "texture/dressed_meshes.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
@@ -9,11 +10,23 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr int fade_steps = 5; // of a colour in an animation
+
+/// The parts of a shape that a task is of.
+std::vector<std::size_t> parts_of(const Blend_task& task, std::size_t side)
+{
+  const std::size_t first = side == 0 ? task.source : task.target;
+  if (first == Blend_task::no_part) return {};
+  std::vector<std::size_t> result = side == 0 ? task.other_sources : task.other_targets;
+  result.insert(result.begin(), first);
+  return result;
+}
 
 /// Draws a blend by the materials of the shapes.
 class Material_painter : public Blend_painter
@@ -27,17 +40,12 @@ public:
     const std::array<Segmented_shape, 2> shapes = {blend(0), blend(1)};
     const std::array<std::vector<Points>, 2> points = {blend.points(0), blend.points(1)};
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-      const std::array<std::size_t, 2> parts = {surfaces_[i].task.source, surfaces_[i].task.target};
-      // A part that corresponds has two surfaces: the source's, then the target's
-      const bool is_second = i > 0 && surfaces_[i].name == surfaces_[i - 1].name;
-      const std::size_t side = parts[0] == Blend_task::no_part || is_second ? 1 : 0;
+      const auto side = std::size_t(surfaces_[i].side);
       Looks looks{side, {}, {}};
       for (std::size_t s = 0; s < 2; ++s)
-        if (parts[s] != Blend_task::no_part) looks.colour[s] = only_colour(s, parts[s]);
-      const Part_appearance& given = materials_[side].of_part(parts[side]);
-      if (!given.empty())
-        looks.appearance =
-            appearance_on(shapes[side].parts()[parts[side]].mesh, given, {points[side][i], surfaces_[i].triangles});
+        looks.colour[s] = only_colour(s, parts_of(surfaces_[i].task, s));
+      const auto [mesh, given] = joined_parts(shapes[side], materials_[side], parts_of(surfaces_[i].task, side));
+      looks.appearance = appearance_on(mesh, given, {points[side][i], surfaces_[i].triangles});
       looks_.push_back(std::move(looks));
     }
   }
@@ -74,7 +82,31 @@ private:
     std::array<std::optional<Eigen::Vector4d>, 2> colour; ///< of the parts at both ends, where they have one
   };
 
-  /// The colour of a part that is of one colour.
+  static std::pair<Part_mesh, Part_appearance>
+  joined_parts(const Segmented_shape& shape, const Glb_materials& materials, const std::vector<std::size_t>& parts)
+  {
+    std::pair<Part_mesh, Part_appearance> result;
+    for (std::size_t part : parts) {
+      const Part_mesh& mesh = shape.parts()[part].mesh;
+      add_looks(materials.of_part(part), std::size_t(mesh.triangles.cols()), std::size_t(result.first.triangles.cols()),
+                result.second);
+      add_mesh(mesh, result.first);
+    }
+    return result;
+  }
+
+  /// The colour of parts that are of one colour.
+  std::optional<Eigen::Vector4d> only_colour(std::size_t side, const std::vector<std::size_t>& parts) const
+  {
+    std::optional<Eigen::Vector4d> result;
+    for (std::size_t part : parts) {
+      const std::optional<Eigen::Vector4d> own = only_colour(side, part);
+      if (!own || (result && *result != *own)) return std::nullopt;
+      result = own;
+    }
+    return result;
+  }
+
   std::optional<Eigen::Vector4d> only_colour(std::size_t side, std::size_t part) const
   {
     const Part_appearance& looks = materials_[side].of_part(part);

@@ -305,7 +305,7 @@ TEST_CASE("Pairs that are not believed are no morphs; parts of the kind, alike i
   const Shape_blend unsure = blend_of(model, model, correspondence);
   const Blend_task& task = unsure.schedules()[0].tasks[2];
   CHECK(task.type == Blend_task_type::EXCHANGE);
-  CHECK(task.exchange == Blend_exchange::UNMATCHED);
+  CHECK(task.obstacle == Blend_obstacle::UNMATCHED);
   CHECK(task.source == 2);
   CHECK(task.target == 2);
   correspondence.pairs[2].confidence = std::numeric_limits<double>::quiet_NaN(); // not told: believed

@@ -145,7 +145,7 @@ TEST_CASE("Parts give way to what lies across: they do not turn through the shap
     const Shape_blend blend = blend_of(source, target);
     std::array<std::size_t, 2> unlike = {0, 0};
     for (const Blend_task& task : blend.schedules()[0].tasks)
-      if (task.exchange == Blend_exchange::UNLIKE) {
+      if (task.obstacle == Blend_obstacle::UNLIKE) {
         CHECK((task.type == Blend_task_type::SHRINK || task.type == Blend_task_type::GROW));
         ++unlike[task.type == Blend_task_type::SHRINK ? 0 : 1];
       }
@@ -371,11 +371,11 @@ TEST_CASE("Without a correspondence parts come and go, or are exchanged for what
   const Model& stool = model("stool");
   const Shape_blend blend = blend_of(stool, stool, Correspondence());
   for (const Blend_task& task : blend.schedules()[0].tasks)
-    CHECK(task.exchange == Blend_exchange::UNMATCHED);
+    CHECK(task.obstacle == Blend_obstacle::UNMATCHED);
   const Shape_blend other = blend_of(stool, model("airplane_propeller"), Correspondence());
   for (const Blend_task& task : other.schedules()[0].tasks)
     CHECK((task.source == Blend_task::no_part || task.target == Blend_task::no_part ||
-           task.exchange == Blend_exchange::UNMATCHED));
+           task.obstacle == Blend_obstacle::UNMATCHED));
   CHECK(is_moved(blend(1), stool.shape));
   CHECK(blend(0.25).parts().size() > 0);
 }

@@ -6,8 +6,8 @@
 #include "blend/Part_morph.h"
 #include "blend/Rest_surface.h"
 #include "blend/Retreating_part.h"
+#include "blend/change_times.h"
 #include "blend/ease.h"
-#include "blend/exchange.h"
 #include "blend/pair_boxes.h"
 #include "blend_checks.h"
 #include "box_models.h"
@@ -56,9 +56,9 @@ TEST_CASE("Surfaces of which one would be torn on its way to the other are excha
     const Box_model &source = forward ? board : grille, &target = forward ? grille : board;
     const Shape_blend blend = blend_of(source, target, same_parts(3));
     const std::vector<Blend_task>& tasks = blend.schedules()[0].tasks;
-    CHECK(tasks[0].exchange == Blend_exchange::NONE);
-    CHECK(tasks[1].exchange == Blend_exchange::NONE);
-    REQUIRE(tasks[2].exchange == Blend_exchange::TORN);
+    CHECK(tasks[0].obstacle == Blend_obstacle::NONE);
+    CHECK(tasks[1].obstacle == Blend_obstacle::NONE);
+    REQUIRE(tasks[2].obstacle == Blend_obstacle::TORN);
     for (double t : {0.1, 0.3, 0.5, 0.7, 0.9}) {
       INFO(t);
       const Blend_check check = blend.check(t);
@@ -96,7 +96,7 @@ TEST_CASE("Surfaces of which one would be torn on its way to the other are excha
   }
   const Shape_blend same = blend_of(grille, grille, same_parts(3));
   for (const Blend_task& task : same.schedules()[0].tasks)
-    CHECK(task.exchange == Blend_exchange::NONE);
+    CHECK(task.obstacle == Blend_obstacle::NONE);
 }
 
 TEST_CASE("A column grows out of the top and carries its foot down before half of the four legs has gone up")
@@ -114,7 +114,7 @@ TEST_CASE("A column grows out of the top and carries its foot down before half o
   const Box_model source = model_of(legged), target = model_of(pedestal);
   const Shape_blend blend = blend_of(source, target, correspondence);
   for (const Blend_task& task : blend.schedules()[0].tasks)
-    CHECK(task.exchange == (task.source == 0 ? Blend_exchange::NONE : Blend_exchange::UNLIKE));
+    CHECK(task.obstacle == (task.source == 0 ? Blend_obstacle::NONE : Blend_obstacle::UNLIKE));
   for (double t : {0.2, 0.24, 0.3, 0.375, 0.45, 0.5, 0.55, 0.625, 0.75}) {
     INFO(t);
     CHECK(blend.check(t).quality.height < 0.01);
@@ -143,13 +143,13 @@ TEST_CASE("Of parts without counterpart, two alike in one place are exchanged; o
   const Shape_blend blend = blend_of(model_of(armed), model_of(winged), same_parts(3));
   for (const Blend_task& task : blend.schedules()[0].tasks) {
     CHECK((task.type == Blend_task_type::EXCHANGE) == (task.source == 3));
-    CHECK((task.exchange == Blend_exchange::UNMATCHED) == (task.source == 3));
+    CHECK((task.obstacle == Blend_obstacle::UNMATCHED) == (task.source == 3));
     if (task.source == 3) CHECK(task.target == 3);
   }
   winged.push_back({"other", {-0.1, 1.2, 0.28}, {0.8, 0.4, 0.04}}); // not as much in its place
   const std::vector<Blend_task> tasks = blend_of(model_of(armed), model_of(winged), same_parts(3)).schedules()[0].tasks;
   CHECK(std::count_if(tasks.begin(), tasks.end(),
-                      [](const Blend_task& task) { return task.exchange == Blend_exchange::UNMATCHED; }) == 1);
+                      [](const Blend_task& task) { return task.obstacle == Blend_obstacle::UNMATCHED; }) == 1);
 }
 
 TEST_CASE("What is exchanged is as it is at its own end, and goes from there to nothing without being torn")

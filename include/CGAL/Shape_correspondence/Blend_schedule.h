@@ -22,36 +22,37 @@ namespace Shape_correspondence {
 /// What may happen to a part during a blend.
 enum class Blend_task_type {
   MORPH,   ///< a part becomes another
-  SPLIT,   ///< a piece of a part becomes another part
-  MERGE,   ///< a part, or a piece of it, becomes a piece of another
+  SPLIT,   ///< a piece of a part becomes another part, or parts become more
+  MERGE,   ///< a part, or a piece of it, becomes a piece of another, or parts become fewer
   SHRINK,  ///< a part without counterpart draws back into what carries it
   GROW,    ///< the inverse of `SHRINK`
-  EXCHANGE ///< of two parts without counterpart, alike in place and size, the one gives way to the other
+  EXCHANGE ///< of two parts without counterpart, alike in place and size, the one becomes the other
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// Why the surface of a part does not become that of its counterpart, but is *exchanged* for it on the way.
-enum class Blend_exchange {
-  NONE,      ///< it is not
-  TORN,      ///< it would be torn or folded
-  THIN,      ///< it would be far thinner than at both ends
-  UNMATCHED, ///< the two have no counterparts, but are alike in place and size
-  UNLIKE     ///< it would have to turn, to change its proportions or to be cut up too much, or what carries it would:
-             ///< it goes and its counterparts come
+/// Why the surface of a part has no map onto that of its counterpart.
+enum class Blend_obstacle {
+  NONE,  ///< it has one
+  TORN,  ///< it would be torn or folded
+  THIN,  ///< it would be far thinner than at both ends
+  UNLIKE ///< it would have to turn, to change its proportions, to travel or to be cut up too much; or, of a part that
+         ///< shrinks or grows, what carries it would
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// What happens to one part, and when.
+/// What happens to one part, or to several together, and when. Where there is an obstacle to a map, surfaces become
+/// each other by distance fields, those of several parts as one, or the parts shrink and their counterparts grow.
 struct Blend_task
 {
   static constexpr std::size_t no_part = std::size_t(-1); ///< index of a part where there is none
 
-  Blend_task_type type = Blend_task_type::MORPH;  ///< what happens
-  std::size_t source = no_part;                   ///< index of the source part, if there is one
-  std::size_t target = no_part;                   ///< index of the target part, if there is one
-  double begin = 0;                               ///< time of the blend, in [0, 1], at which it begins
-  double end = 1;                                 ///< time of the blend, in [0, 1], at which it ends
-  Blend_exchange exchange = Blend_exchange::NONE; ///< whether surfaces are exchanged, and why
+  Blend_task_type type = Blend_task_type::MORPH;         ///< what happens
+  std::size_t source = no_part;                          ///< index of the source part, if there is one
+  std::size_t target = no_part;                          ///< index of the target part, if there is one
+  std::vector<std::size_t> other_sources, other_targets; ///< further parts, if several become, or are, one surface
+  double begin = 0;                                      ///< time of the blend, in [0, 1], at which it begins
+  double end = 1;                                        ///< time of the blend, in [0, 1], at which it ends
+  Blend_obstacle obstacle = Blend_obstacle::NONE;        ///< to a map, if there is one
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps

@@ -38,6 +38,7 @@ struct Blend_surface
   Eigen::Matrix3Xi triangles; ///< one triangle in each column: indices into the points of the surface
   double begin = 0;           ///< the surface exists at times t with `begin` < t < `end`
   double end = 1;             ///< see `begin`
+  int side = 0;               ///< of the blend, whose materials it has: 0, the source, or 1, the target
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
@@ -52,14 +53,16 @@ struct Blend_surface
 ///   stretched along the axes as little as it takes to keep contacts; mirror images stay that, what stands on the
 ///   ground stands, and the whole has the height, width and depth that are due between the ends.
 /// - *Matched parts* morph in their boxes: along their curves and sheets, with rotation-minimising frames, unless boxes
-///   change less. A part that corresponds to many is cut into closed pieces, one for each. Where a surface would be
-///   torn or crushed on the way, the two are *exchanged* in place: a little before half of the way the one thickens in
-///   the middle of the other, which then thins (`Blend_exchange`); half-way there is one of them only.
-/// - *Unmatched parts*, and those that are too *unlike* their counterparts, as they would have to turn, to change their
-///   proportions, to travel or to be cut up too much (`Blend_exchange::UNLIKE`), go with what carries them, and draw
+///   change less. A part that corresponds to many is cut into closed pieces, one for each. Where there is no such map,
+///   as a surface would be torn or crushed on the way, or would have to turn, to change its proportions, to travel or
+///   to be cut up too much (`Blend_obstacle`), parts become their counterparts by *distance fields*, several together
+///   as one: surfaces in between are level sets of the mean of both fields, with the volume that is due. If these would
+///   fall apart, a surface that would be torn is replaced by the other one in its box half-way.
+/// - *Unmatched parts*, and those that become their counterparts in neither way, go with what carries them, and draw
 ///   back into it, or grow out of it. What the shape needs to stand or to hang together, and what reaches beyond all
-///   that stays, goes last and comes first. Two that are alike in place and size are exchanged
-///   (`Blend_exchange::UNMATCHED`).
+///   that stays, goes last and comes first. Supports that give way to others, as legs to a column, contract to the
+///   middle of those, which come out of it. Two parts without counterpart that are alike in place and size become each
+///   other (`Blend_task_type::EXCHANGE`).
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two, and both move alike.
 ///

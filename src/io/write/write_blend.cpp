@@ -24,10 +24,17 @@ const char* task_name(Blend_task_type type)
   return names[int(type)];
 }
 
-const char* exchange_name(Blend_exchange exchange)
+const char* obstacle_name(Blend_obstacle exchange)
 {
-  static constexpr const char* names[] = {"", "torn", "thin", "unmatched", "unlike"};
+  static constexpr const char* names[] = {"", "torn", "thin", "unlike"};
   return names[int(exchange)];
+}
+
+/// Adds the names of parts, if there are any.
+void add_names(Json& line, const char* key, const Structural_graph& graph, const std::vector<std::size_t>& parts)
+{
+  for (std::size_t part : parts)
+    line[key].push_back(structure(graph).parts[part].name);
 }
 
 Json quality_json(const Blend_quality& quality)
@@ -132,7 +139,9 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
     Json line = {{"task", task_name(task.type)}, {"begin", task.begin}, {"end", task.end}};
     if (task.source != Blend_task::no_part) line["source"] = structure(source).parts[task.source].name;
     if (task.target != Blend_task::no_part) line["target"] = structure(target).parts[task.target].name;
-    if (task.exchange != Blend_exchange::NONE) line["exchanged"] = exchange_name(task.exchange);
+    add_names(line, "other_sources", source, task.other_sources);
+    add_names(line, "other_targets", target, task.other_targets);
+    if (task.obstacle != Blend_obstacle::NONE) line["obstacle"] = obstacle_name(task.obstacle);
     result["tasks"].push_back(line);
   }
   result["schedules"] = Json::array();

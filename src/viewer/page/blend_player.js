@@ -8,9 +8,10 @@ import {morphed, valuesAt} from './glb.js';
 
 const secondsOfBlend = 4;
 
-/** The end of a task that no part is of. */
+/** The parts of a task. */
 function taskName(task) {
-  return [task.source, task.target].filter(name => name !== undefined).join(' → ');
+  const end = (name, others = []) => name && [name, ...others].join(', ');
+  return [end(task.source, task.other_sources), end(task.target, task.other_targets)].filter(Boolean).join(' → ');
 }
 
 export class BlendPlayer {
@@ -51,12 +52,10 @@ export class BlendPlayer {
     tasks.prepend(element('summary', `${blend.tasks.length} tasks`, tasks));
     bars.className = 'bars';
     for (const task of blend.tasks) {
-      const isExchange = task.task === 'exchange', isUnlike = task.exchanged === 'unlike';
-      const kind = task.exchanged && !isExchange && !isUnlike ? `${task.task}, exchanged` : task.task;
-      const reason = isExchange ? ': neither has a counterpart, and they are alike in place and size'
-        : isUnlike ? ': too unlike its counterparts to become them'
-        : task.exchanged ? `, exchanged: one surface would be ${task.exchanged} on its way to the other` : '';
-      element('span', `${kind}: ${taskName(task)}`, bars).title = taskName(task) + reason;
+      const reason = (task.task === 'exchange' ? ': neither has a counterpart, and they are alike in place and size' : '')
+        + (task.obstacle === 'unlike' ? ': too unlike for a map onto its counterpart'
+          : task.obstacle ? `: by distance fields, as a surface would be ${task.obstacle}` : '');
+      element('span', `${task.task}: ${taskName(task)}`, bars).title = taskName(task) + reason;
       const bar = element('b', '', element('span', '', bars));
       bar.className = task.task;
       bar.style.left = 100 * task.begin + '%';

@@ -8,8 +8,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// When, on the way of an exchange, what the target has comes, and what the source has goes.
-struct Exchange_times
+/// When, on the way of parts that come in the place of others, the new ones come and the old ones go.
+struct Change_times
 {
   std::array<double, 2> come, go;
 
@@ -23,10 +23,7 @@ struct Exchange_times
   }
 };
 
-/// Of two surfaces in one place: quickly, before half of the way, so that most of the time there is one of them only.
-constexpr Exchange_times in_place = {{0.34, 0.42}, {0.42, 0.5}};
-/// Of parts that come and go, one set after the other: first those come that the shape needs to stand, or to hang
-/// together; the others wait until there is room for them.
-constexpr Exchange_times of_needed = {{0.15, 0.45}, {0.45, 0.75}}, of_others = {{0.4, 0.75}, {0.15, 0.5}};
+/// First those come that the shape needs to stand, or to hang together; the others wait until there is room for them.
+constexpr Change_times of_needed = {{0.15, 0.45}, {0.45, 0.75}}, of_others = {{0.4, 0.75}, {0.15, 0.5}};
 
 } // namespace CGAL::Shape_correspondence::internal
