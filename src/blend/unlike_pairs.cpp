@@ -94,9 +94,13 @@ struct Difference
     constexpr double most_turn = 0.6; // radians
     return travels > most_travel || turns > most_turn || changes > most_changes;
   }
-  bool is_too_much_for_parts() const { return is_too_much(0.4 + size / 2, most_change); }
-  bool is_too_much_for_sets() const { return is_too_much(0.4 + size / 2, most_change_of_sets); }
-  bool is_too_much_for_pieces() const { return is_too_much(0.25 + size / 8, most_change_divided); }
+  bool is_too_much_for_parts() const { return is_too_much(far(), most_change); }
+  bool is_too_much_for_sets() const { return is_too_much(far(), most_change_of_sets); }
+  bool is_too_much_for_pieces() const { return is_too_much(near(), most_change_divided); }
+  /// Of one of several parts, so that one leg of four does not become a column.
+  bool is_too_much_for_one_of_several() const { return is_too_much(near(), most_change); }
+  double far() const { return 0.4 + size / 2; }
+  double near() const { return 0.25 + size / 8; }
 
   double sum() const { return turns + changes + travels; }
 
@@ -201,7 +205,7 @@ Part_pairs most_alike(const Blend_stage& stage, const Part_pairs& pairs)
     const double as_much =
         std::abs(std::log(area_of(stage.meshes[0][pair.first]) / area_of(stage.meshes[1][pair.second])));
     const Difference difference({stage.charted[0].charts[pair.first], stage.charted[1].charts[pair.second]}, stage);
-    if (as_much <= most_change && !difference.is_too_much_for_parts())
+    if (as_much <= most_change && !difference.is_too_much_for_one_of_several())
       order.emplace_back(quantized(difference.sum() + as_much), pair);
   }
   std::sort(order.begin(), order.end());

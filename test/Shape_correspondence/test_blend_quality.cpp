@@ -285,7 +285,8 @@ TEST_CASE("Size goes over by equal factors in equal times; either shape may be g
     }
 }
 
-TEST_CASE("Pairs that are not believed are no morphs; parts of the kind, alike in place and size, are exchanged")
+TEST_CASE("Pairs that are not believed are no morphs; parts of the kind, alike in place and size, become each other "
+          "all the same")
 {
   const Box_model model = model_of(stand());
   Correspondence correspondence = same_parts(3);
@@ -305,7 +306,7 @@ TEST_CASE("Pairs that are not believed are no morphs; parts of the kind, alike i
   const Shape_blend unsure = blend_of(model, model, correspondence);
   const Blend_task& task = unsure.schedules()[0].tasks[2];
   CHECK(task.type == Blend_task_type::EXCHANGE);
-  CHECK(task.obstacle == Blend_obstacle::UNMATCHED);
+  CHECK(task.obstacle == Blend_obstacle::NONE);
   CHECK(task.source == 2);
   CHECK(task.target == 2);
   correspondence.pairs[2].confidence = std::numeric_limits<double>::quiet_NaN(); // not told: believed

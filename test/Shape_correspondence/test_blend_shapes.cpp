@@ -359,6 +359,10 @@ TEST_CASE("Tasks are those of the correspondence, within the time of the blend")
     CHECK(task.end <= 1);
     if (task.source != Blend_task::no_part) ++from[task.source];
     if (task.target != Blend_task::no_part) ++to[task.target];
+    for (std::size_t part : task.other_sources)
+      ++from[part];
+    for (std::size_t part : task.other_targets)
+      ++to[part];
     CHECK((task.type == Blend_task_type::SHRINK) == (task.target == Blend_task::no_part));
     CHECK((task.type == Blend_task_type::GROW) == (task.source == Blend_task::no_part));
   }
@@ -366,16 +370,16 @@ TEST_CASE("Tasks are those of the correspondence, within the time of the blend")
   CHECK(*std::min_element(to.begin(), to.end()) > 0);
 }
 
-TEST_CASE("Without a correspondence parts come and go, or are exchanged for what is alike in place and size")
+TEST_CASE("Without a correspondence parts come and go, or become what is alike in place and size")
 {
   const Model& stool = model("stool");
   const Shape_blend blend = blend_of(stool, stool, Correspondence());
   for (const Blend_task& task : blend.schedules()[0].tasks)
-    CHECK(task.obstacle == Blend_obstacle::UNMATCHED);
+    CHECK(task.type == Blend_task_type::EXCHANGE);
   const Shape_blend other = blend_of(stool, model("airplane_propeller"), Correspondence());
   for (const Blend_task& task : other.schedules()[0].tasks)
     CHECK((task.source == Blend_task::no_part || task.target == Blend_task::no_part ||
-           task.obstacle == Blend_obstacle::UNMATCHED));
+           task.type == Blend_task_type::EXCHANGE));
   CHECK(is_moved(blend(1), stool.shape));
   CHECK(blend(0.25).parts().size() > 0);
 }

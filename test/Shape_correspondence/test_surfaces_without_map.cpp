@@ -3,10 +3,10 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "blend/Blend_part.h"
-#include "blend/Part_morph.h"
+#include "blend/Distance_grid.h"
+#include "blend/Field_morph.h"
 #include "blend/Rest_surface.h"
 #include "blend/Retreating_part.h"
-#include "blend/change_times.h"
 #include "blend/ease.h"
 #include "blend/pair_boxes.h"
 #include "blend_checks.h"
@@ -26,13 +26,13 @@
 #include <string>
 #include <vector>
 
-// Surfaces that are exchanged, boxes of pairs, parts that thin, and coordinates that do not tear.
+// Surfaces by distance fields, boxes of pairs, parts that draw back or contract, and coordinates that do not tear.
 
 using namespace CGAL::Shape_correspondence;
 using Catch::Matchers::Contains;
 using namespace box_models;
 
-TEST_CASE("Surfaces of which one would be torn on its way to the other are exchanged")
+TEST_CASE("Surfaces of which one would be torn on its way to the other become each other by distance fields")
 {
   // A board becomes bars side by side, with gaps that its surface would have to leave
   const Box_model board = model_of(stand());
@@ -65,41 +65,34 @@ TEST_CASE("Surfaces of which one would be torn on its way to the other are excha
       CHECK(check.faults.empty());
       CHECK(check.quality.torn == 0);
     }
-    // Both are there when the one takes over, but one alone half-way; each comes from nothing or goes to nothing
-    const auto at_progress = [&](double progress) {
-      return tasks[2].begin + internal::time_of(progress) * (tasks[2].end - tasks[2].begin);
-    };
-    CHECK(area(blend(at_progress(internal::in_place.come[1]))) ==
-          Approx(area(source.shape) + area(target.shape)).epsilon(0.05));
-    CHECK(area(blend(at_progress(0.25))) == Approx(area(source.shape)).epsilon(0.05));
-    CHECK(area(blend(at_progress(0.5))) == Approx(area(target.shape)).epsilon(0.05));
     CHECK(area(blend(0)) == Approx(area(source.shape)).epsilon(0.01));
     CHECK(area(blend(1)) == Approx(area(target.shape)).epsilon(0.01));
-    const std::vector<Blend_surface> surfaces = blend.surfaces();
-    const auto first =
-        std::find_if(surfaces.begin(), surfaces.end(), [](const auto& s) { return s.name == "top~top"; });
-    REQUIRE(first + 1 < surfaces.end());
-    CHECK(first->begin == 0);
-    CHECK(first->end <= tasks[2].end);
-    CHECK((first + 1)->begin >= tasks[2].begin);
-    CHECK((first + 1)->begin < first->end);
-    CHECK((first + 1)->end == 1);
-    const auto at = std::size_t(first - surfaces.begin());
-    const auto extent = [&](double t, std::size_t surface) { // of the thickness
-      return internal::box_of(blend.points(t)[surface]).sizes().minCoeff();
-    };
-    CHECK(extent((first + 1)->begin, at + 1) < 1e-6);
-    CHECK(extent(first->end, at) < 1e-6);
+    // One surface at any time, closed, as wide as the box that is due, which the board leaves as bars
+    std::vector<Blend_surface> surfaces = blend.surfaces();
+    surfaces.erase(std::remove_if(surfaces.begin(), surfaces.end(), [](const auto& s) { return s.name != "top~top"; }),
+                   surfaces.end());
+    REQUIRE(surfaces.size() > 4);
+    CHECK(surfaces.front().begin == 0);
+    CHECK(surfaces.back().end == 1);
+    CHECK(surfaces.front().side == 0);
+    CHECK(surfaces.back().side == 1);
+    for (std::size_t i = 0; i + 1 < surfaces.size(); ++i)
+      CHECK(surfaces[i].end == surfaces[i + 1].begin);
+    for (double t : {0.3, 0.5, 0.7}) {
+      const Part_mesh mesh = blend(t).parts()[2].mesh;
+      CHECK(internal::Rest_surface(mesh.points, mesh.triangles).is_closed());
+      CHECK(internal::box_of(mesh.points).sizes().x() == Approx(0.98).epsilon(0.02));
+    }
     std::ostringstream json;
     IO::write_blend_json(json, blend, source.graph, target.graph, "a", "b", "c", 2, {});
-    CHECK_THAT(json.str(), Contains("\"exchanged\":\"torn\""));
+    CHECK_THAT(json.str(), Contains("\"obstacle\":\"torn\""));
   }
   const Shape_blend same = blend_of(grille, grille, same_parts(3));
   for (const Blend_task& task : same.schedules()[0].tasks)
     CHECK(task.obstacle == Blend_obstacle::NONE);
 }
 
-TEST_CASE("A column grows out of the top and carries its foot down before half of the four legs has gone up")
+TEST_CASE("Four legs contract to the column that takes their place, which comes out of the middle with its foot")
 {
   std::vector<Named_box> legged = {{"top", {0, 0.95, 0}, {1, 0.1, 1}}};
   for (double x : {-0.45, 0.45})
@@ -107,34 +100,40 @@ TEST_CASE("A column grows out of the top and carries its foot down before half o
       legged.push_back({"leg_" + std::to_string(legged.size()), {x, 0.45, z}, {0.1, 0.9, 0.1}});
   const std::vector<Named_box> pedestal = {{"top", {0, 0.95, 0}, {1, 0.1, 1}},
                                            {"column", {0, 0.475, 0}, {0.4, 0.85, 0.4}},
-                                           {"foot", {0.3, 0.025, 0}, {0.8, 0.05, 0.1}}};
+                                           {"foot", {0, 0.025, 0}, {0.9, 0.05, 0.1}}};
   Correspondence correspondence = same_parts(1);
   for (std::size_t leg = 1; leg <= 4; ++leg)
-    correspondence.pairs.push_back({leg, 1});
-  const Box_model source = model_of(legged), target = model_of(pedestal);
-  const Shape_blend blend = blend_of(source, target, correspondence);
+    for (std::size_t part : {1u, 2u})
+      correspondence.pairs.push_back({leg, part});
+  const Shape_blend blend = blend_of(model_of(legged), model_of(pedestal), correspondence);
   for (const Blend_task& task : blend.schedules()[0].tasks)
     CHECK(task.obstacle == (task.source == 0 ? Blend_obstacle::NONE : Blend_obstacle::UNLIKE));
-  for (double t : {0.2, 0.24, 0.3, 0.375, 0.45, 0.5, 0.55, 0.625, 0.75}) {
+  for (double t : {0.2, 0.375, 0.5, 0.625, 0.8}) {
     INFO(t);
     CHECK(blend.check(t).quality.height < 0.01);
     CHECK(blend.check(t).quality.apart <= Shape_blend::apart_tolerance);
+    const double come = std::sqrt(internal::eased(t)), stay = std::sqrt(1 - internal::eased(t));
     const Segmented_shape shape = blend(t);
-    double column = 1, foot = 1, leg = 1; // how high the lowest point is
+    CHECK(shape.parts().size() == 7);
     for (const Shape_part& part : shape.parts()) {
+      INFO(part.name);
       const internal::contacts::Box box = internal::box_of(part.mesh.points);
-      if (part.name == "~column") column = box.min().y();
-      if (part.name == "~foot") foot = box.min().y();
-      if (part.name == "leg_1~") leg = box.min().y();
+      if (part.name == "~foot") {
+        CHECK(box.min().y() == Approx(0).margin(1e-6));
+        CHECK(box.max().x() == Approx(0.45 * come).epsilon(0.02));
+      } else if (part.name == "~column") {
+        CHECK(box.sizes().isApprox(Point(0.4 * come, 0.85, 0.4 * come), 0.02));
+      } else if (part.name != "top~top") { // a leg, from the ground to the top
+        CHECK(box.min().y() == Approx(0).margin(1e-6));
+        CHECK(box.max().y() == Approx(0.9).epsilon(0.01));
+        CHECK(std::abs(box.center().x()) == Approx(0.45 * stay).epsilon(0.02));
+        CHECK(box.sizes().x() == Approx(0.1 * stay).epsilon(0.02));
+      }
     }
-    CHECK(std::min(foot, leg) < 0.01);                               // it stands
-    if (foot < 1) CHECK(foot == Approx(column - 0.05).margin(0.06)); // and the foot hangs at the column
-    CHECK((leg < 1) == (t < 0.67));
-    CHECK((column < 1) == (t > 0.25));
   }
 }
 
-TEST_CASE("Of parts without counterpart, two alike in one place are exchanged; others come and go by themselves")
+TEST_CASE("Of parts without counterpart, two alike in one place become each other; others come and go by themselves")
 {
   std::vector<Named_box> armed = stand(), winged = stand();
   armed.push_back({"arm", {0, 1.2, 0.28}, {0.9, 0.4, 0.04}});
@@ -143,68 +142,136 @@ TEST_CASE("Of parts without counterpart, two alike in one place are exchanged; o
   const Shape_blend blend = blend_of(model_of(armed), model_of(winged), same_parts(3));
   for (const Blend_task& task : blend.schedules()[0].tasks) {
     CHECK((task.type == Blend_task_type::EXCHANGE) == (task.source == 3));
-    CHECK((task.obstacle == Blend_obstacle::UNMATCHED) == (task.source == 3));
+    CHECK(task.obstacle == Blend_obstacle::NONE);
     if (task.source == 3) CHECK(task.target == 3);
   }
   winged.push_back({"other", {-0.1, 1.2, 0.28}, {0.8, 0.4, 0.04}}); // not as much in its place
   const std::vector<Blend_task> tasks = blend_of(model_of(armed), model_of(winged), same_parts(3)).schedules()[0].tasks;
   CHECK(std::count_if(tasks.begin(), tasks.end(),
-                      [](const Blend_task& task) { return task.obstacle == Blend_obstacle::UNMATCHED; }) == 1);
+                      [](const Blend_task& task) { return task.type == Blend_task_type::EXCHANGE; }) == 1);
 }
 
-TEST_CASE("What is exchanged is as it is at its own end, and goes from there to nothing without being torn")
+namespace {
+
+/// A ring around the z axis, of radii 1 and 0.2.
+Part_mesh ring()
 {
-  // A hoop becomes a board, in a chart of the hoop's kind or in straight ones
-  constexpr int around = 24, across = 8;
-  Part_mesh hoop{Points(3, around * across), Eigen::Matrix3Xi(3, 2 * around * across)};
+  constexpr int around = 48, across = 12;
+  Part_mesh result{Points(3, around * across), Eigen::Matrix3Xi(3, 2 * around * across)};
   for (int i = 0; i < around; ++i)
     for (int j = 0; j < across; ++j) {
-      const double u = 2 * EIGEN_PI * i / around, v = 2 * EIGEN_PI * j / across, r = 1 + 0.1 * std::cos(v);
+      const double u = 2 * EIGEN_PI * i / around, v = 2 * EIGEN_PI * j / across, r = 1 + 0.2 * std::cos(v);
       const int next = (i + 1) % around, up = (j + 1) % across, point = i * across + j;
-      hoop.points.col(point) << r * std::cos(u), r * std::sin(u), 0.1 * std::sin(v);
-      hoop.triangles.col(2 * point) << point, next * across + j, next * across + up;
-      hoop.triangles.col(2 * point + 1) << point, next * across + up, i * across + up;
+      result.points.col(point) << r * std::cos(u), r * std::sin(u), 0.2 * std::sin(v);
+      result.triangles.col(2 * point) << point, next * across + j, next * across + up;
+      result.triangles.col(2 * point + 1) << point, next * across + up, i * across + up;
     }
-  const Part_mesh board = box_shapes::box({3, 0, 0}, {1, 3, 0.2});
-  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  for (bool are_plates : {false, true}) {
-    const auto chart = are_plates ? internal::Part_chart::plate : internal::Part_chart::box;
-    const auto morph =
-        internal::Part_morph::exchange({chart(hoop.points, axes), chart(board.points, axes)}, hoop, board);
-    CHECK(morph.is_exchange());
-    for (int end : {0, 1}) {
-      const Points& own = end == 0 ? hoop.points : board.points;
-      CHECK((morph.points(end, end) - own).cwiseAbs().maxCoeff() < 1e-12);
-      const internal::Rest_surface rest(own, morph.triangles(end));
-      for (double t : {0.2, 0.5, 0.8}) {
-        const Points half_way = morph.points(end, t), little = morph.points(end, t, 0.125);
-        CHECK(rest.torn_area(half_way, rest.extent(half_way)) == 0);
-        // A plate thins, a block shrinks: an eighth of the volume remains
-        const Point left = are_plates ? Point(1, 1, 0.125) : Point(0.5, 0.5, 0.5);
-        const Point sizes = internal::box_of(half_way).sizes();
-        CHECK(internal::box_of(little).sizes().isApprox(left.cwiseProduct(sizes), 1e-9));
-        CHECK(internal::box_of(half_way).center().x() == Approx(3 * t).margin(1e-9));
-      }
-      CHECK(internal::in_place.remaining(end, end) == 1);
-      CHECK(internal::in_place.remaining(end, internal::in_place.come[1]) == 1);
-      CHECK(internal::in_place.remaining(end, 0.5) == end);
-      CHECK(internal::in_place.remaining(end, 1 - end) == 0);
-    }
-    const Point sizes = internal::box_of(morph.points(0, 0.5)).sizes();
-    CHECK(sizes.x() == Approx((2.2 + 1) / 2));
-    CHECK(sizes.y() == Approx((2.2 + 3) / 2));
-    CHECK(sizes.z() == Approx(0.2));
-  }
+  return result;
 }
 
-TEST_CASE("A rod that is exchanged for a net is not a block half-way: extents across go by equal factors")
+/// Without the triangles that are in the highest plane.
+Part_mesh without_lid(const Part_mesh& box)
 {
-  const Part_mesh rod = box_shapes::box({0, 0, 0}, {4, 0.1, 0.1}), net = box_shapes::box({0, 0, 0}, {4, 1.6, 0.1});
+  Part_mesh result{box.points, {}};
+  const double high = box.points.row(1).maxCoeff();
+  for (Eigen::Index t = 0; t < box.triangles.cols(); ++t) {
+    if (box.points(Eigen::all, box.triangles.col(t)).row(1).minCoeff() > high - 1e-9) continue;
+    result.triangles.conservativeResize(3, result.triangles.cols() + 1);
+    result.triangles.rightCols(1) = box.triangles.col(t);
+  }
+  return result;
+}
+
+double volume(const Part_mesh& mesh) { return internal::Rest_surface(mesh.points, mesh.triangles).extent().volume; }
+
+} // namespace
+
+TEST_CASE("Signed distances on a grid are exact but for half of a cell, by which surfaces are thicker")
+{
+  const internal::Distance_grid grid(Point(1.5, 1, 0.5));
+  const Part_mesh box = box_shapes::box({0, 0, 0}, {2, 1, 0.6});
+  for (bool is_open : {false, true}) {
+    Part_mesh surface = box;
+    if (is_open) surface = without_lid(box);
+    const internal::Distance_grid::Values values = grid.signed_distances(surface);
+    INFO(is_open); // without its lid the box is a plate with rims
+    const Part_mesh level_set = grid.level_set(values, is_open ? 0 : -grid.thickness());
+    CHECK(internal::Rest_surface(level_set.points, level_set.triangles).is_closed());
+    if (is_open)
+      CHECK(volume(level_set) < 0.8 * volume(box));
+    else
+      CHECK(volume(level_set) == Approx(volume(box)).epsilon(0.05));
+    CHECK(grid.pieces_below(values, 0) == 1);
+    CHECK(grid.holes_below(values, 0) == -1); // a piece, no hole
+  }
+  const internal::Distance_grid::Values values = grid.signed_distances(box);
+  const Points corners = grid.level_set(values, 0.1 - grid.thickness()).points; // 0.1 off all sides, round at edges
+  CHECK(internal::box_of(corners).sizes().isApprox(Point(2.2, 1.2, 0.8), 0.02));
+  CHECK(grid.extents_below(values, -grid.thickness()).isApprox(Point(2 / 3., 0.5, 0.6), 0.1));
+}
+
+TEST_CASE("Pieces and holes of what is inside are counted")
+{
+  const internal::Distance_grid grid(Point(1.3, 1.3, 0.3));
+  const internal::Distance_grid::Values values = grid.signed_distances(ring());
+  CHECK(grid.pieces_below(values, 0) == 1);
+  CHECK(grid.holes_below(values, 0) == 0); // a piece with a hole
+  Part_mesh two = box_shapes::box({-0.8, 0, 0}, {0.5, 0.5, 0.4});
+  const Part_mesh other = box_shapes::box({0.8, 0, 0}, {0.5, 0.5, 0.4});
+  const Eigen::Index points = other.points.cols(), triangles = other.triangles.cols();
+  two.points.conservativeResize(3, 2 * points);
+  two.points.rightCols(points) = other.points;
+  two.triangles.conservativeResize(3, 2 * triangles);
+  two.triangles.rightCols(triangles) = other.triangles.array() + int(points);
+  const internal::Distance_grid::Values apart = grid.signed_distances(two);
+  CHECK(grid.pieces_below(apart, 0) == 2);
+  CHECK(grid.holes_below(apart, 0) == -2);
+}
+
+TEST_CASE("By distance fields a ring becomes a disc and keeps the box and the volume that are due")
+{
+  const Part_mesh hoop = ring(), disc = box_shapes::box({3, 0, 0}, {2, 2, 0.4});
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  const auto morph = internal::Part_morph::exchange(
-      {internal::Part_chart::box(rod.points, axes), internal::Part_chart::box(net.points, axes)}, rod, net);
-  CHECK(internal::box_of(morph.points(0, 0.5)).sizes().isApprox(Point(4, 0.4, 0.1)));
-  CHECK(internal::box_of(morph.points(1, 0.5, 0.25)).sizes().isApprox(Point(4, 0.2, 0.05)));
+  const internal::Field_morph morph(
+      {internal::Part_chart::box(hoop.points, axes), internal::Part_chart::box(disc.points, axes)}, hoop, disc);
+  REQUIRE(morph.holds_together());
+  const int last = morph.number_of_surfaces() - 1;
+  CHECK(morph.surface(0) == 0);
+  CHECK(morph.surface(1) == last);
+  CHECK((morph.points(0, 0) - hoop.points).cwiseAbs().maxCoeff() < 1e-12);
+  CHECK((morph.points(last, 1) - disc.points).cwiseAbs().maxCoeff() < 1e-12);
+  double before = volume(hoop);
+  for (double t : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+    INFO(t);
+    const int surface = morph.surface(t);
+    CHECK(morph.surface(std::nextafter(morph.changes()[std::size_t(surface - 1)], 0)) == surface - 1);
+    const Part_mesh mesh{morph.points(surface, t), morph.triangles(surface)};
+    const internal::contacts::Box box = internal::box_of(mesh.points);
+    CHECK(box.center().isApprox(Point(3 * t, 0, 0), 1e-6));
+    CHECK(box.sizes().isApprox(Point(2.4 - 0.4 * t, 2.4 - 0.4 * t, 0.4), 1e-6));
+    CHECK(internal::Rest_surface(mesh.points, mesh.triangles).is_closed());
+    CHECK(volume(mesh) > before - 0.05);
+    before = volume(mesh);
+  }
+  CHECK(before < volume(disc));
+}
+
+TEST_CASE("Where level sets would not fill their box, the one surface takes over from the other half-way")
+{
+  // A rod along one diagonal of the box, and one along the other: what is between is a blob in the middle
+  const auto rod = [](double angle) {
+    Part_mesh result = box_shapes::box({0, 0, 0}, {2, 0.04, 0.04});
+    result.points = Eigen::AngleAxisd(angle, Point::UnitZ()).toRotationMatrix() * result.points;
+    return result;
+  };
+  const Part_mesh up = rod(EIGEN_PI / 4), down = rod(-EIGEN_PI / 4);
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  const internal::Field_morph morph(
+      {internal::Part_chart::box(up.points, axes), internal::Part_chart::box(down.points, axes)}, up, down);
+  CHECK(!morph.holds_together());
+  CHECK(morph.changes() == std::vector<double>{0.5});
+  CHECK(morph.points(0, 0.4).isApprox(up.points, 1e-9));
+  CHECK(morph.points(1, 0.6).isApprox(down.points, 1e-9));
 }
 
 TEST_CASE("The axes of boxes are paired for the least rotation; a box has its own axes where they make it smaller")
@@ -263,6 +330,16 @@ TEST_CASE("A part without counterpart draws back into what carries it")
   CHECK(is_box(box_when(leg, {{0, 0, 0}, {0, 1, 0}}, 0.5, true), {-0.025, 0, -0.025}, {0.025, 1, 0.025}));
   // A wheel into its hub as a whole
   CHECK(box_when(box_shapes::box({0, 0, 0}, {1, 1, 0.1}), {{0, 0, 0}}, 0.5).sizes().isApprox(Point(0.5, 0.5, 0.05)));
+}
+
+TEST_CASE("A support contracts to an upright axis and keeps its height")
+{
+  const Part_mesh leg = box_shapes::box({0.45, 0.5, 0}, {0.1, 1, 0.1});
+  const auto part = internal::Retreating_part::contracting(leg, Point(0, 0, 0));
+  CHECK(part.points(1) == leg.points);
+  const internal::contacts::Box box = internal::box_of(part.points(0.5));
+  CHECK(box.min().isApprox(Point(0.2, 0, -0.025)));
+  CHECK(box.max().isApprox(Point(0.25, 1, 0.025)));
 }
 
 TEST_CASE("Coordinates relative to outlines: a round one and one with corners are the same disc")
