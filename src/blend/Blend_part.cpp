@@ -128,6 +128,16 @@ std::vector<std::vector<Point>> places_of(const std::vector<Carried_part>& going
 
 using Axes = std::vector<std::optional<Point>>; // by part
 
+/// Whether parts carry it above its middle.
+bool hangs(const Part_mesh& mesh, const Carried_part& part)
+{
+  constexpr double high = 0.1; // of half of its height
+  const contacts::Box box = box_of(mesh.points);
+  return std::all_of(part.roots.begin(), part.roots.end(), [&](const Root& root) {
+    return !root.carriers.empty() && root.at.y() > box.center().y() + high * box.sizes().y() / 2;
+  });
+}
+
 /// Finds supports that give way to others, as legs to a column: sets of parts that go, that stand and are carried from
 /// above. They contract to the middle of what comes in their place, with what only they carry.
 class Support_finder
@@ -150,9 +160,10 @@ public:
   {
     std::vector<char> is_support(sets_.size(), 0);
     for (const Carried_part& part : going)
-      if (hangs(end, part)) is_support[set_of(end, part)] = 1;
+      if (hangs(mesh(end, part), part)) is_support[set_of(end, part)] = 1;
     for (const Carried_part& part : going)
-      if (box(end, part).min().y() <= Blend_part::on_ground && !hangs(end, part)) is_support[set_of(end, part)] = 0;
+      if (mesh(end, part).points.row(1).minCoeff() <= Blend_part::on_ground && !hangs(mesh(end, part), part))
+        is_support[set_of(end, part)] = 0;
     Axes result(stage_.meshes[end].size());
     for (const Carried_part& part : going) {
       const auto& [own, others] = std::pair(boxes_[set_of(end, part)][end], boxes_[set_of(end, part)][1 - end]);
@@ -175,20 +186,7 @@ private:
   }
   std::size_t set_of(std::size_t end, const Carried_part& part) const { return sets_[number(end, part.part)]; }
 
-  contacts::Box box(std::size_t end, const Carried_part& part) const
-  {
-    return box_of(stage_.meshes[end][part.part].points);
-  }
-
-  /// Whether parts carry it at its upper end.
-  bool hangs(std::size_t end, const Carried_part& part) const
-  {
-    constexpr double high = 0.3; // of half of its height, above its middle
-    const contacts::Box own = box(end, part);
-    return std::all_of(part.roots.begin(), part.roots.end(), [&](const Root& root) {
-      return !root.carriers.empty() && root.at.y() > own.center().y() + high * own.sizes().y() / 2;
-    });
-  }
+  const Part_mesh& mesh(std::size_t end, const Carried_part& part) const { return stage_.meshes[end][part.part]; }
 
   const Blend_stage& stage_;
   Disjoint_sets sets_;
@@ -213,7 +211,7 @@ Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part&
     result.roots.push_back({root.at, root.carriers.empty() ? root.carriers : parts_of(parts, end, root.carriers[0])});
   result.contracts = bool(axis);
   result.retreat = std::make_shared<Retreating_part>(
-      axis ? Retreating_part::contracting(mesh, *axis)
+      axis ? Retreating_part::contracting(mesh, *axis, hangs(mesh, carried))
            : Retreating_part(mesh, axes_of_box(stage, end, carried.part), places, carried.joins));
   result.set_ends();
   result.is_needed = result.stands || carried.joins || reaches_out(stage, end, carried.part, parts);

@@ -206,6 +206,11 @@ Part_mesh Distance_grid::level_set(const Values& values, double level) const
   return result;
 }
 
+std::size_t Distance_grid::number_below(const Values& values, double level) const
+{
+  return std::size_t(std::count_if(values.begin(), values.end(), [&](double value) { return value < level; }));
+}
+
 Point Distance_grid::extents_below(const Values& values, double level) const
 {
   contacts::Box box;

@@ -37,6 +37,7 @@ public:
   /// the border (Gibson 1998, "Constrained elastic surface nets", without the relaxation).
   Part_mesh level_set(const Values& values, double level) const;
 
+  std::size_t number_below(const Values& values, double level) const;
   /// How far the points with values below a level extend along the axes, and half a cell beyond, as shares of the box.
   Point extents_below(const Values& values, double level) const;
   /// The number of their pieces, without those that are of few points.

@@ -38,20 +38,22 @@ struct Field_morph::Fields
   std::array<Distance_grid::Values, 2> ends;
   std::array<std::size_t, 2> sizes; ///< the number of points inside
   int most_pieces = 1, most_holes = 0;
-  bool is_fine = false; ///< either has so many holes that they would run together, as a wheel with spokes
+  bool is_fine = false; ///< either is of rods or has holes that would run together, as spokes and wheels with them
 
   void add(std::size_t end, const Part_mesh& surface)
   {
     constexpr double excess = 0.3; // of the thickness that the grid gives surfaces
     constexpr int few_holes = 4, many_holes = 30;
+    constexpr double least_share = 0.66; // of rods there is half without the excess, of plates 0.7
     Distance_grid::Values& values = ends[end] = grid.signed_distances(surface);
-    const int own_holes = grid.holes_below(values, 0);
     double level = -excess * grid.thickness();
+    const int own_holes = grid.holes_below(values, 0);
+    const std::size_t all = grid.number_below(values, 0), without_excess = grid.number_below(values, level);
     if (grid.holes_below(values, level) > own_holes + few_holes) level = 0; // thin plates would be pierced
-    sizes[end] = std::size_t(std::count_if(values.begin(), values.end(), [&](double value) { return value < level; }));
+    sizes[end] = level < 0 ? without_excess : all;
     most_pieces = std::max(most_pieces, grid.pieces_below(values, 0));
     most_holes = end == 0 ? own_holes : std::max(most_holes, own_holes);
-    is_fine = is_fine || own_holes > many_holes;
+    is_fine = is_fine || own_holes > many_holes || double(without_excess) < least_share * double(all);
   }
 
   /// The level below which there are as many points.

@@ -53,18 +53,20 @@ struct Part_box
   /// The longest axis on one side of which all roots are; a rod does not draw back sideways.
   std::optional<int> retreat(const Roots& roots) const
   {
-    constexpr double much = 0.3; // of the longest extent
     for (int axis = 0; axis < 3; ++axis)
-      if ((axis == 0 || half[1] > much * half[0]) && side(roots, axis) != 0) return axis;
+      if ((axis == 0 || !is_rod()) && side(roots, axis) != 0) return axis;
     return {};
   }
 
-  bool has_roots_at_both_ends(const Roots& roots) const
+  bool is_rod() const { return half[1] <= rod * half[0]; }
+
+  /// Whether there are roots at an end of the longest axis, -1 or 1.
+  bool has_roots_at(const Roots& roots, int end) const
   {
-    const auto is_aside = [&](const Point& root) { return side({root}, 0) != 0; };
-    return std::any_of(roots.begin(), roots.end(), is_aside);
+    return std::any_of(roots.begin(), roots.end(), [&](const Point& root) { return side({root}, 0) == end; });
   }
 
+  static constexpr double rod = 0.3; ///< the most of its middle extent over the longest
   Eigen::Matrix3d directions;
   Point half, middle;
 };
@@ -88,8 +90,10 @@ Retreating_part::Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& a
     : mesh_(mesh), staying_(Eigen::Matrix3d::Zero())
 {
   const Part_box box(mesh.points, axes);
-  const Roots low = lowest(roots, 1); // what is carried at several ends grows upwards, or from the back
-  if (!joins)
+  const Roots low =
+      lowest(roots, 1); // what is carried at several ends grows upwards, or from the back, unless it is a rod
+  const bool spans = box.is_rod() && box.has_roots_at(roots, -1) && box.has_roots_at(roots, 1);
+  if (!joins && !spans)
     for (const Roots& some : {roots, low, lowest(low, 2)})
       if (const std::optional<int> axis = box.retreat(some)) {
         root_ = mean(some);
@@ -97,15 +101,17 @@ Retreating_part::Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& a
         return;
       }
   root_ = mean(roots);
-  if (box.has_roots_at_both_ends(roots)) staying_ = box.directions.col(0) * box.directions.col(0).transpose();
+  thins_ = box.has_roots_at(roots, -1) || box.has_roots_at(roots, 1);
+  if (thins_) staying_ = box.directions.col(0) * box.directions.col(0).transpose();
   vanishing_ = Eigen::Matrix3d::Identity() - staying_;
 }
 
 /// Of the way from the root.
-Retreating_part Retreating_part::contracting(const Part_mesh& mesh, const Point& axis)
+Retreating_part Retreating_part::contracting(const Part_mesh& mesh, const Point& axis, bool is_support)
 {
   Retreating_part result(mesh);
   result.root_ = axis;
+  if (is_support) result.middle_ = (mesh.points.rowwise().minCoeff() + mesh.points.rowwise().maxCoeff()) / 2;
   result.staying_ = Point::UnitY() * Point::UnitY().transpose();
   result.vanishing_ = Eigen::Matrix3d::Identity() - result.staying_;
   return result;
@@ -115,15 +121,23 @@ Eigen::Matrix3d Retreating_part::scale(double remaining) const
 {
   constexpr double little = 0.3;
   const Eigen::Matrix3d others = Eigen::Matrix3d::Identity() - vanishing_ - staying_;
-  return remaining * vanishing_ + std::min(1., remaining / little) * others + staying_;
+  const double left = thins_ ? std::sqrt(remaining) : remaining; // quickly out of what would be as thin as a hair
+  return left * vanishing_ + std::min(1., remaining / little) * others + staying_;
 }
 
-Point Retreating_part::place(const Point& p, double remaining) const { return root_ + scale(remaining) * (p - root_); }
+Point Retreating_part::place(const Point& p, double remaining) const
+{
+  if (!middle_) return root_ + scale(remaining) * (p - root_);
+  return root_ + scale(remaining) * (*middle_ - root_) + scale(std::sqrt(remaining)) * (p - *middle_);
+}
 
 Points Retreating_part::points(double remaining) const
 {
   if (remaining >= 1) return mesh_.points;
-  return (scale(remaining) * (mesh_.points.colwise() - root_)).colwise() + root_;
+  Points result = mesh_.points;
+  for (auto p : result.colwise())
+    p = place(Point(p), remaining);
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -9,14 +9,15 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
 /// A part without counterpart, which draws back into what carries it, or grows out of it in reverse: a leg into the
-/// seat along its length, a cushion across, a wheel into its hub as a whole; what joins parts that nothing else joins
-/// thins. Its roots, where it is carried, stay. When little remains, it shrinks in all directions but that of its
-/// roots.
+/// seat along its length, a cushion across, a wheel into its hub as a whole; what joins parts that nothing else joins,
+/// or a rod between two parts, thins. Its roots, where it is carried, stay. When little remains, it shrinks in all
+/// directions but that of its roots.
 class Retreating_part
 {
 public:
@@ -25,8 +26,8 @@ public:
   /// \param joins whether it joins parts that nothing else joins
   Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& axes, const std::vector<Point>& roots, bool joins);
 
-  /// One that stands and contracts towards an upright axis, or comes out of it.
-  static Retreating_part contracting(const Part_mesh& mesh, const Point& axis);
+  /// One that contracts towards an upright axis, or comes out of it. A support goes there faster than it thins.
+  static Retreating_part contracting(const Part_mesh& mesh, const Point& axis, bool is_support);
 
   const Eigen::Matrix3Xi& triangles() const { return mesh_.triangles; }
   /// The middle of those of its roots that it draws back to.
@@ -42,6 +43,8 @@ private:
 
   Part_mesh mesh_;
   Point root_;
+  bool thins_ = false;                  ///< between roots at both ends
+  std::optional<Point> middle_;         ///< of a support that contracts
   Eigen::Matrix3d vanishing_, staying_; ///< the ways from the root that vanish first, and not: projections onto axes
 };
 

@@ -122,12 +122,12 @@ TEST_CASE("Four legs contract to the column that takes their place, which comes 
         CHECK(box.min().y() == Approx(0).margin(1e-6));
         CHECK(box.max().x() == Approx(0.45 * come).epsilon(0.02));
       } else if (part.name == "~column") {
-        CHECK(box.sizes().isApprox(Point(0.4 * come, 0.85, 0.4 * come), 0.02));
+        CHECK(box.sizes().isApprox(Point(0.4 * std::sqrt(come), 0.85, 0.4 * std::sqrt(come)), 0.02));
       } else if (part.name != "top~top") { // a leg, from the ground to the top
         CHECK(box.min().y() == Approx(0).margin(1e-6));
         CHECK(box.max().y() == Approx(0.9).epsilon(0.01));
         CHECK(std::abs(box.center().x()) == Approx(0.45 * stay).epsilon(0.02));
-        CHECK(box.sizes().x() == Approx(0.1 * stay).epsilon(0.02));
+        CHECK(box.sizes().x() == Approx(0.1 * std::sqrt(stay)).epsilon(0.02));
       }
     }
   }
@@ -335,11 +335,13 @@ TEST_CASE("A part without counterpart draws back into what carries it")
 TEST_CASE("A support contracts to an upright axis and keeps its height")
 {
   const Part_mesh leg = box_shapes::box({0.45, 0.5, 0}, {0.1, 1, 0.1});
-  const auto part = internal::Retreating_part::contracting(leg, Point(0, 0, 0));
-  CHECK(part.points(1) == leg.points);
-  const internal::contacts::Box box = internal::box_of(part.points(0.5));
-  CHECK(box.min().isApprox(Point(0.2, 0, -0.025)));
-  CHECK(box.max().isApprox(Point(0.25, 1, 0.025)));
+  for (bool is_support : {true, false}) {
+    const auto part = internal::Retreating_part::contracting(leg, Point(0, 0, 0), is_support);
+    CHECK(part.points(1) == leg.points);
+    const internal::contacts::Box box = internal::box_of(part.points(0.25));
+    CHECK(box.center().isApprox(Point(0.45 / 4, 0.5, 0), 1e-9));
+    CHECK(box.sizes().isApprox(is_support ? Point(0.05, 1, 0.05) : Point(0.025, 1, 0.025), 1e-9));
+  }
 }
 
 TEST_CASE("Coordinates relative to outlines: a round one and one with corners are the same disc")
