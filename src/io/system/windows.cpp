@@ -7,7 +7,9 @@
 #include <cerrno>
 #include <cstdlib>
 
+#ifndef NOMINMAX
 #define NOMINMAX
+#endif
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
 
