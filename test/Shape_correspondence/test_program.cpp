@@ -250,6 +250,37 @@ TEST_CASE("Numbers beyond all sense and empty words are refused, and the message
   }
 }
 
+TEST_CASE("Options take values in all notations of command lines")
+{
+  const Temporary_folder folder;
+  const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair()));
+  const std::string graph = run("graph " + a + " --json -").out;
+  REQUIRE(!graph.empty());
+  for (const char* words : {"--json=-", "-o -", "-o-", "-qo-", "-q -o -", "--json - --", "--threads=1 --json -"}) {
+    INFO(words);
+    CHECK(run("graph " + std::string(words) + " " + a).out == graph);
+  }
+  const std::string pair = "match " + a + " " + a + " -q --json - --allow-unmatched";
+  CHECK(run(pair).out == run(pair + "=.5").out);
+  CHECK(run(pair + " .7").out == run(pair + "=.7").out);
+  CHECK(run(pair + " --threads 1").out == run(pair).out);
+  for (const auto& [words, message] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"--quiet=3", "--quiet takes no value"},
+           {"--json x --json y", "--json is given more than once"},
+           {"--json", "--json needs a value, FILE"},
+           {"--json --quiet", "--json needs a value, FILE"},
+           {"--threads 99999999999", "--threads needs a number that is not too large, not '99999999999'"},
+           {"--threads 1x", "--threads needs a number"},
+           {"--threads=", "--threads needs a number"},
+           {"-y", "there is no option '-y'"},
+           {"-- -q", "it takes 1 input, not 2"}}) {
+    INFO(words);
+    const Run result = run("graph " + a + " " + words);
+    CHECK(result.status == 2);
+    CHECK_THAT(result.error, Contains(message));
+  }
+}
+
 TEST_CASE("A word that is spelt nearly right is suggested")
 {
   CHECK_THAT(run("macth a b").error, Contains("did you mean 'match'? Try"));

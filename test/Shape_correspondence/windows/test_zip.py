@@ -9,6 +9,7 @@ Ends with status 77, which ctest counts as skipped, where there is no wine.
 """
 import json
 import os
+import re
 import shutil
 import stat
 import subprocess
@@ -21,6 +22,7 @@ NAME = "shape_correspondence"
 WINE = shutil.which("wine")
 FOREIGN = "Stühle 椅子 🪑"  # in no single code page
 SECONDS = 300
+TIMES = re.compile(rb'"seconds":.*')
 archive, linux, data = None, None, None
 
 
@@ -73,17 +75,22 @@ class Zip(unittest.TestCase):
         self.run_it("demo")  # takes the place of what it wrote before
 
     def test_same_bytes_as_on_linux(self):
-        source, target = (os.path.join(data, name) for name in ("table_trestle", "table_pedestal"))
-        words = ["match", source, target, "--json"]
-        theirs = subprocess.run([linux, *words, "-"], check=True, capture_output=True).stdout
-        ours = self.run_it(*words, "-")
-        self.assertNotIn(b"\r", ours)
-        self.run_it(*words, "match.json", "-q")
-        self.assertEqual(self.read("match.json"), ours)
-        first, other = json.loads(theirs), json.loads(ours)
-        self.assertEqual(first["pairs"], other["pairs"])
-        self.assertEqual(first.keys(), other.keys())
-        self.assertEqual(ours, theirs)
+        # Pages and pictures of curves are left out: sines of the C libraries differ in their last bits
+        models = ["models/table_trestle", "models/table_pedestal"]
+        commands = [["match", *models, "-o", "match.json"], ["blend", *models, "-o", "blend.glb"],
+                    ["graph", models[0], "-o", "graph.json", "-o", "graph.graphml", "-o", "graph.dot"],
+                    ["transfer", *models, "--labels", "parts", "-o", "labels.ply"]]
+        os.symlink(data, self.path("models"))
+        for words in commands:
+            self.assertNotIn(b"\r", self.run_it(*words))
+        ours = {name: self.read(name) for name in self.names() if name != "models"}
+        self.assertGreater(len(ours), len(commands))
+        for words in commands:
+            subprocess.run([linux, *words], cwd=self.folder, check=True, capture_output=True)
+        for name, content in ours.items():
+            with self.subTest(name):
+                self.assertEqual(TIMES.sub(b"", content), TIMES.sub(b"", self.read(name)))
+        self.assertEqual(self.run_it("graph", models[0], "--json", "-"), ours["graph.json"])
 
     def test_names_of_other_alphabets(self):
         with open(os.path.join(data, "raw", "chair_swivel.obj"), "rb") as stream:
@@ -108,16 +115,11 @@ class Zip(unittest.TestCase):
         self.assertEqual(self.read("kept.json"), b"kept")
         self.assertIn("it is a folder", self.run_it("graph", chair, "--json", ".", status=1))
         self.assertIn("it cannot be written", self.run_it("graph", chair, "-o", "no/such/folder.json", status=1))
-        self.assertIn("the same file", self.run_it("graph", chair, "-o", "a.json", "--glb", "A.JSON", status=2))
         self.assertEqual(self.names(), sorted(before + ["kept.json"]))
         os.mkdir(self.path("frames"))
         other = os.path.join(self.home, NAME, "data", "chair_four_legged")
         self.run_it("blend", chair, other, "--frames", "2", "-o", "frames\\", "-q")
         self.assertEqual(len(os.listdir(self.path("frames"))), 2)
-
-    def test_devices(self):
-        self.run_it("graph", os.path.join(self.home, NAME, "data", "chair_swivel"), "--json", "NUL", "-q")
-        self.assertEqual(self.names(), [])
 
     def test_other_formats(self):
         self.write("model.dae", b"<COLLADA/>")
@@ -153,4 +155,4 @@ if __name__ == "__main__":
         sys.exit(77)
     archive, linux, data = map(os.path.abspath, sys.argv[1:4])
     os.environ.update(WINEDEBUG="-all", LC_ALL="C.UTF-8")  # wine takes names of files as the locale says
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:], verbosity=2)
