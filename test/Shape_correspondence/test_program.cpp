@@ -260,7 +260,7 @@ TEST_CASE("Options take values in all notations of command lines")
     INFO(words);
     CHECK(run("graph " + std::string(words) + " " + a).out == graph);
   }
-  const std::string pair = "match " + a + " " + a + " -q --json - --allow-unmatched";
+  const std::string pair = "match " + a + " " + a + " --allow-unmatched";
   CHECK(run(pair).out == run(pair + "=.5").out);
   CHECK(run(pair + " .7").out == run(pair + "=.7").out);
   CHECK(run(pair + " --threads 1").out == run(pair).out);
