@@ -25,7 +25,7 @@ bool are_same_file(const std::string& a, const std::string& b)
   const auto place = [&](const std::string& path) {
     return fs::weakly_canonical(fs::absolute(IO::written_file(path), error), error);
   };
-  return a == b || place(a) == place(b);
+  return a == b || IO::are_same_name(place(a), place(b));
 }
 
 } // namespace

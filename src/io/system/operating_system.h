@@ -33,6 +33,8 @@ std::int64_t process_number();
 /// Whether a process of this machine runs.
 bool is_running(std::int64_t process);
 
+/// Whether two paths name one file, as far as their letters say: on Windows, large ones are as good as small ones.
+bool are_same_name(const std::filesystem::path& a, const std::filesystem::path& b);
 /// Makes an empty file. \return `file_exists` if there is anything of its name
 std::error_code make_new_file(const std::filesystem::path& file);
 /// Why a file cannot be written, if so.

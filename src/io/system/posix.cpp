@@ -95,6 +95,8 @@ std::int64_t process_number() { return getpid(); }
 
 bool is_running(std::int64_t process) { return kill(pid_t(process), 0) == 0 || errno != ESRCH; }
 
+bool are_same_name(const fs::path& a, const fs::path& b) { return a == b; }
+
 std::error_code make_new_file(const fs::path& file)
 {
   const Descriptor made(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666));

@@ -131,6 +131,11 @@ bool is_running(std::int64_t process)
   return WaitForSingleObject(opened, 0) == WAIT_TIMEOUT;
 }
 
+bool are_same_name(const fs::path& a, const fs::path& b)
+{
+  return CompareStringOrdinal(a.c_str(), -1, b.c_str(), -1, TRUE) == CSTR_EQUAL;
+}
+
 std::error_code make_new_file(const fs::path& file)
 {
   const Handle made(open_to_write(file, CREATE_NEW, FILE_ATTRIBUTE_NORMAL));

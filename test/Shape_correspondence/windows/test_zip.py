@@ -115,6 +115,7 @@ class Zip(unittest.TestCase):
         self.assertEqual(self.read("kept.json"), b"kept")
         self.assertIn("it is a folder", self.run_it("graph", chair, "--json", ".", status=1))
         self.assertIn("it cannot be written", self.run_it("graph", chair, "-o", "no/such/folder.json", status=1))
+        self.assertIn("the same file", self.run_it("graph", chair, "--json", "ä.x", "--dot", "Ä.X", status=2))
         self.assertEqual(self.names(), sorted(before + ["kept.json"]))
         os.mkdir(self.path("frames"))
         other = os.path.join(self.home, NAME, "data", "chair_four_legged")
