@@ -206,7 +206,7 @@ struct Blend_keywords : Keywords
         "largest gap between parts in contact, as a fraction of the shape's height");
     add("samples", options.samples, "number of in-between shapes by which a schedule is rated");
     add("min_confidence", options.min_confidence,
-        "pairs of lower confidence, in [0, 1], are left out: their parts thin and thicken");
+        "pairs of lower confidence, in [0, 1], are left out: their parts come and go");
     SC::cli::Option_table::Group group = table.group("Output");
     add_output_options(group, output);
     add("schedule", options.schedule, "one of `schedule_names()`; None: the best");

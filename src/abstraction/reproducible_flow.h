@@ -3,6 +3,10 @@
 
 #pragma once
 
+// Points are sorted for the Delaunay triangulation in the flow; what happens to ties must not depend on the standard
+// library
+#define CGAL_HILBERT_SORT_WITH_MEDIAN_POLICY_CROSS_PLATFORM_BEHAVIOR
+
 #include "shape/meshes.h"
 
 #include <CGAL/Mean_curvature_flow_skeletonization.h>

@@ -5,6 +5,7 @@
 
 #include "blend/Blend_stage.h"
 #include "blend/mirror_images.h"
+#include "blend/pair_boxes.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,12 +14,12 @@ namespace CGAL::Shape_correspondence::internal {
 
 const Eigen::Matrix3Xi& Blend_part::triangles(int surface) const
 {
-  return morph ? morph->triangles(surface) : thinning->triangles();
+  return morph ? morph->triangles(surface) : retreat->triangles();
 }
 
 Points Blend_part::points(int surface, double progress, double remaining) const
 {
-  Points result = morph ? morph->points(surface, progress, remaining) : thinning->points(remaining);
+  Points result = morph ? morph->points(surface, progress, remaining) : retreat->points(remaining);
   return is_reflected ? mirrored(std::move(result)) : std::move(result);
 }
 
@@ -42,7 +43,7 @@ Point Blend_part::place(const Carried_point& p, double progress, double remainin
     return (1 - progress) * ends[0] + progress * ends[1];
   };
   const Point result = morph ? Point(morph->place(between(p.coordinates), progress) + between(p.offsets))
-                             : thinning->place(p.coordinates[0], remaining);
+                             : retreat->place(p.coordinates[0], remaining);
   return is_reflected ? mirrored(result) : result;
 }
 
@@ -72,48 +73,108 @@ std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end,
   return result;
 }
 
-void add_unmatched_parts(const Blend_stage& stage, const std::vector<Exchange_set>& sets,
-                         std::vector<Blend_part>& parts)
+namespace {
+
+/// Whether a part that goes makes the shape much larger than what stays.
+bool reaches_out(const Blend_stage& stage, int end, std::size_t part, const std::vector<Blend_part>& parts)
 {
+  constexpr double much = 0.1; // of the extent of the shape
+  contacts::Box staying;
+  for (const Blend_part& other : parts)
+    if (other.morph) staying.extend(box_of(other.end_points(end)));
+  const contacts::Box own = box_of(stage.meshes[std::size_t(end)][part].points);
+  const Point beyond = (own.max() - staying.max()).cwiseMax(staying.min() - own.min());
+  return (beyond.array() > much * stage.boxes[std::size_t(end)].sizes().array()).any();
+}
+
+/// The axes of a part's box, for mirror images alike.
+Eigen::Matrix3d axes_of_box(const Blend_stage& stage, int end, std::size_t part)
+{
+  const auto e = std::size_t(end);
+  const auto axes = [&](std::size_t i) {
+    return box_axes(stage.meshes[e][i].points, stage.charted[e].charts[i].axes());
+  };
+  const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
+  const std::size_t image = stage.images[e][part];
+  if (image == Mirror_images::none) return axes(part);
+  return image == part || axes(image) == upright ? upright : axes(part);
+}
+
+/// By part of a shape, where it is carried if it goes: the places of mirror images are mirror images, too.
+std::vector<std::vector<Point>> places_of(const std::vector<Carried_part>& going, const Mirror_images& images,
+                                          std::size_t parts)
+{
+  std::vector<std::vector<Point>> result(parts);
+  for (const Carried_part& part : going)
+    for (const Root& root : part.roots) {
+      result[part.part].push_back(root.at);
+      const std::size_t image = images[part.part];
+      if (image != Mirror_images::none) result[image].push_back(mirrored(root.at));
+    }
+  return result;
+}
+
+/// The part of a shape that goes.
+/// \param places where it is carried
+Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part& carried,
+                          const std::vector<Point>& places, const std::vector<Blend_part>& parts)
+{
+  const auto e = std::size_t(end);
+  Blend_part result;
+  const std::string& name = structure(stage.graphs[e]).parts[carried.part].name;
+  result.name = end == 0 ? name + '~' : '~' + name;
+  result.task.type = end == 0 ? Blend_task_type::SHRINK : Blend_task_type::GROW;
+  (end == 0 ? result.task.source : result.task.target) = carried.part;
+  const Part_mesh& mesh = stage.meshes[e][carried.part];
+  for (const Root& root : carried.roots)
+    result.roots.push_back({root.at, root.carriers.empty() ? root.carriers : parts_of(parts, end, root.carriers[0])});
+  result.retreat =
+      std::make_shared<Retreating_part>(mesh, axes_of_box(stage, end, carried.part), places, carried.joins);
+  result.set_ends();
+  result.is_needed = result.stands || carried.joins || reaches_out(stage, end, carried.part, parts);
+  return result;
+}
+
+/// Of an unmatched part, its mirror image if that is one, too.
+void set_image(const Blend_stage& stage, std::size_t number, std::vector<Blend_part>& parts)
+{
+  Blend_part& part = parts[number];
+  const int end = part.end();
+  const std::size_t image = stage.images[std::size_t(end)][end == 0 ? part.task.source : part.task.target];
+  if (image == Mirror_images::none) return;
+  const std::vector<std::size_t> made = parts_of(parts, end, image);
+  if (!made.empty() && parts[made[0]].retreat) part.image = made[0];
+}
+
+} // namespace
+
+void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std::vector<Blend_part>& parts)
+{
+  const std::size_t matched = parts.size();
   for (int end : {0, 1}) {
-    const auto e = std::size_t(end);
-    const Shape_structure& shape = structure(stage.graphs[e]);
-    for (std::size_t part = 0; part < shape.parts.size(); ++part) {
-      if (!parts_of(parts, end, part).empty()) continue;
-      Blend_part result;
-      const std::string& name = shape.parts[part].name;
-      result.name = end == 0 ? name + '~' : '~' + name;
-      result.task.type = end == 0 ? Blend_task_type::SHRINK : Blend_task_type::GROW;
-      (end == 0 ? result.task.source : result.task.target) = part;
-      std::size_t charted = part;
-      if (const std::size_t image = stage.images[e][part]; image == part) {
-        result.image = parts.size();
-      } else if (image != Mirror_images::none) {
-        const std::vector<std::size_t> made = parts_of(parts, end, image);
-        if (!made.empty() && parts[made[0]].thinning) {
-          result.image = made[0];
-          parts[result.image].image = parts.size();
-          result.is_reflected = true;
-          charted = image;
-        }
-      }
-      result.ridden = stage.boxes;
-      const auto set = std::find_if(sets.begin(), sets.end(), [&](const Exchange_set& other) {
-        return std::binary_search(other.parts[e].begin(), other.parts[e].end(), part);
-      });
-      if (set != sets.end()) {
-        result.ridden = set->boxes;
-        result.task.exchange = set->reason;
-      }
-      Part_mesh mesh = stage.meshes[e][part];
-      if (result.is_reflected) mesh.points = mirrored(std::move(mesh.points));
-      result.thinning = std::make_shared<Thinning_part>(shape.parts[charted],
-                                                        stage.to_stage(end, shape.parts[charted].control_points()),
-                                                        stage.charted[e].charts[charted], mesh);
-      result.set_ends();
-      parts.push_back(std::move(result));
+    std::vector<char> stays(stage.meshes[std::size_t(end)].size()), corresponds(stays.size(), 0);
+    for (std::size_t part = 0; part < stays.size(); ++part)
+      stays[part] = !parts_of(parts, end, part).empty();
+    for (const auto& [s, t] : unlike)
+      corresponds[end == 0 ? s : t] = 1;
+    const std::vector<Carried_part> going = carried_parts(stage, end, stays);
+    const std::vector<std::vector<Point>> places = places_of(going, stage.images[std::size_t(end)], stays.size());
+    for (const Carried_part& carried : going) {
+      Blend_part part = unmatched_part(stage, end, carried, places[carried.part], parts);
+      bool is_exchange = corresponds[carried.part];
+      for (const Root& root : part.roots) // what unlike parts carry goes with them
+        for (std::size_t carrier : root.carriers)
+          is_exchange = is_exchange || (parts[carrier].retreat && parts[carrier].task.exchange != Blend_exchange::NONE);
+      if (is_exchange) part.task.exchange = Blend_exchange::UNLIKE;
+      parts.push_back(std::move(part));
     }
   }
+  for (std::size_t i = matched; i < parts.size(); ++i)
+    set_image(stage, i, parts);
+  for (std::size_t i = parts.size(); i-- > matched;) // carriers come before what they carry
+    for (const Root& root : parts[i].roots)
+      for (std::size_t carrier : root.carriers)
+        parts[carrier].is_needed = parts[carrier].is_needed || parts[i].is_needed;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

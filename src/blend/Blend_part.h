@@ -5,8 +5,9 @@
 
 #include "blend/Part_morph.h"
 #include "blend/Rest_surface.h"
-#include "blend/Thinning_part.h"
-#include "blend/exchange_sets.h"
+#include "blend/Retreating_part.h"
+#include "blend/carriers.h"
+#include "blend/exchange.h"
 #include "map/Charted_mesh.h"
 #include "map/matched_members.h"
 
@@ -39,14 +40,15 @@ struct Blend_part
 
   std::string name;
   Blend_task task;
-  std::shared_ptr<const Part_morph> morph;          ///< of a matched part
-  std::shared_ptr<const Thinning_part> thinning;    ///< or else of one that shrinks or grows
-  double height = 0;                                ///< of its middle, at the ends' mean
-  std::size_t image = Blend_task::no_part;          ///< its mirror image, where the blend is to be symmetric
-  bool is_reflected = false;                        ///< computed as the image's image, in its charts
-  bool stands = false;                              ///< on the ground, at all ends that have it
+  std::shared_ptr<const Part_morph> morph;        ///< of a matched part
+  std::shared_ptr<const Retreating_part> retreat; ///< or else of one that shrinks or grows
+  std::vector<Root> roots;                        ///< of the latter, where parts before it carry it
+  double height = 0;                              ///< of its middle, at the ends' mean
+  std::size_t image = Blend_task::no_part;        ///< its mirror image, where the blend is to be symmetric
+  bool is_reflected = false;                      ///< computed as the image's image, in its charts
+  bool stands = false;                            ///< on the ground, at all ends that have it
+  bool is_needed = false; ///< an unmatched part that stands, joins others or makes the shape larger, or carries one
   std::array<double, 2> foot = {0, 0};              ///< by end, how high its lowest point is
-  std::array<contacts::Box, 2> ridden;              ///< of an unmatched part: by end, the box that it goes with
   double needless_turn = 0;                         ///< of a matched part, beyond the least one, in radians
   std::array<std::optional<Tree>, 2> trees;         ///< by surface, at an end
   std::array<std::optional<Rest_surface>, 2> rests; ///< by surface, at that end
@@ -54,6 +56,7 @@ struct Blend_part
 
   bool has_image() const { return image != Blend_task::no_part; }
   bool is_exchange() const { return morph && morph->is_exchange(); }
+  const Exchange_times& exchange_times() const { return morph ? in_place : is_needed ? of_needed : of_others; }
   /// Of an unmatched part: the end that has it.
   int end() const { return task.type == Blend_task_type::SHRINK ? 0 : 1; }
   /// Whether an end has it.
@@ -86,9 +89,8 @@ std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end,
 std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence);
 
 /// Adds the parts of both ends that become no part.
-/// \param sets of parts that give way to each other
-void add_unmatched_parts(const Blend_stage& stage, const std::vector<Exchange_set>& sets,
-                         std::vector<Blend_part>& parts);
+/// \param unlike pairs that correspond but do not morph
+void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std::vector<Blend_part>& parts);
 
 inline contacts::Box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
 

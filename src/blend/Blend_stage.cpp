@@ -6,6 +6,8 @@
 #include "base/quarter_turn.h"
 #include "blend/surface_components.h"
 
+#include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -112,6 +114,26 @@ std::array<Segmented_shape, 2> Blend_stage::moved_shapes(const std::array<Blend_
   const Point up = inputs[0].shape.up();
   return {moved(inputs[0].shape, up, from, Eigen::Matrix3d::Identity(), asked[0] / from.height),
           moved(inputs[1].shape, up, to, rotation, asked[1] / to.height)};
+}
+
+std::vector<Point> Blend_stage::places_of(int end, const Contact& contact) const
+{
+  const Shape_structure& shape = structure(graphs[std::size_t(end)]);
+  std::vector<Point> result;
+  const auto add = [&](const Contact::Parameters& parameters) {
+    Point sum = Point::Zero();
+    for (std::size_t i : {0u, 1u}) {
+      const Point on_part = evaluate(shape.parts[contact.parts[i]], parameters[i]);
+      sum += to_stage(end, on_part);
+    }
+    result.push_back(sum / 2);
+  };
+  add(contact.parameters);
+  for (const Contact::Parameters& further : contact.further)
+    add(further);
+  const auto key = [](const Point& p) { return std::tuple(quantized(p.x()), quantized(p.y()), quantized(p.z())); };
+  std::sort(result.begin(), result.end(), [&](const Point& p, const Point& q) { return key(p) < key(q); });
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

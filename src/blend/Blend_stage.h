@@ -43,6 +43,9 @@ struct Blend_stage
   Points to_stage(int end, const Points& given) const;
   /// The shapes as they are given, but moved onto the stage: in the axes of the source, at sizes as asked for.
   std::array<Segmented_shape, 2> moved_shapes(const std::array<Blend_input, 2>& inputs, Blend_size size) const;
+  /// Where two parts touch, in order along the axes: between the places on the curves or sheets of both, of all
+  /// regions.
+  std::vector<Point> places_of(int end, const Contact& contact) const;
   /// The heights of the shapes in the world.
   std::array<double, 2> heights(Blend_size size) const;
 

@@ -3,6 +3,7 @@
 
 #include "blend/In_between_shape.h"
 
+#include "blend/ease.h"
 #include "blend/exchange.h"
 
 #include <algorithm>
@@ -47,19 +48,20 @@ In_between_shape::In_between_shape(const Blend_structure& blend, const Task_time
       points_[i] = part.points(surface_[i], progress_[i]);
       if (!part.is_exchange()) continue;
       const int other = 1 - surface_[i];
-      const double there = exchange_remaining(other, progress_[i]);
+      const double there = in_place.remaining(other, progress_[i]);
       has_other_[i] = there > nothing;
       others_[i] = part.points(other, progress_[i], there);
     } else if (remaining_[i] > nothing) {
       surface_[i] = 0;
-      points_[i] = part.points(0, 0, remaining_[i]);
+      points_[i] = part.points(0, 0);
     }
   }
-  ride_the_whole();
-  for (bool of_matched : {true, false})
-    close_contacts(of_matched);
+  close_contacts(true);
+  ride_carriers();
+  close_contacts(false);
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (is_there(i)) put_on_ground(i);
+  draw_back();
   fill_the_box();
 }
 
@@ -74,7 +76,7 @@ void In_between_shape::set_progress(const Task_times& times, double t)
       sum += part.size * progress_[i];
       sizes += part.size;
     } else if (part.task.exchange != Blend_exchange::NONE) {
-      remaining_[i] = exchange_remaining(part.end(), progress_[i]);
+      remaining_[i] = part.exchange_times().remaining(part.end(), progress_[i]);
     } else {
       remaining_[i] = part.end() == 0 ? 1 - progress_[i] : progress_[i];
     }
@@ -111,20 +113,34 @@ void In_between_shape::place(std::size_t part, const Eigen::Affine3d& map)
   if (others_[part].cols() > 0) others_[part] = map * others_[part];
 }
 
-void In_between_shape::ride_the_whole()
+/// Stretches unmatched parts as the whole, and moves them to where what carries them has taken their roots.
+void In_between_shape::ride_carriers()
 {
   constexpr double least_stretch = 0.5, most_stretch = 2;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Blend_part& part = blend_.parts[i];
-    if (part.morph || !is_there(i)) continue;
-    const contacts::Box own = box_of(points_[i]);
-    const double done = part.task.exchange != Blend_exchange::NONE ? progress_[i] : whole_;
-    const Eigen::Affine3d map =
-        box_map(part.ridden[std::size_t(part.end())], between(part.ridden[0], part.ridden[1], done));
-    Eigen::Affine3d bounded(map.linear().diagonal().cwiseMax(least_stretch).cwiseMin(most_stretch).asDiagonal());
-    bounded.translation() = map * own.center() - bounded.linear() * own.center();
-    place(i, bounded);
+    if (!part.retreat) continue;
+    const auto end = std::size_t(part.end());
+    const Eigen::Affine3d whole = box_map(blend_.boxes[end], due_box());
+    Eigen::Affine3d map(whole.linear().diagonal().cwiseMax(least_stretch).cwiseMin(most_stretch).asDiagonal());
+    Point way = Point::Zero();
+    for (const Root& root : part.roots)
+      way += (root.carriers.empty() ? whole : carrier_map(root.carriers, end)) * root.at - map * root.at;
+    map.translation() += way / double(part.roots.size());
+    place(i, map);
   }
+}
+
+/// How a part, of which these are all pieces, has moved and been stretched.
+Eigen::Affine3d In_between_shape::carrier_map(const std::vector<std::size_t>& pieces, std::size_t end) const
+{
+  if (blend_.parts[pieces[0]].retreat) return placements_[pieces[0]];
+  contacts::Box from, to;
+  for (std::size_t piece : pieces) {
+    from.extend(blend_.parts[piece].trees[end]->box());
+    to.extend(box_of(points_[piece]));
+  }
+  return box_map(from, to);
 }
 
 /// First those of matched parts with each other; then unmatched parts follow, which do not pull at matched ones.
@@ -143,10 +159,10 @@ void In_between_shape::close_contacts(bool of_matched)
     const auto [a, b] = contact.parts;
     if (of_matched ? !moves(a) || !moves(b) : !is_there(a) || !is_there(b) || !(moves(a) || moves(b))) continue;
     const auto at = [&](std::size_t part, const Carried_point& p) -> Point {
-      return placements_[part] * blend_.parts[part].place(p, progress_[part], remaining_[part]);
+      return placements_[part] * blend_.parts[part].place(p, progress_[part], 1);
     };
     for (const auto& [first, second] : contact.points)
-      solver.add_contact(a, at(a, first), b, at(b, second), std::min(remaining_[a], remaining_[b]));
+      solver.add_contact(a, at(a, first), b, at(b, second), 1);
   }
   const std::vector<Box_motion> motions = solver.solve(least_stretch, most_stretch);
   for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -175,6 +191,28 @@ void In_between_shape::put_on_ground(std::size_t part)
     map.translation().y() = level - low;
   }
   place(part, map);
+}
+
+/// Draws unmatched parts, which were placed as wholes, back to their roots, which go with those of what carries them.
+void In_between_shape::draw_back()
+{
+  const std::vector<Eigen::Affine3d> as_wholes = placements_;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Blend_part& part = blend_.parts[i];
+    if (!part.retreat) continue;
+    Point shift = Point::Zero();
+    const Point root = as_wholes[i] * part.retreat->root();
+    double count = 0;
+    for (const Root& at : part.roots)
+      for (std::size_t carrier : at.carriers) {
+        ++count;
+        if (const std::shared_ptr<const Retreating_part>& by = blend_.parts[carrier].retreat)
+          shift += placements_[carrier] * by->place(as_wholes[carrier].inverse() * root, remaining_[carrier]) - root;
+      }
+    if (count > 0) shift /= count;
+    placements_[i].pretranslate(shift);
+    if (is_there(i)) points_[i] = placements_[i] * part.points(0, 0, remaining_[i]);
+  }
 }
 
 /// Stretches the whole so that it fills the box that is due. Unmatched parts count as far as there is something of

@@ -61,9 +61,11 @@ public:
 
 private:
   void set_progress(const Task_times& times, double t);
-  void ride_the_whole();
+  void ride_carriers();
+  Eigen::Affine3d carrier_map(const std::vector<std::size_t>& pieces, std::size_t end) const;
   void close_contacts(bool of_matched);
   void put_on_ground(std::size_t part);
+  void draw_back();
   void fill_the_box();
   void place(std::size_t part, const Eigen::Affine3d& map);
 

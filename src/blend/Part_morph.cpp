@@ -48,7 +48,7 @@ Part_morph Part_morph::exchange(const Pair_charts& boxes, const Part_mesh& sourc
       charted.coordinates.col(i) = chart.coordinates(mesh.points.col(i));
     surface = at_rest(charted);
   }
-  result.surfaces_.change = exchange_time;
+  result.surfaces_.change = in_place.come[1];
   result.is_exchange_ = true;
   return result;
 }

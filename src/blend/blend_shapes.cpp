@@ -3,6 +3,7 @@
 
 #include "blend/In_between_cache.h"
 #include "blend/blend_quality.h"
+#include "blend/ease.h"
 #include "blend/exchange.h"
 #include "blend/schedules.h"
 #include "map/check_model.h"
@@ -141,9 +142,10 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
     const Blend_part& part = blend_->parts[i];
     const Blend_task& task = schedules_[0].tasks[i];
     const auto time = [&](double progress) { return task.begin + time_of(progress) * (task.end - task.begin); };
+    const Exchange_times& times = part.exchange_times();
     const bool is_exchange = task.exchange != Blend_exchange::NONE;
-    std::array<double, 2> change = {is_exchange ? time(exchange_time - exchange_overlap) : task.begin,
-                                    is_exchange ? time(exchange_time + exchange_overlap) : task.end};
+    std::array<double, 2> change = {is_exchange ? time(times.come[0]) : task.begin,
+                                    is_exchange ? time(times.go[1]) : task.end};
     if (!part.morph) {
       const bool shrinks = part.end() == 0;
       result.push_back({part.name, task, part.triangles(0), shrinks ? 0 : change[0], shrinks ? change[1] : 1});

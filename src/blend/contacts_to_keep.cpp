@@ -79,31 +79,10 @@ private:
           if (a == b) continue;
           const Index_pair pair = {std::min(a, b), std::max(a, b)};
           std::optional<Touch> touch = touch_of(pair, end);
-          if (are_whole) touch = Touch{places_of(contact, end), touch ? touch->gap : gap_of(pair, end)};
+          if (are_whole) touch = Touch{stage_.places_of(end, contact), touch ? touch->gap : gap_of(pair, end)};
           if (touch) result.emplace(pair, *touch);
         }
     }
-    return result;
-  }
-
-  /// Between the places on the curves or sheets of both parts, of all regions where they touch.
-  std::vector<Point> places_of(const Contact& contact, int end) const
-  {
-    const Shape_structure& shape = structure(stage_.graphs[std::size_t(end)]);
-    std::vector<Point> result;
-    const auto add = [&](const Contact::Parameters& parameters) {
-      Point sum = Point::Zero();
-      for (std::size_t i : {0u, 1u}) {
-        const Point on_part = evaluate(shape.parts[contact.parts[i]], parameters[i]);
-        sum += stage_.to_stage(end, on_part);
-      }
-      result.push_back(sum / 2);
-    };
-    add(contact.parameters);
-    for (const Contact::Parameters& further : contact.further)
-      add(further);
-    const auto key = [](const Point& p) { return std::tuple(quantized(p.x()), quantized(p.y()), quantized(p.z())); };
-    std::sort(result.begin(), result.end(), [&](const Point& p, const Point& q) { return key(p) < key(q); });
     return result;
   }
 

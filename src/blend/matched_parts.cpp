@@ -3,7 +3,6 @@
 
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
-#include "blend/exchange_sets.h"
 #include "blend/pair_boxes.h"
 #include "blend/unlike_pairs.h"
 #include "map/piece_of.h"
@@ -62,9 +61,8 @@ public:
     add_mirrored(paired, stage.images[0], stage.images[1]);
     paired = matched_members(stage.charted[0], stage.charted[1], paired);
     add_mirrored(paired, stage.images[0], stage.images[1]);
-    const Part_pairs unlike = take_unlike_pairs(stage, torn, paired);
-    sets_ = exchange_sets(stage, paired, unlike);
-    take_alike();
+    unlike_ = take_unlike_pairs(stage, torn, paired);
+    leftovers_ = leftover_pairs(stage, paired, unlike_);
     paired.insert(paired.end(), leftovers_.begin(), leftovers_.end());
     std::sort(paired.begin(), paired.end());
     pairs_ = piece_pairs(stage.charted[0], stage.charted[1], paired);
@@ -73,8 +71,8 @@ public:
     turn_own_images();
   }
 
-  /// Of parts that become no part.
-  const std::vector<Exchange_set>& sets() const { return sets_; }
+  /// Those that correspond but are too unlike to morph.
+  const Part_pairs& unlike() const { return unlike_; }
 
   /// The pairs of pieces that are exchanged: each by itself they come apart, their parts as a whole do not.
   Part_pairs exchanged_pieces(const std::vector<Blend_part>& parts) const
@@ -105,23 +103,6 @@ private:
     int count = 0;
     bool all_have_images = true;
   };
-
-  /// Takes out the sets of two parts without counterpart that are alike in place and size.
-  void take_alike()
-  {
-    const auto is_alike = [&](const Exchange_set& set) {
-      return set.reason == Blend_exchange::UNMATCHED && set.parts[0].size() == 1 && set.parts[1].size() == 1 &&
-             !are_unlike(stage_, set.parts[0][0], set.parts[1][0]);
-    };
-    std::vector<Exchange_set> others;
-    for (Exchange_set& set : sets_)
-      if (is_alike(set))
-        leftovers_.emplace_back(set.parts[0][0], set.parts[1][0]);
-      else
-        others.push_back(std::move(set));
-    sets_ = std::move(others);
-    std::sort(leftovers_.begin(), leftovers_.end());
-  }
 
   void find_images(const Part_pairs& paired)
   {
@@ -277,8 +258,7 @@ private:
   }
 
   const Blend_stage& stage_;
-  Part_pairs leftovers_;
-  std::vector<Exchange_set> sets_;
+  Part_pairs unlike_, leftovers_;
   std::vector<Piece_pair> pairs_;
   std::vector<std::size_t> images_;      ///< by pair, its mirror image
   std::vector<char> is_upright_;         ///< by pair
@@ -295,7 +275,7 @@ std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Corresponden
     std::vector<Blend_part> result = maker.parts();
     const Part_pairs found = maker.exchanged_pieces(result);
     if (found.empty()) {
-      add_unmatched_parts(stage, maker.sets(), result);
+      add_unmatched_parts(stage, maker.unlike(), result);
       return result;
     }
     torn.insert(torn.end(), found.begin(), found.end());

@@ -17,7 +17,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// When each kind of task takes place. Supports, which stand on the ground, are the last to go and the first to come.
+/// When each kind of task takes place. What the shape needs is the last to go and the first to come.
 struct Schedule_plan
 {
   const char* name;
@@ -123,8 +123,8 @@ Task_times times_of(const Blend_schedule& schedule)
 std::vector<Blend_schedule> plausible_schedules(const std::vector<Blend_part>& parts)
 {
   static constexpr Schedule_plan plans[] = {{"all at once", {0, 1}, {0, 1}, {0, 1}, 0},
-                                            {"shrink, then grow", {0, 1}, {0, 0.65}, {0.35, 1}, 0},
-                                            {"one after the other", {0.1, 0.9}, {0, 0.65}, {0.35, 1}, 0},
+                                            {"shrink, then grow", {0, 1}, {0, 0.6}, {0.4, 1}, 0},
+                                            {"one after the other", {0.1, 0.9}, {0, 0.6}, {0.4, 1}, 0},
                                             {"shrink, morph, grow", {0.15, 0.85}, {0, 0.55}, {0.45, 1}, 0},
                                             {"from the ground up", {0, 0.7}, {0, 0.7}, {0.3, 1}, 0.3}};
   std::vector<Blend_schedule> result;
@@ -140,7 +140,7 @@ std::vector<Blend_schedule> plausible_schedules(const std::vector<Blend_part>& p
                                     : morphs                               ? plan.morph
                                     : task.type == Blend_task_type::SHRINK ? plan.shrink
                                                                            : plan.grow;
-      if (!is_exchange && !morphs && part.stands) times = reversed(times);
+      if (!is_exchange && !morphs && part.is_needed) times = reversed(times);
       task.begin = times[0] + delay;
       task.end = times[1] + delay;
       result.back().tasks.push_back(task);

@@ -9,6 +9,8 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/alpha_wrap_3.h>
 
+#include <Eigen/Geometry>
+
 #include <cstddef>
 
 namespace CGAL::Shape_correspondence {

@@ -28,8 +28,9 @@ const char* const blend_help =
 
 Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. All stand on one
 ground, in the axes of the source. Every part goes straight to the place of its counterpart and morphs on the way; where
-its surface would be torn, the other one takes its place a little before half-way. Parts without counterpart give way to
-those in the same place, or thin or thicken; parts in contact stay in contact. The first frame is the source, the last one the target.
+its surface would be torn, the other one takes its place a little before half-way. Parts without counterpart draw
+back into what carries them, or grow out of it; parts in contact stay in contact. The first frame is the source, the last
+one the target.
 
 With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
 plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb, with --solid as one closed surface.
@@ -45,7 +46,7 @@ SOURCE and TARGET are each one of
 With --match R.json, the correspondence is read from a result of `match` for the same two shapes, and options of the
 search are refused.
 
-Pairs of parts with a confidence below --min-confidence are left out: their parts thin and thicken. A schedule defines
+Pairs of parts with a confidence below --min-confidence are left out: their parts come and go. A schedule defines
 when each part changes: --schedule takes one by its name, the best one, or all that make different shapes in between,
 each into a folder of its own (with --at, a file), the best one first.
 
@@ -196,7 +197,7 @@ std::vector<std::string> remove_unlikely(Correspondence& correspondence, double 
   for (const Part_correspondence& pair : internal::remove_unlikely_pairs(correspondence, least))
     result.push_back("'" + structure(source.graph).parts[pair.source].name + "' and '" +
                      structure(target.graph).parts[pair.target].name + "' correspond with probability " +
-                     short_number(pair.confidence) + " only: they thin and thicken (--min-confidence)");
+                     short_number(pair.confidence) + " only: they come and go (--min-confidence)");
   return result;
 }
 
@@ -210,7 +211,7 @@ void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, con
   for (const auto& [reason, why] :
        {std::pair(Blend_exchange::TORN, "surfaces would be torn on their way"),
         std::pair(Blend_exchange::THIN, "surfaces would be crushed on their way"),
-        std::pair(Blend_exchange::UNMATCHED, "they have no counterparts and are in one place"),
+        std::pair(Blend_exchange::UNMATCHED, "they have no counterparts and are alike in place and size"),
         std::pair(Blend_exchange::UNLIKE,
                   "they would have to turn, to change their proportions, to travel or to be cut "
                   "up too much to become their counterparts")}) {
@@ -220,7 +221,7 @@ void warn_of_exchanges(const Shape_blend& blend, const Loaded_shape& source, con
       if (task.source != Blend_task::no_part) add_name(names, source, task.source);
       if (task.target != Blend_task::no_part) add_name(others, target, task.target);
     }
-    if (!names.empty()) warnings.push_back(names + " give way in place to " + others + ", as " + why);
+    if (!names.empty()) warnings.push_back(names + " give way to " + others + ", as " + why);
   }
 }
 

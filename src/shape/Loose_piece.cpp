@@ -81,7 +81,9 @@ std::vector<Edge> sorted_edges(const Part_mesh& mesh)
       if (place[a] < place[b]) result.push_back({{place[a], place[b]}, {a, b}});
       if (place[b] < place[a]) result.push_back({{place[b], place[a]}, {b, a}});
     }
-  std::sort(result.begin(), result.end(), [](const Edge& p, const Edge& q) { return p.places < q.places; });
+  std::sort(result.begin(), result.end(), [](const Edge& p, const Edge& q) {
+    return std::pair(p.places, p.vertices) < std::pair(q.places, q.vertices);
+  });
   return result;
 }
 

@@ -186,14 +186,18 @@ private:
       nodes_[node].box.extend(box_of(triangles_[given_[t]]));
       middles.extend(middle(triangles_[given_[t]]));
     }
-    if (end - begin <= leaf_size) return;
+    const auto first = given_.begin();
+    if (end - begin <= leaf_size) {
+      std::sort(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(end));
+      return;
+    }
     Eigen::Index axis;
     middles.sizes().maxCoeff(&axis);
     const std::size_t half = (begin + end) / 2;
-    const auto first = given_.begin();
-    std::nth_element(
-        first + std::ptrdiff_t(begin), first + std::ptrdiff_t(half), first + std::ptrdiff_t(end),
-        [&](std::size_t a, std::size_t b) { return middle(triangles_[a])[axis] < middle(triangles_[b])[axis]; });
+    // Ties are broken, so that the tree does not depend on the standard library
+    const auto place = [&](std::size_t t) { return std::pair(middle(triangles_[t])[axis], t); };
+    std::nth_element(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(half), first + std::ptrdiff_t(end),
+                     [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
     build(begin, half);
     nodes_[node].right = nodes_.size();
     build(half, end);

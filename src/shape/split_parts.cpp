@@ -60,6 +60,20 @@ Part_mesh joined(const std::vector<const Part_mesh*>& meshes)
   return result;
 }
 
+/// \throw Invalid_input unless every triangle has a material, or none has
+void check_materials(const std::vector<Shape_part>& objects, const std::vector<std::vector<int>>& materials)
+{
+  if (materials.empty()) return;
+  if (materials.size() != objects.size())
+    throw Invalid_input("split_parts(): there are materials of " + std::to_string(materials.size()) + " objects for " +
+                        std::to_string(objects.size()));
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (materials[i].size() != std::size_t(objects[i].mesh.triangles.cols()))
+      throw Invalid_input("split_parts(): '" + objects[i].name + "' has " +
+                          std::to_string(objects[i].mesh.triangles.cols()) + " triangles, but materials of " +
+                          std::to_string(materials[i].size()));
+}
+
 /// The loose pieces of a model, and the parts made of them.
 class Splitter
 {
@@ -71,6 +85,7 @@ public:
         size_(size_of_model(objects)),
         result_{Segmented_shape(objects.name(), objects.up()), {}, {}}
   {
+    check_materials(objects_, materials);
     result_.by_materials = divide && !materials.empty();
     for (std::size_t i = 0; i < objects_.size(); ++i)
       for (Loose_piece& piece :

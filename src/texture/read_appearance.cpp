@@ -1,95 +1,24 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/read/named_files.h"
 #include "io/read/read_objects.h"
 #include "io/read/text_words.h"
 #include "io/system/colours.h"
-#include "io/system/input_file.h"
 #include "texture/image_file.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20; // bytes, of a library or a texture
-constexpr std::size_t most_bytes = std::size_t(256) << 20;        // of all of a model
+constexpr std::uintmax_t most_bytes = std::uintmax_t(256) << 20;  // of all of a model
 constexpr float largest_coordinate_of_texture = 1e4f;             // repetitions; beyond, single precision is too coarse
-
-/// The bytes of a file that a model names, or why there are none.
-struct Named_file
-{
-  std::string bytes, fault;
-};
-
-std::string with_slashes(std::string name)
-{
-  std::replace(name.begin(), name.end(), '\\', '/');
-  return name;
-}
-
-/// The same with %20 and the like as characters.
-std::string without_percents(const std::string& name)
-{
-  std::string result;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    int code = 0;
-    const char* const digits = name.data() + i + 1;
-    if (name[i] == '%' && i + 2 < name.size() && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
-      result += char(code);
-      i += 2;
-    } else
-      result += name[i];
-  }
-  return result;
-}
-
-/// Reads the files that a model names: from its folder or, where they are not there by the path that it gives, beside
-/// it.
-class Named_files
-{
-public:
-  Named_files(const std::string& model, const Reading_options& options, std::size_t& rest)
-      : model_(model), options_(options), rest_(rest)
-  {}
-
-  Named_file read(const std::string& given) const
-  {
-    const fs::path folder = fs::path(model_).parent_path();
-    const std::string name = with_slashes(given);
-    std::error_code error;
-    std::string fault = "is not there";
-    for (const fs::path candidate : {name, without_percents(name)})
-      for (const fs::path& path : {folder / candidate.relative_path(), folder / candidate.filename()}) {
-        if (!fs::is_regular_file(path, error)) continue;
-        if (!options_.allow_outside_files && !is_in_folder_of(model_, path.string())) {
-          fault = "is outside the model's folder, and not read without --allow-outside-files";
-          continue;
-        }
-        const std::uintmax_t size = fs::file_size(path, error);
-        if (size > largest_file) return {"", "is larger than 64 MB"};
-        if (size > rest_) return {"", "is more than the 256 MB that the textures of a model may have"};
-        std::ifstream in(path, std::ios::binary);
-        Named_file result{{std::istreambuf_iterator<char>(in), {}}, in ? "" : "cannot be read"};
-        rest_ -= std::min(rest_, result.bytes.size());
-        return result;
-      }
-    return {"", fault};
-  }
-
-private:
-  const std::string& model_;
-  const Reading_options& options_;
-  std::size_t& rest_; ///< bytes of files that may be read for the model
-};
 
 /// A material of a library, with the name of its texture.
 struct Library_material
@@ -280,10 +209,10 @@ void complete_appearance(const Named_files& files, Model_content& content, std::
 Segmented_shape read_shape_and_appearance(const std::string& path, Shape_appearance& appearance, const Point& up,
                                           std::vector<std::string>* warnings, const Reading_options& options)
 {
-  std::size_t rest = most_bytes;
+  std::uintmax_t rest = most_bytes;
   Model_objects objects =
       read_objects(path, up, options, [&](const std::string& file, Model_content& content, auto& found) {
-        complete_appearance({file, options, rest}, content, found);
+        complete_appearance({file, options, largest_file, rest}, content, found);
       });
   if (warnings) warnings->insert(warnings->end(), objects.warnings.begin(), objects.warnings.end());
   appearance = std::move(objects.appearance);

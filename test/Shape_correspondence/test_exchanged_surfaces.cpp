@@ -5,7 +5,8 @@
 #include "blend/Blend_part.h"
 #include "blend/Part_morph.h"
 #include "blend/Rest_surface.h"
-#include "blend/Thinning_part.h"
+#include "blend/Retreating_part.h"
+#include "blend/ease.h"
 #include "blend/exchange.h"
 #include "blend/pair_boxes.h"
 #include "blend_checks.h"
@@ -23,7 +24,6 @@
 #include <cmath>
 #include <sstream>
 #include <string>
-#include <variant>
 #include <vector>
 
 // Surfaces that are exchanged, boxes of pairs, parts that thin, and coordinates that do not tear.
@@ -69,7 +69,7 @@ TEST_CASE("Surfaces of which one would be torn on its way to the other are excha
     const auto at_progress = [&](double progress) {
       return tasks[2].begin + internal::time_of(progress) * (tasks[2].end - tasks[2].begin);
     };
-    CHECK(area(blend(at_progress(internal::exchange_time))) ==
+    CHECK(area(blend(at_progress(internal::in_place.come[1]))) ==
           Approx(area(source.shape) + area(target.shape)).epsilon(0.05));
     CHECK(area(blend(at_progress(0.25))) == Approx(area(source.shape)).epsilon(0.05));
     CHECK(area(blend(at_progress(0.5))) == Approx(area(target.shape)).epsilon(0.05));
@@ -94,11 +94,12 @@ TEST_CASE("Surfaces of which one would be torn on its way to the other are excha
     IO::write_blend_json(json, blend, source.graph, target.graph, "a", "b", "c", 2, {});
     CHECK_THAT(json.str(), Contains("\"exchanged\":\"torn\""));
   }
-  for (const Blend_task& task : blend_of(grille, grille, same_parts(3)).schedules()[0].tasks)
+  const Shape_blend same = blend_of(grille, grille, same_parts(3));
+  for (const Blend_task& task : same.schedules()[0].tasks)
     CHECK(task.exchange == Blend_exchange::NONE);
 }
 
-TEST_CASE("Four legs give way to a column at once, with the foot that touches nothing but the column")
+TEST_CASE("A column grows out of the top and carries its foot down before half of the four legs has gone up")
 {
   std::vector<Named_box> legged = {{"top", {0, 0.95, 0}, {1, 0.1, 1}}};
   for (double x : {-0.45, 0.45})
@@ -114,28 +115,41 @@ TEST_CASE("Four legs give way to a column at once, with the foot that touches no
   const Shape_blend blend = blend_of(source, target, correspondence);
   for (const Blend_task& task : blend.schedules()[0].tasks)
     CHECK(task.exchange == (task.source == 0 ? Blend_exchange::NONE : Blend_exchange::UNLIKE));
-  CHECK(blend(0.25).parts().size() == source.shape.parts().size());
-  CHECK(blend(0.5).parts().size() == target.shape.parts().size());
-  for (double t : {0.25, 0.4, 0.5, 0.75}) {
+  for (double t : {0.2, 0.24, 0.3, 0.375, 0.45, 0.5, 0.55, 0.625, 0.75}) {
     INFO(t);
     CHECK(blend.check(t).quality.height < 0.01);
-    if (t != 0.4) CHECK(blend.check(t).quality.apart <= Shape_blend::apart_tolerance);
+    CHECK(blend.check(t).quality.apart <= Shape_blend::apart_tolerance);
+    const Segmented_shape shape = blend(t);
+    double column = 1, foot = 1, leg = 1; // how high the lowest point is
+    for (const Shape_part& part : shape.parts()) {
+      const internal::contacts::Box box = internal::box_of(part.mesh.points);
+      if (part.name == "~column") column = box.min().y();
+      if (part.name == "~foot") foot = box.min().y();
+      if (part.name == "leg_1~") leg = box.min().y();
+    }
+    CHECK(std::min(foot, leg) < 0.01);                               // it stands
+    if (foot < 1) CHECK(foot == Approx(column - 0.05).margin(0.06)); // and the foot hangs at the column
+    CHECK((leg < 1) == (t < 0.67));
+    CHECK((column < 1) == (t > 0.25));
   }
 }
 
-TEST_CASE("Of parts without counterpart, those in one place give way to each other; others thin by themselves")
+TEST_CASE("Of parts without counterpart, two alike in one place are exchanged; others come and go by themselves")
 {
   std::vector<Named_box> armed = stand(), winged = stand();
   armed.push_back({"arm", {0, 1.2, 0.28}, {0.9, 0.4, 0.04}});
-  winged.push_back({"left", {-0.25, 1.2, 0.28}, {0.4, 0.4, 0.04}});
-  winged.push_back({"right", {0.25, 1.2, 0.28}, {0.4, 0.4, 0.04}});
+  winged.push_back({"wing", {0.02, 1.2, 0.28}, {0.8, 0.4, 0.04}});
   winged.push_back({"knob", {0, 1.02, -0.25}, {0.04, 0.04, 0.04}});
   const Shape_blend blend = blend_of(model_of(armed), model_of(winged), same_parts(3));
   for (const Blend_task& task : blend.schedules()[0].tasks) {
-    const bool is_above = task.source == 3 || task.target == 3 || task.target == 4;
-    CHECK(task.exchange == (is_above ? Blend_exchange::UNMATCHED : Blend_exchange::NONE));
+    CHECK((task.type == Blend_task_type::EXCHANGE) == (task.source == 3));
+    CHECK((task.exchange == Blend_exchange::UNMATCHED) == (task.source == 3));
+    if (task.source == 3) CHECK(task.target == 3);
   }
-  CHECK(blend(0.5).parts().size() >= 5);
+  winged.push_back({"other", {-0.1, 1.2, 0.28}, {0.8, 0.4, 0.04}}); // not as much in its place
+  const std::vector<Blend_task> tasks = blend_of(model_of(armed), model_of(winged), same_parts(3)).schedules()[0].tasks;
+  CHECK(std::count_if(tasks.begin(), tasks.end(),
+                      [](const Blend_task& task) { return task.exchange == Blend_exchange::UNMATCHED; }) == 1);
 }
 
 TEST_CASE("What is exchanged is as it is at its own end, and goes from there to nothing without being torn")
@@ -171,10 +185,10 @@ TEST_CASE("What is exchanged is as it is at its own end, and goes from there to 
         CHECK(internal::box_of(little).sizes().isApprox(left.cwiseProduct(sizes), 1e-9));
         CHECK(internal::box_of(half_way).center().x() == Approx(3 * t).margin(1e-9));
       }
-      CHECK(internal::exchange_remaining(end, end) == 1);
-      CHECK(internal::exchange_remaining(end, internal::exchange_time) == 1);
-      CHECK(internal::exchange_remaining(end, 0.5) == end);
-      CHECK(internal::exchange_remaining(end, 1 - end) == 0);
+      CHECK(internal::in_place.remaining(end, end) == 1);
+      CHECK(internal::in_place.remaining(end, internal::in_place.come[1]) == 1);
+      CHECK(internal::in_place.remaining(end, 0.5) == end);
+      CHECK(internal::in_place.remaining(end, 1 - end) == 0);
     }
     const Point sizes = internal::box_of(morph.points(0, 0.5)).sizes();
     CHECK(sizes.x() == Approx((2.2 + 1) / 2));
@@ -211,45 +225,44 @@ TEST_CASE("The axes of boxes are paired for the least rotation; a box has its ow
   CHECK(internal::change(charts(rod, slanted, Eigen::Matrix3d::Identity(), turn * other)) == Approx(angle));
 }
 
-TEST_CASE("A part without counterpart thins where it is: a rod and a ring to a curve, a plate to its plane and a line")
+TEST_CASE("A part without counterpart draws back into what carries it")
 {
-  const auto thinning = [](const Part_mesh& mesh, const std::variant<Curve, Sheet>& geometry) {
-    Part_abstraction part;
-    part.geometry = geometry;
-    const internal::Part_chart chart = internal::Part_chart::around(part, part.control_points(), mesh.points);
-    return internal::Thinning_part(part, part.control_points(), chart, mesh);
+  using Roots = std::vector<Point>;
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  const auto box_when = [&](const Part_mesh& mesh, const Roots& roots, double remaining, bool joins = false) {
+    const internal::Retreating_part part(mesh, axes, roots, joins);
+    CHECK(part.points(1) == mesh.points);
+    CHECK((part.points(remaining).col(0) - part.place(mesh.points.col(0), remaining)).norm() < 1e-12);
+    CHECK(part.place(part.root(), remaining).isApprox(part.root(), 1e-12));
+    const Point left = internal::box_of(part.points(0)).sizes(); // a point, or a line between roots at both ends
+    CHECK(left.sum() - left.maxCoeff() < 1e-12);
+    return internal::box_of(part.points(remaining));
   };
-  const auto sizes = [](const Points& points) -> Point { return internal::box_of(points).sizes(); };
-  const Part_mesh rod = box_shapes::box({0, 0.5, 0}, {0.1, 1, 0.2});
-  Points axis(3, 2);
-  axis << 0, 0, 0, 1, 0, 0;
-  const internal::Thinning_part thin_rod = thinning(rod, Curve{axis, false});
-  CHECK(thin_rod.points(1) == rod.points);
-  CHECK(sizes(thin_rod.points(0.25)).isApprox(Point(0.05, 1, 0.1), 1e-6));
-  CHECK(thin_rod.place({0.05, 0.3, 0.1}, 0.25).isApprox(Point(0.025, 0.3, 0.05), 1e-6));
-
-  const Part_mesh plate = box_shapes::box({0, 0, 0}, {1, 0.04, 0.6});
-  Points corners(3, 4);
-  corners << -0.5, -0.5, 0.5, 0.5, 0, 0, 0, 0, -0.3, 0.3, -0.3, 0.3;
-  const internal::Thinning_part thin_plate = thinning(plate, Sheet{corners, 2, 2});
-  CHECK(sizes(thin_plate.points(0.5)).isApprox(Point(1, 0.02, 0.6), 1e-6));
-  CHECK(sizes(thin_plate.points(0.2)).isApprox(Point(1, 0.008, 0.3), 1e-6));
-  CHECK(sizes(thin_plate.points(0)).isApprox(Point(1, 0, 0), 1e-6));
-
-  const Part_mesh square = box_shapes::box({0, 0, 0}, {0.8, 0.04, 0.6}); // to its middle, not a line
-  CHECK(sizes(thinning(square, Sheet{corners, 2, 2}).points(0)).norm() < 1e-6);
-
-  const Part_mesh block = box_shapes::box({0, 0, 0}, {1, 0.8, 0.7});
-  CHECK(sizes(thinning(block, Sheet{corners, 2, 2}).points(0.125)).isApprox(Point(0.5, 0.4, 0.35), 1e-6));
-
-  constexpr int around = 24;
-  Points circle(3, around);
-  for (int i = 0; i < around; ++i)
-    circle.col(i) << std::cos(2 * EIGEN_PI * i / around), std::sin(2 * EIGEN_PI * i / around), 0;
-  Part_mesh tyre = box_shapes::box({0, 0, 0}, {0.1, 0.1, 0.1});
-  tyre.points.row(0).array() += 1;
-  const Points thin_tyre = thinning(tyre, Curve{circle, true}).points(0.01);
-  CHECK((thin_tyre.colwise() - Point(1, 0, 0)).colwise().norm().maxCoeff() < 0.08);
+  const auto is_box = [](const internal::contacts::Box& box, const Point& low, const Point& high) {
+    return (box.min() - low).norm() < 1e-12 && (box.max() - high).norm() < 1e-12;
+  };
+  // A leg into the seat, also where an apron touches its side; a foot goes to the ground
+  const Part_mesh leg = box_shapes::box({0, 0.5, 0}, {0.1, 1, 0.1});
+  for (const Roots& roots : {Roots{{0, 1, 0}}, Roots{{0, 1, 0}, {0.05, 0.9, 0}}}) {
+    const internal::contacts::Box box = box_when(leg, roots, 0.5);
+    CHECK(box.max().y() == Approx(roots.size() == 1 ? 1 : 0.975));
+    CHECK(box.sizes().isApprox(Point(0.1, 0.5, 0.1)));
+  }
+  CHECK(is_box(box_when(leg, {{0, 0, 0}}, 0.4), {-0.05, 0, -0.05}, {0.05, 0.4, 0.05}));
+  // A cushion onto the seat; when little remains, it shrinks in all directions
+  const Part_mesh cushion = box_shapes::box({0, 0.1, 0}, {1, 0.2, 0.8});
+  CHECK(is_box(box_when(cushion, {{0, 0, 0}}, 0.5), {-0.5, 0, -0.4}, {0.5, 0.1, 0.4}));
+  CHECK(box_when(cushion, {{0, 0, 0}}, 0.15).sizes().isApprox(Point(0.5, 0.03, 0.4)));
+  // A slat that is carried at both ends goes downwards, a rail from left to right to the middle of its ends, one from
+  // front to back to the back
+  CHECK(is_box(box_when(leg, {{0, 0, 0}, {0, 1, 0}}, 0.4), {-0.05, 0, -0.05}, {0.05, 0.4, 0.05}));
+  const Part_mesh rail = box_shapes::box({0, 0, 0}, {1, 0.1, 0.1}), side = box_shapes::box({0, 0, 0}, {0.1, 0.1, 1});
+  CHECK(is_box(box_when(rail, {{-0.5, 0, 0}, {0.5, 0, 0}}, 0.5), {-0.5, -0.025, -0.025}, {0.5, 0.025, 0.025}));
+  CHECK(is_box(box_when(side, {{0, 0, -0.5}, {0, 0, 0.5}}, 0.5), {-0.05, -0.05, -0.5}, {0.05, 0.05, 0}));
+  // What alone joins two parts thins
+  CHECK(is_box(box_when(leg, {{0, 0, 0}, {0, 1, 0}}, 0.5, true), {-0.025, 0, -0.025}, {0.025, 1, 0.025}));
+  // A wheel into its hub as a whole
+  CHECK(box_when(box_shapes::box({0, 0, 0}, {1, 1, 0.1}), {{0, 0, 0}}, 0.5).sizes().isApprox(Point(0.5, 0.5, 0.05)));
 }
 
 TEST_CASE("Coordinates relative to outlines: a round one and one with corners are the same disc")

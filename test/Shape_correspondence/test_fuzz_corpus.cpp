@@ -27,27 +27,28 @@ TEST_CASE("Every file of the corpus is read or refused")
   const fs::path corpus = fs::path(__FILE__).parent_path() / "fuzz" / "corpus";
   using Reader = std::function<void(const std::string&)>;
   const auto model = [](auto reader) -> Reader { return [reader](const std::string& text) { reader(text, "input"); }; };
-  const std::map<std::string, Reader> readers = {{"obj", model(IO::read_obj_parts)},
-                                                 {"off", model(IO::read_off_part)},
-                                                 {"ply", model(IO::read_ply_part)},
-                                                 {"stl", model(IO::read_stl_parts)},
-                                                 {"labels", file_readers::labels},
-                                                 {"result", file_readers::result},
-                                                 {"pieces", file_readers::pieces},
-                                                 {"roles", file_readers::roles},
-                                                 {"image", file_readers::image},
-                                                 {"graph_json",
-                                                  [](const std::string& text) {
-                                                    std::istringstream in(text);
-                                                    std::stringstream again;
-                                                    IO::write_structural_graph_json(
-                                                        again, IO::read_structural_graph_json(in, "input"));
-                                                    IO::read_structural_graph_json(again, "again");
-                                                  }},
-                                                 {"graph_xml", [](const std::string& text) {
-                                                    std::istringstream in(text);
-                                                    IO::read_structural_graph_xml(in, "input");
-                                                  }}};
+  const std::map<std::string, Reader> readers = {
+      {"obj", model(IO::read_obj_parts)},
+      {"off", model(IO::read_off_part)},
+      {"ply", model(IO::read_ply_part)},
+      {"stl", model(IO::read_stl_parts)},
+      {"gltf", [](const std::string& text) { IO::read_gltf_parts(text, "input"); }},
+      {"labels", file_readers::labels},
+      {"result", file_readers::result},
+      {"pieces", file_readers::pieces},
+      {"roles", file_readers::roles},
+      {"image", file_readers::image},
+      {"graph_json",
+       [](const std::string& text) {
+         std::istringstream in(text);
+         std::stringstream again;
+         IO::write_structural_graph_json(again, IO::read_structural_graph_json(in, "input"));
+         IO::read_structural_graph_json(again, "again");
+       }},
+      {"graph_xml", [](const std::string& text) {
+         std::istringstream in(text);
+         IO::read_structural_graph_xml(in, "input");
+       }}};
   for (const fs::directory_entry& folder : fs::directory_iterator(corpus)) {
     INFO(folder.path());
     CHECK((readers.count(folder.path().filename().string()) == 1 || folder.path().filename() == "match"));

@@ -274,12 +274,12 @@ std::vector<Part_mesh> patches_of_cushion(double gap)
 
 TEST_CASE("Patches whose borders run along one another are one part, unless their materials differ")
 {
-  const auto parts = [](double gap, std::vector<std::vector<int>> materials) {
+  const Part_mesh frame = box({0, -0.7, 0}, {1, 0.1, 0.3});
+  const auto parts = [&](double gap, std::vector<std::vector<int>> materials) {
     Part_splitting_options options;
     options.materials = std::move(materials);
     options.divide_by_materials = false;
-    return split_parts(
-        model({{"fabric", joined(patches_of_cushion(gap))}, {"frame", box({0, -0.7, 0}, {1, 0.1, 0.3})}}), options);
+    return split_parts(model({{"fabric", joined(patches_of_cushion(gap))}, {"frame", frame}}), options);
   };
   const Part_split cushion = parts(0.004, {});
   CHECK(cushion.shape.parts().size() == 2);
@@ -288,9 +288,12 @@ TEST_CASE("Patches whose borders run along one another are one part, unless thei
   const Eigen::Index strip = patches_of_cushion(0)[0].triangles.cols();
   std::vector<int> of_fabric(std::size_t(strip) + 4, 0);
   of_fabric[std::size_t(strip)] = of_fabric[std::size_t(strip) + 1] = 1; // a face of another one
-  const Part_split split = parts(0.004, {of_fabric, std::vector<int>(12, 0)});
+  const std::vector<int> of_frame(std::size_t(frame.triangles.cols()), 0);
+  const Part_split split = parts(0.004, {of_fabric, of_frame});
   CHECK(split.shape.parts().size() == 3);
   CHECK_FALSE(split.by_materials);
+  CHECK_THROWS_WITH(parts(0.004, {of_fabric}), Contains("materials of 1 objects for 2"));
+  CHECK_THROWS_WITH(parts(0.004, {of_fabric, {0, 1}}), Contains("'frame' has ") && Contains("but materials of 2"));
 }
 
 TEST_CASE("Tubes that stand on one another are no patches")

@@ -24,7 +24,7 @@ enum class Blend_task_type {
   MORPH,   ///< a part becomes another
   SPLIT,   ///< a piece of a part becomes another part
   MERGE,   ///< a part, or a piece of it, becomes a piece of another
-  SHRINK,  ///< a part without counterpart thins where it is until nothing is left
+  SHRINK,  ///< a part without counterpart draws back into what carries it
   GROW,    ///< the inverse of `SHRINK`
   EXCHANGE ///< of two parts without counterpart, alike in place and size, the one gives way to the other
 };
@@ -35,9 +35,9 @@ enum class Blend_exchange {
   NONE,      ///< it is not
   TORN,      ///< it would be torn or folded
   THIN,      ///< it would be far thinner than at both ends
-  UNMATCHED, ///< it has no counterpart, but gives way to parts without counterpart in the same place, or comes for them
-  UNLIKE     ///< it would have to turn, to change its proportions or to be cut up too much: it gives way to its
-             ///< counterparts as it is, or comes for them
+  UNMATCHED, ///< the two have no counterparts, but are alike in place and size
+  UNLIKE     ///< it would have to turn, to change its proportions or to be cut up too much, or what carries it would:
+             ///< it goes and its counterparts come
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps

@@ -55,12 +55,11 @@ struct Blend_surface
 ///   change less. A part that corresponds to many is cut into closed pieces, one for each. Where a surface would be
 ///   torn or crushed on the way, the two are *exchanged* in place: a little before half of the way the one thickens in
 ///   the middle of the other, which then thins (`Blend_exchange`); half-way there is one of them only.
-/// - Parts that are too *unlike* their counterparts, as they would have to turn, to change their proportions, to travel
-///   or to be cut up too much, give way to them as quickly, all at once, in the box that goes from the one's to the
-///   other's. So do parts without counterpart to those in the same place (`Blend_exchange::UNMATCHED`), and what
-///   touches nothing but such parts.
-/// - *Unmatched parts* go with the box of the whole, and thin or thicken in place: rods and rings to their curves,
-///   plates to their middle planes; supports go last and come first.
+/// - *Unmatched parts*, and those that are too *unlike* their counterparts, as they would have to turn, to change their
+///   proportions, to travel or to be cut up too much (`Blend_exchange::UNLIKE`), go with what carries them, and draw
+///   back into it, or grow out of it. What the shape needs to stand or to hang together, and what reaches beyond all
+///   that stays, goes last and comes first. Two that are alike in place and size are exchanged
+///   (`Blend_exchange::UNMATCHED`).
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two, and both move alike.
 ///

@@ -103,7 +103,7 @@ struct Part_split
 /// pieces of an object.
 /// \param objects the model, whose parts are the objects
 /// \param options the mode, and what it depends on
-/// \throw Invalid_input if the model has no part
+/// \throw Invalid_input if the model has no part, or materials are not those of its triangles
 Part_split split_parts(const Segmented_shape& objects, const Part_splitting_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceShapes
@@ -113,7 +113,8 @@ Part_split split_parts(const Segmented_shape& objects, const Part_splitting_opti
 /// \param by_segments whether pieces are those of `Part_splitting::SEGMENTS`
 /// \param segmentation how segments are made
 /// \param materials as in `Part_splitting_options`
-/// \throw Invalid_input if a piece is missing, or a name is not that of a piece
+/// \throw Invalid_input if a piece is missing, a name is not that of a piece, or materials are not those of the
+/// triangles
 Part_split split_parts(const Segmented_shape& objects, const std::map<std::string, std::string>& part_of_piece,
                        bool by_segments = false, const Segmentation_options& segmentation = {},
                        const std::vector<std::vector<int>>& materials = {});

@@ -103,6 +103,8 @@ bool Json_field::boolean() const
 
 bool Json_field::is_null() const { return value_->is_null(); }
 
+bool Json_field::is_text() const { return value_->is_string(); }
+
 std::string Json_field::text() const
 {
   if (!value_->is_string()) fail("is not a string");
@@ -176,7 +178,7 @@ namespace {
 
 /// Throws `std::bad_alloc` if there is not the memory for the values of a document. The parser cannot: it needs memory
 /// to take down again what it has built.
-void check_memory(const std::string& text)
+void check_memory(std::string_view text)
 {
   constexpr std::size_t size_of_value = 128; // bytes, with what lists that grow leave behind
   ::operator delete(::operator new(size_of_value*(1 + std::size_t(std::count(text.begin(), text.end(), ',')))));
@@ -184,19 +186,20 @@ void check_memory(const std::string& text)
 
 } // namespace
 
-Json_field read_json(std::istream& in, const std::string& file)
+Json_field parse_json(std::string_view text, const std::string& file)
 {
-  const std::string text = read_document(in, file);
   if (text.empty()) throw Invalid_input(file + ": the file is empty");
   check_json_depth(text, file);
   check_memory(text);
   try {
-    return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(text)), file, ""};
+    return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(text.begin(), text.end())), file, ""};
   } catch (const nlohmann::json::exception& error) {
     const std::string what = error.what(); // after the name of the exception, in brackets
     throw Invalid_input(file + ": it is not a JSON document (" + what.substr(what.find("] ") + 2) + ")");
   }
 }
+
+Json_field read_json(std::istream& in, const std::string& file) { return parse_json(read_document(in, file), file); }
 
 Json_field read_json_file(const std::string& path)
 {

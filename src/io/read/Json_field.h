@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,7 @@ public:
   int integer() const;
   bool boolean() const;
   bool is_null() const;
+  bool is_text() const;
   std::string text() const;
   std::vector<std::string> texts() const;                  ///< of an array
   std::map<std::string, std::string> texts_by_key() const; ///< of an object
@@ -47,7 +49,7 @@ public:
   Points points(std::size_t size, const char* meaning) const;
 
 private:
-  friend Json_field read_json(std::istream& in, const std::string& file);
+  friend Json_field parse_json(std::string_view text, const std::string& file);
 
   using Value = std::shared_ptr<const nlohmann::json>; ///< keeps the whole document
 
@@ -66,6 +68,9 @@ private:
   std::string file_;
   std::string place_;
 };
+
+/// The JSON document that a text is. \throw Invalid_input if it is none, or too deep; names `file`
+Json_field parse_json(std::string_view text, const std::string& file);
 
 /// The JSON document in a stream. \throw Invalid_input if it is none, or too long or deep; names `file`
 Json_field read_json(std::istream& in, const std::string& file);

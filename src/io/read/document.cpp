@@ -3,6 +3,7 @@
 
 #include "io/read/document.h"
 #include "base/limits.h"
+#include "io/read/text_words.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -16,11 +17,6 @@ void check_depth(std::size_t depth, const std::string& file)
 {
   if (depth > internal::deepest_document)
     throw Invalid_input(file + ": it is nested deeper than " + std::to_string(internal::deepest_document) + " levels");
-}
-
-bool begins_with(std::string_view text, std::string_view beginning)
-{
-  return text.substr(0, beginning.size()) == beginning;
 }
 
 void skip_past(std::string_view end, std::string_view& text)

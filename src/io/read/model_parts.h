@@ -6,11 +6,14 @@
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/Shape_appearance.h>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::IO {
+
+constexpr std::uintmax_t largest_model = std::uintmax_t(2) << 30; ///< bytes of a file
 
 /// A part as the readers of the formats deliver it: a name and the corners of its triangles, three after three.
 struct Model_part
@@ -38,6 +41,9 @@ Model_content read_obj_parts(std::string_view text, const std::string& file);
 Model_content read_off_part(std::string_view text, const std::string& file);
 Model_content read_ply_part(std::string_view text, const std::string& file);
 Model_content read_stl_parts(std::string_view text, const std::string& file);
+
+/// The same for glTF and GLB; the document may name files with its buffers. Nodes are parts.
+Model_content read_gltf_parts(std::string_view text, const std::string& file, const Reading_options& options = {});
 
 /// The same for the formats that assimp knows, by a program of its own: a file that breaks it is an error.
 Model_content import_parts(const std::string& file, const Reading_options& options);

@@ -11,8 +11,9 @@ namespace CGAL::Shape_correspondence::IO {
 
 Model_content import_parts(const std::string& file, const Reading_options&)
 {
-  throw Invalid_input(file + ": files of this format are read by another program (shape_correspondence_import), which "
-                             "neither browsers nor Windows run; save the model as OBJ, PLY, STL or OFF");
+  throw Invalid_input(
+      file + ": files of this format are read by another program (shape_correspondence_import), which "
+             "neither browsers nor Windows run; save the model as GLB without compression, OBJ, PLY, STL or OFF");
 }
 
 } // namespace CGAL::Shape_correspondence::IO

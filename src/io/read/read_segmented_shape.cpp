@@ -23,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t largest_model = std::uintmax_t(2) << 30; // bytes of a file
-
 const char* const known_formats = "OBJ, PLY, STL, OFF, glTF, GLB, COLLADA (dae), FBX, 3DS, DXF, AC3D (ac)";
 
 using Text_reader = Model_content (*)(std::string_view, const std::string&);
@@ -38,9 +36,11 @@ Text_reader text_reader_of(const std::string& extension)
   return nullptr;
 }
 
+bool is_gltf(const std::string& extension) { return extension == ".gltf" || extension == ".glb"; }
+
 bool is_read_by_assimp(const std::string& extension)
 {
-  const auto formats = {".gltf", ".glb", ".dae", ".fbx", ".3ds", ".dxf", ".ac"};
+  const auto formats = {".dae", ".fbx", ".3ds", ".dxf", ".ac"};
   return std::find(formats.begin(), formats.end(), extension) != formats.end();
 }
 
@@ -64,7 +64,7 @@ Model_content read_parts(const std::string& file, const Reading_options& options
 {
   const std::string extension = lower_extension(file);
   const Text_reader reader = text_reader_of(extension);
-  if (!reader && !is_read_by_assimp(extension))
+  if (!reader && !is_gltf(extension) && !is_read_by_assimp(extension))
     throw Invalid_input(file + ": models are read from files of type " + known_formats +
                         (extension.empty() ? ", and this one has no extension" : ", not '" + extension + "'"));
   const std::string text = content_of(file);
@@ -72,7 +72,9 @@ Model_content read_parts(const std::string& file, const Reading_options& options
   const bool is_wide = mark == "\xFF\xFE" || mark == "\xFE\xFF";
   if (is_wide && extension != ".stl") // a binary STL file may begin with any bytes
     throw Invalid_input(file + ": it is text in UTF-16; save it as UTF-8");
-  Model_content content = reader ? reader(text, file) : import_parts(file, options);
+  Model_content content = reader               ? reader(text, file)
+                          : is_gltf(extension) ? read_gltf_parts(text, file, options)
+                                               : import_parts(file, options);
   for (Model_part& part : content.parts)
     part.name = utf8_text(part.name);
   return content;
@@ -208,7 +210,7 @@ std::vector<std::vector<int>> materials_of(const Model_objects& objects)
 bool is_model_file(const std::string& path)
 {
   const std::string extension = lower_extension(path);
-  return text_reader_of(extension) || is_read_by_assimp(extension);
+  return text_reader_of(extension) || is_gltf(extension) || is_read_by_assimp(extension);
 }
 
 Model_objects read_objects(const std::string& path, const Point& up, const Reading_options& options,

@@ -20,6 +20,11 @@ inline std::string_view trimmed(std::string_view text)
   return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
+inline bool begins_with(std::string_view text, std::string_view beginning)
+{
+  return text.substr(0, beginning.size()) == beginning;
+}
+
 /// Takes the first word off `text`; empty if there is none.
 inline std::string_view next_word(std::string_view& text)
 {

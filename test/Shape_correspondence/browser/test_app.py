@@ -162,7 +162,8 @@ class App(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             for name, content, words in (("torn.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n", ("torn.obj", "vertex")),
                                          ("empty.stl", "", ("empty.stl", "empty")),
-                                         ("chair.glb", "glTF", ("chair.glb", "save the model as OBJ")),
+                                         ("chair.glb", "glTF", ("chair.glb", "cut off")),
+                                         ("chair.fbx", "Kaydara", ("chair.fbx", "save it as GLB")),
                                          ("notes.txt", "chair", ("There is no model",))):
                 path = os.path.join(folder, name)
                 with open(path, "w", encoding="utf-8") as file:

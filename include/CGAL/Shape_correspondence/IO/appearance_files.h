@@ -25,9 +25,9 @@ namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Reads a model as `read_segmented_shape()` does, and what it looks like: its materials (base colours of MTL libraries
-/// and of the formats of assimp), textures (PNG and JPEG, inside the model, relative to it or beside it), texture
-/// coordinates, and colours of vertices and faces. What is missing or damaged of them is left out, with a warning in
-/// `appearance`. This function and those below are in `CGAL::Shape_correspondence_Texture`.
+/// and of glTF and the formats of assimp), textures (PNG and JPEG, inside the model, relative to it or beside it),
+/// texture coordinates, and colours of vertices and faces. What is missing or damaged of them is left out, with a
+/// warning in `appearance`. This function and those below are in `CGAL::Shape_correspondence_Texture`.
 /// \param path the file or folder
 /// \param appearance gets the looks of the parts, and warnings of what was left out of them
 /// \param up the upright direction

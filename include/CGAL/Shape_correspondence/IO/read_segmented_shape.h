@@ -39,13 +39,14 @@ struct Reading_options
 /// In OBJ every `o` or `g` statement with faces is a part, in STL every solid; groups of one name in several objects
 /// are named `object/group`; if there is only one object, mostly one piece, its materials are the parts. If a name
 /// occurs again, it gets a number: `leg`, `leg#2`. Names become UTF-8; those that are not UTF-8 are read as Latin-1.
-/// OBJ, OFF, PLY and STL keep double precision, the other formats are read in single precision. COLLADA files define
-/// the upright axis: they are turned to y up.
+/// OBJ, OFF, PLY, STL and glTF keep double precision, the other formats are read in single precision. COLLADA files
+/// define the upright axis: they are turned to y up.
 ///
-/// Formats other than OBJ, OFF, PLY and STL are read by assimp in a program of its own, `shape_correspondence_import`,
-/// which is installed with the package. If it takes more than 2 GB of memory, 60 seconds of processor time or 120
-/// seconds, that is an error. A program that is linked with the static library and moved to another machine says where
-/// it is by the environment variable `SHAPE_CORRESPONDENCE_IMPORT`. Link `CGAL::Shape_correspondence_IO`.
+/// Formats other than OBJ, OFF, PLY, STL and glTF 2.0 are read by assimp in a program of its own,
+/// `shape_correspondence_import`, which is installed with the package. If it takes more than 2 GB of memory, 60 seconds
+/// of processor time or 120 seconds, that is an error. A program that is linked with the static library and moved to
+/// another machine says where it is by the environment variable `SHAPE_CORRESPONDENCE_IMPORT`. Link
+/// `CGAL::Shape_correspondence_IO`.
 /// \param path the file or folder
 /// \param up the upright direction
 /// \param warnings if not null, sentences on what was left out are appended

@@ -1,0 +1,288 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/read/Gltf_document.h"
+#include "io/read/named_files.h"
+#include "io/read/text_words.h"
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <algorithm>
+#include <cstring>
+
+// tinygltf would give the same document, but it lets wrong types pass as missing values, cuts large numbers, and takes
+// images from outside of their buffers.
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+constexpr std::uint64_t most_numbers =
+    200'000'000; // of ten million triangles: three corners each, and what they are of
+const char* const version_1 = "glTF 1.0";
+
+template <typename Number>
+Number number_in(const char* bytes)
+{
+  std::uint32_t bits = 0;
+  for (std::size_t byte = sizeof(Number); byte-- > 0;)
+    bits = bits << 8 | static_cast<unsigned char>(bytes[byte]);
+  if constexpr (std::is_floating_point_v<Number>) {
+    Number result;
+    std::memcpy(&result, &bits, sizeof result);
+    return result;
+  } else
+    return static_cast<Number>(bits);
+}
+
+template <typename Number>
+double component_in(const char* bytes)
+{
+  return double(number_in<Number>(bytes));
+}
+
+/// None if it has a character of another kind, or ends early.
+std::optional<std::string> from_base64(std::string_view text)
+{
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  while (!text.empty() && text.back() == '=')
+    text.remove_suffix(1);
+  std::string result;
+  result.reserve(text.size() / 4 * 3 + 3);
+  std::uint32_t bits = 0;
+  int number = 0; // of bits that are left
+  for (char c : text) {
+    const std::size_t digit = digits.find(c);
+    if (digit == std::string_view::npos) return std::nullopt;
+    bits = bits << 6 | std::uint32_t(digit);
+    number += 6;
+    if (number < 8) continue;
+    number -= 8;
+    result.push_back(char(bits >> number & 0xFF));
+  }
+  return result;
+}
+
+/// Whether shapes are read right by those who do not know the extension.
+bool is_of_looks(const std::string& extension)
+{
+  const auto beginnings = {"KHR_materials_", "KHR_texture_",  "EXT_texture_", "MSFT_texture_",
+                           "KHR_lights_",    "KHR_technique", "KHR_xmp"};
+  return std::any_of(beginnings.begin(), beginnings.end(), [&](const char* b) { return begins_with(extension, b); });
+}
+
+} // namespace
+
+struct Gltf_document::Component
+{
+  int code; ///< in the document
+  std::size_t size;
+  double largest; ///< which stands for 1 where numbers are normalised
+  double (*read)(const char*);
+};
+
+Gltf_document::Gltf_document(std::string_view text, const std::string& file, const Reading_options& options)
+    : text_(text), file_(file), options_(options)
+{
+  if (begins_with(text, "glTF")) split_glb();
+  if (!needs_.empty()) return;
+  root_ = parse_json(text_, file_);
+  const Json_field number = (*root_)["asset"]["version"];
+  const std::string version = number.is_text() ? number.text() : "1.0"; // of old files, a number
+  if (begins_with(version, "1."))
+    needs_ = version_1;
+  else if (!begins_with(version, "2."))
+    throw Invalid_input(file_ + ": it is glTF of version " + cited(version) + "; save it as glTF 2.0");
+  else
+    check_extensions();
+}
+
+void Gltf_document::split_glb()
+{
+  constexpr std::size_t header = 12, chunk_header = 8;
+  constexpr std::uint32_t json = 0x4E4F534A, binary = 0x004E4942;
+  const auto cut_off = [&] { return Invalid_input(file_ + ": it cannot be read as GLB: it is cut off, or damaged"); };
+  if (text_.size() < header + chunk_header) throw cut_off();
+  if (number_in<std::uint32_t>(text_.data() + 4) == 1) {
+    needs_ = version_1;
+    return;
+  }
+  const std::size_t length = number_in<std::uint32_t>(text_.data() + 8);
+  if (length < header || length > text_.size()) throw cut_off();
+  std::string_view rest = text_.substr(header, length - header);
+  text_ = {};
+  while (rest.size() >= chunk_header) {
+    const std::size_t size = number_in<std::uint32_t>(rest.data());
+    const std::uint32_t type = number_in<std::uint32_t>(rest.data() + 4);
+    rest.remove_prefix(chunk_header);
+    if (size > rest.size()) throw cut_off();
+    if (type == json && text_.empty()) text_ = rest.substr(0, size);
+    if (type == binary && binary_.empty()) binary_ = rest.substr(0, size);
+    rest.remove_prefix(size);
+  }
+  if (text_.empty()) throw cut_off();
+}
+
+void Gltf_document::check_extensions()
+{
+  if (!root_->has("extensionsRequired")) return;
+  for (const Json_field& extension : (*root_)["extensionsRequired"].elements())
+    if (const std::string name = extension.text(); name == "KHR_draco_mesh_compression")
+      needs_ = "the extension " + name;
+    else if (name != "KHR_mesh_quantization" && !is_of_looks(name))
+      throw Invalid_input(file_ + ": it needs the extension " + cited(name) +
+                          " of glTF, which is not known here; save it without compression or instancing");
+}
+
+const std::vector<Json_field>& Gltf_document::list(const std::string& name)
+{
+  const auto [found, is_new] = lists_.emplace(name, std::vector<Json_field>());
+  if (is_new && root_->has(name)) found->second = (*root_)[name].elements();
+  return found->second;
+}
+
+std::size_t Gltf_document::index(const std::string& list_name, const Json_field& reference)
+{
+  const int result = reference.integer();
+  if (result < 0 || std::size_t(result) >= list(list_name).size())
+    reference.fail("is " + std::to_string(result) + ", but there are " + std::to_string(list(list_name).size()) + " " +
+                   list_name + ", numbered from 0");
+  return std::size_t(result);
+}
+
+std::optional<std::size_t> Gltf_document::index_at(const Json_field& field, const std::string& key,
+                                                   const std::string& list_name)
+{
+  if (!field.has(key)) return std::nullopt;
+  return index(list_name, field[key]);
+}
+
+std::size_t Gltf_document::number_at(const Json_field& field, const std::string& key, std::size_t otherwise)
+{
+  if (!field.has(key)) return otherwise;
+  const Json_field number = field[key];
+  number.number_at_least_0();
+  return std::size_t(number.integer());
+}
+
+void Gltf_document::count(const Json_field& place, std::uint64_t numbers)
+{
+  counted_ += numbers;
+  if (counted_ > most_numbers)
+    place.fail("is too much: the meshes have more than 200 million numbers, counted as often as nodes use them; "
+               "simplify the model, or cut it into parts");
+}
+
+std::optional<std::string> Gltf_document::data_of_uri(std::string_view uri)
+{
+  if (!begins_with(uri, "data:")) return std::nullopt;
+  constexpr std::string_view mark = ";base64,";
+  const std::size_t begin = uri.find(mark);
+  std::optional<std::string> data;
+  if (begin != std::string_view::npos) data = from_base64(uri.substr(begin + mark.size()));
+  return data ? data : std::string(); // damaged ones have no bytes
+}
+
+std::string Gltf_document::load(const Json_field& buffer)
+{
+  const std::string uri = buffer["uri"].text();
+  if (std::optional<std::string> data = data_of_uri(uri)) return std::move(*data);
+  Named_file file = Named_files(file_, options_, largest_model, rest_of_files_).read(uri);
+  if (file.fault.empty()) return std::move(file.bytes);
+  throw Invalid_input(file_ + ": the file " + uri + ", which it names, " + file.fault + "; put it beside the model");
+}
+
+std::string_view Gltf_document::buffer(std::size_t index)
+{
+  const Json_field& field = list("buffers")[index];
+  std::string_view data = binary_;
+  if (field.has("uri")) {
+    if (loaded_.count(index) == 0) loaded_[index] = load(field);
+    data = loaded_[index];
+  } else if (index > 0 || binary_.empty())
+    field.fail("is not in the file, and names no other one");
+  const std::size_t length = number_at(field, "byteLength", data.size());
+  if (length > data.size())
+    field.fail("has " + std::to_string(length) + " bytes by its byteLength, but only " + std::to_string(data.size()) +
+               " are there; it is cut off or damaged");
+  return data.substr(0, length);
+}
+
+std::string_view Gltf_document::bytes(const Json_field& view)
+{
+  const std::string_view all = buffer(index("buffers", view["buffer"]));
+  const std::size_t offset = number_at(view, "byteOffset", 0), length = number_at(view, "byteLength", 0);
+  if (offset > all.size() || length > all.size() - offset)
+    view.fail("ends beyond the " + std::to_string(all.size()) + " bytes of its buffer");
+  return all.substr(offset, length);
+}
+
+const Gltf_document::Component& Gltf_document::component_at(const Json_field& field)
+{
+  static const Component components[] = {
+      {5120, 1, 127, component_in<std::int8_t>},           {5121, 1, 255, component_in<std::uint8_t>},
+      {5122, 2, 32767, component_in<std::int16_t>},        {5123, 2, 65535, component_in<std::uint16_t>},
+      {5125, 4, 4294967295., component_in<std::uint32_t>}, {5126, 4, 1, component_in<float>}};
+  const Json_field code = field["componentType"];
+  for (const Component& known : components)
+    if (known.code == code.integer()) return known;
+  code.fail("is " + std::to_string(code.integer()) + ", which is none");
+}
+
+Eigen::MatrixXd Gltf_document::decode(const Json_field& place, const Component& component, bool is_normalized,
+                                      std::size_t components, std::size_t count)
+{
+  const Json_field view = element("bufferViews", place["bufferView"]);
+  const std::string_view all = bytes(view);
+  const std::size_t size = component.size * components;
+  const std::size_t stride = number_at(view, "byteStride", size), offset = number_at(place, "byteOffset", 0);
+  if (stride < size) view.fail("has a byteStride of less than an element");
+  if (offset > all.size() || (count > 0 && (size > all.size() - offset || //
+                                            (count - 1) > (all.size() - offset - size) / stride)))
+    place.fail("has " + std::to_string(count) + " elements, which is more than its buffer view of " +
+               std::to_string(all.size()) + " bytes holds");
+  Eigen::MatrixXd result(components, count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < components; ++k) {
+      const double number = component.read(all.data() + offset + i * stride + k * component.size);
+      result(Eigen::Index(k), Eigen::Index(i)) = is_normalized ? std::max(number / component.largest, -1.) : number;
+    }
+  return result;
+}
+
+void Gltf_document::replace_sparse(const Json_field& sparse, const Component& component, bool is_normalized,
+                                   Eigen::MatrixXd& all)
+{
+  const std::size_t number = number_at(sparse, "count", 0);
+  if (number > std::size_t(all.cols())) sparse.fail("has more elements than its accessor");
+  const Json_field indices = sparse["indices"];
+  const Eigen::MatrixXd places = decode(indices, component_at(indices), false, 1, number);
+  const Eigen::MatrixXd values = decode(sparse["values"], component, is_normalized, std::size_t(all.rows()), number);
+  for (Eigen::Index i = 0; i < values.cols(); ++i) {
+    if (!(places(0, i) >= 0 && places(0, i) < double(all.cols()))) indices.fail("has an index beyond its accessor");
+    all.col(Eigen::Index(places(0, i))) = values.col(i);
+  }
+}
+
+Eigen::MatrixXd Gltf_document::numbers(const Json_field& accessor_reference, std::initializer_list<const char*> types)
+{
+  const Json_field& accessor = element("accessors", accessor_reference);
+  const std::string type = accessor["type"].text();
+  if (std::find(types.begin(), types.end(), type) == types.end())
+    accessor.fail("is of type " + cited(type) + " where " + *types.begin() + " is expected");
+  const std::size_t components = type == "SCALAR" ? 1 : std::size_t(type.back() - '0');
+  const std::size_t elements = number_at(accessor, "count", 0);
+  count(accessor, std::uint64_t(elements) * components);
+  const Component& component = component_at(accessor);
+  const bool is_normalized = accessor.has("normalized") && accessor["normalized"].boolean() && component.largest > 1;
+  Eigen::MatrixXd result;
+  if (accessor.has("bufferView"))
+    result = decode(accessor, component, is_normalized, components, elements);
+  else if (accessor.has("sparse"))
+    result.setZero(Eigen::Index(components), Eigen::Index(elements));
+  else
+    accessor.fail("has no bufferView; if the model is compressed, save it without compression");
+  if (accessor.has("sparse")) replace_sparse(accessor["sparse"], component, is_normalized, result);
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::IO

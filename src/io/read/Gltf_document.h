@@ -1,0 +1,78 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "io/read/Json_field.h"
+#include "io/read/model_parts.h"
+
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+
+namespace CGAL::Shape_correspondence::IO {
+
+/// A glTF document and its buffers. All that it says is checked against what is there before it is used; what is wrong
+/// is an `Invalid_input` that names the file and the place.
+class Gltf_document
+{
+public:
+  /// \param text of a GLB or glTF file; it must outlive this \param file its name
+  Gltf_document(std::string_view text, const std::string& file, const Reading_options& options);
+
+  /// What it needs that is not known here but to assimp, version 1 or Draco; all the rest is for documents without.
+  const std::string& needs() const { return needs_; }
+
+  const Json_field& root() const { return *root_; }
+
+  /// The elements of a list of the document, such as "nodes"; none if it has no such list.
+  const std::vector<Json_field>& list(const std::string& name);
+
+  /// The number that refers to an element of a list.
+  std::size_t index(const std::string& list_name, const Json_field& reference);
+  const Json_field& element(const std::string& list_name, const Json_field& reference)
+  {
+    return list(list_name)[index(list_name, reference)];
+  }
+
+  /// The same, and a number that is not negative, of a key that may be missing.
+  std::optional<std::size_t> index_at(const Json_field& field, const std::string& key, const std::string& list_name);
+  static std::size_t number_at(const Json_field& field, const std::string& key, std::size_t otherwise);
+
+  /// What an accessor refers to, an element a column; normalised numbers are in [-1, 1].
+  /// \param types that it may be of: SCALAR, VEC2, VEC3, VEC4
+  Eigen::MatrixXd numbers(const Json_field& accessor_reference, std::initializer_list<const char*> types);
+
+  /// The bytes of a buffer view.
+  std::string_view bytes(const Json_field& view);
+
+  /// The bytes in a URI that is none of a file. \return none if it is one of a file
+  static std::optional<std::string> data_of_uri(std::string_view uri);
+
+  /// Counts numbers that are read or made, since a small file may use a mesh many times.
+  void count(const Json_field& place, std::uint64_t numbers);
+
+private:
+  struct Component;
+
+  static const Component& component_at(const Json_field& field);
+  void split_glb();
+  void check_extensions();
+  std::string_view buffer(std::size_t index);
+  std::string load(const Json_field& buffer);
+  Eigen::MatrixXd decode(const Json_field& place, const Component& component, bool is_normalized,
+                         std::size_t components, std::size_t count);
+  void replace_sparse(const Json_field& sparse, const Component& component, bool is_normalized, Eigen::MatrixXd& all);
+
+  std::string_view text_, binary_; ///< the document, and the bytes that follow it in a GLB file
+  const std::string& file_;
+  const Reading_options& options_;
+  std::string needs_;
+  std::optional<Json_field> root_;
+  std::map<std::string, std::vector<Json_field>> lists_;
+  std::map<std::size_t, std::string> loaded_; ///< buffers, by index
+  std::uintmax_t rest_of_files_ = largest_model;
+  std::uint64_t counted_ = 0;
+};
+
+} // namespace CGAL::Shape_correspondence::IO

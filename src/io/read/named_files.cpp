@@ -1,0 +1,67 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/read/named_files.h"
+#include "io/system/input_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string with_slashes(std::string name)
+{
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
+}
+
+/// The same with %20 and the like as characters.
+std::string without_percents(const std::string& name)
+{
+  std::string result;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    int code = 0;
+    const char* const digits = name.data() + i + 1;
+    if (name[i] == '%' && i + 2 < name.size() && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
+      result += char(code);
+      i += 2;
+    } else
+      result += name[i];
+  }
+  return result;
+}
+
+} // namespace
+
+Named_file Named_files::read(const std::string& given) const
+{
+  const fs::path folder = fs::path(model_).parent_path();
+  const std::string name = with_slashes(given);
+  std::error_code error;
+  std::string fault = "is not there";
+  for (const fs::path candidate : {name, without_percents(name)})
+    for (const fs::path& path : {folder / candidate.relative_path(), folder / candidate.filename()}) {
+      if (!fs::is_regular_file(path, error)) continue;
+      if (!options_.allow_outside_files && !is_in_folder_of(model_, path.string())) {
+        fault = "is outside the model's folder, and not read without --allow-outside-files";
+        continue;
+      }
+      const std::uintmax_t size = fs::file_size(path, error);
+      if (size > largest_) return {"", "is larger than " + std::to_string(largest_ >> 20) + " MB"};
+      if (size > rest_) return {"", "is more than a model may have in such files"};
+      std::ifstream in(path, std::ios::binary);
+      Named_file result{std::string(std::size_t(size), '\0'), in ? "" : "cannot be read"};
+      in.read(result.bytes.data(), std::streamsize(size));
+      result.bytes.resize(std::size_t(in.gcount()));
+      rest_ -= std::min<std::uintmax_t>(rest_, result.bytes.size());
+      return result;
+    }
+  return {"", fault};
+}
+
+} // namespace CGAL::Shape_correspondence::IO

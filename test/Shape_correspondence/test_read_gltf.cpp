@@ -1,0 +1,390 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/read/model_parts.h"
+#include "io/system/little_endian.h"
+#include "model_files.h"
+
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
+
+#include <Eigen/Geometry>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <numeric>
+#include <random>
+
+using namespace CGAL::Shape_correspondence;
+using namespace model_files;
+using Catch::Matchers::Contains;
+using nlohmann::json;
+
+namespace {
+
+/// A glTF model that is put together; every accessor has a buffer view of its own in one buffer.
+struct Model
+{
+  json document = {{"asset", {{"version", "2.0"}}}, {"scenes", {{{"nodes", {0}}}}}};
+  std::string bytes;
+
+  template <typename Number>
+  int view(const std::vector<Number>& numbers)
+  {
+    bytes.resize((bytes.size() + 3) / 4 * 4);
+    const std::size_t begin = bytes.size();
+    using Bits = std::conditional_t<sizeof(Number) == 1, std::uint8_t,
+                                    std::conditional_t<sizeof(Number) == 2, std::uint16_t, std::uint32_t>>;
+    for (Number number : numbers)
+      IO::append_little_endian<Number, Bits>(bytes, number);
+    document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", begin}, {"byteLength", bytes.size() - begin}});
+    return int(document["bufferViews"].size()) - 1;
+  }
+
+  template <typename Number>
+  int accessor(const std::vector<Number>& numbers, int components, bool is_normalized = false)
+  {
+    constexpr bool is_signed = std::is_signed_v<Number>;
+    const int type = std::is_floating_point_v<Number> ? 5126
+                     : sizeof(Number) == 4            ? 5125 //
+                                                      : 5120 + 2 * (sizeof(Number) == 2) + !is_signed;
+    const char* const types[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
+    document["accessors"].push_back({{"bufferView", view(numbers)},
+                                     {"componentType", type},
+                                     {"count", numbers.size() / std::size_t(components)},
+                                     {"type", types[components - 1]}});
+    if (is_normalized) document["accessors"].back()["normalized"] = true;
+    return int(document["accessors"].size()) - 1;
+  }
+
+  void add_mesh(const json& primitive) { document["meshes"].push_back({{"primitives", {primitive}}}); }
+
+  std::string glb() const
+  {
+    json whole = document;
+    whole["buffers"] = {{{"byteLength", bytes.size()}}};
+    std::string text = whole.dump(), binary = bytes, result = "glTF";
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    binary.resize((bytes.size() + 3) / 4 * 4);
+    const auto append = [&](std::size_t number) {
+      IO::append_little_endian<std::uint32_t, std::uint32_t>(result, std::uint32_t(number));
+    };
+    append(2);
+    append(12 + 8 + text.size() + 8 + binary.size());
+    append(text.size());
+    result += "JSON" + text;
+    append(binary.size());
+    return result + std::string("BIN\0", 4) + binary;
+  }
+
+  Segmented_shape read(Shape_appearance* looks = nullptr) const
+  {
+    const Temporary_folder folder;
+    const std::string file = folder.write("model.glb", glb());
+    return looks ? IO::read_shape_and_appearance(file, *looks) : IO::read_segmented_shape(file);
+  }
+};
+
+const std::vector<float> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+template <typename Number>
+const std::vector<Number> triangles = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+
+/// One node with a tetrahedron.
+Model tetrahedron()
+{
+  Model model;
+  const int points = model.accessor(corners, 3), indices = model.accessor(triangles<std::uint16_t>, 1);
+  model.add_mesh({{"attributes", {{"POSITION", points}}}, {"indices", indices}});
+  model.document["nodes"] = {{{"name", "seat"}, {"mesh", 0}}};
+  return model;
+}
+
+std::string refused(const std::string& bytes)
+{
+  return complaint([&] { IO::read_gltf_parts(bytes, "input.glb"); });
+}
+
+/// What is said of a tetrahedron with a value changed, or taken away.
+std::string refused_with(const std::string& place, const json& value)
+{
+  Model model = tetrahedron();
+  model.document[json::json_pointer(place)] = value;
+  const std::string message = refused(model.glb());
+  CHECK_THAT(message, Contains("input.glb"));
+  return message;
+}
+
+} // namespace
+
+TEST_CASE("Nodes of glTF are parts, moved by all nodes that they are in, and read by no other program")
+{
+  setenv("SHAPE_CORRESPONDENCE_IMPORT", "/nowhere", 1);
+  Model model = tetrahedron();
+  model.document["meshes"][0]["name"] = "wedge";
+  const double half = std::sqrt(0.5);
+  model.document["nodes"] = {
+      {{"name", "base"}, {"translation", {10, 0, 0}}, {"children", {2, 1}}},
+      {{"name", "leg"}, {"mesh", 0}},
+      {{"matrix", {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 5, 0, 1}}, {"mesh", 0}, {"children", {3}}},
+      {{"name", "leg"},
+       {"rotation", {0, 0, half, half}},
+       {"scale", {1, 3, 1}},
+       {"translation", {1, 0, 0}},
+       {"mesh", 0}}};
+  const Segmented_shape shape = model.read();
+  REQUIRE(shape.parts().size() == 3);
+  CHECK(shape.parts()[0].name == "wedge");
+  CHECK(shape.parts()[1].name == "leg");
+  CHECK(shape.parts()[2].name == "leg#2");
+  const auto lowest = [&](int part) { return Point(shape.parts()[part].mesh.points.rowwise().minCoeff()); };
+  const auto highest = [&](int part) { return Point(shape.parts()[part].mesh.points.rowwise().maxCoeff()); };
+  CHECK(lowest(0).isApprox(Point(10, 5, 0)));
+  CHECK(highest(0).isApprox(Point(12, 7, 2)));
+  CHECK(lowest(1).isApprox(Point(10 + 2 - 6, 5, 0))); // y became -x
+  CHECK(highest(1).isApprox(Point(12, 7, 2)));
+  CHECK(highest(2).isApprox(Point(11, 1, 1)));
+  model.document["scenes"] = {{{"nodes", {0}}}, {{"nodes", {1}}}};
+  model.document["scene"] = 1;
+  CHECK(model.read().parts().size() == 1);
+  model.document.erase("scenes");
+  model.document.erase("scene");
+  CHECK(model.read().parts().size() == 3);
+  unsetenv("SHAPE_CORRESPONDENCE_IMPORT");
+}
+
+TEST_CASE("Indices of every size, strips, fans and triangles without indices are the same surface")
+{
+  const auto mesh_of = [](json primitive, Model model) {
+    primitive["attributes"]["POSITION"] = model.accessor(corners, 3);
+    model.add_mesh(primitive);
+    model.document["nodes"] = {{{"mesh", 0}}};
+    const Segmented_shape shape = model.read();
+    CHECK(shape.parts()[0].name == "model");
+    return shape.parts()[0].mesh;
+  };
+  const auto volume = [](const Part_mesh& mesh) {
+    double sum = 0;
+    for (const auto& t : mesh.triangles.colwise())
+      sum += mesh.points.col(t[0]).dot(mesh.points.col(t[1]).cross(mesh.points.col(t[2])));
+    return sum / 6;
+  };
+  const auto check = [&](const json& primitive, const Model& model) {
+    const Part_mesh mesh = mesh_of(primitive, model);
+    CHECK(mesh.points.cols() == 4);
+    CHECK(mesh.triangles.cols() == 4);
+    CHECK(volume(mesh) == Approx(1. / 6));
+  };
+  Model model;
+  const std::uint32_t strip[] = {0, 2, 1, 3, 0, 2};
+  check({{"indices", model.accessor(triangles<std::uint8_t>, 1)}}, model);
+  check({{"indices", model.accessor(triangles<std::uint16_t>, 1)}}, model);
+  check({{"indices", model.accessor(triangles<std::uint32_t>, 1)}}, model);
+  check({{"mode", 5}, {"indices", model.accessor(std::vector<std::uint32_t>(strip, strip + 6), 1)}}, model);
+  const Part_mesh fan = mesh_of({{"mode", 6}}, model);
+  CHECK(fan.triangles == (Eigen::Matrix3Xi(3, 2) << 0, 0, 1, 2, 2, 3).finished());
+
+  Model plain;
+  std::vector<float> all;
+  for (int corner : triangles<std::uint8_t>)
+    all.insert(all.end(), corners.begin() + 3 * corner, corners.begin() + 3 * corner + 3);
+  plain.add_mesh({{"attributes", {{"POSITION", plain.accessor(all, 3)}}}});
+  plain.document["nodes"] = {{{"mesh", 0}}};
+  CHECK(volume(plain.read().parts()[0].mesh) == Approx(1. / 6));
+  plain.add_mesh({{"attributes", {{"POSITION", 0}}}, {"mode", 3}});
+  plain.document["meshes"][0]["primitives"].push_back(plain.document["meshes"][1]["primitives"][0]);
+  const Temporary_folder folder;
+  std::vector<std::string> warnings;
+  IO::read_segmented_shape(folder.write("a.glb", plain.glb()), Point::UnitY(), &warnings);
+  CHECK(warnings == std::vector<std::string>{"Faces of fewer than three corners were left out: 11."});
+}
+
+TEST_CASE("Positions of glTF may be quantized, strided and sparse")
+{
+  const auto with_points = [](Model model, int points) {
+    const int indices = model.accessor(triangles<std::uint16_t>, 1);
+    model.add_mesh({{"attributes", {{"POSITION", points}}}, {"indices", indices}});
+    model.document["nodes"] = {{{"mesh", 0}}};
+    model.document["extensionsRequired"] = {"KHR_mesh_quantization", "KHR_materials_unlit"};
+    return model;
+  };
+  const Points expected = tetrahedron().read().parts()[0].mesh.points;
+  const auto check = [&](const auto one, bool is_normalized) {
+    using Number = std::remove_const_t<decltype(one)>;
+    Model model;
+    const Number o = 0;
+    const int points = model.accessor(std::vector<Number>{o, o, o, one, o, o, o, one, o, o, o, one}, 3, is_normalized);
+    CHECK(with_points(model, points).read().parts()[0].mesh.points == expected);
+  };
+  check(std::int8_t(127), true);
+  check(std::uint8_t(255), true);
+  check(std::int16_t(32767), true);
+  check(std::uint16_t(65535), true);
+  check(std::int8_t(1), false);
+  check(std::uint16_t(1), false);
+
+  Model strided;
+  std::vector<float> padded;
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+    padded.insert(padded.end(), {9, corners[i], corners[i + 1], corners[i + 2], 9});
+  int points = strided.accessor(padded, 1);
+  strided.document["bufferViews"][0]["byteStride"] = 20;
+  strided.document["accessors"][0].update({{"byteOffset", 4}, {"count", 4}, {"type", "VEC3"}});
+  CHECK(with_points(strided, points).read().parts()[0].mesh.points == expected);
+
+  for (bool has_base : {true, false}) {
+    Model sparse;
+    points = sparse.accessor(std::vector<float>(12, 0), 3);
+    if (!has_base) sparse.document["accessors"][0].erase("bufferView");
+    const int indices = sparse.view(std::vector<std::uint16_t>{1, 2, 3});
+    const int values = sparse.view(std::vector<float>(corners.begin() + 3, corners.end()));
+    sparse.document["accessors"][0]["sparse"] = {{"count", 3},
+                                                 {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
+                                                 {"values", {{"bufferView", values}}}};
+    CHECK(with_points(sparse, points).read().parts()[0].mesh.points == expected);
+    sparse.document["accessors"][0]["count"] = 3;
+    CHECK_THAT(refused(with_points(sparse, points).glb()), Contains("beyond its accessor"));
+  }
+}
+
+TEST_CASE("Materials of glTF have their colours, textures and how they go on")
+{
+  Model model = tetrahedron();
+  const std::string png = "\x89PNG\r\n\x1A\n";
+  const int image = model.view(std::vector<char>(png.begin(), png.end()));
+  model.document["images"] = {{{"bufferView", image}, {"mimeType", "image/png"}, {"name", "wood"}},
+                              {{"uri", "data:image/png;base64,iVBORw0KGgo="}},
+                              {{"uri", "missing.png"}}};
+  model.document["samplers"] = {{{"wrapS", 33648}, {"wrapT", 33071}}};
+  model.document["textures"] = {{{"source", 0}, {"sampler", 0}}, {{"source", 1}}, {{"source", 2}}, {{"sampler", 0}}};
+  for (int texture = 0; texture < 4; ++texture)
+    model.document["materials"].push_back(
+        {{"name", "m"},
+         {"pbrMetallicRoughness",
+          {{"baseColorFactor", {0.5, 0.25, 1, 0.75}}, {"baseColorTexture", {{"index", texture}}}}}});
+  model.document["materials"].push_back(
+      {{"extensions", {{"KHR_materials_pbrSpecularGlossiness", {{"diffuseFactor", {0, 1, 0, 1}}}}}}});
+  json& primitive = model.document["meshes"][0]["primitives"][0];
+  primitive["material"] = 0;
+  primitive["attributes"]["TEXCOORD_0"] =
+      model.accessor(std::vector<std::uint8_t>{0, 0, 255, 0, 0, 255, 51, 51}, 2, true);
+  primitive["attributes"]["COLOR_0"] =
+      model.accessor(std::vector<float>{1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, 4);
+  Shape_appearance looks;
+  model.read(&looks);
+  REQUIRE(looks.materials.size() == 5);
+  CHECK(looks.materials[0].colour.isApprox(Eigen::Vector4d(0.5, 0.25, 1, 0.75)));
+  CHECK(looks.materials[4].colour.isApprox(Eigen::Vector4d(0, 1, 0, 1)));
+  REQUIRE(looks.textures.size() == 3);
+  CHECK(looks.materials[3].texture == -1);
+  CHECK(looks.textures[0].bytes == png);
+  CHECK(looks.textures[1].bytes == png);
+  CHECK(looks.textures[0].wrap_u == Texture_wrap::MIRROR);
+  CHECK(looks.textures[0].wrap_v == Texture_wrap::CLAMP);
+  CHECK(looks.textures[1].wrap_u == Texture_wrap::REPEAT);
+  REQUIRE(looks.warnings.size() == 1);
+  CHECK_THAT(looks.warnings[0], Contains("'missing.png'"));
+  const Part_appearance& part = looks.parts[0];
+  CHECK(part.materials == std::vector<int>(4, 0));
+  REQUIRE(part.coordinates.size() == 12);
+  CHECK(part.coordinates[1] == Eigen::Vector2f(0, 1)); // of corner 2
+  CHECK(part.coordinates[5].isApprox(Eigen::Vector2f(0.2f, 0.2f)));
+  CHECK(part.colours == std::vector<Eigen::Vector3f>(12, Eigen::Vector3f(1, 0, 0)));
+}
+
+TEST_CASE("What is wrong in a glTF document is refused by its place")
+{
+  CHECK(refused(tetrahedron().glb()).empty());
+  CHECK_THAT(refused_with("/asset/version", "3.0"), Contains("version '3.0'"));
+  CHECK_THAT(refused_with("/asset/version", 1), Contains("needs glTF 1.0"));
+  CHECK_THAT(refused_with("/extensionsRequired/0", "KHR_draco_mesh_compression"),
+             Contains("needs the extension KHR_draco_mesh_compression"));
+  CHECK_THAT(refused_with("/extensionsRequired/0", "EXT_meshopt_compression"), Contains("EXT_meshopt_compression"));
+  CHECK_THAT(refused_with("/scene", 1), Contains("scene is 1, but there are 1 scenes"));
+  CHECK_THAT(refused_with("/scenes/0/nodes/0", 4294967296), Contains("scenes[0].nodes[0] is beyond"));
+  CHECK_THAT(refused_with("/scenes/0/nodes/1", 0), Contains("nodes[0] is in the tree"));
+  CHECK_THAT(refused_with("/nodes/0/children", json::array({0})), Contains("nodes[0] is in the tree"));
+  CHECK_THAT(refused_with("/nodes/0/mesh", -1), Contains("nodes[0].mesh is -1"));
+  CHECK_THAT(refused_with("/nodes/0/matrix", {1, 2}), Contains("a matrix of 16 numbers"));
+  CHECK_THAT(refused_with("/nodes/0/rotation", {1, 2, 3}), Contains("quaternion"));
+  CHECK_THAT(refused_with("/nodes/0/translation", {1, 2, 1e300}), Contains("1e50"));
+  CHECK_THAT(refused_with("/meshes/0/primitives/0/mode", 7), Contains("mode is 7"));
+  CHECK_THAT(refused_with("/meshes/0/primitives/0/mode", 0), Contains("no triangle"));
+  CHECK_THAT(refused_with("/meshes/0/primitives/0/material", 0), Contains("0 materials"));
+  CHECK_THAT(refused_with("/meshes/0/primitives/0/attributes/POSITION", 2), Contains("2 accessors"));
+  CHECK_THAT(refused_with("/meshes/0/primitives/0/attributes/POSITION", 1), Contains("VEC3 is expected"));
+  CHECK_THAT(refused_with("/meshes/0/primitives/0/attributes/COLOR_0", 1), Contains("VEC3 is expected"));
+  CHECK_THAT(refused_with("/accessors/0/count", 5), Contains("accessors[0] has 5 elements"));
+  CHECK_THAT(refused_with("/accessors/0/count", 2147483647), Contains("200 million"));
+  CHECK_THAT(refused_with("/accessors/0/count", -1), Contains("negative"));
+  CHECK_THAT(refused_with("/accessors/0/count", 3), Contains("'seat'") && Contains("one of the 3"));
+  CHECK_THAT(refused_with("/accessors/0/byteOffset", 2147483647), Contains("holds"));
+  CHECK_THAT(refused_with("/accessors/0/bufferView", "0"), Contains("not a whole number"));
+  CHECK_THAT(refused_with("/accessors/0/componentType", 5124), Contains("5124"));
+  CHECK_THAT(refused_with("/bufferViews/0/byteStride", 11), Contains("byteStride"));
+  CHECK_THAT(refused_with("/bufferViews/0/byteStride", 2147483647), Contains("holds"));
+  CHECK_THAT(refused_with("/bufferViews/0/byteLength", 2000), Contains("bufferViews[0] ends beyond"));
+  CHECK_THAT(refused_with("/bufferViews/0/buffer", 1), Contains("1 buffers"));
+  Model model = tetrahedron();
+  model.document["accessors"][0].erase("bufferView");
+  CHECK_THAT(refused(model.glb()), Contains("without compression"));
+  const auto with_buffer = [](const std::string& uri) {
+    json document = tetrahedron().document;
+    document["buffers"] = {{{"byteLength", 72}, {"uri", uri}}};
+    return refused(document.dump());
+  };
+  CHECK_THAT(with_buffer("data:application/octet-stream;base64,AAAA"), Contains("only 3"));
+  CHECK_THAT(with_buffer("data:application/octet-stream;base64,A*AA"), Contains("only 0"));
+  CHECK_THAT(with_buffer("data:,AAAA"), Contains("only 0"));
+  CHECK_THAT(with_buffer("missing.bin"), Contains("missing.bin, which it names, is not there"));
+  CHECK_THAT(refused(tetrahedron().document.dump()), Contains("0 buffers"));
+  Model infinite = tetrahedron();
+  infinite.bytes.replace(0, 4, std::string("\0\0\x80\x7F", 4));
+  CHECK_THAT(complaint([&] { infinite.read(); }), Contains("'seat'") && Contains("finite"));
+}
+
+TEST_CASE("A small glTF file that uses a mesh very often is refused within moments")
+{
+  Model model = tetrahedron();
+  model.document["nodes"] = json::array();
+  for (int i = 0; i < 30000; ++i)
+    model.document["nodes"].push_back({{"mesh", 0}});
+  model.document["scenes"][0]["nodes"] = json::array();
+  for (int i = 0; i < 30000; ++i)
+    model.document["scenes"][0]["nodes"].push_back(i);
+  model.document["accessors"][1]["count"] = 4000;
+  model.bytes.resize(model.bytes.size() + 10000, '\0');
+  model.document["bufferViews"][1]["byteLength"] = 8000;
+  const auto begin = std::chrono::steady_clock::now();
+  CHECK_THAT(refused(model.glb()), Contains("200 million"));
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
+  model = tetrahedron();
+  const json primitive = model.document["meshes"][0]["primitives"][0];
+  model.document["nodes"] = json::array();
+  for (int i = 0; i < 20000; ++i) // a chain
+    model.document["nodes"].push_back({{"children", {i + 1}}});
+  model.document["nodes"].push_back({{"mesh", 0}});
+  CHECK(model.read().parts().size() == 1);
+}
+
+TEST_CASE("A GLB file that is cut off is refused, and one with any byte changed is read or refused")
+{
+  Model model = tetrahedron();
+  model.document["nodes"][0]["translation"] = {1, 2, 3};
+  const std::string glb = model.glb();
+  for (std::size_t size = 0; size < glb.size(); ++size) {
+    CAPTURE(size);
+    CHECK_FALSE(refused(glb.substr(0, size)).empty());
+  }
+  std::mt19937 random(1);
+  std::size_t good = 0;
+  for (std::size_t i = 0; i < 20 * glb.size(); ++i) {
+    std::string damaged = glb;
+    damaged[i % glb.size()] = char(random());
+    if (i >= 10 * glb.size()) damaged[random() % glb.size()] = "0123456789-,[]{}\":"[random() % 18];
+    good += refused(damaged).empty();
+  }
+  CHECK(good > glb.size());
+}
