@@ -14,6 +14,18 @@ foreach(library CGAL::CGAL Boost::headers nanoflann::nanoflann nlohmann_json::nl
 endforeach()
 target_include_directories(Eigen3::Eigen SYSTEM INTERFACE /usr/include/eigen3)
 target_compile_definitions(CGAL::CGAL INTERFACE CGAL_DISABLE_GMP)
+if(SHAPE_CORRESPONDENCE_PROGRAM) # Debian has Boost.Program_options compiled for its own systems only
+  set(SHAPE_CORRESPONDENCE_BOOST_SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/build-boost
+      CACHE PATH "Sources of the Boost whose headers are installed: libs/program_options/src is in it")
+  file(GLOB program_options_sources ${SHAPE_CORRESPONDENCE_BOOST_SOURCES}/libs/program_options/src/*.cpp)
+  if(NOT program_options_sources)
+    message(FATAL_ERROR "The sources of Boost.Program_options are not in ${SHAPE_CORRESPONDENCE_BOOST_SOURCES}; "
+                        "scripts/get_boost_sources gets them")
+  endif()
+  add_library(Boost_program_options STATIC EXCLUDE_FROM_ALL ${program_options_sources})
+  target_link_libraries(Boost_program_options PUBLIC Boost::headers)
+  add_library(Boost::program_options ALIAS Boost_program_options)
+endif()
 if(EMSCRIPTEN)
   target_compile_options(Eigen3::Eigen INTERFACE -msimd128 "SHELL:-include ${CMAKE_CURRENT_LIST_DIR}/browser_eigen.h")
   target_compile_definitions(CGAL::CGAL INTERFACE CGAL_ALWAYS_ROUND_TO_NEAREST)

@@ -265,13 +265,13 @@ TEST_CASE("Options take values in all notations of command lines")
   CHECK(run(pair + " .7").out == run(pair + "=.7").out);
   CHECK(run(pair + " --threads 1").out == run(pair).out);
   for (const auto& [words, message] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"--quiet=3", "--quiet takes no value"},
-           {"--json x --json y", "--json is given more than once"},
-           {"--json", "--json needs a value, FILE"},
-           {"--json --quiet", "--json needs a value, FILE"},
-           {"--threads 99999999999", "--threads needs a number that is not too large, not '99999999999'"},
-           {"--threads 1x", "--threads needs a number"},
-           {"--threads=", "--threads needs a number"},
+           {"--quiet=3", "option '--quiet' does not take any arguments"},
+           {"--json x --json y", "option '--json' cannot be specified more than once"},
+           {"--json", "the required argument for option '--json' is missing"},
+           {"--threads 99999999999", "the argument ('99999999999') for option '--threads' is invalid"},
+           {"--threads 1x", "the argument ('1x') for option '--threads' is invalid"},
+           {"--threads=", "the argument for option '--threads' should follow immediately after the equal sign"},
+           {"--thr 1", "there is no option '--thr'; did you mean '--threads'?"},
            {"-y", "there is no option '-y'"},
            {"-- -q", "it takes 1 input, not 2"}}) {
     INFO(words);
