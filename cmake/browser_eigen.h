@@ -17,6 +17,7 @@
 #include <Eigen/src/Core/util/Macros.h>
 #undef EIGEN_COMP_GNUC
 #define EIGEN_COMP_GNUC 63
+#define EIGEN_ARCH_DEFAULT_NUMBER_OF_REGISTERS 16 // by which Eigen chooses how to multiply matrices
 #define EIGEN_VECTORIZE
 #define EIGEN_VECTORIZE_SSE
 #define EIGEN_VECTORIZE_SSE2
