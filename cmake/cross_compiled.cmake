@@ -29,7 +29,8 @@ endif()
 if(EMSCRIPTEN)
   target_compile_options(Eigen3::Eigen INTERFACE -msimd128 "SHELL:-include ${CMAKE_CURRENT_LIST_DIR}/browser_eigen.h")
   target_compile_definitions(CGAL::CGAL INTERFACE CGAL_ALWAYS_ROUND_TO_NEAREST)
-  add_compile_options(-fwasm-exceptions -Xclang -fno-pch-timestamp)
+  # With -Os, Emscripten would switch off inlining, and a match would take five times as long
+  add_compile_options(-fwasm-exceptions -Xclang -fno-pch-timestamp -sINLINING_LIMIT=0)
   add_link_options(-fwasm-exceptions)
 else()
   target_compile_options(CGAL::CGAL INTERFACE -frounding-math) # as CGAL's own target has it
