@@ -78,6 +78,7 @@ class Zip(unittest.TestCase):
         # Pages and pictures of curves are left out: sines of the C libraries differ in their last bits
         models = ["models/table_trestle", "models/table_pedestal"]
         commands = [["match", *models, "-o", "match.json"], ["blend", *models, "-o", "blend.glb"],
+                    ["blend", *models, "--at", "0.5", "-o", "half.glb"], ["graph", "half.glb", "-o", "half.json"],
                     ["graph", models[0], "-o", "graph.json", "-o", "graph.graphml", "-o", "graph.dot"],
                     ["transfer", *models, "--labels", "parts", "-o", "labels.ply"]]
         os.symlink(data, self.path("models"))
@@ -124,7 +125,7 @@ class Zip(unittest.TestCase):
 
     def test_other_formats(self):
         self.write("model.dae", b"<COLLADA/>")
-        self.assertIn("save the model as OBJ", self.run_it("graph", "model.dae", status=1))
+        self.assertIn("save the model as GLB", self.run_it("graph", "model.dae", status=1))
 
     def test_sets_and_what_is_kept_of_them(self):
         tables = [os.path.join(data, name) for name in ("table_trestle", "table_pedestal", "table_four_legged")]
