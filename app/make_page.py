@@ -8,11 +8,10 @@
 import base64
 import gzip
 import hashlib
-import io
+import json
 import os
 import re
 import sys
-import tarfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -36,30 +35,42 @@ def packed(data):
     return base64.b64encode(gzip.compress(data, 9, mtime=0)).decode()
 
 
-def archive(data, names):
-    """The folders of parts in one file, with nothing in it of who made it, or when."""
-    out = io.BytesIO()
-    with tarfile.open(fileobj=out, mode="w", format=tarfile.USTAR_FORMAT) as tar:
-        for name in names:
-            for part in sorted(os.listdir(os.path.join(data, name, "parts"))):
-                path = os.path.join(name, "parts", part)
-                entry = tarfile.TarInfo(path)
-                entry.size = os.path.getsize(os.path.join(data, path))
-                with open(os.path.join(data, path), "rb") as file:
-                    tar.addfile(entry, file)
-    return out.getvalue()
+def differences(numbers):
+    return [number - before for number, before in zip(numbers, [0, *numbers])]
+
+
+def packed_part(path):
+    """What page/examples.js makes the text of an OBJ file of, since few bytes tell how numbers differ from those before."""
+    name = os.path.splitext(os.path.basename(path))[0]
+    points, triangles = [], []
+    for line in read(path).splitlines():
+        if re.fullmatch(r"v( -?\d+\.\d{5}){3}", line):
+            points.append([int(number.replace(".", "")) for number in line.split()[1:]])
+        elif re.fullmatch(r"f( \d+){3}", line):
+            triangles += [int(corner) for corner in line.split()[1:]]
+        elif line != "o " + name:
+            sys.exit(f"make_page.py: {path}: a line of another form than those of examples: {line}")
+    return {"name": name, "coordinates": [differences(numbers) for numbers in zip(*points)], "corners": differences(triangles)}
+
+
+def examples(data, names):
+    folders = {name: os.path.join(data, name, "parts") for name in names}
+    models = {name: [packed_part(os.path.join(folder, part)) for part in sorted(os.listdir(folder))]
+              for name, folder in folders.items()}
+    return json.dumps(models, separators=(",", ":")).encode()
 
 
 def main(module, viewer, data, output):
     page = os.path.join(HERE, "page")
     names = sorted(name for name in os.listdir(data) if os.path.isdir(os.path.join(data, name, "parts")))
     unpacked = os.path.join(page, "unpacked.js")
-    own = script(os.path.join(HERE, "..", "src", "viewer", "page", "dom.js"), unpacked, os.path.join(page, "app.js"))
+    own = script(os.path.join(HERE, "..", "src", "viewer", "page", "dom.js"), unpacked, os.path.join(page, "examples.js"),
+                 os.path.join(page, "app.js"))
     with open(os.path.splitext(module)[0] + ".wasm", "rb") as file:
         program = packed(file.read())
     content = {"HASHES": policy_of(own) + " " + policy_of(read(viewer)), "STYLE": read(page, "app.css"), "MODULE": read(module),
                "WORKER": script(unpacked, os.path.join(page, "worker.js")), "PROGRAM": program, "NAMES": " ".join(names),
-               "EXAMPLES": packed(archive(data, names)), "SCRIPT": own}
+               "EXAMPLES": packed(examples(data, names)), "SCRIPT": own}
     for name in ("MODULE", "WORKER", "SCRIPT"):
         if re.search(r"</script|<!--", content[name], re.I):
             sys.exit(f"make_page.py: the script {name} would end its element")

@@ -17,6 +17,11 @@
 #include <Eigen/src/Core/util/Macros.h>
 #undef EIGEN_COMP_GNUC
 #define EIGEN_COMP_GNUC 63
+// By these, Eigen chooses how to multiply and invert matrices
+#define EIGEN_ARCH_DEFAULT_NUMBER_OF_REGISTERS 16
+#define EIGEN_DEFAULT_L1_CACHE_SIZE (48 * 1024) // bytes
+#define EIGEN_DEFAULT_L2_CACHE_SIZE (2 * 1024 * 1024)
+#define EIGEN_DEFAULT_L3_CACHE_SIZE (32 * 1024 * 1024)
 #define EIGEN_VECTORIZE
 #define EIGEN_VECTORIZE_SSE
 #define EIGEN_VECTORIZE_SSE2

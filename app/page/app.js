@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import {$, element, setBreakable} from '../../src/viewer/page/dom.js';
+import {exampleFiles} from './examples.js';
 import {unpacked} from './unpacked.js';
 
 // The page that chooses two models, runs the program on them, and shows the pages that it writes.
@@ -128,17 +129,6 @@ async function read({name, path, files}) {
   return {name, path, files: await Promise.all(files.map(async ([inner, file]) => [inner, new Uint8Array(await file.arrayBuffer())]))};
 }
 
-/** The files of an archive, [[path, bytes]]. */
-function filesOfTar(bytes) {
-  const text = (at, length) => new TextDecoder().decode(bytes.subarray(at, at + length)).replace(/\0.*$/s, ''), result = [];
-  for (let at = 0; at + 512 <= bytes.length && bytes[at];) {
-    const size = parseInt(text(at + 124, 12), 8);
-    if (text(at + 156, 1) === '0') result.push([text(at, 100), bytes.slice(at + 512, at + 512 + size)]);
-    at += 512 + 512 * Math.ceil(size / 512);
-  }
-  return result;
-}
-
 // The page
 
 const titles = {source: 'First model', target: 'Second model', match: 'Match', blend: 'Blend'}; // of what is shown
@@ -146,14 +136,7 @@ const sides = ['source', 'target'], chosen = {source: null, target: null}, shown
 const program = new Program();
 let examples = null, isWorking = false;
 
-const examplesByName = () => examples = examples || unpacked(embedded('examples')).then(bytes => {
-  const result = new Map();
-  for (const file of filesOfTar(bytes)) {
-    const name = file[0].split('/')[0];
-    result.set(name, [...result.get(name) || [], file]);
-  }
-  return result;
-});
+const examplesByName = () => examples = examples || unpacked(embedded('examples')).then(exampleFiles);
 
 function addChoice(parent, text, choices, hint) {
   const label = element('label', text, parent), select = element('select', '', label);
@@ -181,7 +164,7 @@ const cards = Object.fromEntries(sides.map(side => {
   example.ariaLabel = `example as the ${side}`;
   element('option', 'Example', example).value = '';
   for (const name of embedded('example-names').split(' ')) element('option', name.replace(/_/g, ' '), example).value = name;
-  example.onchange = () => example.value && attempt(async () => choose(side, {name: example.value, path: example.value, files: (await examplesByName()).get(example.value)}));
+  example.onchange = () => example.value && attempt(async () => choose(side, {name: example.value, path: example.value, files: (await examplesByName())[example.value]}));
   card.example = example;
   card.up = addChoice(root, 'upright axis', [['', 'automatic'], ['x', 'x'], ['y', 'y'], ['z', 'z']], 'Which axis of the file is up');
   card.up.onchange = () => chosen[side] && attempt(() => preview(side));

@@ -55,8 +55,9 @@ py::object value_of(const Option& option)
   return std::visit(
       [&](const auto& field) -> py::object {
         using Field = std::decay_t<decltype(field)>;
-        if constexpr (std::is_same_v<Field, bool*> || std::is_same_v<Field, int*> || std::is_same_v<Field, long*> ||
-                      std::is_same_v<Field, std::size_t*> || std::is_same_v<Field, double*>)
+        if constexpr (std::is_same_v<Field, bool*> || std::is_same_v<Field, int*> ||
+                      std::is_same_v<Field, std::int64_t*> || std::is_same_v<Field, std::size_t*> ||
+                      std::is_same_v<Field, double*>)
           return py::cast(*field);
         else if (const std::string text = option.text(); !text.empty())
           return py::cast(text);

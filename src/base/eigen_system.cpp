@@ -20,8 +20,8 @@ Eigen::Matrix2d eigenvectors(const Eigen::Matrix2d& symmetric)
 
 Eigen::Matrix3d scatter_matrix(const Points& points)
 {
-  constexpr Eigen::Index fewest = 14, most = 128; // where Eigen adds up point by point
-  if (points.cols() < fewest || points.cols() > most) return points * points.transpose();
+  constexpr Eigen::Index fewest = 14; // from where on Eigen adds up point by point
+  if (points.cols() < fewest) return points * points.transpose();
   Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
   for (Eigen::Index k = 0; k < points.cols(); ++k)
     for (int j = 0; j < 3; ++j)

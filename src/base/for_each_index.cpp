@@ -16,14 +16,17 @@
 #include <exception>
 #include <limits>
 #include <mutex>
-#ifdef SHAPE_CORRESPONDENCE_PLAIN_THREADS
 #include <thread>
 #include <vector>
-#elif defined(CGAL_LINKED_WITH_TBB)
+#ifdef CGAL_LINKED_WITH_TBB
 #include <stdexcept>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_group.h>
+#else
+#include <algorithm>
+#include <system_error>
 #endif
 
 namespace CGAL::Shape_correspondence::internal {
@@ -85,11 +88,44 @@ void run_in_parallel(std::size_t n, const Work& work)
   if (group.is_group_execution_cancelled()) throw std::runtime_error("a parallel loop was cancelled");
 }
 #else
+/// All threads that may work, and those that no loop has. Where none can be made, as in a browser, the first attempt
+/// leaves none.
+std::atomic<int> working_threads{std::max(1, int(std::thread::hardware_concurrency()))},
+    idle_threads{working_threads - 1};
+
+constexpr std::size_t most_taken = 1024; // by a loop
+
+/// \return how many, up to `most`
+int take_idle_threads(int most)
+{
+  int idle = idle_threads, taken = 0;
+  do
+    taken = std::clamp(idle, 0, most);
+  while (!idle_threads.compare_exchange_weak(idle, idle - taken));
+  return taken;
+}
+
+/// The caller works, too, so that a loop in a loop that finds no thread idle goes on.
 template <typename Work>
 void run_in_parallel(std::size_t n, const Work& work)
 {
-  for (std::size_t i = 0; i < n; ++i)
-    work(i);
+  std::atomic<std::size_t> next{0};
+  const auto run = [&] {
+    for (std::size_t i = next++; i < n; i = next++)
+      work(i);
+  };
+  std::vector<std::thread> threads;
+  try {
+    for (int taken = take_idle_threads(int(std::min<std::size_t>(n, most_taken)) - 1); taken > 0; --taken)
+      threads.emplace_back([&] {
+        run();
+        ++idle_threads;
+      });
+  } catch (const std::system_error&) { // those that are taken and not made are not there
+  }
+  run();
+  for (std::thread& thread : threads)
+    thread.join();
 }
 #endif
 
@@ -112,6 +148,22 @@ void for_each_index(std::size_t n, bool parallel, const std::function<void(std::
     }
   });
   failure.rethrow();
+}
+
+std::shared_ptr<void> limit_threads([[maybe_unused]] int threads)
+{
+#ifdef SHAPE_CORRESPONDENCE_PLAIN_THREADS
+  return nullptr;
+#elif defined(CGAL_LINKED_WITH_TBB)
+  return std::make_shared<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
+#else
+  const int less = working_threads.exchange(threads) - threads;
+  idle_threads -= less;
+  return {nullptr, [less](std::nullptr_t) {
+            idle_threads += less;
+            working_threads += less;
+          }};
+#endif
 }
 
 } // namespace CGAL::Shape_correspondence::internal

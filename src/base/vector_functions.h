@@ -47,6 +47,23 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
+/// A vector of numbers, that may be where such numbers are in memory.
+template <typename Number, int Width, int Alignment = Width* int(sizeof(Number))>
+struct Vector_of
+{
+#ifdef __GNUC__
+  typedef Number type __attribute__((vector_size(Width * sizeof(Number)), aligned(Alignment), may_alias));
+#else
+  static_assert(Width == 1, "vector types need GCC or Clang");
+#endif
+};
+
+template <typename Number, int Alignment>
+struct Vector_of<Number, 1, Alignment>
+{
+  using type = Number;
+};
+
 /// Numbers in a vector.
 template <typename Number>
 constexpr int vector_width(int bytes)

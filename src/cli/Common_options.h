@@ -45,7 +45,7 @@ struct Common_options
   bool graphs_suffice = false; ///< shapes may be loaded without their models, where the cache has their graphs
   bool quiet = false, verbose = false, help = false, help_all = false;
   int threads = 0; ///< 0: all
-  long seed = 0;
+  std::int64_t seed = 0;
 
   /// The options for one input of several.
   Common_options of_input(std::size_t index) const;

@@ -88,8 +88,8 @@ void Option::check(const std::string& label) const
                       not_this);
   if (!number->is_whole)
     throw Usage_error(label + " must be between " + short_number(least) + " and " + short_number(greatest) + not_this);
-  if (is_low) throw Usage_error(label + " must be at least " + std::to_string(long(least)) + not_this);
-  throw Usage_error(label + " must be at most " + std::to_string(long(greatest)) + not_this);
+  if (is_low) throw Usage_error(label + " must be at least " + std::to_string(std::int64_t(least)) + not_this);
+  throw Usage_error(label + " must be at most " + std::to_string(std::int64_t(greatest)) + not_this);
 }
 
 Option& Option_table::Group::operator()(const std::string& name, const std::string& value, Option::Field field,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <limits>
@@ -56,7 +57,7 @@ struct Switched_to
 /// An option of a command: all that help, checks, completion, manual page and Python know of it.
 struct Option
 {
-  using Field = std::variant<bool*, Switched_off, Switched_to, int*, long*, std::size_t*, double*,
+  using Field = std::variant<bool*, Switched_off, Switched_to, int*, std::int64_t*, std::size_t*, double*,
                              std::optional<double>*, std::string*, std::vector<std::string>*, Text_field>;
 
   std::string name;       ///< long
@@ -173,7 +174,7 @@ private:
 
 /// Whether a field holds a number.
 template <typename Value>
-constexpr bool is_number = std::is_same_v<Value, int> || std::is_same_v<Value, long> ||
+constexpr bool is_number = std::is_same_v<Value, int> || std::is_same_v<Value, std::int64_t> ||
                            std::is_same_v<Value, std::size_t> || std::is_same_v<Value, double>;
 
 /// What a pointer of `Option::Field` points to; other fields as they are.

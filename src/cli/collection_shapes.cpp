@@ -89,7 +89,7 @@ std::string graph_file(const std::string& folder, const std::string& content)
 /// The text of a graph in the folder; none if it is missing or damaged.
 std::optional<std::string> stored_text(const std::string& folder, const std::string& content)
 {
-  std::ifstream in(graph_file(folder, content), std::ios::binary);
+  std::ifstream in(fs::path(graph_file(folder, content)), std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
   if (!in || IO::digest(text.str()) != content) return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include "cli/Command.h"
 #include "io/system/atomic_file.h"
+#include "io/system/operating_system.h"
 #include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -30,15 +31,15 @@ Matches two chairs of different topology that come with the program, blends them
 constexpr const char* source_model = "chair_four_legged";
 constexpr const char* target_model = "chair_swivel";
 
-/// The folder of the models that come with the program: of the installation, found from where the program lies, or of
-/// the source tree. \throw Invalid_input if there is none
+/// The folder of the models that come with the program: beside it, of the installation, found from where the program
+/// lies, or of the source tree. \throw Invalid_input if there is none
 std::string data_folder()
 {
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error); // empty where there is no such file
-  const fs::path installed = program.parent_path().parent_path() / SHAPE_CORRESPONDENCE_INSTALLED_DATA;
-  for (const fs::path& folder : {installed, fs::path(SHAPE_CORRESPONDENCE_SOURCE_DATA)})
-    if (fs::is_directory(folder, error)) return folder.string();
+  const fs::path program = IO::program_file().parent_path();
+  const fs::path installed = program.parent_path() / SHAPE_CORRESPONDENCE_INSTALLED_DATA;
+  for (const fs::path& folder : {program / "data", installed, fs::path(SHAPE_CORRESPONDENCE_SOURCE_DATA)})
+    if (fs::is_directory(folder / source_model, error)) return folder.string();
   throw Invalid_input(installed.string() + ": the models that come with the program are not there; reinstall it");
 }
 

@@ -3,19 +3,14 @@
 
 #include "cli/Command.h"
 #include "cli/Common_options.h"
+#include "io/system/operating_system.h"
 #include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/version.h>
 
-#include <csignal>
-#include <fcntl.h>
 #include <filesystem>
 #include <iostream>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-#include <unistd.h>
 
 namespace CGAL::Shape_correspondence::cli {
 namespace {
@@ -73,36 +68,11 @@ int run(const std::vector<std::string>& arguments)
   return flushed();
 }
 
-/// Opens the standard streams that are closed, such that their use fails; else the next files would be opened in
-/// their place, and what is printed would get into them.
-void reserve_standard_streams()
-{
-  for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (fcntl(stream, F_GETFD) == -1) open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-}
-
-/// Lets the allocator keep what is freed, in place of giving it back to the system and asking for it again, which takes
-/// 3 to 10 % of the time of a `graph`.
-void keep_freed_memory()
-{
-#ifdef __GLIBC__
-  // Bytes
-  constexpr int most_kept = 1 << 26;
-  constexpr int largest_kept_block = 1 << 22; // greater ones are given back when they are freed
-  constexpr int heap_growth = 1 << 22;        // at a time
-  mallopt(M_TRIM_THRESHOLD, most_kept);
-  mallopt(M_MMAP_THRESHOLD, largest_kept_block);
-  mallopt(M_TOP_PAD, heap_growth);
-#endif
-}
-
 } // namespace
 } // namespace CGAL::Shape_correspondence::cli
 
 int main(int argc, char* argv[])
 {
-  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow any more is an error of writing
-  CGAL::Shape_correspondence::cli::reserve_standard_streams();
-  CGAL::Shape_correspondence::cli::keep_freed_memory();
-  return CGAL::Shape_correspondence::cli::run(std::vector<std::string>(argv + 1, argv + argc));
+  namespace SC = CGAL::Shape_correspondence;
+  return SC::cli::run(SC::IO::start_program(argc, argv));
 }

@@ -3,11 +3,11 @@
 
 #include "cli/progress_bar.h"
 #include "cli/run.h"
+#include "io/system/operating_system.h"
 #include "io/system/quoting.h"
 
 #include <cmath>
 #include <iostream>
-#include <unistd.h>
 
 namespace CGAL::Shape_correspondence::cli {
 namespace {
@@ -28,7 +28,7 @@ std::string time_text(double seconds)
 bool is_enabled(const Common_options& options)
 {
   if (options.quiet || options.progress == "never") return false;
-  return options.progress == "always" || isatty(STDERR_FILENO);
+  return options.progress == "always" || IO::errors_are_on_terminal();
 }
 
 } // namespace

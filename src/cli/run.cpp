@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/run.h"
+#include "base/for_each_index.h"
 #include "cli/text.h"
 #include "io/system/atomic_file.h"
+#include "io/system/operating_system.h"
 #include "io/system/quoting.h"
 
 #include <chrono>
 #include <filesystem>
 #include <iostream>
-#include <sys/resource.h>
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
 namespace CGAL::Shape_correspondence::cli {
 namespace {
@@ -27,16 +25,7 @@ bool are_same_file(const std::string& a, const std::string& b)
   const auto place = [&](const std::string& path) {
     return fs::weakly_canonical(fs::absolute(IO::written_file(path), error), error);
   };
-  return a == b || place(a) == place(b);
-}
-
-/// The most memory that the process has used. Linux counts it in kilobytes.
-double peak_megabytes()
-{
-  constexpr double kilobytes = 1024;
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return double(usage.ru_maxrss) / kilobytes;
+  return a == b || IO::are_same_name(place(a), place(b));
 }
 
 } // namespace
@@ -68,19 +57,13 @@ void warn(const Common_options& options, const std::string& message)
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-Thread_limit::Thread_limit([[maybe_unused]] int threads)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if (threads > 0)
-    control_ = std::make_shared<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
-#endif
-}
+Thread_limit::Thread_limit(int threads) : control_(threads > 0 ? internal::limit_threads(threads) : nullptr) {}
 
 Run_report::~Run_report()
 {
   if (enabled_)
     std::cerr << "shape_correspondence: " << short_number(now() - begin_) << " s, at most "
-              << short_number(peak_megabytes()) << " MB\n";
+              << short_number(IO::peak_megabytes()) << " MB\n";
 }
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -17,22 +17,7 @@ namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 template <int Width>
-struct Lane_vector
-{
-#ifdef __GNUC__
-  typedef float type __attribute__((vector_size(Width * sizeof(float)), may_alias));
-  typedef std::int32_t bits __attribute__((vector_size(Width * sizeof(float))));
-#else
-  static_assert(Width == 1, "vector types need GCC or Clang");
-#endif
-};
-
-template <>
-struct Lane_vector<1>
-{
-  using type = float;
-  using bits = std::int32_t;
-};
+using Lane_vector = typename Vector_of<float, Width>::type;
 
 // x becomes max(x, y), or min(x, y), where not both are negative: compared as integers, which compilers know a maximum
 // of. Vectors are passed by reference, since their calling convention depends on the instructions.
@@ -42,7 +27,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void keep(Lanes& x, const Lanes& y)
   if constexpr (Width == 1) {
     x = (Greater ? y > x : y < x) ? y : x;
   } else {
-    using Bits = typename Lane_vector<Width>::bits;
+    using Bits = typename Vector_of<std::int32_t, Width>::type;
     const Bits a = reinterpret_cast<Bits>(x), b = reinterpret_cast<Bits>(y);
     x = reinterpret_cast<Lanes>((Greater ? b > a : b < a) ? b : a);
   }
@@ -50,9 +35,9 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void keep(Lanes& x, const Lanes& y)
 
 // A vector of lanes in memory.
 template <int Width>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE const typename Lane_vector<Width>::type& lanes_at(const float* lanes, int index)
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE const Lane_vector<Width>& lanes_at(const float* lanes, int index)
 {
-  return *reinterpret_cast<const typename Lane_vector<Width>::type*>(lanes + std::ptrdiff_t(index) * Width);
+  return *reinterpret_cast<const Lane_vector<Width>*>(lanes + std::ptrdiff_t(index) * Width);
 }
 
 // The rods from a point to a vector of samples, and their squared lengths.
@@ -81,7 +66,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void find_squared_along(const Rod_block&
 template <int Width, int Sources>
 struct Comparison_lanes
 {
-  using Lanes = typename Lane_vector<Width>::type;
+  using Lanes = Lane_vector<Width>;
   static constexpr int in_block = block_lanes / Width;
 
   Lanes cosines[std::max(Sources, 1)][in_block] = {}, least[in_block];
@@ -101,7 +86,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void
 compare_rows(const Rod_block* const* before, int at_block, const Sample_lanes& from, int begin, int end,
              const Sample_lanes& to, Comparison_lanes<Width, Sources>& totals)
 {
-  using Lanes = typename Lane_vector<Width>::type;
+  using Lanes = Lane_vector<Width>;
   constexpr int in_block = block_lanes / Width;
   const Lanes least_length = Lanes{} + zero_rod;
   const auto& at = from.coordinates;
@@ -143,7 +128,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void compare_equal_rows(const Rod_block*
                                                                 const Sample_lanes& from, int n, const Sample_lanes& to,
                                                                 Comparison_lanes<Width, Sources>& totals)
 {
-  using Lanes = typename Lane_vector<Width>::type;
+  using Lanes = Lane_vector<Width>;
   constexpr int in_block = block_lanes / Width;
   const Lanes least_length = Lanes{} + zero_rod;
   const auto& at = from.coordinates;

@@ -40,24 +40,16 @@ private:
 };
 
 template <int Width>
-struct Double_vector
-{
-#ifdef __GNUC__
-  typedef double type __attribute__((vector_size(Width * sizeof(double)), aligned(8), may_alias));
-#else
-  static_assert(Width == 1, "vector types need GCC or Clang");
-  using type = double;
-#endif
-};
+using Double_vector = typename Vector_of<double, Width, alignof(double)>::type;
 
 // The least of the numbers of a vector.
 template <int Width>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE double least_of(const typename Double_vector<Width>::type& numbers)
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE double least_of(const Double_vector<Width>& numbers)
 {
   if constexpr (Width == 1) {
     return *reinterpret_cast<const double*>(&numbers);
   } else {
-    using Half = typename Double_vector<Width / 2>::type;
+    using Half = Double_vector<Width / 2>;
     const Half low = *reinterpret_cast<const Half*>(&numbers), high = *(reinterpret_cast<const Half*>(&numbers) + 1);
     const Half least = low < high ? low : high;
     return least_of<Width / 2>(least);
@@ -73,7 +65,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void nearest_squared(const Point_lanes& 
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF
 #endif
-  using Vector = typename Double_vector<Width>::type;
+  using Vector = Double_vector<Width>;
   constexpr int at_once = 4; // points of p
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::fill_n(q_from_p, q.padded(), infinity);

@@ -175,6 +175,24 @@ TEST_CASE("No files include each other in a circle")
     CHECK(file_in_circle(file, includes, state) == "");
 }
 
+TEST_CASE("What only some compilers and systems have stands where it is met for all")
+{
+  const std::regex compiler("__attribute__|__builtin_|\\b__int128|\\bssize_t"),
+      system("#include <(unistd|windows|fcntl|io|dlfcn|spawn|poll|sys/.*)\\.h>|_WIN32|__linux__");
+  const std::set<std::string> of_compilers{"base/vector_functions.h"},
+      of_systems{"io/system/posix.cpp",       "io/system/windows.cpp",    "io/system/Descriptor.h",
+                 "io/system/run_program.cpp", "io/read/import_parts.cpp", "import/main.cpp"};
+  for (const auto& [file, path] : package_files()) {
+    INFO(file);
+    std::ifstream in(path);
+    for (std::string line; std::getline(in, line);) {
+      INFO(line);
+      CHECK_FALSE((std::regex_search(line, system) && !of_systems.count(file)));
+      CHECK_FALSE((std::regex_search(line, compiler) && !of_compilers.count(file) && !of_systems.count(file)));
+    }
+  }
+}
+
 TEST_CASE("No constant of a source has the name of one of a header, which it would hide from sources combined with it")
 {
   const std::regex definition("(\\w+)(?:\\[\\w*\\])? ?(?:= |\\{)");

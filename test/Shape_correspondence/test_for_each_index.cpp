@@ -6,17 +6,22 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task.h>
 #endif
 
 using CGAL::Shape_correspondence::internal::for_each_index;
+using CGAL::Shape_correspondence::internal::limit_threads;
 
 namespace {
 
@@ -45,10 +50,8 @@ std::vector<std::size_t> calls_of_nested_loops(std::string& failure)
 
 TEST_CASE("A call that throws leaves the loops in other calls whole, and the first failure is thrown")
 {
-  for (std::size_t threads : {1, 2, 8}) {
-#ifdef CGAL_LINKED_WITH_TBB
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-#endif
+  for (int threads : {1, 2, 8}) {
+    const std::shared_ptr<void> limit = limit_threads(threads);
     INFO(threads << " threads");
     for (int run = 0; run < runs; ++run) {
       std::string failure;
@@ -61,6 +64,34 @@ TEST_CASE("A call that throws leaves the loops in other calls whole, and the fir
     }
   }
 }
+
+#ifndef __SANITIZE_THREAD__
+TEST_CASE("As many threads work as the limit allows, in loops in loops, too, and as before when it is gone")
+{
+  const auto most_at_once = [] {
+    std::atomic<int> working{0}, most{0};
+    for_each_index(outer, true, [&](std::size_t) {
+      for_each_index(4, true, [&](std::size_t) {
+        const int now = ++working;
+        for (int known = most; known < now && !most.compare_exchange_weak(known, now);)
+          ;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        --working;
+      });
+    });
+    return int(most);
+  };
+  const int all = most_at_once();
+  CHECK(all <= std::max(1, int(std::thread::hardware_concurrency())));
+  for (int threads : {1, 2}) {
+    const std::shared_ptr<void> limit = limit_threads(threads);
+    CHECK(most_at_once() <= threads);
+    const std::shared_ptr<void> narrower = limit_threads(1);
+    CHECK(most_at_once() == 1);
+  }
+  CHECK(most_at_once() == all);
+}
+#endif
 
 TEST_CASE("A loop in sequence ends with the call that throws")
 {

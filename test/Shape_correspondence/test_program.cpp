@@ -250,6 +250,37 @@ TEST_CASE("Numbers beyond all sense and empty words are refused, and the message
   }
 }
 
+TEST_CASE("Options take values in all notations of command lines")
+{
+  const Temporary_folder folder;
+  const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair()));
+  const std::string graph = run("graph " + a + " --json -").out;
+  REQUIRE(!graph.empty());
+  for (const char* words : {"--json=-", "-o -", "-o-", "-qo-", "-q -o -", "--json - --", "--threads=1 --json -"}) {
+    INFO(words);
+    CHECK(run("graph " + std::string(words) + " " + a).out == graph);
+  }
+  const std::string pair = "match " + a + " " + a + " --allow-unmatched";
+  CHECK(run(pair).out == run(pair + "=.5").out);
+  CHECK(run(pair + " .7").out == run(pair + "=.7").out);
+  CHECK(run(pair + " --threads 1").out == run(pair).out);
+  for (const auto& [words, message] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"--quiet=3", "option '--quiet' does not take any arguments"},
+           {"--json x --json y", "option '--json' cannot be specified more than once"},
+           {"--json", "the required argument for option '--json' is missing"},
+           {"--threads 99999999999", "the argument ('99999999999') for option '--threads' is invalid"},
+           {"--threads 1x", "the argument ('1x') for option '--threads' is invalid"},
+           {"--threads=", "the argument for option '--threads' should follow immediately after the equal sign"},
+           {"--thr 1", "there is no option '--thr'; did you mean '--threads'?"},
+           {"-y", "there is no option '-y'"},
+           {"-- -q", "it takes 1 input, not 2"}}) {
+    INFO(words);
+    const Run result = run("graph " + a + " " + words);
+    CHECK(result.status == 2);
+    CHECK_THAT(result.error, Contains(message));
+  }
+}
+
 TEST_CASE("A word that is spelt nearly right is suggested")
 {
   CHECK_THAT(run("macth a b").error, Contains("did you mean 'match'? Try"));

@@ -10,7 +10,11 @@ vcpkg_cmake_configure(
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(PACKAGE_NAME Shape_correspondence CONFIG_PATH lib/cmake/Shape_correspondence)
 if("io" IN_LIST FEATURES)
-  vcpkg_copy_tools(TOOL_NAMES shape_correspondence shape_correspondence_import AUTO_CLEAN)
+  set(tools shape_correspondence)
+  if(NOT VCPKG_TARGET_IS_WINDOWS)
+    list(APPEND tools shape_correspondence_import)
+  endif()
+  vcpkg_copy_tools(TOOL_NAMES ${tools} AUTO_CLEAN)
 endif()
 
 file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include" "${CURRENT_PACKAGES_DIR}/debug/share"

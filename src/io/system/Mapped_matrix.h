@@ -3,10 +3,11 @@
 
 #pragma once
 
+#include "io/system/operating_system.h"
+
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <memory>
 #include <string>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -24,15 +25,8 @@ public:
   Eigen::Map<const Eigen::MatrixXd> operator*() const { return {entries_.get(), size_, size_}; }
 
 private:
-  struct Unmap
-  {
-    std::size_t bytes;
-
-    void operator()(double* entries) const;
-  };
-
   Eigen::Index size_;
-  std::unique_ptr<double, Unmap> entries_;
+  Mapped_numbers entries_;
 };
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/system/atomic_file.h"
+#include "io/system/operating_system.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -11,13 +12,10 @@
 #include <cctype>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstring>
-#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <unistd.h>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -43,11 +41,9 @@ std::string parent_of(const fs::path& file) { return file.has_parent_path() ? fi
 const std::string& temporary_mark()
 {
   static const std::string mark = [] {
-    char name[65] = {};
-    gethostname(name, sizeof name - 1);
     std::string result = ".tmp-";
-    for (const char* c = name; *c; ++c)
-      if (std::isalnum(static_cast<unsigned char>(*c))) result += *c;
+    for (char c : machine_name())
+      if (std::isalnum(static_cast<unsigned char>(c))) result += c;
     return result + '-';
   }();
   return mark;
@@ -57,16 +53,16 @@ const std::string& temporary_mark()
 std::string temporary_name(const fs::path& place)
 {
   static std::atomic<unsigned> count{0};
-  return place.string() + temporary_mark() + std::to_string(getpid()) + '_' + std::to_string(count++);
+  return place.string() + temporary_mark() + std::to_string(process_number()) + '_' + std::to_string(count++);
 }
 
 /// The process of this machine that made a temporary file; 0 for other names.
-pid_t maker_of(const std::string& name)
+std::int64_t maker_of(const std::string& name)
 {
   const std::string& mark = temporary_mark();
   const std::size_t at = name.rfind(mark);
   if (at == std::string::npos) return 0;
-  pid_t process = 0;
+  std::int64_t process = 0;
   unsigned count = 0;
   const char *const begin = name.data() + at + mark.size(), *const end = name.data() + name.size();
   const auto [line, error] = std::from_chars(begin, end, process);
@@ -75,14 +71,9 @@ pid_t maker_of(const std::string& name)
   return count_error == std::errc() && last == end ? process : 0;
 }
 
-/// Flushes a file to the disk before it replaces the old one.
-void synchronize(const std::string& name, const std::string& path)
+void fail_if(const std::error_code& error, const std::string& path)
 {
-  const int descriptor = open(name.c_str(), O_RDONLY);
-  const bool failed = descriptor >= 0 && fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP;
-  const int reason = errno;
-  if (descriptor >= 0) close(descriptor);
-  if (failed) fail(path, std::strerror(reason));
+  if (error) fail(path, error.message());
 }
 
 /// What is made under a temporary name, for `path`; removed again unless it is renamed.
@@ -105,11 +96,10 @@ public:
     std::error_code error;
     const fs::file_status old = fs::status(place, error);
     if (fs::is_regular_file(old)) fs::permissions(name_, old.permissions(), error);
-    synchronize(name_, path_);
-    fs::rename(name_, place, error); // takes the place of a file, or of an empty folder
-    if (error) fail(path_, error.message());
+    fail_if(synchronize(name_), path_);
+    fail_if(replace(name_, place), path_);
     renamed_ = true;
-    synchronize(parent_of(place), path_);
+    fail_if(synchronize(parent_of(place)), path_);
   }
 
 private:
@@ -122,12 +112,9 @@ std::string make_file_beside(const fs::path& file, const std::string& path)
 {
   for (;;) {
     const std::string name = temporary_name(file);
-    const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
-    if (descriptor >= 0) {
-      close(descriptor);
-      return name;
-    }
-    if (errno != EEXIST) fail(path, std::strerror(errno));
+    const std::error_code error = make_new_file(name);
+    if (!error) return name;
+    if (error != std::errc::file_exists) fail(path, error.message());
   }
 }
 
@@ -138,15 +125,15 @@ std::string make_folder_beside(const fs::path& folder, const std::string& path)
     const std::string name = temporary_name(folder);
     std::error_code error;
     if (fs::create_directory(name, error)) return name;
-    if (error) fail(path, error.message());
+    fail_if(error, path);
   }
 }
 
 /// Without slashes at its end, which would be inside the folder.
 fs::path folder_path(const std::string& path)
 {
-  const std::size_t last = path.find_last_not_of('/');
-  return last == std::string::npos ? fs::path(path) : fs::path(path.substr(0, last + 1));
+  const fs::path folder(path);
+  return folder.has_filename() || !folder.has_relative_path() ? folder : folder.parent_path();
 }
 
 void write_directly(const std::string& path, std::ostream& out, const std::function<void(std::ostream&)>& write)
@@ -161,7 +148,7 @@ void check_existing(const std::string& path, const fs::path& file)
 {
   std::error_code error;
   if (fs::is_directory(file, error)) fail(path, "it is a folder");
-  if (fs::exists(file, error) && access(file.c_str(), W_OK) != 0) fail(path, std::strerror(errno));
+  if (fs::exists(file, error)) fail_if(write_access(file), path);
 }
 
 } // namespace
@@ -198,7 +185,7 @@ void write_atomically(const std::string& path, const std::function<void(std::ost
     return write_directly(path, out, write);
   }
   Temporary temporary(path, make_file_beside(file, path));
-  std::ofstream out(temporary.name(), std::ios::binary);
+  std::ofstream out(fs::path(temporary.name()), std::ios::binary);
   write_directly(path, out, write);
   out.close();
   if (!out) fail(path, std::strerror(errno));
@@ -232,8 +219,8 @@ void remove_leftovers(const std::string& folder, const std::string& beginning)
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
-    const pid_t maker = name.compare(0, beginning.size(), beginning) == 0 ? maker_of(name) : 0;
-    if (maker > 0 && kill(maker, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), error);
+    const std::int64_t maker = name.compare(0, beginning.size(), beginning) == 0 ? maker_of(name) : 0;
+    if (maker > 0 && !is_running(maker)) fs::remove_all(entry.path(), error);
   }
 }
 

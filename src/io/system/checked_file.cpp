@@ -5,6 +5,7 @@
 #include "io/system/atomic_file.h"
 #include "io/system/digest.h"
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -35,7 +36,7 @@ std::optional<std::string> checked_content(const std::string& file, const std::s
 
 std::optional<std::string> read_checked_file(const std::string& path, const std::string& title)
 {
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in(std::filesystem::path(path), std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
   return checked_content(text.str(), title);

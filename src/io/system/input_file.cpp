@@ -30,7 +30,7 @@ std::ifstream open_input(const std::string& path)
   if (fs::is_directory(path, error)) throw Invalid_input(path + ": it is a folder; name a file in it");
   if (fs::is_fifo(path, error)) // opening it waits until somebody writes to it
     throw Invalid_input(path + ": it is a pipe; copy what it has into a file");
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in(fs::path(path), std::ios::binary);
   if (!in) throw Invalid_input(path + ": it cannot be opened for reading; check its permissions");
   return in;
 }

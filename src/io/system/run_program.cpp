@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/system/run_program.h"
+#include "io/system/Descriptor.h"
+#include "io/system/operating_system.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -22,21 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-/// A descriptor that is closed at the end of its scope.
-class Descriptor
-{
-public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { close(number_); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  operator int() const { return number_; }
-
-private:
-  int number_;
-};
 
 [[noreturn]] void fail_to_start(const std::string& program, int reason)
 {
@@ -81,13 +68,12 @@ bool read_all(int pipe, Clock::time_point end, std::string& bytes)
   }
 }
 
-/// The folder of the file that an address of this process was loaded from; of the program itself if `address` is null.
-fs::path folder_of_code(const void* address)
+/// The file that an address of this process was loaded from.
+fs::path file_of_code(const void* address)
 {
   std::error_code error;
   Dl_info info{};
-  if (address && (dladdr(address, &info) == 0 || !info.dli_fname)) return {};
-  return fs::canonical(address ? info.dli_fname : "/proc/self/exe", error).parent_path();
+  return dladdr(address, &info) != 0 && info.dli_fname ? fs::canonical(info.dli_fname, error) : fs::path();
 }
 
 } // namespace
@@ -124,9 +110,10 @@ std::string own_program(const std::string& name, const char* variable)
   const std::string beside[] = {"", SHAPE_CORRESPONDENCE_LIBEXEC_FROM_BIN, SHAPE_CORRESPONDENCE_LIBEXEC_FROM_LIB};
   std::error_code error;
   const auto is_there = [&](const fs::path& file) { return !file.empty() && fs::is_regular_file(file, error); };
-  for (const fs::path& folder : {folder_of_code(reinterpret_cast<const void*>(&own_program)), folder_of_code(nullptr)})
+  for (const fs::path& code : {file_of_code(reinterpret_cast<const void*>(&own_program)), program_file()})
     for (const std::string& place : beside)
-      if (const fs::path file = folder / place / name; !folder.empty() && is_there(file)) return file.string();
+      if (const fs::path file = code.parent_path() / place / name; !code.empty() && is_there(file))
+        return file.string();
   for (const fs::path folder : {SHAPE_CORRESPONDENCE_LIBEXEC, SHAPE_CORRESPONDENCE_BUILT})
     if (is_there(folder / name)) return (folder / name).string();
   throw Invalid_input(

@@ -107,7 +107,7 @@ Motion principal_motion(const std::vector<const Points*>& points, double distanc
   Eigen::MatrixXd rest(size, number);
   for (Eigen::Index i = 0; i < number; ++i)
     rest.col(i) = (*points[std::size_t(i)] - *points[0]).reshaped();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> components(rest.transpose() * rest);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> components(rest.transpose().lazyProduct(rest));
   Motion result;
   result.weights.resize(number, number);
   const auto is_far = [&] { return rest.reshaped(3, size / 3 * number).colwise().norm().maxCoeff() > distance; };

@@ -8,11 +8,15 @@
 Ends with status 77, which ctest counts as skipped, where there is no Chromium.
 """
 import argparse
+import base64
 import functools
+import glob
 import gzip
 import http.server
 import json
 import os
+import re
+import subprocess
 import sys
 import tempfile
 import threading
@@ -21,9 +25,10 @@ import unittest
 import chromium
 from test_pages import AFTER_DRAWING, DESKTOP, LIT, PHONE, PLACE_OF
 
-LARGEST_PAGE = 5 << 19  # bytes, as a host sends it
+LARGEST_PAGE = 2 << 20  # bytes, as a host sends it
 LONGEST_START = 5000  # milliseconds until one can choose models; on an idle machine far less
 SCREEN = (1200, 760)
+REPOSITORY = os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 3)
 arguments = None
 browser = None
 
@@ -40,6 +45,24 @@ class Silent(http.server.SimpleHTTPRequestHandler):
 
 def raw(name):
     return os.path.join(arguments.data, "raw", name + ".obj")
+
+
+class Examples(unittest.TestCase):
+    def test_examples_are_unpacked_to_the_bytes_of_the_files(self):
+        with open(arguments.page, encoding="utf-8") as file:
+            packed = re.search(r'id="examples">([^<]+)<', file.read())[1]
+        with open(os.path.join(REPOSITORY, "app", "page", "examples.js"), encoding="utf-8") as file:
+            script = file.read().replace("export ", "") + """
+                const models = exampleFiles(require('fs').readFileSync(0));
+                const text = bytes => new TextDecoder().decode(bytes);
+                console.log(JSON.stringify(Object.values(models).flat().map(([path, bytes]) => [path, text(bytes)])))"""
+        output = subprocess.run(["node", "-e", script], input=gzip.decompress(base64.b64decode(packed)), check=True, capture_output=True)
+        parts = json.loads(output.stdout)
+        self.assertEqual(sorted(path for path, _ in parts), sorted(
+            os.path.relpath(path, arguments.data) for path in glob.glob(os.path.join(arguments.data, "*", "parts", "*.obj"))))
+        for path, text in parts:
+            with open(os.path.join(arguments.data, path), encoding="utf-8", newline="") as file:
+                self.assertEqual(text, file.read(), path)
 
 
 class App(unittest.TestCase):
@@ -163,7 +186,7 @@ class App(unittest.TestCase):
             for name, content, words in (("torn.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n", ("torn.obj", "vertex")),
                                          ("empty.stl", "", ("empty.stl", "empty")),
                                          ("chair.glb", "glTF", ("chair.glb", "cut off")),
-                                         ("chair.fbx", "Kaydara", ("chair.fbx", "save it as GLB")),
+                                         ("chair.fbx", "Kaydara", ("chair.fbx", "save the model as GLB")),
                                          ("notes.txt", "chair", ("There is no model",))):
                 path = os.path.join(folder, name)
                 with open(path, "w", encoding="utf-8") as file:

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/system/Descriptor.h"
+#include "io/system/operating_system.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::error_code error_of(int number) { return {number, std::generic_category()}; }
+std::error_code last_error_if(bool failed) { return failed ? error_of(errno) : std::error_code(); }
+
+/// Opens the standard streams that are closed, such that their use fails; else the next files would be opened in
+/// their place, and what is printed would get into them.
+void reserve_standard_streams()
+{
+  for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) == -1) open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+/// Lets the allocator keep what is freed, in place of giving it back to the system and asking for it again, which takes
+/// 3 to 10 % of the time of a `graph`.
+void keep_freed_memory()
+{
+#ifdef __GLIBC__
+  // Bytes
+  constexpr int most_kept = 1 << 26;
+  constexpr int largest_kept_block = 1 << 22; // greater ones are given back when they are freed
+  constexpr int heap_growth = 1 << 22;        // at a time
+  mallopt(M_TRIM_THRESHOLD, most_kept);
+  mallopt(M_MMAP_THRESHOLD, largest_kept_block);
+  mallopt(M_TOP_PAD, heap_growth);
+#endif
+}
+
+/// A new file with all of its room taken, whose name is gone; -1 if that fails.
+int make_nameless_file(const fs::path& folder, std::size_t bytes, std::error_code& error)
+{
+  std::string name = folder / "matrix.XXXXXX";
+  const int descriptor = mkstemp(name.data());
+  error = last_error_if(descriptor < 0);
+  if (error) return -1;
+  unlink(name.c_str());
+  error = error_of(posix_fallocate(descriptor, 0, off_t(bytes)));
+  return descriptor;
+}
+
+} // namespace
+
+std::vector<std::string> start_program(int argc, char* argv[])
+{
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow any more is an error of writing
+  reserve_standard_streams();
+  keep_freed_memory();
+  return {argv + 1, argv + argc};
+}
+
+fs::path program_file()
+{
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error);
+}
+
+bool errors_are_on_terminal() { return isatty(STDERR_FILENO); }
+
+double peak_megabytes()
+{
+  constexpr double kilobytes = 1024; // Linux counts in them
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return double(usage.ru_maxrss) / kilobytes;
+}
+
+std::string machine_name()
+{
+  char name[65] = {};
+  gethostname(name, sizeof name - 1);
+  return name;
+}
+
+std::int64_t process_number() { return getpid(); }
+
+bool is_running(std::int64_t process) { return kill(pid_t(process), 0) == 0 || errno != ESRCH; }
+
+bool are_same_name(const fs::path& a, const fs::path& b) { return a == b; }
+
+std::error_code make_new_file(const fs::path& file)
+{
+  const Descriptor made(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666));
+  return last_error_if(made < 0);
+}
+
+std::error_code write_access(const fs::path& file) { return last_error_if(access(file.c_str(), W_OK) != 0); }
+
+std::error_code synchronize(const fs::path& path)
+{
+  const Descriptor opened(open(path.c_str(), O_RDONLY));
+  return last_error_if(opened >= 0 && fsync(opened) != 0 && errno != EINVAL && errno != ENOTSUP);
+}
+
+std::error_code replace(const fs::path& old_path, const fs::path& new_path)
+{
+  std::error_code error;
+  fs::rename(old_path, new_path, error);
+  return error;
+}
+
+Mapped_numbers map_zeros(const fs::path& folder, std::size_t bytes, std::error_code& error)
+{
+  error.clear();
+  const Descriptor file(folder.empty() ? -1 : make_nameless_file(folder, bytes, error));
+  if (error) return {};
+  const int flags = folder.empty() ? MAP_PRIVATE | MAP_ANONYMOUS : MAP_SHARED;
+  void* const begin = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, flags, file, 0); // stays when the file is closed
+  error = last_error_if(begin == MAP_FAILED);
+  if (error) return {};
+  return {static_cast<double*>(begin), [bytes](double* numbers) { munmap(numbers, bytes); }};
+}
+
+} // namespace CGAL::Shape_correspondence::IO

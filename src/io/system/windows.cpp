@@ -1,0 +1,188 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/system/operating_system.h"
+
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+
+#ifndef NOMINMAX
+#define NOMINMAX
+#endif
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+
+#include <fcntl.h>
+#include <io.h>
+#include <psapi.h>
+#include <shellapi.h>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::error_code last_error_if(BOOL failed)
+{
+  return failed ? std::error_code(int(GetLastError()), std::system_category()) : std::error_code();
+}
+
+/// A handle that is closed at the end of its scope.
+class Handle
+{
+public:
+  explicit Handle(HANDLE handle) : handle_(handle) {}
+  ~Handle()
+  {
+    if (is_open()) CloseHandle(handle_);
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+
+  operator HANDLE() const { return handle_; }
+  bool is_open() const { return handle_ && handle_ != INVALID_HANDLE_VALUE; }
+
+private:
+  HANDLE handle_;
+};
+
+HANDLE open_to_write(const fs::path& file, DWORD creation, DWORD attributes)
+{
+  return CreateFileW(file.c_str(), GENERIC_READ | GENERIC_WRITE, FILE_SHARE_READ, nullptr, creation, attributes,
+                     nullptr);
+}
+
+/// Text to a console is in UTF-8 until the program ends.
+void write_utf8()
+{
+  static const UINT before = GetConsoleOutputCP();
+  if (before != 0 && SetConsoleOutputCP(CP_UTF8)) std::atexit([] { SetConsoleOutputCP(before); });
+}
+
+std::string utf8_of(const wchar_t* text)
+{
+  const int size = WideCharToMultiByte(CP_UTF8, 0, text, -1, nullptr, 0, nullptr, nullptr);
+  std::string result(std::size_t(size), '\0');
+  WideCharToMultiByte(CP_UTF8, 0, text, -1, result.data(), size, nullptr, nullptr);
+  result.pop_back(); // the zero
+  return result;
+}
+
+/// A file that is gone when its handle is closed, also if the program is killed.
+HANDLE make_scratch_file(const fs::path& folder)
+{
+  static std::atomic<unsigned> count{0};
+  const std::string name = "matrix." + std::to_string(process_number()) + '_' + std::to_string(count++);
+  return open_to_write(folder / name, CREATE_ALWAYS, FILE_ATTRIBUTE_TEMPORARY | FILE_FLAG_DELETE_ON_CLOSE);
+}
+
+} // namespace
+
+std::vector<std::string> start_program(int, char*[])
+{
+  for (int stream : {0, 1, 2})
+    _setmode(stream, _O_BINARY); // the same bytes as elsewhere
+  write_utf8();
+  int count = 0;
+  const std::unique_ptr<LPWSTR, decltype(&LocalFree)> words(CommandLineToArgvW(GetCommandLineW(), &count), &LocalFree);
+  std::vector<std::string> arguments;
+  for (int i = 1; i < count; ++i)
+    arguments.push_back(utf8_of(words.get()[i]));
+  return arguments;
+}
+
+fs::path program_file()
+{
+  std::wstring name(1 << 15, L'\0'); // the longest
+  name.resize(GetModuleFileNameW(nullptr, name.data(), DWORD(name.size())));
+  return name;
+}
+
+bool errors_are_on_terminal()
+{
+  const HANDLE console = GetStdHandle(STD_ERROR_HANDLE);
+  DWORD mode = 0;
+  return GetConsoleMode(console, &mode) && SetConsoleMode(console, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
+}
+
+double peak_megabytes()
+{
+  constexpr double megabyte = 1 << 20;
+  PROCESS_MEMORY_COUNTERS counters{};
+  K32GetProcessMemoryInfo(GetCurrentProcess(), &counters, sizeof counters);
+  return double(counters.PeakWorkingSetSize) / megabyte;
+}
+
+std::string machine_name()
+{
+  wchar_t name[MAX_COMPUTERNAME_LENGTH + 1] = {};
+  DWORD size = MAX_COMPUTERNAME_LENGTH + 1;
+  GetComputerNameW(name, &size);
+  return utf8_of(name);
+}
+
+std::int64_t process_number() { return GetCurrentProcessId(); }
+
+bool is_running(std::int64_t process)
+{
+  const Handle opened(OpenProcess(SYNCHRONIZE, FALSE, DWORD(process)));
+  if (!opened.is_open()) return GetLastError() != ERROR_INVALID_PARAMETER; // there is no such process
+  return WaitForSingleObject(opened, 0) == WAIT_TIMEOUT;
+}
+
+bool are_same_name(const fs::path& a, const fs::path& b)
+{
+  return CompareStringOrdinal(a.c_str(), -1, b.c_str(), -1, TRUE) == CSTR_EQUAL;
+}
+
+std::error_code make_new_file(const fs::path& file)
+{
+  const Handle made(open_to_write(file, CREATE_NEW, FILE_ATTRIBUTE_NORMAL));
+  return last_error_if(!made.is_open());
+}
+
+std::error_code write_access(const fs::path& file)
+{
+  constexpr int writing = 2;
+  return _waccess(file.c_str(), writing) == 0 ? std::error_code() : std::error_code(errno, std::generic_category());
+}
+
+std::error_code synchronize(const fs::path& path)
+{
+  std::error_code error;
+  if (fs::is_directory(path, error)) return {};
+  const Handle file(open_to_write(path, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL));
+  return last_error_if(!file.is_open() || !FlushFileBuffers(file));
+}
+
+std::error_code replace(const fs::path& old_path, const fs::path& new_path)
+{
+  // A file cannot be replaced while another process, such as a virus scanner, has it open
+  constexpr int attempts = 50;
+  constexpr DWORD pause = 20; // milliseconds
+  std::error_code error;
+  if (fs::is_directory(new_path, error)) fs::remove(new_path, error);
+  for (int i = 0; i < attempts; ++i) {
+    error = last_error_if(
+        !MoveFileExW(old_path.c_str(), new_path.c_str(), MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH));
+    if (error.value() != ERROR_ACCESS_DENIED && error.value() != ERROR_SHARING_VIOLATION) return error;
+    Sleep(pause);
+  }
+  return error;
+}
+
+Mapped_numbers map_zeros(const fs::path& folder, std::size_t bytes, std::error_code& error)
+{
+  const auto file = std::make_shared<Handle>(folder.empty() ? INVALID_HANDLE_VALUE : make_scratch_file(folder));
+  error = last_error_if(!folder.empty() && !file->is_open());
+  if (error) return {};
+  const Handle mapping(
+      CreateFileMappingW(*file, nullptr, PAGE_READWRITE, DWORD(std::uint64_t(bytes) >> 32), DWORD(bytes), nullptr));
+  void* const begin = mapping.is_open() ? MapViewOfFile(mapping, FILE_MAP_ALL_ACCESS, 0, 0, bytes) : nullptr;
+  error = last_error_if(!begin);
+  if (error) return {};
+  return {static_cast<double*>(begin), [file](double* numbers) { UnmapViewOfFile(numbers); }};
+}
+
+} // namespace CGAL::Shape_correspondence::IO
