@@ -46,13 +46,14 @@ struct Blend_task
 {
   static constexpr std::size_t no_part = std::size_t(-1); ///< index of a part where there is none
 
-  Blend_task_type type = Blend_task_type::MORPH;         ///< what happens
-  std::size_t source = no_part;                          ///< index of the source part, if there is one
-  std::size_t target = no_part;                          ///< index of the target part, if there is one
-  std::vector<std::size_t> other_sources, other_targets; ///< further parts, if several become, or are, one surface
-  double begin = 0;                                      ///< time of the blend, in [0, 1], at which it begins
-  double end = 1;                                        ///< time of the blend, in [0, 1], at which it ends
-  Blend_obstacle obstacle = Blend_obstacle::NONE;        ///< to a map, if there is one
+  Blend_task_type type = Blend_task_type::MORPH;  ///< what happens
+  std::size_t source = no_part;                   ///< index of the source part, if there is one
+  std::size_t target = no_part;                   ///< index of the target part, if there is one
+  std::vector<std::size_t> other_sources;         ///< further source parts, if several become one surface
+  std::vector<std::size_t> other_targets;         ///< further target parts
+  double begin = 0;                               ///< time of the blend, in [0, 1], at which it begins
+  double end = 1;                                 ///< time of the blend, in [0, 1], at which it ends
+  Blend_obstacle obstacle = Blend_obstacle::NONE; ///< to a map, if there is one
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
