@@ -3,7 +3,6 @@
 
 #include "blend/Blend_part.h"
 
-#include "base/Disjoint_sets.h"
 #include "blend/Blend_stage.h"
 #include "blend/mirror_images.h"
 #include "blend/pair_boxes.h"
@@ -126,79 +125,10 @@ std::vector<std::vector<Point>> places_of(const std::vector<Carried_part>& going
   return result;
 }
 
-using Axes = std::vector<std::optional<Point>>; // by part
-
-/// Whether parts carry it above its middle.
-bool hangs(const Part_mesh& mesh, const Carried_part& part)
-{
-  constexpr double high = 0.1; // of half of its height
-  const contacts::Box box = box_of(mesh.points);
-  return std::all_of(part.roots.begin(), part.roots.end(), [&](const Root& root) {
-    return !root.carriers.empty() && root.at.y() > box.center().y() + high * box.sizes().y() / 2;
-  });
-}
-
-/// Finds supports that give way to others, as legs to a column: sets of parts that go, that stand and are carried from
-/// above. They contract to the middle of what comes in their place, with what only they carry.
-class Support_finder
-{
-public:
-  /// \param stays by end and part
-  Support_finder(const Blend_stage& stage, const std::array<std::vector<char>, 2>& stays,
-                 const Part_pairs& corresponding)
-      : stage_(stage), sets_(stays[0].size() + stays[1].size()), boxes_(sets_.size())
-  {
-    for (const auto& [s, t] : corresponding)
-      if (!stays[0][s] && !stays[1][t]) sets_.unite(number(0, s), number(1, t));
-    for (std::size_t end : {0u, 1u})
-      for (std::size_t part = 0; part < stays[end].size(); ++part)
-        boxes_[sets_[number(end, part)]][end].extend(box_of(stage.meshes[end][part].points));
-  }
-
-  /// By part of an end, the upright axis that it contracts to, if it does.
-  Axes axes(std::size_t end, const std::vector<Carried_part>& going) const
-  {
-    std::vector<char> is_support(sets_.size(), 0);
-    for (const Carried_part& part : going)
-      if (hangs(mesh(end, part), part)) is_support[set_of(end, part)] = 1;
-    for (const Carried_part& part : going)
-      if (mesh(end, part).points.row(1).minCoeff() <= Blend_part::on_ground && !hangs(mesh(end, part), part))
-        is_support[set_of(end, part)] = 0;
-    Axes result(stage_.meshes[end].size());
-    for (const Carried_part& part : going) {
-      const auto& [own, others] = std::pair(boxes_[set_of(end, part)][end], boxes_[set_of(end, part)][1 - end]);
-      if (is_support[set_of(end, part)] && !others.isEmpty() && own.min().y() <= Blend_part::on_ground) {
-        const Point place =
-            (others.center() - stage_.boxes[1 - end].min()).cwiseQuotient(stage_.boxes[1 - end].sizes());
-        result[part.part] = stage_.boxes[end].min() + place.cwiseProduct(stage_.boxes[end].sizes());
-      } else if (std::all_of(part.roots.begin(), part.roots.end(),
-                             [&](const Root& root) { return !root.carriers.empty() && result[root.carriers[0]]; })) {
-        result[part.part] = result[part.roots[0].carriers[0]];
-      }
-    }
-    return result;
-  }
-
-private:
-  std::size_t number(std::size_t end, std::size_t part) const
-  {
-    return end == 0 ? part : stage_.meshes[0].size() + part;
-  }
-  std::size_t set_of(std::size_t end, const Carried_part& part) const { return sets_[number(end, part.part)]; }
-
-  const Part_mesh& mesh(std::size_t end, const Carried_part& part) const { return stage_.meshes[end][part.part]; }
-
-  const Blend_stage& stage_;
-  Disjoint_sets sets_;
-  std::vector<std::array<contacts::Box, 2>> boxes_; ///< by set and end
-};
-
 /// The part of a shape that goes.
 /// \param places where it is carried
-/// \param axis to which it contracts, if it does
 Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part& carried,
-                          const std::vector<Point>& places, const std::optional<Point>& axis,
-                          const std::vector<Blend_part>& parts)
+                          const std::vector<Point>& places, const std::vector<Blend_part>& parts)
 {
   const auto e = std::size_t(end);
   Blend_part result;
@@ -209,10 +139,8 @@ Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part&
   const Part_mesh& mesh = stage.meshes[e][carried.part];
   for (const Root& root : carried.roots)
     result.roots.push_back({root.at, root.carriers.empty() ? root.carriers : parts_of(parts, end, root.carriers[0])});
-  result.contracts = bool(axis);
-  result.retreat = std::make_shared<Retreating_part>(
-      axis ? Retreating_part::contracting(mesh, *axis, hangs(mesh, carried))
-           : Retreating_part(mesh, axes_of_box(stage, end, carried.part), places, carried.joins));
+  result.retreat =
+      std::make_shared<Retreating_part>(mesh, axes_of_box(stage, end, carried.part), places, carried.joins);
   result.set_ends();
   result.is_needed = result.stands || carried.joins || reaches_out(stage, end, carried.part, parts);
   return result;
@@ -231,26 +159,20 @@ void set_image(const Blend_stage& stage, std::size_t number, std::vector<Blend_p
 
 } // namespace
 
-void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, const Part_pairs& corresponding,
-                         std::vector<Blend_part>& parts)
+void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std::vector<Blend_part>& parts)
 {
   const std::size_t matched = parts.size();
-  std::array<std::vector<char>, 2> all_stay;
-  for (int end : {0, 1})
-    for (std::size_t part = 0; part < stage.meshes[std::size_t(end)].size(); ++part)
-      all_stay[std::size_t(end)].push_back(!parts_of(parts, end, part).empty());
-  const Support_finder supports(stage, all_stay, corresponding);
   for (int end : {0, 1}) {
-    const std::vector<char>& stays = all_stay[std::size_t(end)];
-    std::vector<char> corresponds(stays.size(), 0);
+    std::vector<char> stays(stage.meshes[std::size_t(end)].size()), corresponds(stays.size(), 0);
+    for (std::size_t part = 0; part < stays.size(); ++part)
+      stays[part] = !parts_of(parts, end, part).empty();
     for (const auto& [s, t] : unlike)
       corresponds[end == 0 ? s : t] = 1;
     const std::vector<Carried_part> going = carried_parts(stage, end, stays);
     const std::vector<std::vector<Point>> places = places_of(going, stage.images[std::size_t(end)], stays.size());
-    const Axes axes = supports.axes(std::size_t(end), going);
     for (const Carried_part& carried : going) {
-      Blend_part part = unmatched_part(stage, end, carried, places[carried.part], axes[carried.part], parts);
-      bool is_unlike = corresponds[carried.part] || part.contracts;
+      Blend_part part = unmatched_part(stage, end, carried, places[carried.part], parts);
+      bool is_unlike = corresponds[carried.part];
       for (const Root& root : part.roots) // what unlike parts carry goes with them
         for (std::size_t carrier : root.carriers)
           is_unlike = is_unlike || (parts[carrier].retreat && parts[carrier].task.obstacle != Blend_obstacle::NONE);

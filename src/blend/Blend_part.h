@@ -47,7 +47,6 @@ struct Blend_part
   std::size_t image = Blend_task::no_part;        ///< its mirror image, where the blend is to be symmetric
   bool is_reflected = false;                      ///< computed as the image's image, in its charts
   bool stands = false;                            ///< on the ground, at all ends that have it
-  bool contracts = false; ///< an unmatched part towards the middle of those that come in its place
   bool is_needed = false; ///< an unmatched part that stands, joins others or makes the shape larger, or carries one
   std::array<double, 2> foot = {0, 0}; ///< by end, how high its lowest point is
   double needless_turn = 0;            ///< of a matched part, beyond the least one, in radians
@@ -92,9 +91,7 @@ std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Corresponden
 
 /// Adds the parts of both ends that become no part.
 /// \param unlike pairs that correspond but do not morph
-/// \param corresponding all pairs that the correspondence has
-void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, const Part_pairs& corresponding,
-                         std::vector<Blend_part>& parts);
+void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std::vector<Blend_part>& parts);
 
 inline contacts::Box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
 

@@ -7,7 +7,6 @@
 #include "blend/ease.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
@@ -69,8 +68,6 @@ void In_between_shape::set_progress(const Task_times& times, double t)
     if (part.morph) {
       sum += part.size * progress_[i];
       sizes += part.size;
-    } else if (part.contracts) { // quickly out of what would be as thin as a hair
-      remaining_[i] = std::sqrt(part.end() == 0 ? 1 - progress_[i] : progress_[i]);
     } else if (part.task.obstacle != Blend_obstacle::NONE) {
       remaining_[i] = part.change_times().remaining(part.end(), progress_[i]);
     } else {

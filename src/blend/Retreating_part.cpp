@@ -107,16 +107,6 @@ Retreating_part::Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& a
 }
 
 /// Of the way from the root.
-Retreating_part Retreating_part::contracting(const Part_mesh& mesh, const Point& axis, bool is_support)
-{
-  Retreating_part result(mesh);
-  result.root_ = axis;
-  if (is_support) result.middle_ = (mesh.points.rowwise().minCoeff() + mesh.points.rowwise().maxCoeff()) / 2;
-  result.staying_ = Point::UnitY() * Point::UnitY().transpose();
-  result.vanishing_ = Eigen::Matrix3d::Identity() - result.staying_;
-  return result;
-}
-
 Eigen::Matrix3d Retreating_part::scale(double remaining) const
 {
   constexpr double little = 0.3;
@@ -125,19 +115,12 @@ Eigen::Matrix3d Retreating_part::scale(double remaining) const
   return left * vanishing_ + std::min(1., remaining / little) * others + staying_;
 }
 
-Point Retreating_part::place(const Point& p, double remaining) const
-{
-  if (!middle_) return root_ + scale(remaining) * (p - root_);
-  return root_ + scale(remaining) * (*middle_ - root_) + scale(std::sqrt(remaining)) * (p - *middle_);
-}
+Point Retreating_part::place(const Point& p, double remaining) const { return root_ + scale(remaining) * (p - root_); }
 
 Points Retreating_part::points(double remaining) const
 {
   if (remaining >= 1) return mesh_.points;
-  Points result = mesh_.points;
-  for (auto p : result.colwise())
-    p = place(Point(p), remaining);
-  return result;
+  return (scale(remaining) * (mesh_.points.colwise() - root_)).colwise() + root_;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -9,7 +9,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -26,9 +25,6 @@ public:
   /// \param joins whether it joins parts that nothing else joins
   Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& axes, const std::vector<Point>& roots, bool joins);
 
-  /// One that contracts towards an upright axis, or comes out of it. A support goes there faster than it thins.
-  static Retreating_part contracting(const Part_mesh& mesh, const Point& axis, bool is_support);
-
   const Eigen::Matrix3Xi& triangles() const { return mesh_.triangles; }
   /// The middle of those of its roots that it draws back to.
   const Point& root() const { return root_; }
@@ -38,13 +34,11 @@ public:
   Points points(double remaining) const;
 
 private:
-  explicit Retreating_part(const Part_mesh& mesh) : mesh_(mesh) {}
   Eigen::Matrix3d scale(double remaining) const;
 
   Part_mesh mesh_;
   Point root_;
   bool thins_ = false;                  ///< between roots at both ends
-  std::optional<Point> middle_;         ///< of a support that contracts
   Eigen::Matrix3d vanishing_, staying_; ///< the ways from the root that vanish first, and not: projections onto axes
 };
 

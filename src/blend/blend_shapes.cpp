@@ -133,7 +133,7 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
     const auto time = [&](double progress) { return task.begin + time_of(progress) * (task.end - task.begin); };
     if (!part.morph) {
       const Change_times& times = part.change_times();
-      const bool shrinks = part.end() == 0, is_unlike = task.obstacle != Blend_obstacle::NONE && !part.contracts;
+      const bool shrinks = part.end() == 0, is_unlike = task.obstacle != Blend_obstacle::NONE;
       const double come = is_unlike ? time(times.come[0]) : task.begin, go = is_unlike ? time(times.go[1]) : task.end;
       result.push_back({part.name, task, part.triangles(0), shrinks ? 0 : come, shrinks ? go : 1, part.end()});
       continue;

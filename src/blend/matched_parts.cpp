@@ -228,17 +228,11 @@ private:
 };
 
 /// All pairs of parts, with those of mirror images.
-Part_pairs corresponding_parts(const Blend_stage& stage, const Correspondence& correspondence)
+Part_pairs paired_parts(const Blend_stage& stage, const Correspondence& correspondence)
 {
   Part_pairs result = part_pairs(correspondence.pairs);
   add_mirrored(result, stage.images[0], stage.images[1]);
-  return result;
-}
-
-/// The same with the members of sets paired with each other.
-Part_pairs paired_members(const Blend_stage& stage, const Part_pairs& corresponding)
-{
-  Part_pairs result = matched_members(stage.charted[0], stage.charted[1], corresponding);
+  result = matched_members(stage.charted[0], stage.charted[1], result);
   add_mirrored(result, stage.images[0], stage.images[1]);
   return result;
 }
@@ -260,8 +254,7 @@ Part_pairs pairs_in(const std::vector<Part_set>& sets, const Part_pairs& pairs)
 
 std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence)
 {
-  const Part_pairs corresponding = corresponding_parts(stage, correspondence);
-  const Part_pairs all = paired_members(stage, corresponding);
+  const Part_pairs all = paired_parts(stage, correspondence);
   Part_set_maker maker(stage);
   Torn_pairs torn;
   for (;;) {
@@ -290,7 +283,7 @@ std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Corresponden
     for (Blend_part& part : result)
       if (std::binary_search(leftover.begin(), leftover.end(), std::pair(part.task.source, part.task.target)))
         part.task.type = Blend_task_type::EXCHANGE;
-    add_unmatched_parts(stage, unlike, corresponding, result);
+    add_unmatched_parts(stage, unlike, result);
     return result;
   }
 }

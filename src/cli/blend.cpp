@@ -29,8 +29,8 @@ const char* const blend_help =
 Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. All stand on one
 ground, in the axes of the source. Every part goes straight to the place of its counterpart and morphs on the way: by a
 map between the two surfaces or, where it would be torn, by their distance fields, several parts together where they have
-to. Parts without counterpart draw back into what carries them, or grow out of it; legs contract to the column that takes
-their place. Parts in contact stay in contact. The first frame is the source, the last one the target.
+to. Parts without counterpart draw back into what carries them, or grow out of it; parts in contact stay in contact. The
+first frame is the source, the last one the target.
 
 With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
 plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb, with --solid as one closed surface.

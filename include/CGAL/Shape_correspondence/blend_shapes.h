@@ -60,8 +60,7 @@ struct Blend_surface
 ///   fall apart, a surface that would be torn is replaced by the other one in its box half-way.
 /// - *Unmatched parts*, and those that become their counterparts in neither way, go with what carries them, and draw
 ///   back into it, or grow out of it. What the shape needs to stand or to hang together, and what reaches beyond all
-///   that stays, goes last and comes first. Supports that give way to others, as legs to a column, contract to the
-///   middle of those, which come out of it. Two parts without counterpart that are alike in place and size become each
+///   that stays, goes last and comes first. Two parts without counterpart that are alike in place and size become each
 ///   other (`Blend_task_type::EXCHANGE`).
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two, and both move alike.
