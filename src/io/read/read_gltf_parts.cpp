@@ -221,6 +221,7 @@ private:
       corner = vertices[corner];
     add_looks(looks_of(primitive, attributes, corners, points.cols()), corners.size() / 3, part.corners.size() / 3,
               part.appearance);
+    if (part.corners.empty()) part.corners.reserve(corners.size());
     for (std::size_t corner : corners)
       part.corners.push_back(to_world * Point(points.col(Eigen::Index(corner))));
   }
